@@ -64,6 +64,9 @@ struct pp_method {
                                                * ends with NULL. NULL: none */
     enum pp_gives gives;
     enum pp_speaks_for speaks_for;
+    bool
+        of_real_room; /* fitted to rooms as they are: what stands outside and the ground
+                        * enter as the room has them, and its own world is the room */
     bool of_all_surfaces; /* an average over the room's surfaces, not its working plane:
                            * not to be compared with one */
     unsigned allowances;  /* what its figures already contain, enum pp_allowance */
@@ -162,9 +165,15 @@ extern const struct pp_method pp_method_arndt;
 extern const struct pp_method pp_method_dresler;
 extern const struct pp_method pp_method_nomogram;
 
+/* The same by position, fitted to traced rooms: */
+extern const struct pp_method pp_method_irc_atlas;
+extern const struct pp_method pp_method_bre_atlas;
+extern const struct pp_method pp_method_split_flux_atlas;
+
 /* The daylight factor as a whole: */
 extern const struct pp_method pp_method_average_df;
 extern const struct pp_method pp_method_average_df_lynes;
+extern const struct pp_method pp_method_average_df_atlas;
 extern const struct pp_method pp_method_lumen;
 extern const struct pp_method pp_method_lumen_one;
 

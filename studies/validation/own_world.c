@@ -16,6 +16,7 @@
 struct own_kind {
     double ground_reflectance;
     bool surroundings; /* the room's own, not skylines */
+    bool real;         /* all of it is the room's own */
 };
 
 struct own_world {
@@ -70,7 +71,8 @@ static struct own_kind kind_of(const struct pp_own_worlds *worlds,
     bool direct = method->gives == PP_GIVES_DIRECT;
     return (struct own_kind){.ground_reflectance =
                                  method->own_ground > 0.0 ? method->own_ground : ground,
-                             .surroundings = direct || worlds->skylines.as_they_are};
+                             .surroundings = direct || worlds->skylines.as_they_are,
+                             .real = method->of_real_room};
 }
 
 /* The index of that world; -1: it is the room's. There is none yet for the count. */
@@ -80,7 +82,7 @@ static int index_of(const struct pp_own_worlds *worlds, struct own_kind kind,
     const struct pp_report *room = worlds->room;
     bool ground = room->world->ground_is_open
                   && kind.ground_reflectance == room->light.ground_reflectance;
-    if (kind.surroundings && (ground || component == PP_SC))
+    if (kind.real || (kind.surroundings && (ground || component == PP_SC)))
         return -1;
     for (int i = 0; i < worlds->count; i++)
         if (worlds->list[i].kind.surroundings == kind.surroundings

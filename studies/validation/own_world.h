@@ -11,6 +11,7 @@
  *     others               the ground open, of the reflectance that is built into the
  *                          method (pp_method.own_ground), or of the room's; for what
  *                          stands outside, the skylines of own_skylines.h
+ *     of_real_room         the room as it is, to which they were fitted
  *     a pair A+B           SC and ERC of A's world, IRC of B's
  *
  * The sky component depends on what stands outside alone, so that a world with another

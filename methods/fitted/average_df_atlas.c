@@ -1,0 +1,120 @@
+/* average_df_atlas.c - `average-df-atlas`: the average daylight factor in one formula
+ * (average_df.c) corrected by what traced rooms say of it [ATLAS].
+ *
+ *     df = k T W (1 - n + n rho_f) M / (A (1 - R^2)) 2 (V + C_b + C_g)
+ *          (V / V_0)^b exp(-e d (1/w + 1/h)) (A / A_f)^c exp(-g C_g / (V + C_b + C_g))
+ *
+ * In place of theta, twice the light on the opening's outside: 90 % under an open sky and
+ * over a ground that reflects 0.1, as 90 degrees are in print. What stands outside, the
+ * reveal and how much of the room is floor enter by powers and exponentials; light of the
+ * ground falls on the ceiling first and counts less by the factor exp(-g) at most. The share
+ * n of the opening below the working plane counts with the floor's reflectance.
+ *
+ * For vertical openings of clear glass under the CIE overcast sky. The formula contains
+ * the opening's glass, the frame and dirt.
+ */
+#include <stdlib.h>
+
+#include "methods/allowance.h"
+#include "methods/fitted/fitted_constants.h"
+#include "methods/fitted/fitted_light.h"
+#include "methods/fitted/fitted_opening.h"
+#include "methods/method.h"
+#include "methods/reflected/interior.h"
+#include "methods/refusals.h"
+
+static const struct pp_formula_quantity quantities[] = {
+    {"T", PP_UNIT_NUMBER,
+     "diffuse transmittance of the glass, 1 for an unglazed opening"},
+    {"W", PP_UNIT_SQUARE_METRE, "net area of glass: opening area times frame factor"},
+    {"M", PP_UNIT_NUMBER, "maintenance: what dirt leaves"},
+    PP_INTERIOR_QUANTITIES,
+    {"A_f", PP_UNIT_SQUARE_METRE, "area of the floor"},
+    {"rho_f", PP_UNIT_NUMBER, "its reflectance"},
+    PP_FITTED_LIGHT_QUANTITIES,
+    PP_FITTED_OPENING_REVEAL,
+    PP_FITTED_OPENING_LOW,
+    {"E", PP_UNIT_SHARE, "on the opening's outside in all"},
+    {"k_r", PP_UNIT_NUMBER, "correction for the reveal, the floor and the ground"},
+    {0},
+};
+
+static const struct pp_formula outside = {
+    .symbol = "E",
+    .sum = "V + C_b + C_g",
+    .unit = PP_UNIT_SHARE,
+    .what = "on the opening's outside in all",
+    .quantities = quantities,
+};
+
+static const struct pp_formula correction = {
+    .symbol = "k_r",
+    .sum =
+        "exp(-" PP_FITTED_DF_REVEAL " d (1 / w + 1 / h)) (A / A_f)^" PP_FITTED_DF_FLOOR
+        " exp(-" PP_FITTED_DF_GROUND " C_g / max(E, 0.001))",
+    .unit = PP_UNIT_NUMBER,
+    .source = "ATLAS",
+    .what = "correction for the reveal, the floor and the ground",
+    .quantities = quantities,
+};
+
+static const struct pp_formula average = {
+    .symbol = "df",
+    .sum =
+        PP_FITTED_DF " T W (1 - n + n rho_f) M 2 E / (A (1 - R^2)) " PP_FITTED_LIGHT_SKY
+                     "^" PP_FITTED_DF_SKY " k_r",
+    .unit = PP_UNIT_SHARE,
+    .source = "ATLAS",
+    .what = "average daylight factor over the working plane",
+    .quantities = quantities,
+};
+
+static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W, &outside,
+                                                    &correction, &average, NULL};
+
+static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
+{
+    (void)light, (void)receiver, (void)err;
+    struct pp_worksheet *sheet = &part->sheet;
+    struct pp_interior all = pp_interior_all(world);
+    struct pp_interior floor = pp_interior_role(world, PP_FLOOR);
+    int line = opening->line;
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "T",
+                     "opening on line %d: diffuse transmittance", line);
+    pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);
+    pp_fitted_opening_put_low(sheet, world, opening);
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, floor.area_m2, "A_f",
+                     "area of the floor");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, floor.reflectance, "rho_f",
+                     "its reflectance");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->maintenance, "M",
+                     "opening on line %d: maintenance", line);
+    pp_interior_put(sheet, &all);
+    pp_fitted_light_put(sheet, tools, world, opening);
+    pp_worksheet_work(sheet, &outside, "on it in all");
+    pp_fitted_opening_put_reveal(sheet, opening);
+    pp_worksheet_work(sheet, &correction, "for the reveal, the floor and the ground");
+    part->value = pp_worksheet_work(
+        sheet, &average, "opening on line %d: average daylight factor", line);
+    return PP_OK;
+}
+
+const struct pp_method pp_method_average_df_atlas = {
+    .name = "average-df-atlas",
+    .summary = "average daylight factor in one formula, corrected by traced rooms",
+    .source = "ATLAS",
+    .formulae = formulae,
+    .gives = PP_GIVES_WHOLE,
+    .speaks_for = PP_FOR_ROOM,
+    .of_real_room = true,
+    .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
+    .refuses_room = pp_refusals_formula_room,
+    .refuses = pp_fitted_light_refuses,
+    .prepare = pp_fitted_light_prepare,
+    .destroy_tools = free,
+    .evaluate = evaluate,
+};

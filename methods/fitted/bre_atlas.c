@@ -1,0 +1,124 @@
+/* bre_atlas.c - `bre-atlas`: the BRE formula (reflected/bre_terms.h) corrected by what
+ * traced rooms say of it [ATLAS]: by the room's own ground and what stands outside, and by
+ * position.
+ *
+ *   L      light on the opening that counts, over that of the formula: the sky, what
+ *          stands outside and the ground that is seen, in place of C and of a ground that
+ *          reflects 0.1
+ *   irc_m  mean over the working plane
+ *
+ * Light of a sky that is half hidden comes from high up and lights less of the room, by a
+ * power of V; a window high up, with more of the room below it, more of it. f_d and f_s:
+ * fitted_position.h. Scope and allowances are those of `bre`, but for panes that spread
+ * light.
+ */
+#include <stdlib.h>
+
+#include "methods/fitted/fitted_constants.h"
+#include "methods/fitted/fitted_light.h"
+#include "methods/fitted/fitted_parts.h"
+#include "methods/fitted/fitted_position.h"
+#include "methods/method.h"
+#include "methods/reflected/bre_terms.h"
+#include "methods/refusals.h"
+
+static const struct pp_formula_quantity quantities[] = {
+    PP_BRE_TERMS_OPENING,
+    PP_INTERIOR_QUANTITIES,
+    PP_FITTED_PARTS_QUANTITIES,
+    PP_FITTED_LIGHT_QUANTITIES,
+    PP_FITTED_POSITION_QUANTITIES,
+    {"IRC_av", PP_UNIT_SHARE, "average internally reflected component, as printed"},
+    {"L", PP_UNIT_NUMBER, "light that enters, over that of the printed formula"},
+    {"irc_m", PP_UNIT_SHARE, "mean over the working plane"},
+    {0},
+};
+
+static const struct pp_formula light_ratio = {
+    .symbol = "L",
+    .sum = "((V + C_b) R_fw + C_g R_cw) / (C R_fw + " PP_BRE_TERMS_GROUND ")",
+    .unit = PP_UNIT_NUMBER,
+    .what = "light that enters, over that of the printed formula",
+    .quantities = quantities,
+};
+
+static const struct pp_formula mean = {
+    .symbol = "irc_m",
+    .sum = PP_FITTED_BRE " IRC_av L " PP_FITTED_LIGHT_SKY "^" PP_FITTED_BRE_SKY
+                         " (A_l / A_u)^(" PP_FITTED_BRE_PARTS " (1 - R))",
+    .unit = PP_UNIT_SHARE,
+    .source = "ATLAS",
+    .what = "mean internally reflected component",
+    .quantities = quantities,
+};
+
+static const struct pp_formula at_point = {
+    .symbol = "irc",
+    .sum = "irc_m f_d f_s",
+    .unit = PP_UNIT_SHARE,
+    .source = "ATLAS",
+    .what = "internally reflected component at the point",
+    .quantities = quantities,
+};
+
+static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W,
+                                                    &pp_bre_terms_IRC_av,
+                                                    &light_ratio,
+                                                    PP_FITTED_POSITION_FORMULAE,
+                                                    &mean,
+                                                    &at_point,
+                                                    NULL};
+
+/* As the printed formula, whose sum it divides by, it needs light or reflectances. */
+static const char *refuses(const struct pp_world *world,
+                           const struct pp_outside_light *light,
+                           const struct pp_opening *opening,
+                           const struct pp_receiver *receiver)
+{
+    struct pp_interior_parts parts =
+        pp_interior_split_without(world, opening->middle_z_m, opening->face);
+    if (!(parts.lower.reflectance > 0.0 || parts.upper.reflectance > 0.0))
+        return "lights a room that reflects nothing";
+    return pp_fitted_parts_refuses(world, light, opening, receiver);
+}
+
+static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
+{
+    struct pp_worksheet *sheet = &part->sheet;
+    struct pp_bre_terms terms;
+    enum pp_status status = pp_bre_terms(&terms, world, light, opening, err);
+    if (status != PP_OK)
+        return status;
+    pp_bre_terms_work(sheet, &pp_bre_terms_IRC_av, &terms, opening);
+    pp_fitted_light_put(sheet, tools, world, opening);
+    pp_worksheet_work(sheet, &light_ratio,
+                      "light that enters, over that of the formula");
+    pp_fitted_parts_put(sheet, world, opening);
+    pp_worksheet_work(sheet, &mean,
+                      "opening on line %d: mean internally reflected component",
+                      opening->line);
+    pp_fitted_position_put(sheet, world, opening, receiver);
+    part->value = pp_worksheet_work(sheet, &at_point, "the same at the point");
+    return PP_OK;
+}
+
+const struct pp_method pp_method_bre_atlas = {
+    .name = "bre-atlas",
+    .summary = "BRE inter-reflection formula, corrected by traced rooms, by position",
+    .source = "ATLAS",
+    .formulae = formulae,
+    .gives = PP_GIVES_INTERNAL,
+    .speaks_for = PP_FOR_POINT,
+    .has_average = true,
+    .of_real_room = true,
+    .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
+    .refuses_room = pp_refusals_formula_room,
+    .refuses = refuses,
+    .prepare = pp_fitted_light_prepare,
+    .destroy_tools = free,
+    .evaluate = evaluate,
+};

@@ -1,0 +1,86 @@
+/* fitted_light.c - V, C_b and C_g by the geometry of `exact`: with and without a ground
+ * that reflects. */
+#include "methods/fitted/fitted_light.h"
+
+#include <stdlib.h>
+
+#include "methods/exact/exterior.h"
+#include "methods/reflected/interior.h"
+#include "methods/refusals.h"
+
+static enum pp_status light_on(struct pp_fitted_light *on, const struct pp_world *world,
+                               const struct pp_outside_light *light,
+                               const struct pp_opening *opening, struct pp_error *err)
+{
+    struct pp_vec3 out = pp_vec_scale(opening->inner.normal, -1.0);
+    struct pp_vec3 middle = pp_exterior_opening_centroid(opening);
+    struct pp_outside_light dark = *light;
+    struct pp_exterior_light all, without;
+    dark.ground_reflectance = 0.0;
+    enum pp_status status =
+        pp_exterior_sky_on_plane(&on->V, world, opening, out, &light->sky, err);
+    if (status == PP_OK)
+        status = pp_exterior_light_on_plane(&without, world, &dark, middle, out,
+                                            opening->face, err);
+    if (status == PP_OK)
+        status = pp_exterior_light_on_plane(&all, world, light, middle, out,
+                                            opening->face, err);
+    if (status != PP_OK)
+        return status;
+    on->C_b = without.external;
+    on->C_g = all.external - without.external;
+    return PP_OK;
+}
+
+enum pp_status pp_fitted_light_prepare(void **tools, const struct pp_world *world,
+                                       const struct pp_outside_light *light,
+                                       struct pp_error *err)
+{
+    struct pp_fitted_light *list =
+        calloc((size_t)world->opening_count + 1, sizeof *list);
+    if (!list)
+        return pp_fail_memory(err);
+    for (int i = 0; i < world->opening_count; i++) {
+        enum pp_status status =
+            light_on(list + i, world, light, world->openings + i, err);
+        if (status != PP_OK) {
+            free(list);
+            return status;
+        }
+    }
+    *tools = list;
+    return PP_OK;
+}
+
+struct pp_fitted_light pp_fitted_light_put(struct pp_worksheet *sheet,
+                                           const void *tools,
+                                           const struct pp_world *world,
+                                           const struct pp_opening *opening)
+{
+    const struct pp_fitted_light *list = tools;
+    struct pp_fitted_light on = list[opening - world->openings];
+    int line = opening->line;
+    pp_worksheet_put(sheet, PP_UNIT_SHARE, on.V, "V",
+                     "opening on line %d: on its outside from the sky alone", line);
+    pp_worksheet_put(sheet, PP_UNIT_SHARE, on.C_b, "C_b",
+                     "on it from what stands outside");
+    pp_worksheet_put(sheet, PP_UNIT_SHARE, on.C_g, "C_g",
+                     "on it from the ground that is seen");
+    return on;
+}
+
+const char *pp_fitted_light_refuses(const struct pp_world *world,
+                                    const struct pp_outside_light *light,
+                                    const struct pp_opening *opening,
+                                    const struct pp_receiver *receiver)
+{
+    (void)light, (void)receiver;
+    const char *why = pp_refusals_unless_vertical(opening);
+    if (why)
+        return why;
+    if (opening->glass.diffusing)
+        return "spreads its light, and only clear panes are covered";
+    if (!(pp_interior_all(world).reflectance < 1.0))
+        return "lights a room that reflects all light, without end";
+    return NULL;
+}

@@ -1,0 +1,52 @@
+/* fitted_light.h - the light on the outside of an opening, parted by where it comes from,
+ * for the formulae that were fitted to traced rooms.
+ *
+ *   V     from the sky alone: the vertical sky component
+ *   C_b   from what stands outside, by the convention of `exact` (exterior.h)
+ *   C_g   from the ground that is seen, of the room's reflectance
+ *
+ * All over Eh, at the middle of the opening's outside and without glass, under the CIE
+ * overcast sky. They do not depend on the receiver and are worked out once for a world.
+ */
+#ifndef PP_METHODS_FITTED_FITTED_LIGHT_H
+#define PP_METHODS_FITTED_FITTED_LIGHT_H
+
+#include "model/light/outside_light.h"
+#include "model/results/worksheet.h"
+#include "model/room/world.h"
+
+struct pp_fitted_light {
+    double V, C_b, C_g; /* fractions */
+};
+
+/* Rows of a formula's list of quantities. */
+#define PP_FITTED_LIGHT_QUANTITIES                                                     \
+    {"V", PP_UNIT_SHARE, "on the opening's outside from the sky alone"},               \
+        {"C_b", PP_UNIT_SHARE, "on it from what stands outside"},                      \
+    {                                                                                  \
+        "C_g", PP_UNIT_SHARE, "on it from the ground that is seen"                     \
+    }
+
+/* How much of the open sky is left, in the formulae: 39.6 % is that on a vertical plane
+ * under the open overcast sky. */
+#define PP_FITTED_LIGHT_SKY "max(V / 39.6, 0.02)"
+
+/* Of each opening of the world, in their order: a method's `prepare`; freed by free(). */
+enum pp_status pp_fitted_light_prepare(void **tools, const struct pp_world *world,
+                                       const struct pp_outside_light *light,
+                                       struct pp_error *err);
+
+/* Puts down those of one opening; tools: of pp_fitted_light_prepare. Returns them. */
+struct pp_fitted_light pp_fitted_light_put(struct pp_worksheet *sheet,
+                                           const void *tools,
+                                           const struct pp_world *world,
+                                           const struct pp_opening *opening);
+
+/* A method's `refuses`: openings that are not vertical, panes that spread light, and rooms
+ * that reflect all light. */
+const char *pp_fitted_light_refuses(const struct pp_world *world,
+                                    const struct pp_outside_light *light,
+                                    const struct pp_opening *opening,
+                                    const struct pp_receiver *receiver);
+
+#endif

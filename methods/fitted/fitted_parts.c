@@ -1,0 +1,32 @@
+/* fitted_parts.c - A_u, rho_u, A_l and rho_l of an opening, put down. */
+#include "methods/fitted/fitted_parts.h"
+
+#include "methods/fitted/fitted_light.h"
+
+struct pp_interior_parts pp_fitted_parts_put(struct pp_worksheet *sheet,
+                                             const struct pp_world *world,
+                                             const struct pp_opening *opening)
+{
+    struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, parts.upper.area_m2, "A_u",
+                     "area of all above %.2f m, the middle of the opening",
+                     opening->middle_z_m);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.upper.reflectance, "rho_u",
+                     "its mean reflectance");
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, parts.lower.area_m2, "A_l",
+                     "area of all below it");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.lower.reflectance, "rho_l",
+                     "its mean reflectance");
+    return parts;
+}
+
+const char *pp_fitted_parts_refuses(const struct pp_world *world,
+                                    const struct pp_outside_light *light,
+                                    const struct pp_opening *opening,
+                                    const struct pp_receiver *receiver)
+{
+    struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
+    if (!(parts.upper.area_m2 > 0.0 && parts.lower.area_m2 > 0.0))
+        return "has all of the room above or below it";
+    return pp_fitted_light_refuses(world, light, opening, receiver);
+}

@@ -1,0 +1,32 @@
+/* fitted_parts.h - the parts of a room below and above the middle of an opening's height,
+ * without openings (interior.h), for the formulae that were fitted to traced rooms. */
+#ifndef PP_METHODS_FITTED_FITTED_PARTS_H
+#define PP_METHODS_FITTED_FITTED_PARTS_H
+
+#include "methods/reflected/interior.h"
+#include "model/light/outside_light.h"
+
+/* Rows of a formula's list of quantities. */
+#define PP_FITTED_PARTS_QUANTITIES                                                     \
+    {"A_u", PP_UNIT_SQUARE_METRE,                                                      \
+     "area of the surfaces above the middle of the opening's height, without "         \
+     "openings"},                                                                      \
+        {"rho_u", PP_UNIT_NUMBER, "their mean reflectance"},                           \
+        {"A_l", PP_UNIT_SQUARE_METRE, "area of those below it"},                       \
+    {                                                                                  \
+        "rho_l", PP_UNIT_NUMBER, "their mean reflectance"                              \
+    }
+
+/* Puts them down, and returns them. */
+struct pp_interior_parts pp_fitted_parts_put(struct pp_worksheet *sheet,
+                                             const struct pp_world *world,
+                                             const struct pp_opening *opening);
+
+/* A method's `refuses`: as pp_fitted_light_refuses, and openings all of whose room lies
+ * above them, or below. */
+const char *pp_fitted_parts_refuses(const struct pp_world *world,
+                                    const struct pp_outside_light *light,
+                                    const struct pp_opening *opening,
+                                    const struct pp_receiver *receiver);
+
+#endif

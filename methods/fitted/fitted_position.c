@@ -1,0 +1,140 @@
+/* fitted_position.c - the extents of the room square to an opening's wall and along it,
+ * the place of a receiver in them, and the two factors worked out. */
+#include "methods/fitted/fitted_position.h"
+
+#include "methods/fitted/fitted_constants.h"
+
+#define SECTION                                                                        \
+    {"w_r", PP_UNIT_METRE, "breadth of the room along the opening's wall"},            \
+    {                                                                                  \
+        "h_r", PP_UNIT_METRE, "height of the room"                                     \
+    }
+#define DEPTH                                                                          \
+    {                                                                                  \
+        "d_r", PP_UNIT_METRE, "depth of the room, square to the opening's wall"        \
+    }
+#define RANGE                                                                          \
+    {"R", PP_UNIT_NUMBER, "mean reflectance of all inside surfaces"},                  \
+    {                                                                                  \
+        "l", PP_UNIT_METRE, "range of the light if nothing were reflected"             \
+    }
+
+static const struct pp_formula_quantity of_l[] = {SECTION, DEPTH, {0}};
+static const struct pp_formula_quantity of_q[] = {SECTION, DEPTH, RANGE, {0}};
+static const struct pp_formula_quantity of_f_d[] = {
+    SECTION,
+    DEPTH,
+    RANGE,
+    {"q_d", PP_UNIT_NUMBER, "depth of the room in ranges of the light"},
+    {"x", PP_UNIT_METRE, "distance of the point from the opening's wall"},
+    {0}};
+static const struct pp_formula_quantity of_f_s[] = {
+    SECTION,
+    DEPTH,
+    RANGE,
+    {"q_s", PP_UNIT_NUMBER, "half the room's breadth in ranges of the light"},
+    {"y", PP_UNIT_METRE, "distance from the middle of the opening, along its wall"},
+    {0}};
+
+const struct pp_formula pp_fitted_position_l = {
+    .symbol = "l",
+    .sum = "2 w_r h_r / (w_r + h_r)",
+    .unit = PP_UNIT_METRE,
+    .what = "range of the light: twice the section's area over half its perimeter",
+    .quantities = of_l,
+};
+
+const struct pp_formula pp_fitted_position_q_d = {
+    .symbol = "q_d",
+    .sum = PP_FITTED_DEPTH " d_r sqrt(1 - R) / l",
+    .unit = PP_UNIT_NUMBER,
+    .source = "ATLAS",
+    .what = "depth of the room in ranges of the light",
+    .quantities = of_q,
+};
+
+/* q cosh(q (1 - x/d)) / sinh(q) without powers above 1, which would overflow. */
+const struct pp_formula pp_fitted_position_f_d = {
+    .symbol = "f_d",
+    .sum = "q_d (exp(-q_d x / d_r) + exp(-q_d (2 - x / d_r))) / (1 - exp(-2 q_d))",
+    .unit = PP_UNIT_NUMBER,
+    .what = "factor by the depth of the point",
+    .quantities = of_f_d,
+};
+
+const struct pp_formula pp_fitted_position_q_s = {
+    .symbol = "q_s",
+    .sum = PP_FITTED_SIDE " w_r sqrt(1 - R) / l",
+    .unit = PP_UNIT_NUMBER,
+    .source = "ATLAS",
+    .what = "half the room's breadth in ranges of the light, sideways",
+    .quantities = of_q,
+};
+
+const struct pp_formula pp_fitted_position_f_s = {
+    .symbol = "f_s",
+    .sum = "q_s exp(-2 q_s y / w_r) / (1 - exp(-q_s))",
+    .unit = PP_UNIT_NUMBER,
+    .what = "factor by the point's place sideways",
+    .quantities = of_f_s,
+};
+
+static struct pp_vec3 middle_of(const struct pp_opening *opening)
+{
+    struct pp_vec3 sum = {0.0, 0.0, 0.0};
+    for (int i = 0; i < opening->inner.count; i++)
+        sum = pp_vec_add(sum, opening->inner.vertices[i]);
+    return pp_vec_scale(sum, 1.0 / opening->inner.count);
+}
+
+struct pp_fitted_place pp_fitted_position_of(const struct pp_world *world,
+                                             const struct pp_opening *opening,
+                                             const struct pp_receiver *receiver)
+{
+    struct pp_vec3 middle = middle_of(opening), in = opening->inner.normal;
+    double deep = 0.0, left = INFINITY, right = -INFINITY;
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++) {
+            struct pp_vec3 from =
+                pp_vec_sub(world->surfaces[i].outline.vertices[k], middle);
+            double along = pp_vec_dot(from, opening->along);
+            deep = fmax(deep, pp_vec_dot(from, in));
+            left = fmin(left, along);
+            right = fmax(right, along);
+        }
+    struct pp_fitted_place place = {
+        .d_r = deep, .w_r = right - left, .h_r = world->height_m};
+    if (receiver) {
+        struct pp_vec3 from = pp_vec_sub(receiver->position, middle);
+        place.x = fmax(pp_vec_dot(from, in), 0.0);
+        place.y = fabs(pp_vec_dot(from, opening->along));
+    }
+    return place;
+}
+
+void pp_fitted_position_put(struct pp_worksheet *sheet, const struct pp_world *world,
+                            const struct pp_opening *opening,
+                            const struct pp_receiver *receiver)
+{
+    if (!receiver) {
+        pp_worksheet_put(sheet, PP_UNIT_NUMBER, 1.0, "f_d", "mean over the depth");
+        pp_worksheet_put(sheet, PP_UNIT_NUMBER, 1.0, "f_s", "mean over the breadth");
+        return;
+    }
+    const struct pp_fitted_place place =
+        pp_fitted_position_of(world, opening, receiver);
+    pp_worksheet_put(sheet, PP_UNIT_METRE, place.d_r, "d_r",
+                     "depth of the room, square to the wall of the opening on line %d",
+                     opening->line);
+    pp_worksheet_put(sheet, PP_UNIT_METRE, place.w_r, "w_r", "its breadth");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, place.h_r, "h_r", "its height");
+    pp_worksheet_work(sheet, &pp_fitted_position_l, "range of the light");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, place.x, "x",
+                     "distance of the point from that wall");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, place.y, "y",
+                     "from the middle of the opening, along the wall");
+    pp_worksheet_work(sheet, &pp_fitted_position_q_d, "depth of the room in ranges");
+    pp_worksheet_work(sheet, &pp_fitted_position_f_d, "by the depth of the point");
+    pp_worksheet_work(sheet, &pp_fitted_position_q_s, "half its breadth in ranges");
+    pp_worksheet_work(sheet, &pp_fitted_position_f_s, "by its place sideways");
+}

@@ -1,0 +1,57 @@
+/* fitted_position.h - how the internally reflected component varies over the working
+ * plane: with the distance from the window's wall, and sideways.
+ *
+ * A room that is deep beside its height and breadth is a pipe for light. What is
+ * reflected spreads along it by diffusion, loses the share 1 - R at each reflection, and
+ * cannot leave by the back wall: over a range l / sqrt(1 - R) from the window's wall it
+ * falls off as cosh does, with l twice the area of the section over half its perimeter:
+ *
+ *     l = 2 w_r h_r / (w_r + h_r)
+ *     f_d = q_d cosh(q_d (1 - x / d_r)) / sinh(q_d),    q_d = k d_r sqrt(1 - R) / l     (1)
+ *     f_s = q_s exp(-2 q_s y / w_r) / (1 - exp(-q_s)),  q_s = s w_r sqrt(1 - R) / l     (2)
+ *
+ * The mean of (1) over the depth is 1, and that of (2) over the breadth for an opening in
+ * the middle of its wall; R to 1 makes both 1 (the light of a furnace is the same
+ * everywhere), and a depth without end makes them fall to 0. k and s are fitted [ATLAS].
+ *
+ *   x, y      from the opening's wall, and from its middle along the wall
+ *   d_r, w_r  the room's depth and breadth, square to that wall and along it
+ *   h_r       its height
+ *
+ * A point behind the plane of the opening's wall counts as in it.
+ */
+#ifndef PP_METHODS_FITTED_FITTED_POSITION_H
+#define PP_METHODS_FITTED_FITTED_POSITION_H
+
+#include "model/results/worksheet.h"
+#include "model/room/world.h"
+
+/* Rows of a formula's list of quantities. */
+#define PP_FITTED_POSITION_QUANTITIES                                                  \
+    {"f_d", PP_UNIT_NUMBER, "by the depth of the point, over the mean"},               \
+    {                                                                                  \
+        "f_s", PP_UNIT_NUMBER, "by its place sideways, over the mean"                  \
+    }
+
+/* Rows of a method's list of formulae. */
+extern const struct pp_formula pp_fitted_position_l, pp_fitted_position_q_d,
+    pp_fitted_position_f_d, pp_fitted_position_q_s, pp_fitted_position_f_s;
+#define PP_FITTED_POSITION_FORMULAE                                                    \
+    &pp_fitted_position_l, &pp_fitted_position_q_d, &pp_fitted_position_f_d,           \
+        &pp_fitted_position_q_s, &pp_fitted_position_f_s
+
+/* What (1) and (2) are of, for one opening and receiver. */
+struct pp_fitted_place {
+    double d_r, w_r, h_r, x, y; /* m */
+};
+struct pp_fitted_place pp_fitted_position_of(const struct pp_world *world,
+                                             const struct pp_opening *opening,
+                                             const struct pp_receiver *receiver);
+
+/* Puts down f_d and f_s, and what they come from but R, which is on the sheet. Without a
+ * receiver both are 1, their mean over the working plane. */
+void pp_fitted_position_put(struct pp_worksheet *sheet, const struct pp_world *world,
+                            const struct pp_opening *opening,
+                            const struct pp_receiver *receiver);
+
+#endif

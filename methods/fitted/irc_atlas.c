@@ -1,0 +1,109 @@
+/* irc_atlas.c - `irc-atlas`: internally reflected component by position, a formula of six
+ * terms for paper, whose constants were fitted to traced rooms [ATLAS].
+ *
+ *     irc = tau Ag / (A (1 - R)) ((V + C_b) rho_l + C_g)       light that enters; sphere
+ *           rho_u^a                                            (1) upper surfaces
+ *           (V / V_0)^b                                        (2) from high up, if hidden
+ *           (A_l / A_u)^(c (1 - R))                            (3) height of the opening
+ *           exp(-e (1 - R) d (1/w + 1/h))                      (4) reveal
+ *           f_d f_s                                            (5), (6) position
+ *
+ * Light of the sky falls on the lower part of the room and is reflected by it and by the
+ * upper part before it comes to the working plane; light of the ground by the upper part
+ * only. The first line is the formula of `sphere` with the light outside parted by what it
+ * comes from, and the rest of it by what happens to a share 1 - R of the light in it: in a
+ * furnace, R to 1 under an open sky, it is the energy balance tau Ag (V + C_g)/(A (1 - R))
+ * everywhere, whatever was fitted. No opening, or an upper part that reflects nothing,
+ * gives 0. f_d and f_s: fitted_position.h; the light outside: fitted_light.h.
+ *
+ * For vertical openings of clear glass under the CIE overcast sky, and points that face
+ * up. The formula contains the opening's glass and, through Ag, the frame; no dirt, no
+ * deterioration of decorations.
+ */
+#include <stdlib.h>
+
+#include "methods/allowance.h"
+#include "methods/fitted/fitted_constants.h"
+#include "methods/fitted/fitted_light.h"
+#include "methods/fitted/fitted_opening.h"
+#include "methods/fitted/fitted_parts.h"
+#include "methods/fitted/fitted_position.h"
+#include "methods/method.h"
+#include "methods/refusals.h"
+
+static const struct pp_formula_quantity quantities[] = {
+    {"tau", PP_UNIT_NUMBER,
+     "diffuse transmittance of the opening's own glass, 1 for no glass"},
+    {"Ag", PP_UNIT_SQUARE_METRE, "net area of glass: opening area times frame factor"},
+    PP_INTERIOR_QUANTITIES,
+    PP_FITTED_PARTS_QUANTITIES,
+    PP_FITTED_LIGHT_QUANTITIES,
+    PP_FITTED_OPENING_REVEAL,
+    PP_FITTED_POSITION_QUANTITIES,
+    {"irc_m", PP_UNIT_SHARE, "mean over the working plane"},
+    {0},
+};
+
+static const struct pp_formula mean = {
+    .symbol = "irc_m",
+    .sum = "tau Ag / (A (1 - R)) ((V + C_b) rho_l + C_g) rho_u^" PP_FITTED_UPPER
+           " " PP_FITTED_LIGHT_SKY "^" PP_FITTED_SKY " ((A_l / A_u)^" PP_FITTED_PARTS
+           " exp(-" PP_FITTED_REVEAL " d (1 / w + 1 / h)))^(1 - R)",
+    .unit = PP_UNIT_SHARE,
+    .source = "ATLAS",
+    .what = "mean internally reflected component",
+    .quantities = quantities,
+};
+
+static const struct pp_formula at_point = {
+    .symbol = "irc",
+    .sum = "irc_m f_d f_s",
+    .unit = PP_UNIT_SHARE,
+    .source = "ATLAS",
+    .what = "internally reflected component at the point",
+    .quantities = quantities,
+};
+
+static const struct pp_formula *const formulae[] = {
+    &pp_allowance_glass_Ag, PP_FITTED_POSITION_FORMULAE, &mean, &at_point, NULL};
+
+static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
+{
+    (void)light, (void)err;
+    struct pp_worksheet *sheet = &part->sheet;
+    struct pp_interior all = pp_interior_all(world);
+    pp_allowance_net_glass(sheet, &pp_allowance_glass_Ag, opening);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "tau",
+                     "opening on line %d: diffuse transmittance", opening->line);
+    pp_fitted_light_put(sheet, tools, world, opening);
+    pp_interior_put(sheet, &all);
+    pp_fitted_parts_put(sheet, world, opening);
+    pp_fitted_opening_put_reveal(sheet, opening);
+    pp_worksheet_work(sheet, &mean,
+                      "opening on line %d: mean internally reflected component",
+                      opening->line);
+    pp_fitted_position_put(sheet, world, opening, receiver);
+    part->value = pp_worksheet_work(sheet, &at_point, "the same at the point");
+    return PP_OK;
+}
+
+const struct pp_method pp_method_irc_atlas = {
+    .name = "irc-atlas",
+    .summary = "internally reflected component by position, fitted to traced rooms",
+    .source = "ATLAS",
+    .formulae = formulae,
+    .gives = PP_GIVES_INTERNAL,
+    .speaks_for = PP_FOR_POINT,
+    .has_average = true,
+    .of_real_room = true,
+    .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
+    .refuses_room = pp_refusals_formula_room,
+    .refuses = pp_fitted_parts_refuses,
+    .prepare = pp_fitted_light_prepare,
+    .destroy_tools = free,
+    .evaluate = evaluate,
+};

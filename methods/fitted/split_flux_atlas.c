@@ -1,0 +1,97 @@
+/* split_flux_atlas.c - `split-flux-atlas`: the split-flux formula (reflected/split_flux.c)
+ * corrected by what traced rooms say of it [ATLAS]: by what stands outside and the ground
+ * that is seen, by glass below the working plane, and by position.
+ *
+ * Light of a sky that is half hidden comes from high up and lights less of the room, by a
+ * power of V; light through the share n of the opening below the working plane falls on
+ * what the points above do not see. f_d and f_s: fitted_position.h. For vertical openings
+ * of clear glass under the CIE overcast sky and points that face up; allowances are those
+ * of `split-flux`.
+ */
+#include <stdlib.h>
+
+#include "methods/allowance.h"
+#include "methods/fitted/fitted_constants.h"
+#include "methods/fitted/fitted_light.h"
+#include "methods/fitted/fitted_opening.h"
+#include "methods/fitted/fitted_parts.h"
+#include "methods/fitted/fitted_position.h"
+#include "methods/method.h"
+#include "methods/refusals.h"
+
+static const struct pp_formula_quantity quantities[] = {
+    {"tau", PP_UNIT_NUMBER,
+     "diffuse transmittance of the opening's own glass, 1 for no glass"},
+    {"Ag", PP_UNIT_SQUARE_METRE, "net area of glass: opening area times frame factor"},
+    PP_INTERIOR_QUANTITIES,
+    PP_FITTED_PARTS_QUANTITIES,
+    PP_FITTED_LIGHT_QUANTITIES,
+    PP_FITTED_OPENING_LOW,
+    PP_FITTED_POSITION_QUANTITIES,
+    {"irc_m", PP_UNIT_SHARE, "mean over the working plane"},
+    {0},
+};
+
+static const struct pp_formula mean = {
+    .symbol = "irc_m",
+    .sum = PP_FITTED_FLUX " tau Ag / (1 - rho_u rho_l) (rho_u C_g / A_u + rho_u rho_l "
+                          "(V + C_b) / A_l) " PP_FITTED_LIGHT_SKY "^" PP_FITTED_FLUX_SKY
+                          " exp(-" PP_FITTED_FLUX_LOW " n)",
+    .unit = PP_UNIT_SHARE,
+    .source = "ATLAS",
+    .what = "mean internally reflected component",
+    .quantities = quantities,
+};
+
+static const struct pp_formula at_point = {
+    .symbol = "irc",
+    .sum = "irc_m f_d f_s",
+    .unit = PP_UNIT_SHARE,
+    .source = "ATLAS",
+    .what = "internally reflected component at the point",
+    .quantities = quantities,
+};
+
+static const struct pp_formula *const formulae[] = {
+    &pp_allowance_glass_Ag, PP_FITTED_POSITION_FORMULAE, &mean, &at_point, NULL};
+
+static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
+{
+    (void)light, (void)err;
+    struct pp_worksheet *sheet = &part->sheet;
+    struct pp_interior all = pp_interior_all(world);
+    pp_allowance_net_glass(sheet, &pp_allowance_glass_Ag, opening);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "tau",
+                     "opening on line %d: diffuse transmittance", opening->line);
+    pp_fitted_light_put(sheet, tools, world, opening);
+    pp_interior_put(sheet, &all);
+    pp_fitted_parts_put(sheet, world, opening);
+    pp_fitted_opening_put_low(sheet, world, opening);
+    pp_worksheet_work(sheet, &mean,
+                      "opening on line %d: mean internally reflected component",
+                      opening->line);
+    pp_fitted_position_put(sheet, world, opening, receiver);
+    part->value = pp_worksheet_work(sheet, &at_point, "the same at the point");
+    return PP_OK;
+}
+
+const struct pp_method pp_method_split_flux_atlas = {
+    .name = "split-flux-atlas",
+    .summary = "split-flux formula, corrected by traced rooms, by position",
+    .source = "ATLAS",
+    .formulae = formulae,
+    .gives = PP_GIVES_INTERNAL,
+    .speaks_for = PP_FOR_POINT,
+    .has_average = true,
+    .of_real_room = true,
+    .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
+    .refuses_room = pp_refusals_formula_room,
+    .refuses = pp_fitted_parts_refuses,
+    .prepare = pp_fitted_light_prepare,
+    .destroy_tools = free,
+    .evaluate = evaluate,
+};
