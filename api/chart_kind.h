@@ -42,6 +42,9 @@ struct pp_board_options {
 
     enum pp_nomogram_kind nomogram; /* by --which, */
     bool nomogram_said;             /* if it was */
+
+    const char *window; /* of kinds that are of one, by line or wall; NULL: the first
+                         * upright one */
 };
 
 /* What a chart shows where there is a choice. */
@@ -57,6 +60,7 @@ struct pp_chart_kind {
     const char *summary; /* one line, without a full stop */
     bool board;          /* worked at the drawing board: can be blank, without a room */
     bool from_point;     /* and is drawn from one point of a room */
+    bool of_window;      /* or for one window of a room, under the overcast sky */
     bool outside;        /* of the light outside: can do without a room */
 
     bool landscape; /* its sheet always lies on its side */
@@ -76,7 +80,8 @@ struct pp_chart_kind {
 };
 
 extern const struct pp_chart_kind pp_draw_section, pp_draw_plan, pp_draw_waldram,
-    pp_draw_pepper_pot, pp_draw_protractor, pp_draw_nomogram, pp_draw_availability;
+    pp_draw_pepper_pot, pp_draw_protractor, pp_draw_nomogram, pp_draw_vertical_sky,
+    pp_draw_skylight_indicator, pp_draw_availability;
 
 /* In order; NULL at the end of the list, one past the last. */
 const struct pp_chart_kind *pp_chart_kind_at(int index);

@@ -37,6 +37,8 @@ done
 for which in average minimum rooflight; do
     blank nomogram-$which nomogram --which $which
 done
+blank vertical-sky vertical-sky
+blank skylight-indicator skylight-indicator
 blank protractor-double-45 protractor --glazing clear-double --slope 45
 brussels='--latitude 50.9 --longitude 4.35 --time-zone 1'
 blank availability availability $brussels --hours 6-18,7-17,8-18,7-15,8-16,9-17
@@ -56,6 +58,13 @@ for format; do
         -o "$out/deep-office-obstructed-nomogram.$format"
     "$program" chart nomogram --which rooflight ${CHART_OPTIONS-} \
         "$(dirname "$0")/studio.xml" -o "$out/studio-nomogram.$format"
+done
+for kind in vertical-sky skylight-indicator; do
+    for format; do
+        "$program" chart $kind ${CHART_OPTIONS-} \
+            "$(dirname "$0")/deep-office-obstructed.xml" \
+            -o "$out/deep-office-obstructed-$kind.$format"
+    done
 done
 for kind in waldram pepper-pot protractor; do
     for format; do

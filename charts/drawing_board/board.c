@@ -202,11 +202,15 @@ double pp_board_sums_draw(cairo_t *cr, const struct pp_style *style,
     if (sums->windows > SUMS_MOST)
         pp_page_say(text, sizeof text, "Likewise %d further windows.",
                     sums->windows - SUMS_MOST);
-    pp_page_say(total, sizeof total,
-                "Sky component %.2f\u00a0%%, externally reflected component "
-                "%.2f\u00a0%%, together %.2f\u00a0%%.",
-                100.0 * sums->sky, 100.0 * sums->external,
-                100.0 * (sums->sky + sums->external));
+    if (sums->upright)
+        pp_page_say(total, sizeof total, "Vertical sky component %.1f\u00a0%%.",
+                    100.0 * sums->sky);
+    else
+        pp_page_say(total, sizeof total,
+                    "Sky component %.2f\u00a0%%, externally reflected component "
+                    "%.2f\u00a0%%, together %.2f\u00a0%%.",
+                    100.0 * sums->sky, 100.0 * sums->external,
+                    100.0 * (sums->sky + sums->external));
     struct pp_lettering set = {.size = PP_TEXT_BODY, .width = width};
     double height = 0.0;
     for (int i = 0; i < 2; i++) {

@@ -47,6 +47,7 @@ void pp_board_panel_words(char *words, size_t room, const char *wall, bool glaze
  * number of the others, and the sum of all. */
 struct pp_board_sums {
     const char *unit; /* "squares" */
+    bool upright;     /* of a wall's outside: the sum is the vertical sky component */
     double worth;     /* of one, a fraction of Eh */
     bool any_hidden;
     double sky, external;

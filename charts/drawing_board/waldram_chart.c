@@ -13,8 +13,9 @@
 
 static void say_foot(char *foot, size_t room, const struct pp_waldram_sheet *sheet)
 {
-    pp_page_say(foot, room, "Each square is worth %.3g\u00a0%% daylight factor.",
-                100.0 * sheet->worth);
+    pp_page_say(
+        foot, room, "Each square is worth %.3g\u00a0%% %s.", 100.0 * sheet->worth,
+        sheet->upright ? "of the open level sky, on the wall" : "daylight factor");
     bool glazed = false;
     for (int i = 0; i < sheet->count; i++)
         glazed = glazed || sheet->panels[i].glazed;
@@ -29,6 +30,10 @@ static void say_foot(char *foot, size_t room, const struct pp_waldram_sheet *she
         pp_page_say(foot, room,
                     "Part squares are estimated to a tenth; the remainder is carried "
                     "on to the next.");
+    if (sheet->upright)
+        pp_page_say(foot, room,
+                    "Across: the sine of the azimuth; up: the sky's luminance times "
+                    "cos\u00b2 of the altitude, summed. 27\u00a0%% is 270 squares.");
     pp_page_say(foot, room, "After Waldram and Waldram, 1923.");
 }
 
@@ -54,7 +59,8 @@ static double draw_below(const struct pp_waldram_drawing *drawing, double x, dou
     cairo_set_dash(drawing->cr, NULL, 0, 0.0);
     if (sheet->blank)
         return left.height;
-    struct pp_board_sums sums = {.unit = "squares", .worth = sheet->worth};
+    struct pp_board_sums sums = {
+        .unit = "squares", .upright = sheet->upright, .worth = sheet->worth};
     for (int i = 0; i < sheet->count; i++)
         pp_board_sums_add(&sums, sheet->panels[i].windows, sheet->panels[i].count);
     pp_board_tint_keys(drawing->cr, style, x + column, y, sums.any_hidden, drawn);
@@ -63,11 +69,30 @@ static double draw_below(const struct pp_waldram_drawing *drawing, double x, dou
            + pp_board_sums_draw(drawing->cr, style, &sums, x, y + above, width, drawn);
 }
 
+static void upright_titles(const struct pp_waldram_sheet *sheet, const char *sky,
+                           char *title, char *subtitle, size_t room)
+{
+    snprintf(title, room, "%s",
+             sheet->name ? sheet->name : "Waldram diagram of an upright receiver");
+    if (sheet->blank)
+        snprintf(subtitle, room, "Vertical sky component, %s", sky);
+    else
+        snprintf(subtitle, room,
+                 "Vertical sky component of the window on line %d, its outside's "
+                 "middle x\u00a0%.2f, y\u00a0%.2f, z\u00a0%.2f\u00a0m, %s",
+                 sheet->panels->windows->line, sheet->point.x, sheet->point.y,
+                 sheet->point.z, sky);
+}
+
 static void titles(const struct pp_waldram_sheet *sheet, char *title, char *subtitle,
                    size_t room)
 {
     char sky[96];
     pp_page_sky_words(sky, sizeof sky, &sheet->sky, 0.0);
+    if (sheet->upright) {
+        upright_titles(sheet, sky, title, subtitle, room);
+        return;
+    }
     if (sheet->blank) {
         snprintf(title, room, "Waldram diagram");
         snprintf(subtitle, room, "Sky component of vertical windows, %s", sky);

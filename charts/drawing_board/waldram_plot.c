@@ -324,7 +324,8 @@ static void draw_windows(const struct pp_waldram_drawing *drawing,
         draw_pieces(drawing, &turned, tints);
         cairo_restore(drawing->cr);
     }
-    for (int w = 0; w < panel->count && !tints; w++)
+    /* The one window of an upright receiver is all of the diagram. */
+    for (int w = 0; w < panel->count && !tints && !drawing->sheet->upright; w++)
         draw_letter(drawing, plot, &panel->windows[w], plot->first + w);
     cairo_restore(drawing->cr);
 }
@@ -336,7 +337,11 @@ static void draw_windows(const struct pp_waldram_drawing *drawing,
 static void panel_words(char *words, size_t room, const struct pp_waldram_sheet *sheet,
                         const struct pp_waldram_panel *panel)
 {
-    pp_board_panel_words(words, room, sheet->blank ? NULL : panel->wall, panel->glazed);
+    if (sheet->upright)
+        *words = 0;
+    else
+        pp_board_panel_words(words, room, sheet->blank ? NULL : panel->wall,
+                             panel->glazed);
     pp_page_say(words, room, "%.0f squares, %.1f\u00a0%%", panel->whole / sheet->worth,
                 100.0 * panel->whole);
 }

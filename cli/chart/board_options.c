@@ -142,19 +142,22 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
     bool protractor = strcmp(kind->name, "protractor") == 0;
     bool nomogram = strcmp(kind->name, "nomogram") == 0;
     const char *needless =
-        options->study.simulate                              ? "--simulate"
-        : options->study.methods                             ? "--methods"
-        : (blank || nomogram) && options->study.points.count ? "--points"
-        : blank && options->room                             ? "--room"
-        : !pepper_pot && board->fine                         ? "--fine"
-        : !pepper_pot && board->vertical                     ? "--receiver"
-        : !pepper_pot && board->viewing_mm > 0.0             ? "--viewing-distance"
-        : (protractor || nomogram) && board->glazed          ? "--glazed"
-        : !nomogram && board->nomogram_said                  ? "--which"
-        : !protractor && board->number                       ? "--number"
-        : !protractor && board->glazing                      ? "--glazing"
-        : !protractor && board->slope_said                   ? "--slope"
-                                                             : NULL;
+        options->study.simulate  ? "--simulate"
+        : options->study.methods ? "--methods"
+        : (blank || nomogram || kind->of_window) && options->study.points.count
+            ? "--points"
+        : blank && options->room                 ? "--room"
+        : !pepper_pot && board->fine             ? "--fine"
+        : !pepper_pot && board->vertical         ? "--receiver"
+        : !pepper_pot && board->viewing_mm > 0.0 ? "--viewing-distance"
+        : (protractor || nomogram || kind->of_window) && board->glazed ? "--glazed"
+        : (blank || !kind->of_window) && board->window                 ? "--window"
+        : !blank && kind->of_window && options->study.sky              ? "--sky"
+        : !nomogram && board->nomogram_said                            ? "--which"
+        : !protractor && board->number                                 ? "--number"
+        : !protractor && board->glazing                                ? "--glazing"
+        : !protractor && board->slope_said                             ? "--slope"
+                                                                       : NULL;
     if (needless)
         return pp_fail(err, PP_BAD_INPUT, "%s has no meaning for a %s%s diagram",
                        needless, blank ? "blank " : "", kind->name);

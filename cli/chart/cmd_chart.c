@@ -104,6 +104,10 @@ static const struct pp_option board_options[] = {
     {"which", 0, "NAME",
      "Nomogram: average (default) or minimum, for windows, or rooflight.",
      pp_board_options_read_nomogram, PLACE(choice.board)},
+    {"window", 0, "WHICH",
+     "Vertical sky, skylight indicator: the window, by its line in the file, or by its "
+     "wall (default: the first upright one).",
+     pp_options_read_text, BOARD(window)},
     {0},
 };
 
@@ -112,7 +116,9 @@ static const char about[] =
     "building, or of several files, get a page each of a PDF, and a file each of the "
     "other formats: FILE-1.png, FILE-2.png. FILE is a room file; - is standard input. "
     "The diagrams of the drawing board are blank without FILE, and with it are drawn "
-    "from one point, by --points X,Y; a nomogram is for the whole room.";
+    "from one point, by --points X,Y; a nomogram is for the whole room, and the "
+    "diagrams "
+    "of the vertical sky component are for one window, by --window.";
 
 static void print_kinds(FILE *out)
 {

@@ -4,8 +4,6 @@
 
 #include <stdlib.h>
 
-#include "methods/view/visible.h"
-
 /* h.u for the direction u = (x, y, 1): positive within the half-space. */
 static double depth_in(const double *xy, struct pp_vec3 h)
 {
@@ -87,31 +85,41 @@ static enum pp_status draw_patch(struct pp_drawn_part *part,
     return status;
 }
 
+enum pp_status pp_window_drawing_of_view(struct pp_window_drawing *drawing,
+                                         const struct pp_visible *visible,
+                                         const struct pp_sky *sky, struct pp_error *err)
+{
+    const struct pp_projection *view = &visible->view;
+    *drawing = (struct pp_window_drawing){.axes = {view->along, view->up, view->toward},
+                                          .distance_m = view->distance_m,
+                                          .count = visible->patch_count};
+    drawing->parts = calloc(visible->patch_count + 1, sizeof *drawing->parts);
+    if (!drawing->parts) {
+        drawing->count = 0;
+        return pp_fail_memory(err);
+    }
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < drawing->count && status == PP_OK; i++)
+        status =
+            draw_patch(&drawing->parts[i], visible, &visible->patches[i], sky, err);
+    if (status != PP_OK)
+        pp_window_drawing_clear(drawing);
+    return status;
+}
+
 enum pp_status pp_window_drawing_init(struct pp_window_drawing *drawing,
                                       const struct pp_world *world,
                                       const struct pp_outside_light *light,
                                       const struct pp_opening *opening,
                                       struct pp_vec3 point, struct pp_error *err)
 {
-    *drawing =
-        (struct pp_window_drawing){.axes = {opening->along, opening->up,
-                                            pp_vec_scale(opening->inner.normal, -1.0)}};
+    *drawing = (struct pp_window_drawing){0};
     struct pp_visible visible;
     enum pp_status status = pp_visible_through(&visible, world, opening, point, err);
     if (status != PP_OK)
         return status;
-    drawing->distance_m = visible.view.distance_m;
-    drawing->parts = calloc(visible.patch_count + 1, sizeof *drawing->parts);
-    if (!drawing->parts)
-        status = pp_fail_memory(err);
-    else
-        drawing->count = visible.patch_count;
-    for (int i = 0; i < drawing->count && status == PP_OK; i++)
-        status = draw_patch(&drawing->parts[i], &visible, &visible.patches[i],
-                            &light->sky, err);
+    status = pp_window_drawing_of_view(drawing, &visible, &light->sky, err);
     pp_visible_clear(&visible);
-    if (status != PP_OK)
-        pp_window_drawing_clear(drawing);
     return status;
 }
 

@@ -11,6 +11,7 @@
 #include <stdbool.h>
 
 #include "methods/part_steps.h"
+#include "methods/view/visible.h"
 #include "model/geometry/region.h"
 #include "model/light/outside_light.h"
 #include "model/room/world.h"
@@ -41,6 +42,12 @@ enum pp_status pp_window_drawing_init(struct pp_window_drawing *drawing,
                                       const struct pp_outside_light *light,
                                       const struct pp_opening *opening,
                                       struct pp_vec3 point, struct pp_error *err);
+
+/* The drawing of any view, along its own axes. */
+enum pp_status pp_window_drawing_of_view(struct pp_window_drawing *drawing,
+                                         const struct pp_visible *visible,
+                                         const struct pp_sky *sky,
+                                         struct pp_error *err);
 void pp_window_drawing_clear(struct pp_window_drawing *drawing);
 
 /* Of the part's sky or externally reflected component: what was counted times what one

@@ -10,10 +10,13 @@
 
 enum { MOST_EVALUATIONS = 50000 };
 
-/* dX/dphi: 1, or the losses by azimuth over those at normal incidence. */
+/* dX/dphi: 1, or the losses by azimuth over those at normal incidence; cos phi of an
+ * upright receiver. */
 static double x_density(const void *context, double azimuth)
 {
     const struct pp_waldram *waldram = context;
+    if (waldram->upright)
+        return cos(azimuth);
     if (!waldram->glazed)
         return 1.0;
     return pp_glass_transmittance(&waldram->glass, cos(azimuth))
@@ -26,6 +29,8 @@ static double y_density(const void *context, double altitude)
     const struct pp_waldram *waldram = context;
     double s = sin(altitude), c = cos(altitude);
     double luminance = pp_sky_luminance(&waldram->sky, pp_vec(c, 0.0, s));
+    if (waldram->upright)
+        return luminance * c * c;
     return luminance * s * c * pp_glass_transmittance(&waldram->glass, c);
 }
 
@@ -34,9 +39,9 @@ static double read_scale(const double *scale, double angle)
     return pp_interpolate_cubic(scale, PP_WALDRAM_PANELS + 1, 0.0, PP_PI / 2.0, angle);
 }
 
-enum pp_status pp_waldram_scale_init(struct pp_waldram *waldram,
-                                     const struct pp_sky *sky, bool glazed,
-                                     struct pp_error *err)
+/* Tabulates the scales of a diagram whose receiver and glass are set. */
+static enum pp_status tabulate(struct pp_waldram *waldram, const struct pp_sky *sky,
+                               struct pp_error *err)
 {
     if (pp_sky_has_azimuth(sky))
         return pp_fail(
@@ -45,8 +50,6 @@ enum pp_status pp_waldram_scale_init(struct pp_waldram *waldram,
             "%s is not",
             pp_sky_name(sky));
     waldram->sky = *sky;
-    waldram->glazed = glazed;
-    waldram->glass = glazed ? pp_glass_clear_single() : pp_glass_none();
     pp_interpolate_tabulate_integral(waldram->x, PP_WALDRAM_PANELS + 1, 0.0,
                                      PP_PI / 2.0, x_density, waldram);
     pp_interpolate_tabulate_integral(waldram->y, PP_WALDRAM_PANELS + 1, 0.0,
@@ -54,9 +57,47 @@ enum pp_status pp_waldram_scale_init(struct pp_waldram *waldram,
     return PP_OK;
 }
 
+enum pp_status pp_waldram_scale_init(struct pp_waldram *waldram,
+                                     const struct pp_sky *sky, bool glazed,
+                                     struct pp_error *err)
+{
+    waldram->upright = false;
+    waldram->glazed = glazed;
+    waldram->glass = glazed ? pp_glass_clear_single() : pp_glass_none();
+    return tabulate(waldram, sky, err);
+}
+
+enum pp_status pp_waldram_scale_init_upright(struct pp_waldram *waldram,
+                                             const struct pp_sky *sky,
+                                             struct pp_vec3 facing,
+                                             struct pp_error *err)
+{
+    waldram->upright = true;
+    waldram->facing = facing;
+    waldram->glazed = false;
+    waldram->glass = pp_glass_none();
+    return tabulate(waldram, sky, err);
+}
+
+struct pp_vec3 pp_waldram_scale_direction(const struct pp_waldram *waldram,
+                                          const struct pp_window_axes *axes,
+                                          const double xy[2])
+{
+    const struct pp_vec3 zenith = {0.0, 0.0, 1.0};
+    struct pp_vec3 right =
+        waldram->upright ? pp_vec_cross(waldram->facing, zenith) : axes->along;
+    struct pp_vec3 ahead =
+        waldram->upright ? waldram->facing : pp_vec_cross(zenith, axes->along);
+    struct pp_vec3 u =
+        pp_vec_along(pp_vec_along(axes->out, xy[0], axes->along), xy[1], axes->up);
+    return pp_vec(pp_vec_dot(u, right), pp_vec_dot(u, ahead), u.z);
+}
+
 double pp_waldram_scale_x(const struct pp_waldram *waldram, double azimuth_rad)
 {
     double azimuth = fabs(azimuth_rad);
+    if (waldram->upright)
+        return sin(azimuth_rad);
     if (!waldram->glazed)
         return azimuth_rad;
     return copysign(read_scale(waldram->x, azimuth), azimuth_rad);
@@ -66,7 +107,11 @@ double pp_waldram_scale_y(const struct pp_waldram *waldram, double altitude_rad)
 {
     if (!(altitude_rad > 0.0))
         return 0.0;
-    if (!waldram->glazed && waldram->sky.kind != PP_SKY_ISO)
+    bool closed = !waldram->glazed && waldram->sky.kind != PP_SKY_ISO;
+    if (closed && waldram->upright)
+        return pp_graded_sky_upright_below_altitude(waldram->sky.gradation,
+                                                    altitude_rad);
+    if (closed)
         return pp_graded_sky_below_altitude(waldram->sky.gradation, sin(altitude_rad));
     return read_scale(waldram->y, altitude_rad);
 }
@@ -119,19 +164,13 @@ double pp_waldram_scale_area(const struct pp_waldram *waldram,
                              const struct pp_window_axes *axes,
                              const struct pp_region *region)
 {
-    /* Ahead: out's horizontal part; for a horizontal opening what is left of along. */
-    struct pp_vec3 right = axes->along;
-    struct pp_vec3 ahead = pp_vec_cross(pp_vec(0.0, 0.0, 1.0), right);
     double area = 0.0;
     for (int r = 0; r < region->count; r++) {
         const struct pp_ring *ring = &region->rings[r];
         struct pp_vec3 last = {0.0, 0.0, 0.0};
         for (int i = 0; i <= ring->count; i++) {
-            const double *xy = ring->xy[i % ring->count];
-            struct pp_vec3 u = pp_vec_along(pp_vec_along(axes->out, xy[0], axes->along),
-                                            xy[1], axes->up);
             struct pp_vec3 here =
-                pp_vec(pp_vec_dot(u, right), pp_vec_dot(u, ahead), u.z);
+                pp_waldram_scale_direction(waldram, axes, ring->xy[i % ring->count]);
             if (i > 0) {
                 struct window_edge edge = {waldram, last, pp_vec_sub(here, last),
                                            pp_waldram_scale_y(waldram, PP_PI / 2.0)};

@@ -22,6 +22,16 @@
  * from near by.
  *
  * Coordinates are fractions of Eh per unit area: a region's area is its sky component.
+ *
+ * The diagram of an upright receiver, as [BR209] has it for the vertical sky component of
+ * a wall: cos i = cos gamma cos phi is a product already, so that without glass
+ *
+ *     dVSC = L(gamma) cos^2 gamma dgamma cos phi dphi = dX dY
+ *
+ *     X = sin phi
+ *     Y = p (gamma + sin gamma cos gamma) / pi + q (1 - cos^3 gamma) / 2
+ *
+ * Its whole is p + q, 39.6 % of the overcast sky and 1/2 of the uniform one.
  */
 #ifndef PP_METHODS_WALDRAM_WALDRAM_SCALE_H
 #define PP_METHODS_WALDRAM_WALDRAM_SCALE_H
@@ -40,6 +50,8 @@ enum { PP_WALDRAM_PANELS = 256 };
 struct pp_waldram {
     struct pp_sky sky;     /* without azimuth dependence */
     bool glazed;           /* with the losses of clear single vertical glass */
+    bool upright;          /* the receiver is a wall's outside; else it faces up */
+    struct pp_vec3 facing; /* of an upright one: its normal, unit, level */
     struct pp_glass glass; /* clear single, or none */
     double x[PP_WALDRAM_PANELS + 1]; /* X at even steps of azimuth from 0 to pi/2 */
     double y[PP_WALDRAM_PANELS + 1]; /* Y at even steps of altitude from 0 to pi/2 */
@@ -51,6 +63,20 @@ enum pp_status pp_waldram_scale_init(struct pp_waldram *waldram,
                                      const struct pp_sky *sky, bool glazed,
                                      struct pp_error *err);
 
+/* Makes the diagram of an upright receiver with that normal (unit, level), without
+ * glass. */
+enum pp_status pp_waldram_scale_init_upright(struct pp_waldram *waldram,
+                                             const struct pp_sky *sky,
+                                             struct pp_vec3 facing,
+                                             struct pp_error *err);
+
+/* The direction of a place of a window's drawing in the diagram's axes: x to the right,
+ * y ahead, z up; not of unit length. Ahead is the receiver's normal where it is upright,
+ * else out's horizontal part, or of a horizontal opening what is left of along. */
+struct pp_vec3 pp_waldram_scale_direction(const struct pp_waldram *waldram,
+                                          const struct pp_window_axes *axes,
+                                          const double xy[2]);
+
 /* X of an azimuth from -pi to pi, odd in the azimuth; with glass constant from pi/2
  * on. */
 double pp_waldram_scale_x(const struct pp_waldram *waldram, double azimuth_rad);
@@ -59,7 +85,8 @@ double pp_waldram_scale_x(const struct pp_waldram *waldram, double azimuth_rad);
  * 1e-9. */
 double pp_waldram_scale_y(const struct pp_waldram *waldram, double altitude_rad);
 
-/* Area of the map from azimuth -pi/2 to pi/2: 1/2 without glass. */
+/* Area of the map from azimuth -pi/2 to pi/2: 1/2 without glass for a receiver that faces
+ * up. */
 double pp_waldram_scale_total_area(const struct pp_waldram *waldram);
 
 /* Area on the diagram of a region of a window's drawing, for the diagram's own scales

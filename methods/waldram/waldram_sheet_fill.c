@@ -12,7 +12,9 @@
 #include <stdlib.h>
 
 #include "methods/diagram_windows.h"
+#include "methods/exact/exterior.h"
 #include "methods/method.h"
+#include "methods/waldram/waldram_site.h"
 #include "methods/waldram/waldram_squares.h"
 
 enum { DROOP_STEP_DEG = 10, DROOP_LINES = 8, DROOP_POINTS = 181 };
@@ -80,6 +82,21 @@ static void to_squares(struct pp_region *outline, double width, double height)
         }
 }
 
+/* Sets down what was counted. */
+static enum pp_status fill_squares(struct pp_board_piece *piece,
+                                   const struct pp_waldram_count *count,
+                                   struct pp_error *err)
+{
+    piece->counted = count->squares;
+    piece->squares = malloc(((size_t)count->count + 1) * sizeof *piece->squares);
+    piece->square_count = piece->squares ? count->count : 0;
+    for (int i = 0; i < piece->square_count; i++)
+        piece->squares[i] =
+            (struct pp_counted_square){count->list[i].column, count->list[i].row,
+                                       (int)lrint(10.0 * count->list[i].estimated)};
+    return piece->squares ? PP_OK : pp_fail_memory(err);
+}
+
 static enum pp_status fill_piece(struct pp_board_piece *piece,
                                  const struct pp_waldram *waldram,
                                  const struct pp_window_axes *axes,
@@ -92,16 +109,10 @@ static enum pp_status fill_piece(struct pp_board_piece *piece,
         pp_waldram_squares_count(&count, waldram, axes, &part->region, err);
     if (status != PP_OK)
         return status;
-    piece->counted = count.squares;
-    piece->squares = malloc(((size_t)count.count + 1) * sizeof *piece->squares);
-    piece->square_count = piece->squares ? count.count : 0;
-    for (int i = 0; i < piece->square_count; i++)
-        piece->squares[i] =
-            (struct pp_counted_square){count.list[i].column, count.list[i].row,
-                                       (int)lrint(10.0 * count.list[i].estimated)};
+    status = fill_squares(piece, &count, err);
     pp_waldram_squares_clear(&count);
-    if (!piece->squares)
-        return pp_fail_memory(err);
+    if (status != PP_OK)
+        return status;
 
     double width, height;
     pp_waldram_squares_size(waldram, &width, &height);
@@ -173,21 +184,109 @@ static enum pp_status fill_panel(struct pp_waldram_panel *panel,
     return status;
 }
 
-enum pp_status pp_waldram_sheet_fill_blank(struct pp_waldram_sheet *sheet,
-                                           const struct pp_sky *sky, bool glazed,
-                                           struct pp_error *err)
+/* A sheet of one diagram without windows. */
+static enum pp_status fill_single(struct pp_waldram_sheet *sheet,
+                                  const struct pp_waldram *waldram,
+                                  struct pp_error *err)
 {
-    *sheet = (struct pp_waldram_sheet){
-        .blank = true, .sky = *sky, .worth = PP_WALDRAM_WORTH};
-    struct pp_waldram waldram;
-    enum pp_status status = pp_waldram_scale_init(&waldram, sky, glazed, err);
-    if (status != PP_OK)
-        return status;
+    *sheet = (struct pp_waldram_sheet){.blank = true,
+                                       .upright = waldram->upright,
+                                       .sky = waldram->sky,
+                                       .worth = PP_WALDRAM_WORTH};
     sheet->panels = calloc(1, sizeof *sheet->panels);
     if (!sheet->panels)
         return pp_fail_memory(err);
     sheet->count = 1;
-    status = fill_scales(sheet->panels, &waldram, err);
+    enum pp_status status = fill_scales(sheet->panels, waldram, err);
+    if (status != PP_OK)
+        pp_board_sheets_waldram_clear(sheet);
+    return status;
+}
+
+enum pp_status pp_waldram_sheet_fill_blank(struct pp_waldram_sheet *sheet,
+                                           const struct pp_sky *sky, bool glazed,
+                                           struct pp_error *err)
+{
+    *sheet = (struct pp_waldram_sheet){0};
+    struct pp_waldram waldram;
+    enum pp_status status = pp_waldram_scale_init(&waldram, sky, glazed, err);
+    return status == PP_OK ? fill_single(sheet, &waldram, err) : status;
+}
+
+enum pp_status pp_waldram_sheet_fill_upright(struct pp_waldram_sheet *sheet,
+                                             const struct pp_sky *sky,
+                                             struct pp_error *err)
+{
+    *sheet = (struct pp_waldram_sheet){0};
+    struct pp_waldram waldram;
+    enum pp_status status =
+        pp_waldram_scale_init_upright(&waldram, sky, pp_vec(0.0, 1.0, 0.0), err);
+    return status == PP_OK ? fill_single(sheet, &waldram, err) : status;
+}
+
+/* The sky's piece with its squares, and what hides it; takes the site's figures. */
+static enum pp_status fill_site_pieces(struct pp_board_window *window,
+                                       const struct pp_waldram *waldram,
+                                       struct pp_waldram_site *site,
+                                       struct pp_error *err)
+{
+    struct pp_waldram_count count;
+    double width, height;
+    window->pieces = calloc(2, sizeof *window->pieces);
+    if (!window->pieces)
+        return pp_fail_memory(err);
+    window->count = 2;
+    window->pieces[0] = (struct pp_board_piece){.factor = 1.0};
+    window->pieces[1] = (struct pp_board_piece){.hidden = true};
+    enum pp_status status = pp_waldram_site_join(site, err);
+    if (status != PP_OK)
+        return status;
+    status = pp_waldram_squares_count_outline(&count, waldram, &site->sky, err);
+    if (status == PP_OK)
+        status = fill_squares(&window->pieces[0], &count, err);
+    pp_waldram_squares_clear(&count);
+    window->pieces[0].outline = site->sky;
+    window->pieces[1].outline = site->hidden;
+    *site = (struct pp_waldram_site){0};
+    pp_waldram_squares_size(waldram, &width, &height);
+    for (int i = 0; i < 2; i++)
+        to_squares(&window->pieces[i].outline, width, height);
+    return status;
+}
+
+enum pp_status pp_waldram_sheet_fill_site(struct pp_waldram_sheet *sheet,
+                                          const struct pp_world *world, int opening,
+                                          struct pp_error *err)
+{
+    const struct pp_opening *window = &world->openings[opening];
+    const struct pp_sky overcast = pp_sky_overcast();
+    struct pp_waldram waldram;
+    struct pp_waldram_site site = {0};
+    *sheet = (struct pp_waldram_sheet){0};
+    enum pp_status status = pp_waldram_scale_init_upright(
+        &waldram, &overcast, pp_vec_scale(window->inner.normal, -1.0), err);
+    if (status == PP_OK)
+        status = fill_single(sheet, &waldram, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_waldram_panel *panel = sheet->panels;
+    sheet->blank = false;
+    sheet->name = world->name;
+    sheet->point = pp_exterior_opening_centroid(window);
+    panel->wall = world->surfaces[window->face].name;
+    panel->windows = calloc(1, sizeof *panel->windows);
+    status = panel->windows ? pp_waldram_site_init(&site, &waldram, world, sheet->point,
+                                                   window->face, err)
+                            : pp_fail_memory(err);
+    if (status == PP_OK) {
+        panel->count = 1;
+        panel->windows[0] =
+            (struct pp_board_window){.line = window->line, .allowance = 1.0};
+        status = fill_site_pieces(panel->windows, &waldram, &site, err);
+        pp_board_sheets_window_sum(panel->windows, PP_WALDRAM_WORTH);
+        sheet->sky_component = panel->windows[0].sky;
+    }
+    pp_waldram_site_clear(&site);
     if (status != PP_OK)
         pp_board_sheets_waldram_clear(sheet);
     return status;

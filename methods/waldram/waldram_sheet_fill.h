@@ -25,4 +25,17 @@ enum pp_status pp_waldram_sheet_fill_room(struct pp_waldram_sheet *sheet,
                                           const struct pp_receiver *receiver,
                                           struct pp_error *err);
 
+/* The diagram of an upright receiver without windows; a sky with azimuth dependence is
+ * refused. */
+enum pp_status pp_waldram_sheet_fill_upright(struct pp_waldram_sheet *sheet,
+                                             const struct pp_sky *sky,
+                                             struct pp_error *err);
+
+/* With the sky and the obstructions before the outside of an upright opening of the
+ * world, by its index, under the CIE overcast sky: one window of two pieces, of which the
+ * sky's is counted. The sum is the vertical sky component. */
+enum pp_status pp_waldram_sheet_fill_site(struct pp_waldram_sheet *sheet,
+                                          const struct pp_world *world, int opening,
+                                          struct pp_error *err);
+
 #endif

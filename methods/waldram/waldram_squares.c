@@ -89,15 +89,11 @@ static struct droop_polyline ring_outline(const struct mapping *mapping,
                                           const struct pp_ring *ring)
 {
     struct droop_polyline line = {0};
-    struct pp_vec3 ahead = pp_vec_cross(pp_vec(0.0, 0.0, 1.0), axes->along),
-                   last = ahead;
+    struct pp_vec3 last = {0.0, 0.0, 0.0};
     struct diagram_point first = {0}, from = {0};
     for (int i = 0; i <= ring->count; i++) {
-        const double *xy = ring->xy[i % ring->count];
-        struct pp_vec3 u =
-            pp_vec_along(pp_vec_along(axes->out, xy[0], axes->along), xy[1], axes->up);
-        struct pp_vec3 here =
-            pp_vec(pp_vec_dot(u, axes->along), pp_vec_dot(u, ahead), u.z);
+        struct pp_vec3 here = pp_waldram_scale_direction(mapping->waldram, axes,
+                                                         ring->xy[i % ring->count]);
         if (i == 0) {
             from = first = point_of(mapping, here, 0.0);
             add_point(&line, first.x, first.y);
@@ -229,25 +225,20 @@ static bool count_column(struct pp_waldram_count *count, double *carried,
     return true;
 }
 
-enum pp_status pp_waldram_squares_count(struct pp_waldram_count *count,
-                                        const struct pp_waldram *waldram,
-                                        const struct pp_window_axes *axes,
-                                        const struct pp_region *region,
-                                        struct pp_error *err)
+enum pp_status pp_waldram_squares_count_outline(struct pp_waldram_count *count,
+                                                const struct pp_waldram *waldram,
+                                                const struct pp_region *outline,
+                                                struct pp_error *err)
 {
     *count = (struct pp_waldram_count){0};
-    struct pp_region outline;
-    if (pp_waldram_squares_outline(&outline, waldram, axes, region, err) != PP_OK)
-        return PP_SYSTEM;
-
     struct square_field field = {0};
     double low = INFINITY, high = -INFINITY;
     pp_waldram_squares_size(waldram, &field.width, &field.height);
     field.rows = (int)ceil(pp_waldram_scale_y(waldram, PP_PI / 2.0) / field.height);
-    for (int r = 0; r < outline.count; r++)
-        for (int i = 0; i < outline.rings[r].count; i++) {
-            low = fmin(low, outline.rings[r].xy[i][0]);
-            high = fmax(high, outline.rings[r].xy[i][0]);
+    for (int r = 0; r < outline->count; r++)
+        for (int i = 0; i < outline->rings[r].count; i++) {
+            low = fmin(low, outline->rings[r].xy[i][0]);
+            high = fmax(high, outline->rings[r].xy[i][0]);
         }
 
     if (low < high) { /* else nothing is visible */
@@ -257,17 +248,32 @@ enum pp_status pp_waldram_squares_count(struct pp_waldram_count *count,
     field.parts = calloc((size_t)(field.columns * field.rows) + 1, sizeof *field.parts);
     bool ok = field.parts != NULL;
     double carried = 0.0;
-    for (int r = 0; ok && r < outline.count; r++)
-        add_ring(&field, &outline.rings[r]);
+    for (int r = 0; ok && r < outline->count; r++)
+        add_ring(&field, &outline->rings[r]);
     for (int k = 0; ok && k < field.columns; k++)
         ok = count_column(count, &carried, field.parts + k * field.rows, field.rows,
                           field.first + k, field.width * field.height);
     free(field.parts);
-    pp_region_clear(&outline);
     if (ok)
         return PP_OK;
     pp_waldram_squares_clear(count);
     return pp_fail_memory(err);
+}
+
+enum pp_status pp_waldram_squares_count(struct pp_waldram_count *count,
+                                        const struct pp_waldram *waldram,
+                                        const struct pp_window_axes *axes,
+                                        const struct pp_region *region,
+                                        struct pp_error *err)
+{
+    *count = (struct pp_waldram_count){0};
+    struct pp_region outline;
+    enum pp_status status =
+        pp_waldram_squares_outline(&outline, waldram, axes, region, err);
+    if (status == PP_OK)
+        status = pp_waldram_squares_count_outline(count, waldram, &outline, err);
+    pp_region_clear(&outline);
+    return status;
 }
 
 void pp_waldram_squares_clear(struct pp_waldram_count *count)

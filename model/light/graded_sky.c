@@ -64,3 +64,10 @@ double pp_graded_sky_below_altitude(double b, double sin_altitude)
     double s = sin_altitude;
     return s * s * (3.0 + 2.0 * b * s) / (2.0 * (3.0 + 2.0 * b) * PP_PI);
 }
+
+double pp_graded_sky_upright_below_altitude(double b, double altitude_rad)
+{
+    double s = sin(altitude_rad), c = cos(altitude_rad);
+    return even_part(b) * (altitude_rad + s * c) / PP_PI
+           + graded_part(b) * (1.0 - c * c * c) / 2.0;
+}

@@ -53,4 +53,9 @@ double pp_graded_sky_below_plane(double b, double gamma_rad);
  * to pi/2: p sin^2 gamma / pi + q sin^3 gamma / 2. */
 double pp_graded_sky_below_altitude(double b, double sin_altitude);
 
+/* Illuminance of an upright plane by the sky below the altitude gamma, per unit of the
+ * sine of the azimuth from the plane's normal, 0 to pi/2:
+ * p (gamma + sin gamma cos gamma) / pi + q (1 - cos^3 gamma) / 2. */
+double pp_graded_sky_upright_below_altitude(double b, double altitude_rad);
+
 #endif

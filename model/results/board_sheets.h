@@ -81,6 +81,7 @@ struct pp_waldram_panel {
 struct pp_waldram_sheet {
     const char *name; /* the room's, or NULL; not owned */
     bool blank;       /* no room, no point */
+    bool upright; /* for a wall's outside, at `point`: the one window's middle there */
     struct pp_vec3 point;
     struct pp_sky sky;
     double worth; /* of a square, fraction of Eh */

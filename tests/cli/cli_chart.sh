@@ -125,6 +125,39 @@ check "a receiver that is neither" \
     refuses 2 "horizontal" chart pepper-pot --receiver up -o "$scratch/x.pdf"
 check "Waldram's squares are not fine" \
     refuses 2 "--fine" chart waldram --fine -o "$scratch/x.pdf"
+printf '<room version="1"><plan width="4" depth="5" height="2.7"/>%s</room>' \
+    '<rooflight x="1" y="1" width="1" depth="1"/>' >"$scratch/lit_from_above.xml"
+for kind in vertical-sky skylight-indicator; do
+    for format in pdf svg png; do
+        file="$scratch/a $kind.$format"
+        check "a blank $kind becomes $format" quietly chart $kind -o "$file"
+        run chart $kind --format $format
+        check "blank $kind as $format is the same again" same "$file" "$scratch/out"
+        check "$kind of a window becomes $format" \
+            quietly chart $kind --window south -o "$file" "$deep"
+    done
+    for paper in a5 a4 a3 a2; do
+        check "$kind on $paper" quietly chart $kind --paper $paper --dpi 60 \
+            --orientation portrait -o "$scratch/x.png" "$examples/l-shaped.xml"
+    done
+    check "$kind under a uniform sky" quietly chart $kind --sky uniform -o "$file"
+    check "$kind of a sky that changes with azimuth" \
+        refuses 1 "azimuth" chart $kind --sky iso-12,30,180 -o "$file"
+    check "a window has the overcast sky" \
+        refuses 2 "--sky" chart $kind --sky uniform -o "$file" "$deep"
+    check "a window that is not there" \
+        refuses 1 "line of a window" chart $kind --window 3 -o "$file" "$deep"
+    check "a blank $kind has no window" refuses 2 "--window" chart $kind --window 9 -o "$file"
+    check "a rooflight faces no wall's sky" \
+        refuses 1 "no upright window" chart $kind -o "$file" "$scratch/lit_from_above.xml"
+done
+check "Waldram's diagram is of a point" \
+    refuses 2 "--window" chart waldram --window south -p 1,1.5 -o "$scratch/x.pdf" "$deep"
+run chart vertical-sky -o "$scratch/facing.pdf" "$examples/deep-office-obstructed.xml"
+"$program" assess -c vsc "$examples/deep-office-obstructed.xml" >"$scratch/vsc"
+said=$(sed -n 's/.*south, line [0-9]* *\([0-9]*\.[0-9]\)[0-9]* %.*/\1/p' "$scratch/vsc")
+check_words "its squares are the criterion's component" "$scratch/facing.pdf" \
+    "Vertical sky component $said"
 for format in pdf svg png; do
     file="$scratch/a protractor.$format"
     check "a blank protractor becomes $format" quietly chart protractor -o "$file"

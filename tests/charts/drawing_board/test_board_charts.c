@@ -5,10 +5,12 @@
 #include <stdlib.h>
 
 #include "charts/drawing_board/pepper_pot_chart.h"
+#include "charts/drawing_board/skylight_indicator_chart.h"
 #include "charts/drawing_board/waldram_chart.h"
 #include "methods/evaluate.h"
 #include "methods/pepper_pot/pepper_pot_dots.h"
 #include "methods/pepper_pot/pepper_pot_sheet_fill.h"
+#include "methods/waldram/skylight_indicator_fill.h"
 #include "methods/waldram/waldram_sheet_fill.h"
 #include "tests/lib/room_of.h"
 
@@ -343,6 +345,106 @@ static void waldram_scale_marks_stand_where_the_formula_puts_them(void **state)
     pp_board_sheets_waldram_clear(&sheet);
 }
 
+/* Azimuth by its sine, altitude as 3 (gamma + sin gamma cos gamma) + 4 (1 - cos^3 gamma)
+ * over the 3 pi/2 + 4 of the zenith; 36 squares by 11. */
+static void marks_for_an_upright_receiver_stand_where_the_formula_puts_them(
+    void **state)
+{
+    (void)state;
+    struct pp_sky sky = pp_sky_overcast();
+    struct pp_waldram_sheet sheet;
+    size_t length;
+    assert_int_equal(pp_waldram_sheet_fill_upright(&sheet, &sky, NULL), PP_OK);
+    char *svg = waldram_file(&sheet, PP_CHART_SVG, &length);
+    struct strokes strokes = strokes_of(svg);
+    struct stroke frame = frame_of(&strokes);
+    double width = frame.x1 - frame.x0, height = frame.y1 - frame.y0;
+    assert_near(height / width, 396.177 / 36.0 / 36.0, 1e-4);
+    for (int degree = -90; degree <= 90; degree += 5)
+        if (!has_upright(&strokes,
+                         frame.x0 + 0.5 * width * (1.0 + sin(degree * PP_RAD)),
+                         frame.y1))
+            fail_msg("no mark at azimuth %d", degree);
+    for (int degree = 5; degree < 90; degree += 5) {
+        double g = degree * PP_RAD, c = cos(g);
+        double share =
+            (3.0 * (g + sin(g) * c) + 4.0 * (1.0 - c * c * c)) / (1.5 * PP_PI + 4.0);
+        if (!has_level(&strokes, frame.x0, frame.y1 - share * height))
+            fail_msg("no mark at altitude %d", degree);
+    }
+    free(strokes.list);
+    free(svg);
+    pp_board_sheets_waldram_clear(&sheet);
+}
+
+/* The altitude with that share of the upright diagram's height, by Newton's rule. */
+static double sheet_altitude(double share)
+{
+    double g = 0.5;
+    for (int i = 0; i < 50; i++) {
+        double c = cos(g), s = sin(g);
+        double excess =
+            3.0 * (g + s * c) + 4.0 * (1.0 - c * c * c) - share * (1.5 * PP_PI + 4.0);
+        g -= excess / (6.0 * c * c + 12.0 * c * c * s);
+    }
+    return g;
+}
+
+/* Is there a pair of slanting strokes that cross at x, y? */
+static bool has_cross(const struct strokes *strokes, double x, double y)
+{
+    int found = 0;
+    for (int i = 0; i < strokes->count; i++) {
+        const struct stroke *s = &strokes->list[i];
+        bool slanting = fabs(fabs(s->x1 - s->x0) - fabs(s->y1 - s->y0)) < PAPER_MM
+                        && fabs(s->x1 - s->x0) > PAPER_MM;
+        found += slanting && fabs(0.5 * (s->x0 + s->x1) - x) < PAPER_MM
+                 && fabs(0.5 * (s->y0 + s->y1) - y) < PAPER_MM;
+    }
+    return found == 2;
+}
+
+/* On A4 a unit is 10 mm; its ticks along the wall are the only strokes that run down
+ * from one line at that distance. */
+static void crosses_of_the_indicator_stand_at_the_cotangents_of_their_altitudes(
+    void **state)
+{
+    (void)state;
+    struct pp_sky sky = pp_sky_overcast();
+    struct pp_skylight_indicator_sheet sheet;
+    assert_int_equal(pp_skylight_indicator_fill_blank(&sheet, &sky, NULL), PP_OK);
+    struct pp_canvas *canvas = canvas_of(PP_CHART_SVG, PP_PAPER_A4, true);
+    assert_int_equal(pp_skylight_indicator_chart_draw(canvas, &sheet, NULL), PP_OK);
+    size_t length;
+    char *svg = finished(canvas, &length);
+    struct strokes strokes = strokes_of(svg);
+    double x0 = NAN, y0 = NAN;
+    for (int i = 0; i < strokes.count && isnan(x0); i++) {
+        const struct stroke *s = &strokes.list[i];
+        bool all = fabs(s->x1 - s->x0) < 1e-9 && s->y1 > s->y0;
+        for (int k = 1; k <= 12 && all; k++)
+            all = has_upright(&strokes, s->x0 + 10.0 * k, s->y0)
+                  && has_upright(&strokes, s->x0 - 10.0 * k, s->y0);
+        if (all) {
+            x0 = s->x0;
+            y0 = s->y0;
+        }
+    }
+    assert_false(isnan(x0));
+    /* Fourth ring, 7/16 of the diagram's height: 3 (g + sin g cos g) + 4 (1 - cos^3 g) is
+     * 7/16 of 3 pi/2 + 4 at 27.0875 degrees. */
+    double cot = 1.0 / tan(sheet_altitude(7.0 / 16.0));
+    assert_near(cot, 1.0 / tan(27.0875 * PP_RAD), 1e-5);
+    for (int j = 0; j < PP_SKYLIGHT_RAYS; j++) {
+        double s = (2.0 * j + 1.0) / 10.0 - 1.0;
+        assert_true(has_cross(&strokes, x0 + 10.0 * cot * s,
+                              y0 - 10.0 * cot * sqrt(1.0 - s * s)));
+    }
+    free(strokes.list);
+    free(svg);
+    pp_skylight_indicator_sheet_clear(&sheet);
+}
+
 static void droop_lines_pass_through_known_directions(void **state)
 {
     (void)state;
@@ -464,6 +566,10 @@ int main(void)
         cmocka_unit_test(the_ruler_is_100_mm_long_and_has_its_millimetres),
         cmocka_unit_test(metres_are_drawn_as_the_viewing_distance_over_theirs),
         cmocka_unit_test(waldram_scale_marks_stand_where_the_formula_puts_them),
+        cmocka_unit_test(
+            marks_for_an_upright_receiver_stand_where_the_formula_puts_them),
+        cmocka_unit_test(
+            crosses_of_the_indicator_stand_at_the_cotangents_of_their_altitudes),
         cmocka_unit_test(droop_lines_pass_through_known_directions),
         cmocka_unit_test(two_drawings_are_the_same_bytes),
         cmocka_unit_test(a_window_that_is_not_seen_has_no_squares_and_no_dots),

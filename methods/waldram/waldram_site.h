@@ -1,0 +1,39 @@
+/* waldram_site.h - what a wall's outside sees, drawn for an upright receiver: on its
+ * Waldram diagram, and on the plan at unit height that the skylight indicator lies on.
+ *
+ * Obstructions are those of the vertical sky component (methods/exact/exterior.h): the
+ * skylines of the wall, blocks, surfaces outside and the building's own outer faces.
+ */
+#ifndef PP_METHODS_WALDRAM_WALDRAM_SITE_H
+#define PP_METHODS_WALDRAM_WALDRAM_SITE_H
+
+#include "methods/waldram/waldram_scale.h"
+#include "model/room/world.h"
+
+struct pp_waldram_site {
+    double sky_component; /* area of the visible sky on the diagram: the vertical sky
+                           * component, relative error 1e-9 */
+    struct pp_region sky, hidden; /* outlines, cut at azimuth 0 until they are joined */
+};
+
+/* On an upright diagram, in X and Y, for a position on the outside of the surface
+ * `face`, which hides nothing. To be cleared by the caller; empty on failure. */
+enum pp_status pp_waldram_site_init(struct pp_waldram_site *site,
+                                    const struct pp_waldram *waldram,
+                                    const struct pp_world *world,
+                                    struct pp_vec3 position, int face,
+                                    struct pp_error *err);
+
+/* On the plan one unit above the position: what is seen in direction (x, y, z), x to the
+ * right and y ahead, stands at (x/z, y/z), so that the edge of a building lies at its
+ * distance over its height; |x/z| and y/z up to `reach`. sky_component is not set. */
+enum pp_status pp_waldram_site_init_plan(struct pp_waldram_site *site,
+                                         const struct pp_world *world,
+                                         struct pp_vec3 position, struct pp_vec3 facing,
+                                         int face, double reach, struct pp_error *err);
+
+/* Joins the two halves of a diagram, which meet at azimuth 0, as outlines are drawn. */
+enum pp_status pp_waldram_site_join(struct pp_waldram_site *site, struct pp_error *err);
+void pp_waldram_site_clear(struct pp_waldram_site *site);
+
+#endif
