@@ -12,14 +12,14 @@
 #include "studies/atlas/atlas_run.h"
 
 /* What rows are worked out of. */
-struct source {
+struct row_source {
     const struct pp_atlas_making *making;
     const struct pp_atlas_table *table; /* that the truth is kept of; NULL: traced */
     struct pp_atlas_design design;
     struct pp_atlas_columns columns;
 };
 
-static enum pp_status open_source(struct source *source,
+static enum pp_status open_source(struct row_source *source,
                                   const struct pp_atlas_making *making,
                                   const struct pp_atlas_table *table,
                                   struct pp_error *err)
@@ -33,7 +33,7 @@ static enum pp_status open_source(struct source *source,
 static enum pp_status rows_of(const void *of, int room, char **rows, size_t *length,
                               struct pp_error *err)
 {
-    const struct source *source = of;
+    const struct row_source *source = of;
     if (source->table)
         return pp_atlas_renewal_rows(rows, length, &source->columns, &source->design,
                                      source->table, room, err);
@@ -52,7 +52,7 @@ static enum pp_status take(void *to, const char *rows, size_t length,
     return status;
 }
 
-static enum pp_status go_on(struct pp_atlas_file *file, const struct source *source,
+static enum pp_status go_on(struct pp_atlas_file *file, const struct row_source *source,
                             int rooms, const struct pp_room_options *options,
                             struct pp_error *err)
 {
@@ -82,7 +82,7 @@ enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
 {
     struct pp_error err = {0};
     struct pp_atlas_file file = {0};
-    struct source source;
+    struct row_source source;
     enum pp_status status = open_source(&source, making, NULL, &err);
     if (status == PP_OK) {
         status = go_on(&file, &source, rooms, options, &err);
@@ -107,7 +107,7 @@ static enum pp_status put(void *to, const char *rows, size_t length,
 }
 
 /* Prints head and rooms. *next: the room after the last. */
-static enum pp_status print_anew(FILE *out, const struct source *source, int rooms,
+static enum pp_status print_anew(FILE *out, const struct row_source *source, int rooms,
                                  const struct pp_room_options *options, int *next,
                                  struct pp_error *err)
 {
@@ -131,7 +131,7 @@ static enum pp_status renew(const struct pp_atlas_making *making,
                             const struct pp_atlas_table *table,
                             const struct pp_room_options *options, struct pp_error *err)
 {
-    struct source source;
+    struct row_source source;
     struct pp_output output;
     int rooms = 0, next = 0;
     enum pp_status status = pp_atlas_renewal_rooms(&rooms, table, err);
