@@ -1,25 +1,34 @@
 /* atlas_sweep.c - joins the rooms to the file they go to. */
 #include "cli/atlas/atlas_sweep.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "cli/atlas/atlas_file.h"
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/output.h"
+#include "model/base/deal.h"
 #include "studies/atlas/atlas_renewal.h"
 #include "studies/atlas/atlas_room.h"
-#include "studies/atlas/atlas_run.h"
 
 /* What rows are worked out of. */
-struct source {
+struct row_source {
     const struct pp_atlas_making *making;
     const struct pp_atlas_table *table; /* that the truth is kept of; NULL: traced */
     struct pp_atlas_design design;
     struct pp_atlas_columns columns;
 };
 
-static enum pp_status open_source(struct source *source,
+/* Rooms from one to another, and where their rows go. */
+struct sweep {
+    const struct row_source *source;
+    const struct pp_watch *watch;
+    struct pp_atlas_file *file; /* NULL: out */
+    FILE *out;
+};
+
+static enum pp_status open_source(struct row_source *source,
                                   const struct pp_atlas_making *making,
                                   const struct pp_atlas_table *table,
                                   struct pp_error *err)
@@ -30,10 +39,12 @@ static enum pp_status open_source(struct source *source,
     return pp_atlas_room_columns(&source->columns, &source->design, err);
 }
 
-static enum pp_status rows_of(const void *of, int room, char **rows, size_t *length,
-                              struct pp_error *err)
+/* Rows of a room, as the bytes that are dealt for. */
+static enum pp_status rows_of(void *data, int member, int room, char **rows,
+                              size_t *length, struct pp_error *err)
 {
-    const struct source *source = of;
+    const struct row_source *source = ((struct sweep *)data)->source;
+    (void)member;
     if (source->table)
         return pp_atlas_renewal_rows(rows, length, &source->columns, &source->design,
                                      source->table, room, err);
@@ -41,18 +52,49 @@ static enum pp_status rows_of(const void *of, int room, char **rows, size_t *len
                               &source->making->trace, err);
 }
 
-/* ---- on ---- */
-
-static enum pp_status take(void *to, const char *rows, size_t length,
+static enum pp_status take(void *data, int room, const char *rows, size_t length,
                            struct pp_error *err)
 {
-    struct pp_atlas_file *file = to;
-    enum pp_status status = pp_atlas_file_add(file, rows, length, err);
-    file->rooms += status == PP_OK;
+    struct sweep *sweep = data;
+    (void)room;
+    if (!sweep->file)
+        return pp_output_put(sweep->out, (const unsigned char *)rows, length, err);
+    enum pp_status status = pp_atlas_file_add(sweep->file, rows, length, err);
+    sweep->file->rooms += status == PP_OK;
     return status;
 }
 
-static enum pp_status go_on(struct pp_atlas_file *file, const struct source *source,
+static bool look(void *data, double done)
+{
+    const struct pp_watch *watch = ((struct sweep *)data)->watch;
+    return !watch->look || watch->look(watch->data, done, NAN);
+}
+
+/* Deals rooms first to end - 1 out. *next: the room after the last that was taken. */
+static enum pp_status deal(struct sweep *sweep, int first, int end,
+                           const struct pp_room_options *options, int *next,
+                           struct pp_error *err)
+{
+    sweep->watch = &options->study.watch;
+    const struct pp_deal dealing = {.first = first,
+                                    .end = end,
+                                    .threads = options->study.threads,
+                                    .work = rows_of,
+                                    .take = take,
+                                    .look = look,
+                                    .data = sweep};
+    pp_interrupt_watch();
+    if (sweep->watch->begin)
+        sweep->watch->begin(sweep->watch->data, "atlas");
+    enum pp_status status = pp_deal_run(&dealing, next, err);
+    if (sweep->watch->end)
+        sweep->watch->end(sweep->watch->data);
+    return status;
+}
+
+/* ---- on ---- */
+
+static enum pp_status go_on(struct pp_atlas_file *file, const struct row_source *source,
                             int rooms, const struct pp_room_options *options,
                             struct pp_error *err)
 {
@@ -64,16 +106,8 @@ static enum pp_status go_on(struct pp_atlas_file *file, const struct source *sou
     if (status != PP_OK)
         return status;
     int next;
-    pp_interrupt_watch();
-    status = pp_atlas_run(&(struct pp_atlas_run){.first = file->rooms,
-                                                 .end = rooms,
-                                                 .threads = options->study.threads,
-                                                 .watch = options->study.watch,
-                                                 .rows_of = rows_of,
-                                                 .of = source,
-                                                 .take = take,
-                                                 .to = file},
-                          &next, err);
+    status = deal(&(struct sweep){.source = source, .file = file}, file->rooms, rooms,
+                  options, &next, err);
     return pp_atlas_file_close(file, status, err);
 }
 
@@ -82,7 +116,7 @@ enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
 {
     struct pp_error err = {0};
     struct pp_atlas_file file = {0};
-    struct source source;
+    struct row_source source;
     enum pp_status status = open_source(&source, making, NULL, &err);
     if (status == PP_OK) {
         status = go_on(&file, &source, rooms, options, &err);
@@ -100,14 +134,8 @@ enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
 
 /* ---- anew ---- */
 
-static enum pp_status put(void *to, const char *rows, size_t length,
-                          struct pp_error *err)
-{
-    return pp_output_put(to, (const unsigned char *)rows, length, err);
-}
-
 /* Prints head and rooms. *next: the room after the last. */
-static enum pp_status print_anew(FILE *out, const struct source *source, int rooms,
+static enum pp_status print_anew(FILE *out, const struct row_source *source, int rooms,
                                  const struct pp_room_options *options, int *next,
                                  struct pp_error *err)
 {
@@ -116,22 +144,15 @@ static enum pp_status print_anew(FILE *out, const struct source *source, int roo
         return pp_fail_memory(err);
     fputs(head, out);
     free(head);
-    pp_interrupt_watch();
-    return pp_atlas_run(&(struct pp_atlas_run){.end = rooms,
-                                               .threads = options->study.threads,
-                                               .watch = options->study.watch,
-                                               .rows_of = rows_of,
-                                               .of = source,
-                                               .take = put,
-                                               .to = out},
-                        next, err);
+    return deal(&(struct sweep){.source = source, .out = out}, 0, rooms, options, next,
+                err);
 }
 
 static enum pp_status renew(const struct pp_atlas_making *making,
                             const struct pp_atlas_table *table,
                             const struct pp_room_options *options, struct pp_error *err)
 {
-    struct source source;
+    struct row_source source;
     struct pp_output output;
     int rooms = 0, next = 0;
     enum pp_status status = pp_atlas_renewal_rooms(&rooms, table, err);

@@ -1,0 +1,327 @@
+/* deal_ranks.c - what rank 0 and the others write to one another.
+ *
+ *     a rank    ASK     I have nothing to do, and so many threads
+ *     rank 0    GIVE    so many indices, from this one on
+ *               WAIT    all is dealt out, but not done: ask again
+ *               OVER    nothing will be dealt out any more
+ *     a rank    DONE    an index, what it gave, or why it failed
+ *
+ * Only the thread that deals sends and receives; work is that of the others.
+ */
+#include "model/base/deal_ranks.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "model/base/clock.h"
+#include "model/base/crew.h"
+#include "model/base/deal_book.h"
+
+/* Between two looks for a message; and between two questions of who was told to wait. */
+static const double look_s = 0.0005, ask_again_s = 0.1;
+
+/* A rank that asks and hears nothing for as long gives up: rank 0 is dead. */
+static const double given_up_s = 60.0;
+
+/* Chunks for each thread of all ranks, if none took longer than another. */
+enum { CHUNKS = 8, CHUNK_MOST = 16 };
+
+enum kind { ASK, GIVE, WAIT, OVER, DONE };
+
+/* Of all messages; the bytes of an index, or the words of an error, follow. */
+struct head {
+    int kind;
+    int index;  /* GIVE, DONE */
+    int count;  /* ASK: threads; GIVE: indices */
+    int status; /* DONE: enum pp_status */
+};
+
+static void wait_s(double seconds)
+{
+    const struct timespec time = {(time_t)seconds,
+                                  (long)(1e9 * (seconds - (double)(time_t)seconds))};
+    nanosleep(&time, NULL);
+}
+
+static enum pp_status send_to(const struct pp_ranks *ranks, int to,
+                              const struct head *head, const void *bytes, size_t length,
+                              struct pp_error *err)
+{
+    char *message = malloc(sizeof *head + length);
+    if (!message)
+        return pp_fail_memory(err);
+    memcpy(message, head, sizeof *head);
+    if (length > 0)
+        memcpy(message + sizeof *head, bytes, length);
+    enum pp_status status =
+        ranks->send(ranks->data, to, message, sizeof *head + length, err);
+    free(message);
+    return status;
+}
+
+/* ---- rank 0 ---- */
+
+struct leading {
+    const struct pp_deal *deal;
+    struct pp_deal_book *book; /* by one thread at a time: the crew's lock */
+    struct pp_crew *crew;
+    int threads;           /* of all ranks that have asked, and rank 0's own */
+    enum pp_status status; /* of messages */
+    struct pp_error err;
+};
+
+static int chunk(const struct leading *leading, int threads)
+{
+    int size = pp_deal_book_left(leading->book) / (CHUNKS * leading->threads);
+    size = size < CHUNK_MOST ? size : CHUNK_MOST;
+    return size > 1 ? size * threads : threads;
+}
+
+/* A rank has nothing to do. */
+static enum pp_status answer(struct leading *leading, int rank, int threads,
+                             struct pp_error *err)
+{
+    struct head head = {.kind = OVER};
+    const double now_s = pp_clock_s();
+    if (threads < 1)
+        threads = 1;
+    if (!pp_deal_book_is_over(leading->book)) {
+        head.kind = GIVE;
+        head.count = pp_deal_book_give(leading->book, rank, chunk(leading, threads),
+                                       now_s, &head.index);
+        if (head.count == 0)
+            head.count =
+                pp_deal_book_give_again(leading->book, rank, now_s, &head.index);
+        if (head.count == 0)
+            head.kind = WAIT;
+    }
+    return send_to(leading->deal->ranks, rank, &head, NULL, 0, err);
+}
+
+/* An index that a rank has done: `bytes` are behind the head. */
+static enum pp_status enter(struct leading *leading, const struct head *head,
+                            const char *bytes, size_t length, struct pp_error *err)
+{
+    struct pp_deal_gift gift = {.length = length,
+                                .status = (enum pp_status)head->status};
+    if (gift.status != PP_OK) {
+        gift.length = 0;
+        pp_fail(&gift.err, gift.status, "%.*s", (int)length, bytes);
+    } else {
+        gift.bytes = malloc(length + 1);
+        if (!gift.bytes)
+            return pp_fail_memory(err);
+        memcpy(gift.bytes, bytes, length);
+    }
+    pp_deal_book_enter(leading->book, head->index, &gift);
+    return PP_OK;
+}
+
+static enum pp_status hear(struct leading *leading, int from, const char *message,
+                           size_t length, struct pp_error *err)
+{
+    const struct pp_deal *deal = leading->deal;
+    struct head head;
+    if (length < sizeof head || from < 1 || from >= deal->ranks->count)
+        return PP_OK;
+    memcpy(&head, message, sizeof head);
+    pp_deal_book_hear(leading->book, from, pp_clock_s());
+    if (head.kind == ASK)
+        return answer(leading, from, head.count, err);
+    if (head.kind == DONE && head.index >= deal->first && head.index < deal->end)
+        return enter(leading, &head, message + sizeof head, length - sizeof head, err);
+    return PP_OK;
+}
+
+/* Deals until it is over, or messages fail. */
+static void lead(struct leading *leading)
+{
+    const struct pp_ranks *ranks = leading->deal->ranks;
+    bool over = false;
+    while (!over) {
+        char *message;
+        size_t length;
+        int from;
+        enum pp_status status =
+            ranks->receive(ranks->data, &from, &message, &length, &leading->err);
+        pp_crew_lock(leading->crew);
+        if (status == PP_OK && message)
+            status = hear(leading, from, message, length, &leading->err);
+        leading->status = status;
+        over = status != PP_OK || pp_deal_book_is_over(leading->book);
+        pp_crew_unlock(leading->crew);
+        if (!message && !over)
+            wait_s(look_s);
+        free(message);
+    }
+}
+
+/* A thread of rank 0's own: the next index of any, until it is over. */
+static void work(struct leading *leading, int member)
+{
+    const struct pp_deal *deal = leading->deal;
+    for (;;) {
+        int index;
+        const double now_s = pp_clock_s();
+        pp_crew_lock(leading->crew);
+        bool over = leading->status != PP_OK || pp_deal_book_is_over(leading->book);
+        bool given = !over
+                     && (pp_deal_book_give(leading->book, 0, 1, now_s, &index) == 1
+                         || pp_deal_book_give_again(leading->book, 0, now_s, &index));
+        pp_crew_unlock(leading->crew);
+        if (over)
+            return;
+        if (!given) {
+            wait_s(look_s);
+            continue;
+        }
+        struct pp_deal_gift gift;
+        pp_deal_book_work(deal, member - 1, index, &gift);
+        pp_crew_lock(leading->crew);
+        pp_deal_book_hear(leading->book, 0, pp_clock_s());
+        pp_deal_book_enter(leading->book, index, &gift);
+        pp_crew_unlock(leading->crew);
+    }
+}
+
+/* Crew work: the caller deals, the others work, each until it is over. */
+static bool lead_or_work(void *data, int member, int index)
+{
+    struct leading *leading = data;
+    (void)index;
+    if (member == 0)
+        lead(leading);
+    else
+        work(leading, member);
+    return true;
+}
+
+/* Tells all that it is over; those that are at work read it when they are done. */
+static void dismiss(const struct pp_ranks *ranks)
+{
+    const struct head over = {.kind = OVER};
+    for (int rank = 1; rank < ranks->count; rank++)
+        send_to(ranks, rank, &over, NULL, 0, NULL);
+}
+
+enum pp_status pp_deal_ranks_lead(const struct pp_deal *deal, int *next,
+                                  struct pp_error *err)
+{
+    const int own = deal->threads > 0 ? deal->threads : 1;
+    struct leading leading = {.deal = deal, .threads = own * deal->ranks->count};
+    enum pp_status status = pp_deal_book_create(&leading.book, deal, err);
+    if (status == PP_OK)
+        status = pp_crew_create(&leading.crew, own + 1, err);
+    if (status == PP_OK) {
+        pp_crew_run(leading.crew, 0, own + 1, lead_or_work, &leading);
+        status = pp_deal_book_end(leading.book, next, err);
+        if (status == PP_OK && leading.status != PP_OK) {
+            status = leading.status;
+            if (err)
+                *err = leading.err;
+        }
+    }
+    dismiss(deal->ranks);
+    pp_crew_destroy(leading.crew);
+    pp_deal_book_destroy(leading.book);
+    return status;
+}
+
+/* ---- the other ranks ---- */
+
+struct following {
+    const struct pp_deal *deal;
+    struct pp_deal_gift *gifts; /* of the indices from `first` on */
+    int first;
+};
+
+/* Crew work. */
+static bool do_index(void *data, int member, int index)
+{
+    const struct following *following = data;
+    pp_deal_book_work(following->deal, member, index,
+                      &following->gifts[index - following->first]);
+    return true;
+}
+
+/* Tells rank 0 what an index gave, and forgets it. */
+static enum pp_status tell(const struct pp_ranks *ranks, int index,
+                           struct pp_deal_gift *gift, struct pp_error *err)
+{
+    const struct head done = {.kind = DONE, .index = index, .status = gift->status};
+    bool good = gift->status == PP_OK;
+    enum pp_status status =
+        send_to(ranks, 0, &done, good ? gift->bytes : gift->err.message,
+                good ? gift->length : strlen(gift->err.message), err);
+    free(gift->bytes);
+    return status;
+}
+
+/* A chunk, as many indices at a time as there are threads. */
+static enum pp_status do_chunk(struct following *following, struct pp_crew *crew,
+                               int first, int count, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    const int size = pp_crew_size(crew), end = first + count;
+    for (int from = first; from < end && status == PP_OK; from += size) {
+        int to = end - from < size ? end : from + size;
+        following->first = from;
+        pp_crew_run(crew, from, to, do_index, following);
+        for (int i = from; i < to; i++) {
+            enum pp_status told =
+                tell(following->deal->ranks, i, &following->gifts[i - from], err);
+            status = status == PP_OK ? told : status;
+        }
+    }
+    return status;
+}
+
+/* Asks rank 0, and waits for what it says; OVER where it says nothing for long. */
+static enum pp_status ask(const struct pp_ranks *ranks, int threads, struct head *said,
+                          struct pp_error *err)
+{
+    const struct head question = {.kind = ASK, .count = threads};
+    const double asked_s = pp_clock_s();
+    *said = (struct head){.kind = OVER};
+    enum pp_status status = send_to(ranks, 0, &question, NULL, 0, err);
+    while (status == PP_OK && pp_clock_s() - asked_s < given_up_s) {
+        char *message;
+        size_t length;
+        int from;
+        status = ranks->receive(ranks->data, &from, &message, &length, err);
+        bool heard = status == PP_OK && message && length >= sizeof *said;
+        if (heard)
+            memcpy(said, message, sizeof *said);
+        free(message);
+        if (heard)
+            break;
+        wait_s(look_s);
+    }
+    return status;
+}
+
+enum pp_status pp_deal_ranks_follow(const struct pp_deal *deal, struct pp_error *err)
+{
+    struct following following = {.deal = deal};
+    struct pp_crew *crew;
+    struct head said = {.kind = WAIT};
+    enum pp_status status =
+        pp_crew_create(&crew, deal->threads > 0 ? deal->threads : 1, err);
+    if (status != PP_OK)
+        return status;
+    following.gifts = calloc((size_t)pp_crew_size(crew), sizeof *following.gifts);
+    if (!following.gifts)
+        status = pp_fail_memory(err);
+    while (status == PP_OK && said.kind != OVER) {
+        status = ask(deal->ranks, pp_crew_size(crew), &said, err);
+        if (status == PP_OK && said.kind == GIVE)
+            status = do_chunk(&following, crew, said.index, said.count, err);
+        if (status == PP_OK && said.kind == WAIT)
+            wait_s(ask_again_s);
+    }
+    free(following.gifts);
+    pp_crew_destroy(crew);
+    return status == PP_OK ? pp_fail(err, PP_INTERRUPTED, "rank 0 has no more work")
+                           : status;
+}
