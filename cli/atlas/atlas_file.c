@@ -1,0 +1,119 @@
+/* atlas_file.c - looks for the last whole room, cuts off what is behind it, adds. */
+#include "cli/atlas/atlas_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+static enum pp_status fail(const struct pp_atlas_file *file, struct pp_error *err,
+                           const char *what)
+{
+    return pp_fail(err, PP_SYSTEM, "%s can't be %s: %s", file->path, what,
+                   strerror(errno));
+}
+
+/* The number of the first line in which the file's head differs; 0: in none. A head that
+ * was cut off is begun again: *empty. */
+static int compare_head(FILE *stream, const char *head, bool *empty)
+{
+    char *line = NULL;
+    size_t room = 0;
+    int number = 1;
+    *empty = false;
+    while (*head) {
+        size_t length = strcspn(head, "\n") + 1;
+        ssize_t got = getline(&line, &room, stream);
+        if (got != (ssize_t)length || memcmp(line, head, length) != 0) {
+            *empty = got < (ssize_t)length && feof(stream)
+                     && (got <= 0 || memcmp(line, head, (size_t)got) == 0);
+            break;
+        }
+        head += length;
+        number++;
+    }
+    free(line);
+    return *head ? number : 0;
+}
+
+/* Reads on behind the head: counts whole rooms, and finds where the last one ends. */
+static long find_end(struct pp_atlas_file *file)
+{
+    char *line = NULL;
+    size_t room = 0;
+    long end = ftell(file->stream), at = end;
+    for (ssize_t got; (got = getline(&line, &room, file->stream)) > 0;) {
+        char *rest = line;
+        long index = strtol(line, &rest, 10);
+        if (line[got - 1] != '\n' || index != file->rooms || *rest != ',')
+            break;
+        at += got;
+        if (strncmp(rest, ",-1,", 4) != 0)
+            continue;
+        end = at;
+        file->rooms++;
+    }
+    free(line);
+    return end;
+}
+
+static enum pp_status take_up(struct pp_atlas_file *file, const char *head,
+                              struct pp_error *err)
+{
+    bool empty;
+    int line = compare_head(file->stream, head, &empty);
+    if (line > 0 && !empty)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s:%d: another atlas, or none; expected a file by the same "
+            "version with the same sky, error and seed, or none of that name",
+            file->path, line);
+    long end = empty ? 0 : find_end(file);
+    if (ftruncate(fileno(file->stream), end) != 0
+        || fseek(file->stream, end, SEEK_SET) != 0)
+        return fail(file, err, "written");
+    return empty ? pp_atlas_file_add(file, head, strlen(head), err) : PP_OK;
+}
+
+enum pp_status pp_atlas_file_open(struct pp_atlas_file *file, const char *path,
+                                  const char *head, struct pp_error *err)
+{
+    *file = (struct pp_atlas_file){.path = path};
+    int descriptor = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor < 0)
+        return fail(file, err, "written");
+    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        close(descriptor);
+        return pp_fail(err, PP_SYSTEM,
+                       "%s is being written by another run; expected one at a time",
+                       path);
+    }
+    file->stream = fdopen(descriptor, "r+");
+    if (!file->stream) {
+        close(descriptor);
+        return fail(file, err, "written");
+    }
+    enum pp_status status = take_up(file, head, err);
+    if (status != PP_OK)
+        fclose(file->stream);
+    return status;
+}
+
+enum pp_status pp_atlas_file_add(struct pp_atlas_file *file, const char *rows,
+                                 size_t length, struct pp_error *err)
+{
+    if (fwrite(rows, 1, length, file->stream) != length || fflush(file->stream) != 0)
+        return fail(file, err, "written");
+    return PP_OK;
+}
+
+enum pp_status pp_atlas_file_close(struct pp_atlas_file *file, enum pp_status status,
+                                   struct pp_error *err)
+{
+    if (fclose(file->stream) != 0 && status == PP_OK)
+        return fail(file, err, "written");
+    return status;
+}

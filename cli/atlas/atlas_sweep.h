@@ -1,0 +1,19 @@
+/* atlas_sweep.h - the rooms of an atlas made, and made anew by hand.
+ */
+#ifndef PP_CLI_ATLAS_ATLAS_SWEEP_H
+#define PP_CLI_ATLAS_ATLAS_SWEEP_H
+
+#include "cli/atlas/atlas_head.h"
+#include "cli/exit_status.h"
+#include "cli/room_options.h"
+
+/* Has the first `rooms` rooms in the output's file: goes on from those that are there. */
+enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
+                               const struct pp_room_options *options);
+
+/* Writes the atlas of `path` with what the methods say today to the output, whole or not
+ * at all. */
+enum pp_exit pp_atlas_sweep_anew(const char *path,
+                                 const struct pp_room_options *options);
+
+#endif

@@ -1,0 +1,202 @@
+/* cmd_atlas.c - the command atlas: how far every method is from the truth, over thousands
+ * of designed rooms. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/atlas/atlas_sweep.h"
+#include "cli/atlas/sweep_bands.h"
+#include "cli/command.h"
+#include "cli/message.h"
+#include "cli/output.h"
+#include "cli/watch.h"
+#include "model/base/text.h"
+
+static const char about[] =
+    "Traces the rooms of a designed sweep, and the worlds that hand methods have in "
+    "mind, "
+    "and writes what each method says beside what is true, a row a point, as CSV. "
+    "Rooms "
+    "that FILE has already are not traced again: a run that was stopped goes on where "
+    "it "
+    "was, and more rooms can be added to those there are. The same rooms give the same "
+    "bytes, however many runs and threads they took.";
+
+struct atlas_options {
+    struct pp_room_options room; /* error, seed, threads, output, quiet */
+    long rooms;                  /* 0: not given */
+    const char *number;          /* of the room whose file is wanted; NULL: none */
+    enum pp_atlas_sky sky;
+    bool by_hand, bands, try_bands, accuracy;
+};
+
+/* ---- a room's file ---- */
+
+static enum pp_exit print_room(const struct atlas_options *options)
+{
+    char xml[PP_ATLAS_XML];
+    struct pp_atlas_design design;
+    struct pp_output output;
+    struct pp_error err = {0};
+    pp_atlas_design_init(&design, options->sky);
+    pp_atlas_design_room(&design, (uint32_t)strtoul(options->number, NULL, 10), xml);
+    enum pp_status status = pp_output_open(&output, options->room.output, &err);
+    if (status == PP_OK)
+        fputs(xml, output.stream);
+    status = pp_output_close(&output, status, &err);
+    return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
+}
+
+/* ---- the command line ---- */
+
+static enum pp_status read_sky(const char *text, void *place, struct pp_error *err)
+{
+    if (strcmp(text, "overcast") != 0 && strcmp(text, "iso") != 0)
+        return pp_fail(err, PP_BAD_INPUT, "overcast or iso");
+    *(enum pp_atlas_sky *)place =
+        strcmp(text, "iso") == 0 ? PP_ATLAS_ISO : PP_ATLAS_OVERCAST;
+    return PP_OK;
+}
+
+static enum pp_status read_number(const char *text, void *place, struct pp_error *err)
+{
+    double number;
+    if (!pp_text_parse_number(text, &number) || number < 0.0 || number >= PP_ATLAS_MOST
+        || number != floor(number))
+        return pp_fail(err, PP_BAD_INPUT, "the number of a room, 0 to %d",
+                       PP_ATLAS_MOST - 1);
+    *(const char **)place = text;
+    return PP_OK;
+}
+
+#define PLACE(member) offsetof(struct atlas_options, member)
+
+static const struct pp_option sweep_options[] = {
+    {"rooms", 'n', "N", "Have the first N rooms of the sweep in FILE.",
+     pp_options_read_count, PLACE(rooms)},
+    {"room", 0, "NUMBER", "Print the room file of that room, counted from 0, instead.",
+     read_number, PLACE(number)},
+    {"by-hand", 0, NULL,
+     "Write the atlas FILE again with what the methods say now, and methods that it "
+     "does "
+     "not know yet; what was traced stays.",
+     NULL, PLACE(by_hand)},
+    {"bands", 0, NULL,
+     "Write the bands that the atlas FILE has, by methods and regimes, as the table "
+     "that "
+     "is compiled into the program.",
+     NULL, PLACE(bands)},
+    {"try", 0, NULL,
+     "Print how bands from half of the rooms of the atlas FILE do on the others.", NULL,
+     PLACE(try_bands)},
+    {"accuracy", 0, NULL, "Print the bands that are compiled in, as Markdown.", NULL,
+     PLACE(accuracy)},
+    {"sky", 0, "SKY",
+     "overcast (default), or iso: for each room one of the skies of ISO 15469.",
+     read_sky, PLACE(sky)},
+    {0},
+};
+
+static const struct pp_option stop_option[] = {
+    {"error", 0, "E%",
+     "Trace until the standard error of the daylight factor is down to that share of "
+     "it, "
+     "or to 0.002 % daylight factor, at every point (default 1%).",
+     pp_options_read_per_cent, PLACE(room.study.error)},
+    {0},
+};
+
+static const struct pp_option_group groups[] = {
+    {"Rooms", sweep_options, 0},
+    {"Simulation", stop_option, 0},
+    {"Simulation", pp_room_seed_options, PLACE(room)},
+    {"Output", pp_room_output_options, PLACE(room)},
+    {0},
+};
+
+static void init(void *values)
+{
+    *(struct atlas_options *)values =
+        (struct atlas_options){.room = pp_room_options_none};
+}
+
+/* Are just the words there that one of the uses needs? */
+static enum pp_status check_use(const struct atlas_options *options, int files,
+                                struct pp_error *err)
+{
+    bool of_file = options->by_hand || options->bands || options->try_bands;
+    int uses = (options->rooms > 0) + (options->number != NULL) + options->by_hand
+               + options->bands + options->try_bands + options->accuracy;
+    if (uses != 1)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected one of --rooms N -o FILE, --room NUMBER, --by-hand "
+                       "FILE, --bands FILE, --try FILE, and --accuracy");
+    if (of_file != (files == 1) || files > 1)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            of_file ? "expected one file, which is an atlas"
+                    : "the atlas has its own rooms; expected no file but that of "
+                      "-o");
+    return PP_OK;
+}
+
+static enum pp_status check(void *values, char **operands, int count,
+                            struct pp_error *err)
+{
+    struct atlas_options *options = values;
+    const char *output = options->room.output;
+    (void)operands;
+    enum pp_status status = check_use(options, count, err);
+    if (status != PP_OK)
+        return status;
+    if (options->rooms > PP_ATLAS_MOST)
+        return pp_fail(err, PP_BAD_INPUT, "--rooms: expected at most %d",
+                       PP_ATLAS_MOST);
+    if (options->rooms > 0 && (!output || strcmp(output, "-") == 0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the atlas grows in a file; expected -o FILE");
+    if (!(options->room.study.error > 0.0))
+        options->room.study.error = 0.01;
+    return PP_OK;
+}
+
+static enum pp_exit run(void *values, char **operands, int count)
+{
+    struct atlas_options *options = values;
+    const struct pp_study_options *study = &options->room.study;
+    struct pp_terminal_watch watch;
+    (void)count;
+    options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
+    if (options->number)
+        return print_room(options);
+    if (options->bands)
+        return pp_sweep_bands(operands[0], options->room.output);
+    if (options->try_bands)
+        return pp_sweep_bands_try(operands[0], options->room.output);
+    if (options->accuracy)
+        return pp_sweep_bands_accuracy(options->room.output);
+    if (options->by_hand)
+        return pp_atlas_sweep_anew(operands[0], &options->room);
+    return pp_atlas_sweep_on(
+        &(struct pp_atlas_making){options->sky, {study->error, study->seed}},
+        (int)options->rooms, &options->room);
+}
+
+static void clear(void *values)
+{
+    struct atlas_options *options = values;
+    pp_room_options_clear(&options->room);
+}
+
+const struct pp_command pp_command_atlas = {
+    .name = "atlas",
+    .summary = "every method's error over thousands of rooms",
+    .operands = "[FILE]",
+    .about = about,
+    .groups = groups,
+    .size = sizeof(struct atlas_options),
+    .init = init,
+    .check = check,
+    .run = run,
+    .clear = clear,
+};
