@@ -7,11 +7,6 @@
 
 enum { WORDS = 400 };
 
-static bool is_outside(const struct pp_band_trial *trial)
-{
-    return trial->rooms > 0 && fabs(trial->inside - 0.95) > trial->limit;
-}
-
 static void put_trial(const struct pp_band_trial *trial, FILE *out)
 {
     const struct pp_band_regime *regime = &trial->entry.regime;
@@ -19,7 +14,7 @@ static void put_trial(const struct pp_band_trial *trial, FILE *out)
     pp_band_words_regime(words, sizeof words, regime);
     fprintf(out, "  %6d %6d  %5.1f %%  95 +- %3.1f  %-7s %5.2f %5.2f %5.2f  %s\n",
             regime->rooms, trial->rooms, 100.0 * trial->inside, 100.0 * trial->limit,
-            is_outside(trial) ? "OUTSIDE" : "inside", regime->ratio.low,
+            pp_atlas_bands_is_outside(trial) ? "OUTSIDE" : "inside", regime->ratio.low,
             regime->ratio.median, regime->ratio.high, words);
 }
 
@@ -40,14 +35,14 @@ static void put_column(const struct pp_atlas_column *column, struct sum *sum, FI
           out);
     for (int i = 0; i < column->trial_count; i++) {
         put_trial(&column->trials[i], out);
-        sum->outside += is_outside(&column->trials[i]);
+        sum->outside += pp_atlas_bands_is_outside(&column->trials[i]);
     }
     sum->regimes += column->trial_count;
     sum->columns++;
     sum->inside += column->inside;
 }
 
-void pp_atlas_bands_text(const struct pp_atlas_bands *bands, int *outside, FILE *out)
+void pp_atlas_bands_text(const struct pp_atlas_bands *bands, FILE *out)
 {
     struct sum sum = {0};
     fprintf(out,
@@ -61,5 +56,4 @@ void pp_atlas_bands_text(const struct pp_atlas_bands *bands, int *outside, FILE 
             "\n%d columns, %d regimes, %d outside; %.1f %% of figures in their bands\n",
             sum.columns, sum.regimes, sum.outside,
             sum.columns > 0 ? 100.0 * sum.inside / sum.columns : NAN);
-    *outside = sum.outside;
 }

@@ -3,14 +3,12 @@
 #ifndef PP_REPORTS_ATLAS_BANDS_TEXT_H
 #define PP_REPORTS_ATLAS_BANDS_TEXT_H
 
-#include <stdbool.h>
 #include <stdio.h>
 
 #include "studies/atlas/atlas_bands.h"
 
 /* A line for each column, and below it one for each regime: rooms fitted and tested, the
- * share of these in the band, how far from 95 % it may be, and the verdict. *outside: how
- * many regimes are farther off. */
-void pp_atlas_bands_text(const struct pp_atlas_bands *bands, int *outside, FILE *out);
+ * share of these in the band, how far from 95 % it may be, and the verdict. */
+void pp_atlas_bands_text(const struct pp_atlas_bands *bands, FILE *out);
 
 #endif

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/atlas/atlas_sweep.h"
+#include "cli/atlas/sweep_bands.h"
 #include "cli/command.h"
 #include "cli/message.h"
 #include "cli/output.h"
@@ -26,7 +27,7 @@ struct atlas_options {
     long rooms;                  /* 0: not given */
     const char *number;          /* of the room whose file is wanted; NULL: none */
     enum pp_atlas_sky sky;
-    bool by_hand;
+    bool by_hand, bands, try_bands, accuracy;
 };
 
 /* ---- a room's file ---- */
@@ -80,6 +81,16 @@ static const struct pp_option sweep_options[] = {
      "does "
      "not know yet; what was traced stays.",
      NULL, PLACE(by_hand)},
+    {"bands", 0, NULL,
+     "Write the bands that the atlas FILE has, by methods and regimes, as the table "
+     "that "
+     "is compiled into the program.",
+     NULL, PLACE(bands)},
+    {"try", 0, NULL,
+     "Print how bands from half of the rooms of the atlas FILE do on the others.", NULL,
+     PLACE(try_bands)},
+    {"accuracy", 0, NULL, "Print the bands that are compiled in, as Markdown.", NULL,
+     PLACE(accuracy)},
     {"sky", 0, "SKY",
      "overcast (default), or iso: for each room one of the skies of ISO 15469.",
      read_sky, PLACE(sky)},
@@ -109,22 +120,23 @@ static void init(void *values)
         (struct atlas_options){.room = pp_room_options_none};
 }
 
-/* Are just the words there that one of the three uses needs? */
+/* Are just the words there that one of the uses needs? */
 static enum pp_status check_use(const struct atlas_options *options, int files,
                                 struct pp_error *err)
 {
-    int uses = (options->rooms > 0) + (options->number != NULL) + options->by_hand;
+    bool of_file = options->by_hand || options->bands || options->try_bands;
+    int uses = (options->rooms > 0) + (options->number != NULL) + options->by_hand
+               + options->bands + options->try_bands + options->accuracy;
     if (uses != 1)
         return pp_fail(err, PP_BAD_INPUT,
-                       "expected one of --rooms N -o FILE, --room NUMBER, and "
-                       "--by-hand FILE");
-    if (options->by_hand != (files == 1) || files > 1)
+                       "expected one of --rooms N -o FILE, --room NUMBER, --by-hand "
+                       "FILE, --bands FILE, --try FILE, and --accuracy");
+    if (of_file != (files == 1) || files > 1)
         return pp_fail(
             err, PP_BAD_INPUT,
-            options->by_hand
-                ? "--by-hand: expected one file, which is an atlas"
-                : "the atlas has its own rooms; expected no file but that of "
-                  "-o");
+            of_file ? "expected one file, which is an atlas"
+                    : "the atlas has its own rooms; expected no file but that of "
+                      "-o");
     return PP_OK;
 }
 
@@ -157,6 +169,12 @@ static enum pp_exit run(void *values, char **operands, int count)
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
     if (options->number)
         return print_room(options);
+    if (options->bands)
+        return pp_sweep_bands(operands[0], options->room.output);
+    if (options->try_bands)
+        return pp_sweep_bands_try(operands[0], options->room.output);
+    if (options->accuracy)
+        return pp_sweep_bands_accuracy(options->room.output);
     if (options->by_hand)
         return pp_atlas_sweep_anew(operands[0], &options->room);
     return pp_atlas_sweep_on(

@@ -194,6 +194,22 @@ enum pp_status pp_atlas_bands_fit(struct pp_atlas_bands *bands,
     return status;
 }
 
+bool pp_atlas_bands_is_outside(const struct pp_band_trial *trial)
+{
+    return trial->rooms > 0
+           && (trial->inside < 0.95 - trial->limit
+               || trial->between > 0.95 + trial->limit);
+}
+
+int pp_atlas_bands_outside(const struct pp_atlas_bands *bands)
+{
+    int outside = 0;
+    for (int i = 0; i < bands->column_count; i++)
+        for (int k = 0; k < bands->columns[i].trial_count; k++)
+            outside += pp_atlas_bands_is_outside(&bands->columns[i].trials[k]);
+    return outside;
+}
+
 void pp_atlas_bands_clear(struct pp_atlas_bands *bands)
 {
     for (int i = 0; i < bands->column_count; i++) {

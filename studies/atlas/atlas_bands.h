@@ -35,6 +35,11 @@ struct pp_atlas_bands {
 enum pp_status pp_atlas_bands_fit(struct pp_atlas_bands *bands,
                                   const struct pp_atlas_table *table,
                                   struct pp_error *err);
+/* Is a trial farther from 95 % than it may be (above, without the ends of its band), and
+ * how many are? */
+bool pp_atlas_bands_is_outside(const struct pp_band_trial *trial);
+int pp_atlas_bands_outside(const struct pp_atlas_bands *bands);
+
 void pp_atlas_bands_clear(struct pp_atlas_bands *bands);
 
 #endif

@@ -131,7 +131,10 @@ static enum pp_status test_entries(struct pp_band_trial *trials, int count,
         const struct pp_band_regime *regime = &trial->entry.regime;
         int found = pp_band_tree_rows(rows, &sample, regime);
         trial->rooms = pp_band_sample_rooms(&sample, rows, found);
-        trial->inside = pp_band_sample_inside(&sample, rows, found, &regime->ratio);
+        trial->inside =
+            pp_band_sample_inside(&sample, rows, found, &regime->ratio, true);
+        trial->between =
+            pp_band_sample_inside(&sample, rows, found, &regime->ratio, false);
         trial->limit = 3.0 * sqrt(0.0475 * (1.0 / regime->rooms + 1.0 / trial->rooms));
         if (found == 0)
             continue;

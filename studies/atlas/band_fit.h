@@ -43,8 +43,10 @@ enum pp_status pp_band_fit(struct pp_band_entry **entries, int *count,
 struct pp_band_trial {
     struct pp_band_entry entry; /* of the rooms fitted */
     int rooms;                  /* tested */
-    double inside;              /* share of these, NAN without any */
-    double limit;               /* (2): how far from 0.95 that may be */
+    double inside;              /* share of these in the band, NAN without any */
+    double between; /* the same without its ends, which is less where figures
+                                 * are right to all digits, as those of 0 are */
+    double limit;   /* (2): how far from 0.95 that may be */
 };
 
 /* Fits the rooms of a side (band_figures.h) and tests the others. *inside: the share

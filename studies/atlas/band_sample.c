@@ -102,7 +102,7 @@ enum pp_status pp_band_sample_spread(double *spread,
 }
 
 double pp_band_sample_inside(const struct pp_band_sample *sample, const int *rows,
-                             int count, const struct pp_band_quantiles *band)
+                             int count, const struct pp_band_quantiles *band, bool ends)
 {
     double inside = 0.0;
     int rooms = 0;
@@ -111,7 +111,8 @@ double pp_band_sample_inside(const struct pp_band_sample *sample, const int *row
         int in = 0;
         for (int k = i; k < end; k++) {
             double ratio = sample->ratios[rows[k]];
-            in += ratio >= band->low && ratio <= band->high;
+            in += ends ? ratio >= band->low && ratio <= band->high
+                       : ratio > band->low && ratio < band->high;
         }
         inside += (double)in / (end - i);
         rooms++;

@@ -150,13 +150,13 @@ static double quantile_loss(const double weights[STEPS], double total, double mo
 /* The sum of the interval scores of a histogram, in steps. */
 static double histogram_score(const double weights[STEPS])
 {
-    static const double alphas[] = {0.5, 0.2, 0.05};
+    static const double alphas[] = {0.5, 0.2};
     double total = 0.0, moment = 0.0, score = 0.0;
     for (int s = 0; s < STEPS; s++) {
         total += weights[s];
         moment += s * weights[s];
     }
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 2; i++)
         score += 2.0 / alphas[i]
                  * (quantile_loss(weights, total, moment, 0.5 * alphas[i])
                     + quantile_loss(weights, total, moment, 1.0 - 0.5 * alphas[i]));

@@ -102,7 +102,7 @@ static void a_band_holds_its_share_of_rooms_that_it_was_not_made_from(void **sta
         int found = pp_band_tree_rows(rows, &test->sample, &regimes[i]);
         int rooms = pp_band_sample_rooms(&test->sample, rows, found);
         double inside =
-            pp_band_sample_inside(&test->sample, rows, found, &regimes[i].ratio);
+            pp_band_sample_inside(&test->sample, rows, found, &regimes[i].ratio, true);
         assert_near(inside, 0.95,
                     3.0 * sqrt(0.0475 * (1.0 / rooms + 1.0 / regimes[i].rooms)));
     }
@@ -155,7 +155,10 @@ static void a_room_counts_once_however_many_points_it_has(void **state)
     assert_near(band.median, 1.19, 1e-12);
     assert_near(band.high, 3.0, 1e-12);
     struct pp_band_quantiles part = {.low = 1.0, .high = 2.0};
-    assert_near(pp_band_sample_inside(&sample, rows, COUNT, &part), 38.0 / 39.0, 1e-12);
+    assert_near(pp_band_sample_inside(&sample, rows, COUNT, &part, true), 38.0 / 39.0,
+                1e-12);
+    assert_near(pp_band_sample_inside(&sample, rows, COUNT, &part, false), 37.0 / 39.0,
+                1e-12);
 }
 
 /* With the offset a = 0.02: (0.05 + 0.02) 0.5 - 0.02 = 0.015; nothing is darker than
