@@ -124,6 +124,7 @@ enum pp_status pp_simulation_add_columns(const struct pp_simulation *simulation,
 {
     const struct pp_engine *engine = simulation->engine;
     double common = engine->common ? engine->common(simulation->run) : 0.0;
+    double near = engine->common_near ? engine->common_near(simulation->run) : 0.0;
     for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++) {
         struct pp_column *column =
             (struct pp_column *)pp_report_find(report, component, engine->column);
@@ -135,6 +136,7 @@ enum pp_status pp_simulation_add_columns(const struct pp_simulation *simulation,
         engine->read(simulation->run, -1, readings);
         column->average = readings[component];
         column->common = common;
+        column->common_near = near;
         for (int i = 0; i < report->receiver_count; i++) {
             engine->read(simulation->run, i, readings);
             column->points[i] = readings[component];

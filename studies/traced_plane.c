@@ -44,7 +44,7 @@ struct pp_traced_plane {
     struct pp_direct_plane *direct; /* by `exact` */
     double external; /* traced externally reflected light over that of `exact` */
     double side_m;   /* of the squares before any is halved */
-    double common;   /* the share of the points' variance that is common */
+    double common;   /* the share of near points' variance that is common */
     struct plane_point *points;
     int count;
     struct plane_screen *screens;

@@ -35,8 +35,8 @@ enum pp_status pp_traced_plane_create(struct pp_traced_plane **plane,
 void pp_traced_plane_destroy(struct pp_traced_plane *plane); /* NULL is allowed */
 
 /* The daylight factors at the points, in their order, the externally reflected components
- * there, and the share of the factors' variance that is common; points without a value are
- * left out. */
+ * there, and the share of the factors' variance that points near each other have in common;
+ * points without a value are left out. */
 enum pp_status pp_traced_plane_fill(struct pp_traced_plane *plane,
                                     const struct pp_reading *factors,
                                     const struct pp_reading *external, double common,

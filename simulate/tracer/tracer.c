@@ -370,6 +370,47 @@ double pp_tracer_common(const struct pp_tracer *tracer)
     return common;
 }
 
+/* The receivers nearest to one, itself among them; how many there are. */
+static int find_nearest(int nearest[PP_TRACER_NEAREST], const struct pp_tracer *tracer,
+                        int of)
+{
+    double away[PP_TRACER_NEAREST];
+    int count = 0;
+    for (int i = 0; i < tracer->receiver_count; i++) {
+        double off = pp_vec_length(pp_vec_sub(tracer->points[i].start.position,
+                                              tracer->points[of].start.position));
+        int at = count;
+        for (; at > 0 && off < away[at - 1]; at--)
+            if (at < PP_TRACER_NEAREST) {
+                away[at] = away[at - 1];
+                nearest[at] = nearest[at - 1];
+            }
+        if (at == PP_TRACER_NEAREST)
+            continue;
+        away[at] = off;
+        nearest[at] = i;
+        count += count < PP_TRACER_NEAREST;
+    }
+    return count;
+}
+
+double pp_tracer_common_near(const struct pp_tracer *tracer)
+{
+    enum { ASKED = 500 }; /* receivers at most, evenly from the list */
+    int step = tracer->receiver_count / ASKED + 1, asked = 0;
+    double sum = 0.0;
+    for (int i = 0; i < tracer->receiver_count && tracer->shared; i += step) {
+        int nearest[PP_TRACER_NEAREST];
+        struct pp_sampled list[PP_TRACER_NEAREST];
+        int count = find_nearest(nearest, tracer, i);
+        for (int k = 0; k < count; k++)
+            list[k] = pp_planner_sampled(tracer->planner, nearest[k]);
+        sum += pp_spread_common(list, count);
+        asked++;
+    }
+    return asked ? sum / asked : 0.0;
+}
+
 struct pp_tracer_work pp_tracer_work(const struct pp_tracer *tracer)
 {
     struct pp_path_work work = pp_planner_work(tracer->planner);

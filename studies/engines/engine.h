@@ -51,8 +51,9 @@ struct pp_engine {
                  struct pp_reading readings[PP_COMPONENT_COUNT]);
 
     /* The share of their variance that the receivers' factors have in common
-     * (common_error.h); NULL: none. */
+     * (common_error.h): all of them, and those that are near each other; NULL: none. */
     double (*common)(const void *run);
+    double (*common_near)(const void *run);
 
     /* What a later run may begin with, as the bytes of a file; NULL where there is
      * nothing to keep. *bytes NULL: not yet. Otherwise the caller's to free. */

@@ -93,6 +93,12 @@ static double common(const void *data)
     return pp_tracer_common(run->tracer);
 }
 
+static double common_near(const void *data)
+{
+    const struct path_run *run = data;
+    return pp_tracer_common_near(run->tracer);
+}
+
 const struct pp_engine pp_engine_path = {
     .name = "path",
     .column = "traced",
@@ -104,5 +110,6 @@ const struct pp_engine pp_engine_path = {
     .error = error,
     .read = read,
     .common = common,
+    .common_near = common_near,
     .destroy = destroy,
 };
