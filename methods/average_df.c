@@ -4,7 +4,7 @@
  * grew out of, over all surfaces of the room [LYNES79]. theta is the angle of visible sky
  * in section (reflected/sky_angle.h). In the newer form glass below the working plane
  * counts with the floor's reflectance rho_f: its light reaches the plane by way of the
- * floor.
+ * floor. A rooflight with a well counts by the well's efficiency (reflected/well.h).
  *
  * The two are averages over different surfaces and not to be compared: before dirt and
  * without glass below the working plane, the older one is (1 + R)/2 of the other. Under
@@ -18,6 +18,7 @@
 
 #include "methods/reflected/interior.h"
 #include "methods/reflected/sky_angle.h"
+#include "methods/reflected/well.h"
 #include "methods/method.h"
 #include "methods/refusals.h"
 
@@ -35,6 +36,21 @@ static const struct pp_formula glass_that_counts = {
     .unit = PP_UNIT_SQUARE_METRE,
     .what = "net area of glass, that below the working plane by way of the floor",
     .quantities = of_W,
+};
+
+static const struct pp_formula_quantity of_W_of_well[] = {
+    {"a", PP_UNIT_SQUARE_METRE, "area of the opening"},
+    {"B", PP_UNIT_NUMBER, "frame factor"},
+    PP_WELL_QUANTITIES,
+    {0},
+};
+
+static const struct pp_formula glass_behind_well = {
+    .symbol = "W",
+    .sum = "a B N",
+    .unit = PP_UNIT_SQUARE_METRE,
+    .what = "net area of glass, by what its well lets through",
+    .quantities = of_W_of_well,
 };
 
 #define QUANTITIES                                                                     \
@@ -68,9 +84,13 @@ static const struct pp_formula average_of_surfaces = {
     .quantities = of_lynes,
 };
 
-static const struct pp_formula *const formulae[] = {
-    &pp_allowance_glass_W,         &glass_that_counts, PP_SKY_ANGLE_FORMULAE,
-    PP_SKY_ANGLE_SLOPING_FORMULAE, &average,           NULL};
+static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W,
+                                                    &glass_that_counts,
+                                                    &glass_behind_well,
+                                                    PP_SKY_ANGLE_FORMULAE,
+                                                    PP_SKY_ANGLE_SLOPING_FORMULAE,
+                                                    &average,
+                                                    NULL};
 static const struct pp_formula *const formulae_of_lynes[] = {
     &pp_allowance_glass_W, PP_SKY_ANGLE_FORMULAE, &average_of_surfaces, NULL};
 
@@ -92,6 +112,22 @@ static void put_low_glass(struct pp_worksheet *sheet, const struct pp_world *wor
                       "opening on line %d: net area of glass that counts", line);
 }
 
+/* W of glass with a well. */
+static void put_well(struct pp_worksheet *sheet, const struct pp_world *world,
+                     const struct pp_outside_light *light,
+                     const struct pp_opening *opening)
+{
+    int line = opening->line;
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2, "a",
+                     "opening on line %d: area", line);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->frame_factor, "B",
+                     "opening on line %d: frame factor", line);
+    pp_well_put(sheet, world, light, opening);
+    pp_worksheet_work(sheet, &glass_behind_well,
+                      "opening on line %d: net area of glass, as of its well's foot",
+                      line);
+}
+
 /* newer_form: with dirt, and with less of the glass below the working plane. */
 static enum pp_status put_terms(struct pp_worksheet *sheet,
                                 const struct pp_world *world,
@@ -104,7 +140,9 @@ static enum pp_status put_terms(struct pp_worksheet *sheet,
     int line = opening->line;
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "T",
                      "opening on line %d: diffuse transmittance", line);
-    if (newer_form && low_m2 > 0.0)
+    if (pp_well_is(opening))
+        put_well(sheet, world, light, opening);
+    else if (newer_form && low_m2 > 0.0)
         put_low_glass(sheet, world, opening, low_m2);
     else
         pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);

@@ -18,6 +18,7 @@ const struct pp_method *const pp_methods[] = {
     &pp_method_sphere,
     &pp_method_arndt,
     &pp_method_dresler,
+    &pp_method_k_factor,
     &pp_method_nomogram,
     &pp_method_irc_atlas,
     &pp_method_bre_atlas,

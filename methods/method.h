@@ -163,6 +163,7 @@ extern const struct pp_method pp_method_split_flux;
 extern const struct pp_method pp_method_sphere;
 extern const struct pp_method pp_method_arndt;
 extern const struct pp_method pp_method_dresler;
+extern const struct pp_method pp_method_k_factor;
 extern const struct pp_method pp_method_nomogram;
 
 /* The same by position, fitted to traced rooms: */

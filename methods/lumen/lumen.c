@@ -22,6 +22,7 @@
 #include "methods/method.h"
 #include "methods/reflected/entering_light.h"
 #include "methods/reflected/obstruction.h"
+#include "methods/reflected/well.h"
 #include "methods/refusals.h"
 
 /* A skyline higher than this is an obstruction (rad). */
@@ -211,8 +212,7 @@ static enum pp_status read_rooflight(struct reading *r, const struct pp_world *w
     const double C[] = {1.0, alpha_rad};
     double rcr = pp_formula_value(&cavity_ratio, cavity);
     r->E_h = pp_formula_value(&pp_entering_light_C, C);
-    r->well = pp_lumen_cavity_well_efficiency(opening->width_m, opening->height_m,
-                                              opening->reveal_m, r->ceiling);
+    r->well = pp_well_of(world, light, opening).whole;
     r->cu_top =
         pp_lumen_table_top(table, rcr, r->ceiling, r->walls, r->text, sizeof r->text);
     r->why = isnan(r->cu_top) ? r->text : NULL;

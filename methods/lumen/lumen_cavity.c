@@ -1,4 +1,4 @@
-/* lumen_cavity.c - the exitances of two or three zones that reflect one another's
+/* lumen_cavity.c - the exitances of three zones that reflect one another's
  * light, solved in closed form. */
 #include "methods/lumen/lumen_cavity.h"
 
@@ -35,16 +35,4 @@ double pp_lumen_cavity(double rcr, double ceiling, double walls, double plane)
     double W = walls * from_walls * (c0 + p0)
                / (1.0 - walls * (among_walls + from_walls * (c1 + p1)));
     return f * (c0 + c1 * W) + (1.0 - f) * W;
-}
-
-double pp_lumen_cavity_well_efficiency(double width, double length, double depth,
-                                       double sides)
-{
-    if (!(depth > 0.0))
-        return 1.0;
-    double f = end_to_end(width, length, depth);
-    double end_over_sides = width * length / (2.0 * depth * (width + length));
-    double from_sides = (1.0 - f) * end_over_sides;
-    double among_sides = 1.0 - 2.0 * from_sides;
-    return f + (1.0 - f) * sides * from_sides / (1.0 - sides * among_sides);
 }

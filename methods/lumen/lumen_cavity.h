@@ -12,10 +12,4 @@
  * plane. */
 double pp_lumen_cavity(double rcr, double ceiling, double walls, double plane);
 
-/* Share of the diffuse light on top of a well that leaves the well below, for a well of
- * width x length, `depth` deep, with sides of that reflectance: two zones. 1 for a well
- * without depth. */
-double pp_lumen_cavity_well_efficiency(double width, double length, double depth,
-                                       double sides);
-
 #endif

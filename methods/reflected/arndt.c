@@ -31,8 +31,8 @@ static const struct pp_formula average = {
     .quantities = quantities,
 };
 
-static const struct pp_formula *const formulae[] = {PP_ENTERING_LIGHT_FORMULAE,
-                                                    &average, NULL};
+static const struct pp_formula *const formulae[] = {
+    PP_ENTERING_LIGHT_FORMULAE, &average, PP_ENTERING_LIGHT_WELL_FORMULAE, NULL};
 
 static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_outside_light *light,
@@ -46,9 +46,11 @@ static enum pp_status evaluate(const struct pp_world *world,
         return status;
     struct pp_interior all = pp_interior_all(world);
     pp_interior_put(&part->sheet, &all);
-    part->value = pp_worksheet_work(
+    double irc = pp_worksheet_work(
         &part->sheet, &average,
         "opening on line %d: average internally reflected component", opening->line);
+    part->value = pp_entering_light_of_well(&part->sheet, &pp_entering_light_E_w, world,
+                                            opening, irc);
     return PP_OK;
 }
 

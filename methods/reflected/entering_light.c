@@ -2,6 +2,7 @@
 #include "methods/reflected/entering_light.h"
 
 #include "methods/reflected/obstruction.h"
+#include "methods/reflected/well.h"
 #include "methods/refusals.h"
 
 static const struct pp_formula_quantity of_C[] = {
@@ -21,6 +22,22 @@ const struct pp_formula pp_entering_light_C = {
     .quantities = of_C,
 };
 
+static const struct pp_formula_quantity of_C_of_well[] = {
+    {"C_hv", PP_UNIT_SHARE, "on glass of that slope from the open sky"},
+    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
+    PP_WELL_QUANTITIES,
+    {0},
+};
+
+const struct pp_formula pp_entering_light_C_of_well = {
+    .symbol = "C",
+    .sum = "C_hv (1 - alpha / 90) N",
+    .unit = PP_UNIT_SHARE,
+    .what = "through the foot of a well from above the horizon",
+    .quantities = of_C_of_well,
+    .fixed = true,
+};
+
 static const struct pp_formula_quantity of_C_g[] = {
     {"rho_g", PP_UNIT_NUMBER, "reflectance of the ground"},
     {"beta", PP_UNIT_ANGLE, "slope of the glass, 0 horizontal"},
@@ -34,6 +51,53 @@ const struct pp_formula pp_entering_light_C_g = {
     .source = "GEEBELEN",
     .what = "on the glass from the ground",
     .quantities = of_C_g,
+};
+
+static const struct pp_formula_quantity of_C_g_of_well[] = {
+    {"rho_g", PP_UNIT_NUMBER, "reflectance of the ground"},
+    {"beta", PP_UNIT_ANGLE, "slope of the glass, 0 horizontal"},
+    PP_WELL_QUANTITIES,
+    {0},
+};
+
+const struct pp_formula pp_entering_light_C_g_of_well = {
+    .symbol = "C_g",
+    .sum = "100 rho_g (1 - cos(beta)) / 2 N",
+    .unit = PP_UNIT_SHARE,
+    .what = "through the foot of a well from the ground",
+    .quantities = of_C_g_of_well,
+    .fixed = true,
+};
+
+static const struct pp_formula_quantity of_E_w[] = {
+    PP_ENTERING_LIGHT_QUANTITIES,
+    PP_WELL_QUANTITIES,
+    {"f", PP_UNIT_NUMBER, "share of light from the foot that falls on the plane"},
+    {"S", PP_UNIT_SQUARE_METRE, "area of the working plane"},
+    {0},
+};
+
+const struct pp_formula pp_entering_light_E_w = {
+    .symbol = "E_w",
+    .sum = "tau Ag (C + C_g) (1 - N_d / N) f / S",
+    .unit = PP_UNIT_SHARE,
+    .what = "on the working plane by light that the sides of a well reflected",
+    .quantities = of_E_w,
+};
+
+static const struct pp_formula_quantity of_with_well[] = {
+    {"irc", PP_UNIT_SHARE, "by the formula of the room"},
+    {"E_w", PP_UNIT_SHARE, "from the sides of the well"},
+    {0},
+};
+
+const struct pp_formula pp_entering_light_with_well = {
+    .symbol = "irc",
+    .sum = "irc + E_w",
+    .unit = PP_UNIT_SHARE,
+    .what = "with what comes from the sides of a well",
+    .quantities = of_with_well,
+    .fixed = true,
 };
 
 const struct pp_formula pp_entering_light_u = {
@@ -57,8 +121,12 @@ static void put_C(struct pp_worksheet *sheet, const struct pp_outside_light *lig
     struct pp_vec3 outward = pp_vec_scale(opening->inner.normal, -1.0);
     pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_sky_on_plane(&light->sky, outward),
                      "C_hv", "on glass of that slope from the open sky");
-    pp_worksheet_work(sheet, &pp_entering_light_C,
-                      "on the glass from above the horizon");
+    if (pp_well_is(opening))
+        pp_worksheet_work(sheet, &pp_entering_light_C_of_well,
+                          "through the foot of the well from above the horizon");
+    else
+        pp_worksheet_work(sheet, &pp_entering_light_C,
+                          "on the glass from above the horizon");
 }
 
 enum pp_status pp_entering_light(struct pp_worksheet *sheet,
@@ -82,14 +150,36 @@ enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                          "opening on line %d: diffuse transmittance", line);
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, alpha_rad, "alpha",
                      "opening on line %d: angle of the obstruction", line);
+    if (pp_well_is(opening))
+        pp_well_put(sheet, world, light, opening);
     put_C(sheet, light, opening, alpha_rad);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, light->ground_reflectance, "rho_g",
                      "reflectance of the ground");
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, opening->slope_rad, "beta",
                      "opening on line %d: slope of the glass", line);
-    pp_worksheet_work(sheet, &pp_entering_light_C_g, "on the glass from the ground");
+    if (pp_well_is(opening))
+        pp_worksheet_work(sheet, &pp_entering_light_C_g_of_well,
+                          "through the foot of the well from the ground");
+    else
+        pp_worksheet_work(sheet, &pp_entering_light_C_g,
+                          "on the glass from the ground");
     if (opening->glass.diffusing)
         pp_worksheet_work(sheet, &pp_entering_light_u,
                           "share of the diffusing pane's light that goes up");
     return PP_OK;
+}
+
+double pp_entering_light_of_well(struct pp_worksheet *sheet,
+                                 const struct pp_formula *E_w,
+                                 const struct pp_world *world,
+                                 const struct pp_opening *opening, double irc)
+{
+    if (!pp_well_is(opening))
+        return irc;
+    pp_well_put_foot(sheet, world, opening);
+    pp_worksheet_work(sheet, E_w, "on the working plane from the sides of the well");
+    return pp_worksheet_work(
+        sheet, &pp_entering_light_with_well,
+        "opening on line %d: with what comes from the sides of its well",
+        opening->line);
 }

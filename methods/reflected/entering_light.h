@@ -11,6 +11,12 @@
  * which is replaced by the illuminance C_hv of glass of that slope from the open sky, over
  * Eh (sky.h).
  *
+ * Under glass with a well (well.h) C and C_g are what comes through the foot of the well,
+ * by its efficiency N. What of that has met the sides of the well comes down from the foot
+ * as from a diffuse pane; it is internally reflected light before it meets the room, E_w on
+ * the working plane, which the formulae of the room leave out: pp_entering_light_of_well
+ * adds it.
+ *
  * Through clear glass, light from above the horizon falls on the lower part of the room
  * and light from the ground on the upper one. A diffusing pane sends the share u of all
  * its light up and the rest down, one half for vertical panes.
@@ -43,10 +49,14 @@
 
 /* Rows of a method's list of formulae. */
 extern const struct pp_formula pp_entering_light_C, pp_entering_light_C_g,
-    pp_entering_light_u;
+    pp_entering_light_u, pp_entering_light_C_of_well, pp_entering_light_C_g_of_well,
+    pp_entering_light_E_w, pp_entering_light_with_well;
 #define PP_ENTERING_LIGHT_FORMULAE                                                     \
-    &pp_allowance_glass_Ag, &pp_entering_light_C, &pp_entering_light_C_g,              \
-        &pp_entering_light_u
+    &pp_allowance_glass_Ag, &pp_entering_light_C, &pp_entering_light_C_of_well,        \
+        &pp_entering_light_C_g, &pp_entering_light_C_g_of_well, &pp_entering_light_u
+/* And at its end, of one that adds the well's own light. */
+#define PP_ENTERING_LIGHT_WELL_FORMULAE                                                \
+    &pp_entering_light_E_w, &pp_entering_light_with_well
 
 /* Puts all of that down; u for a diffusing pane only. */
 enum pp_status pp_entering_light(struct pp_worksheet *sheet,
@@ -54,5 +64,12 @@ enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                                  const struct pp_outside_light *light,
                                  const struct pp_opening *opening,
                                  struct pp_error *err);
+
+/* Adds E_w, by that formula, to the irc that stands on the sheet, whose value is given;
+ * returns the sum, irc itself of an opening without a well. */
+double pp_entering_light_of_well(struct pp_worksheet *sheet,
+                                 const struct pp_formula *E_w,
+                                 const struct pp_world *world,
+                                 const struct pp_opening *opening, double irc);
 
 #endif

@@ -2,6 +2,8 @@
  * room, cut at a height. */
 #include "methods/reflected/interior.h"
 
+#include "methods/reflected/well.h"
+
 /* Twice the signed area of triangle o a b, seen against the polygon's normal. */
 static double twice_area(const struct pp_polygon *polygon, struct pp_vec3 o,
                          struct pp_vec3 a, struct pp_vec3 b)
@@ -99,7 +101,9 @@ static struct pp_interior_parts split(const struct pp_world *world, double z,
         bool of_face_left_out = surface->role == PP_REVEAL
                                     ? world->openings[surface->owner].face == left_out
                                     : i == left_out;
-        if (!surface->inside || of_face_left_out)
+        bool of_well =
+            surface->role == PP_REVEAL && pp_well_is(world->openings + surface->owner);
+        if (!surface->inside || of_face_left_out || of_well)
             continue;
         add_split(&lower, &upper, &surface->outline, z, 1.0, surface->front);
         if (surface->role == PP_FREE_SURFACE)

@@ -2,8 +2,8 @@
  * formulae of the internally reflected component.
  *
  * Inside surfaces are the faces of the envelope without their openings, the openings
- * (with a reflectance of 0.1), the sides of reveals, and both sides of free-standing
- * surfaces in the room. The lower and the upper part of the room lie below and above a
+ * (with a reflectance of 0.1), the sides of reveals but not those of wells (well.h), and
+ * both sides of free-standing surfaces in the room. The lower and the upper part of the room lie below and above a
  * height; polygons across that height are cut. A level face at exactly that height
  * belongs to the upper part where it faces down.
  */

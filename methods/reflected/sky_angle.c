@@ -20,47 +20,19 @@ const struct pp_formula pp_sky_angle_head = {
     .quantities = of_head,
 };
 
-const struct pp_formula pp_sky_angle_reveal = {
-    .symbol = "theta_r",
-    .sum = "atan(h / 2 / d)",
-    .unit = PP_UNIT_ANGLE,
-    .what = "glass that slopes: what the reveal leaves to either side",
-    .quantities = of_head,
-};
-
 static const struct pp_formula_quantity of_limits[] = {
     {"beta", PP_UNIT_ANGLE, "slope of the glass, 0 horizontal"},
     {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
     {0},
 };
-static const struct pp_formula_quantity of_limits_in_reveal[] = {
-    {"beta", PP_UNIT_ANGLE, "slope of the glass, 0 horizontal"},
-    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
-    {"theta_r", PP_UNIT_ANGLE, "what the reveal leaves to either side"},
-    {0},
-};
-
-#define UPPER(text, words, list)                                                       \
+#define UPPER(text, words)                                                             \
     {                                                                                  \
         .symbol = "theta_h", .sum = text, .unit = PP_UNIT_ANGLE, .what = words,        \
-        .quantities = list                                                             \
+        .quantities = of_limits                                                        \
     }
-const struct pp_formula pp_sky_angle_upper[4] = {
-    UPPER("180 - beta", "upper limit of the sky, glass that slopes", of_limits),
-    UPPER("90 - beta + theta_r",
-          "upper limit of the sky, glass that slopes, in a reveal",
-          of_limits_in_reveal),
-    UPPER("180 - alpha", "upper limit of the sky, level glass", of_limits),
-    UPPER("min(180 - alpha, 90 + theta_r)", "upper limit of the sky, level in a reveal",
-          of_limits_in_reveal),
-};
-
-const struct pp_formula pp_sky_angle_lower = {
-    .symbol = "theta_l",
-    .sum = "max(alpha, 90 - beta - theta_r)",
-    .unit = PP_UNIT_ANGLE,
-    .what = "lower limit of the sky, glass that slopes, in a reveal",
-    .quantities = of_limits_in_reveal,
+const struct pp_formula pp_sky_angle_upper[2] = {
+    UPPER("180 - beta", "upper limit of the sky, glass that slopes"),
+    UPPER("180 - alpha", "upper limit of the sky, level glass"),
 };
 
 static const struct pp_formula_quantity of_theta[] = {
@@ -76,20 +48,6 @@ const struct pp_formula pp_sky_angle_theta = {
     .source = "CL84",
     .what = "angle of visible sky",
     .quantities = of_theta,
-};
-
-static const struct pp_formula_quantity of_theta_in_reveal[] = {
-    {"theta_h", PP_UNIT_ANGLE, "upper limit of the sky in section"},
-    {"theta_l", PP_UNIT_ANGLE, "lower limit of the sky in section"},
-    {0},
-};
-
-const struct pp_formula pp_sky_angle_theta_in_reveal = {
-    .symbol = "theta",
-    .sum = "max(theta_h - theta_l, 0)",
-    .unit = PP_UNIT_ANGLE,
-    .what = "angle of visible sky, glass that slopes, in a reveal",
-    .quantities = of_theta_in_reveal,
 };
 
 /* From the wall's inner face out to where the wall ends, before the glass or behind it. */
@@ -109,21 +67,12 @@ static void put_reveal(struct pp_worksheet *sheet, const struct pp_opening *open
 
 static void put_sloping(struct pp_worksheet *sheet, const struct pp_opening *opening)
 {
-    bool reveal = depth_of(opening) > 0.0, level = sin(opening->slope_rad) < 1e-6;
+    bool level = sin(opening->slope_rad) < 1e-6;
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, opening->slope_rad, "beta",
                      "opening on line %d: slope of the glass", opening->line);
-    if (reveal) {
-        put_reveal(sheet, opening);
-        pp_worksheet_work(sheet, &pp_sky_angle_reveal,
-                          "what the reveal leaves to either side");
-    }
-    pp_worksheet_work(sheet, &pp_sky_angle_upper[2 * level + reveal],
+    pp_worksheet_work(sheet, &pp_sky_angle_upper[level],
                       "upper limit of the sky in section");
-    if (reveal)
-        pp_worksheet_work(sheet, &pp_sky_angle_lower, "lower limit");
-    pp_worksheet_work(sheet,
-                      reveal ? &pp_sky_angle_theta_in_reveal : &pp_sky_angle_theta,
-                      "angle of visible sky");
+    pp_worksheet_work(sheet, &pp_sky_angle_theta, "angle of visible sky");
 }
 
 enum pp_status pp_sky_angle(struct pp_worksheet *sheet, const struct pp_world *world,

@@ -3,8 +3,8 @@
  *
  * It runs in the plane of the face's inside from the obstruction alpha
  * (reflected/obstruction.h) up to the head of the reveal. Vertical glass without a reveal
- * has 90 degrees less alpha, sloping glass 180 degrees less its slope beta and alpha. In a
- * reveal, glass that faces the altitude 90 - beta sees theta_r to either side of it. What
+ * has 90 degrees less alpha, sloping glass 180 degrees less its slope beta and alpha; what
+ * its well takes is told by the well's efficiency (well.h). What
  * stands about level glass takes alpha from both sides: alpha is then 90 degrees times the
  * share of the sky's light that is hidden, so that theta falls to 0 where all is.
  */
@@ -15,16 +15,12 @@
 #include "model/results/worksheet.h"
 #include "model/room/world.h"
 
-extern const struct pp_formula pp_sky_angle_head, pp_sky_angle_reveal,
-    pp_sky_angle_upper[4], pp_sky_angle_lower, pp_sky_angle_theta,
-    pp_sky_angle_theta_in_reveal;
+extern const struct pp_formula pp_sky_angle_head, pp_sky_angle_upper[2],
+    pp_sky_angle_theta;
 
 /* Rows of a method's list of formulae: of vertical glass, and of any other. */
 #define PP_SKY_ANGLE_FORMULAE &pp_sky_angle_head, &pp_sky_angle_theta
-#define PP_SKY_ANGLE_SLOPING_FORMULAE                                                  \
-    &pp_sky_angle_reveal, &pp_sky_angle_upper[0], &pp_sky_angle_upper[1],              \
-        &pp_sky_angle_upper[2], &pp_sky_angle_upper[3], &pp_sky_angle_lower,           \
-        &pp_sky_angle_theta_in_reveal
+#define PP_SKY_ANGLE_SLOPING_FORMULAE &pp_sky_angle_upper[0], &pp_sky_angle_upper[1]
 
 /* Puts down theta and what it comes from: theta_h and alpha in any case. */
 enum pp_status pp_sky_angle(struct pp_worksheet *sheet, const struct pp_world *world,

@@ -46,8 +46,9 @@ static const struct pp_formula diffusing = {
     .quantities = of_diffusing,
 };
 
-static const struct pp_formula *const formulae[] = {PP_ENTERING_LIGHT_FORMULAE, &clear,
-                                                    &diffusing, NULL};
+static const struct pp_formula *const formulae[] = {
+    PP_ENTERING_LIGHT_FORMULAE, &clear, &diffusing, PP_ENTERING_LIGHT_WELL_FORMULAE,
+    NULL};
 
 static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_outside_light *light,
@@ -68,9 +69,11 @@ static enum pp_status evaluate(const struct pp_world *world,
                      opening->middle_z_m);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.lower.reflectance, "rho_l",
                      "mean reflectance below it");
-    part->value = pp_worksheet_work(
+    double irc = pp_worksheet_work(
         sheet, opening->glass.diffusing ? &diffusing : &clear,
         "opening on line %d: average internally reflected component", opening->line);
+    part->value = pp_entering_light_of_well(&part->sheet, &pp_entering_light_E_w, world,
+                                            opening, irc);
     return PP_OK;
 }
 

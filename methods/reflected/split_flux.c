@@ -72,8 +72,9 @@ static const struct pp_formula one_part = {
     .fixed = true,
 };
 
-static const struct pp_formula *const formulae[] = {PP_ENTERING_LIGHT_FORMULAE, &clear,
-                                                    &diffusing, &one_part, NULL};
+static const struct pp_formula *const formulae[] = {
+    PP_ENTERING_LIGHT_FORMULAE,      &clear, &diffusing, &one_part,
+    PP_ENTERING_LIGHT_WELL_FORMULAE, NULL};
 
 static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_outside_light *light,
@@ -97,12 +98,14 @@ static enum pp_status evaluate(const struct pp_world *world,
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.lower.reflectance, "rho_l",
                      "its mean reflectance");
     bool both = parts.upper.area_m2 > 0.0 && parts.lower.area_m2 > 0.0;
-    part->value = pp_worksheet_work(
+    double irc = pp_worksheet_work(
         sheet,
         !both                      ? &one_part
         : opening->glass.diffusing ? &diffusing
                                    : &clear,
         "opening on line %d: average internally reflected component", opening->line);
+    part->value = pp_entering_light_of_well(&part->sheet, &pp_entering_light_E_w, world,
+                                            opening, irc);
     return PP_OK;
 }
 

@@ -252,16 +252,6 @@ static void light_from_above_has_its_limits(void **state)
                 pp_lumen_cavity(0.0, 0.8, 0.5, 0.2), 1e-5);
     /* RCR 10: a square as wide as it is high, whose factor is the cube's. */
     assert_near(pp_lumen_cavity(10.0, 0.0, 0.0, 0.2), 0.199825, 5e-7);
-    assert_near(pp_lumen_cavity_well_efficiency(1.0, 1.0, 1.0, 0.0), 0.199825, 5e-7);
-    /* White sides send up as much as down of what does not go straight through. */
-    double through = pp_lumen_cavity_well_efficiency(1.3, 0.7, 1.1, 0.0);
-    assert_near(pp_lumen_cavity_well_efficiency(1.3, 0.7, 1.1, 1.0),
-                (1.0 + through) / 2.0, 1e-12);
-    assert_near(pp_lumen_cavity_well_efficiency(1.3, 0.7, 0.0, 0.5), 1.0, 0.0);
-    /* A cube with grey sides: of what falls on these, 0.800175, they send back a half, of
-     * which one in 4 parts of that goes down, 0.20004, and 0.59991 to the sides again:
-     * 0.199825 + 0.800175 x 0.5 x 0.200044 / (1 - 0.5 x 0.599913). */
-    assert_near(pp_lumen_cavity_well_efficiency(2.0, 2.0, 2.0, 0.5), 0.314154, 2e-6);
 }
 
 static void top_table_is_what_the_cavity_gives(void **state)

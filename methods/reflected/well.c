@@ -1,0 +1,205 @@
+/* well.c - transfer of flux in a straight shaft. */
+#include "methods/reflected/well.h"
+
+#include <math.h>
+
+#include "methods/lumen/rectangle_factor.h"
+#include "methods/refusals.h"
+#include "model/light/graded_sky.h"
+
+enum {
+    BANDS = 12,     /* of the sides; twice as many change no efficiency by 0.002 */
+    ALTITUDES = 48, /* of the light that passes straight through */
+    AZIMUTHS = 12,  /* in a quarter of the circle */
+};
+
+bool pp_well_is(const struct pp_opening *opening)
+{
+    return opening->reveal_m > 0.0 && pp_refusals_unless_vertical(opening) != NULL;
+}
+
+double pp_well_index(const struct pp_well_shape *shape)
+{
+    return shape->depth_m * (shape->width_m + shape->length_m)
+           / (2.0 * shape->width_m * shape->length_m);
+}
+
+/* Share of a section that lies over another, moved by x and y of its sides. */
+static double overlap(double x, double y)
+{
+    return x < 1.0 && y < 1.0 ? (1.0 - x) * (1.0 - y) : 0.0;
+}
+
+/* through[i]: share of the light that passes section i of the shaft, 0 the top, without
+ * having met the sides. Directions are at even steps of the sine of their angle to the
+ * shaft, which counts by that sine times its step, and of azimuth. */
+static void pass_straight(double through[BANDS + 1], const struct pp_well_shape *shape,
+                          double b, const struct pp_glass *glass)
+{
+    double sum = 0.0;
+    for (int i = 0; i <= BANDS; i++)
+        through[i] = 0.0;
+    for (int k = 0; k < ALTITUDES; k++) {
+        double sine = (k + 0.5) / ALTITUDES, cosine = sqrt(1.0 - sine * sine);
+        double weight = sine * pp_graded_sky_luminance(b, cosine)
+                        * pp_glass_transmittance(glass, cosine);
+        double aside_m = shape->depth_m / BANDS * sine / cosine;
+        for (int j = 0; j < AZIMUTHS; j++) {
+            double azimuth_rad = (j + 0.5) / AZIMUTHS * PP_PI / 2.0;
+            double x = aside_m * cos(azimuth_rad) / shape->width_m;
+            double y = aside_m * sin(azimuth_rad) / shape->length_m;
+            for (int i = 0; i <= BANDS; i++)
+                through[i] += weight * overlap(i * x, i * y);
+            sum += weight;
+        }
+    }
+    for (int i = 0; i <= BANDS; i++)
+        through[i] /= sum;
+}
+
+/* factor[i]: form factor between sections i bands apart. */
+static void form_factors(double factor[BANDS + 1], const struct pp_well_shape *shape)
+{
+    double a = shape->width_m, b = shape->length_m;
+    const struct pp_aligned_rectangle foot = {2, {0, 0, 0}, {a, b, 0}};
+    factor[0] = 1.0;
+    for (int i = 1; i <= BANDS; i++) {
+        double z = shape->depth_m * i / BANDS;
+        const struct pp_aligned_rectangle above = {2, {0, 0, z}, {a, b, z}};
+        factor[i] = pp_rectangle_factor_exchange_area(&foot, &above) / (a * b);
+    }
+}
+
+/* Solves M x = y in place for a matrix whose rows are led by their diagonals. */
+static void solve(double M[BANDS][BANDS], double y[BANDS])
+{
+    for (int i = 0; i < BANDS; i++)
+        for (int k = i + 1; k < BANDS; k++) {
+            double times = M[k][i] / M[i][i];
+            for (int j = i; j < BANDS; j++)
+                M[k][j] -= times * M[i][j];
+            y[k] -= times * y[i];
+        }
+    for (int i = BANDS - 1; i >= 0; i--) {
+        for (int j = i + 1; j < BANDS; j++)
+            y[i] -= M[i][j] * y[j];
+        y[i] /= M[i][i];
+    }
+}
+
+/* Bands are alike, so that what one sends to another depends on how far apart they are:
+ * by the sections between, whose area over that of a band is `section`,
+ *
+ *     i to j     section (F(m - 1) - 2 F(m) + F(m + 1)),  m = |i - j| > 0
+ *     to itself  1 - 2 section (1 - F(1))
+ *     to the foot, n bands below its upper edge: section (F(n - 1) - F(n))
+ */
+struct pp_well_efficiency pp_well_efficiency(const struct pp_well_shape *shape,
+                                             double b, const struct pp_glass *glass)
+{
+    double T[BANDS + 1], F[BANDS + 1], M[BANDS][BANDS], on_band[BANDS];
+    pass_straight(T, shape, b, glass);
+    form_factors(F, shape);
+    double section = BANDS / (4.0 * pp_well_index(shape));
+    for (int i = 0; i < BANDS; i++) {
+        on_band[i] = T[i] - T[i + 1];
+        for (int j = 0; j < BANDS; j++) {
+            int m = i > j ? i - j : j - i;
+            double sent = m == 0 ? 1.0 - 2.0 * section * (1.0 - F[1])
+                                 : section * (F[m - 1] - 2.0 * F[m] + F[m + 1]);
+            M[i][j] = (i == j) - shape->sides * sent;
+        }
+    }
+    solve(M, on_band);
+    struct pp_well_efficiency efficiency = {.whole = T[BANDS], .direct = T[BANDS]};
+    for (int i = 0; i < BANDS; i++)
+        efficiency.whole +=
+            shape->sides * on_band[i] * section * (F[BANDS - 1 - i] - F[BANDS - i]);
+    return efficiency;
+}
+
+static struct pp_well_shape shape_of(const struct pp_world *world,
+                                     const struct pp_opening *opening)
+{
+    struct pp_well_shape shape = {opening->width_m, opening->height_m,
+                                  opening->reveal_m,
+                                  world->surfaces[opening->face].front};
+    if (!opening->rectangle) {
+        const struct pp_polygon *foot = &opening->inner;
+        double round_m = 0.0;
+        for (int i = 0; i < foot->count; i++)
+            round_m += pp_vec_length(
+                pp_vec_sub(foot->vertices[(i + 1) % foot->count], foot->vertices[i]));
+        shape.width_m = shape.length_m = 4.0 * foot->area_m2 / round_m;
+    }
+    return shape;
+}
+
+struct pp_well_efficiency pp_well_of(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
+                                     const struct pp_opening *opening)
+{
+    if (!pp_well_is(opening))
+        return (struct pp_well_efficiency){1.0, 1.0};
+    bool level = sin(opening->slope_rad) < 1e-6;
+    bool even = !level || opening->glass.diffusing;
+    struct pp_well_shape shape = shape_of(world, opening);
+    return pp_well_efficiency(&shape, even ? 0.0 : light->sky.gradation,
+                              &opening->glass);
+}
+
+void pp_well_put(struct pp_worksheet *sheet, const struct pp_world *world,
+                 const struct pp_outside_light *light, const struct pp_opening *opening)
+{
+    struct pp_well_shape shape = shape_of(world, opening);
+    struct pp_well_efficiency N = pp_well_of(world, light, opening);
+    int line = opening->line;
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, pp_well_index(&shape), "w",
+                     "opening on line %d: index of its well", line);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, shape.sides, "rho_w",
+                     "reflectance of the well's sides");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, N.whole, "N",
+                     "share of the light that leaves the well");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, N.direct, "N_d",
+                     "share that has not met its sides");
+}
+
+/* The form factor of a polygon by its edges [HSM16]: the angle that each subtends, times
+ * the cosine of the plane through it and the point. */
+static double edge_factor(struct pp_vec3 to_a, struct pp_vec3 to_b,
+                          struct pp_vec3 normal)
+{
+    struct pp_vec3 across = pp_vec_cross(to_a, to_b);
+    double sine = pp_vec_length(across);
+    if (!(sine > 0.0))
+        return 0.0;
+    return atan2(sine, pp_vec_dot(to_a, to_b)) * pp_vec_dot(across, normal) / sine
+           / (2.0 * PP_PI);
+}
+
+double pp_well_foot_to_plane(const struct pp_world *world,
+                             const struct pp_opening *opening)
+{
+    struct pp_vec3 middle = pp_polygon_middle(&opening->inner);
+    double sum = 0.0;
+    for (int i = 0; i < world->plane.count; i++) {
+        const struct pp_ring *ring = world->plane.rings + i;
+        for (int k = 0; k < ring->count; k++) {
+            const double *a = ring->xy[k], *b = ring->xy[(k + 1) % ring->count];
+            double z = world->working_plane_m;
+            sum -= edge_factor(pp_vec_sub(pp_vec(a[0], a[1], z), middle),
+                               pp_vec_sub(pp_vec(b[0], b[1], z), middle),
+                               opening->inner.normal);
+        }
+    }
+    return fmin(fmax(sum, 0.0), 1.0);
+}
+
+void pp_well_put_foot(struct pp_worksheet *sheet, const struct pp_world *world,
+                      const struct pp_opening *opening)
+{
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, pp_well_foot_to_plane(world, opening), "f",
+                     "share of light from the well's foot that falls on the plane");
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, pp_region_area(&world->plane), "S",
+                     "area of the working plane");
+}
