@@ -1,14 +1,15 @@
 /* average_df_atlas.c - `average-df-atlas`: the average daylight factor in one formula
  * (average_df.c) corrected by what traced rooms say of it [ATLAS].
  *
- *     df = k T W (1 - n + n rho_f) M / (A (1 - R^2)) 2 (V + C_b + C_g)
- *          (V / V_0)^b exp(-e d (1/w + 1/h)) (A / A_f)^c exp(-g C_g / (V + C_b + C_g))
+ *     df = k T W (1 - n + n rho_f) M / (A (1 - R^2)) 2 E
+ *          exp(-e d (1/w + 1/h)) (A / A_f)^c exp(-g E_u)
  *
- * In place of theta, twice the light on the opening's outside: 90 % under an open sky and
- * over a ground that reflects 0.1, as 90 degrees are in print. What stands outside, the
- * reveal and how much of the room is floor enter by powers and exponentials; light of the
- * ground falls on the ceiling first and counts less by the factor exp(-g) at most. The share
- * n of the opening below the working plane counts with the floor's reflectance.
+ * In place of theta, twice the light on the opening's outside, E = V + E_b + E_g
+ * (fitted_light.h): 90 % under an open sky and over a ground that reflects 0.1, as 90
+ * degrees are in print. The reveal and how much of the room is floor enter by an
+ * exponential and a power; light of the ground, which falls on the ceiling first, counts
+ * less: E_u is its share C_g / (V + C_b + C_g). The share n of the opening below the
+ * working plane counts with the floor's reflectance.
  *
  * For vertical openings of clear glass under the CIE overcast sky. The formula contains
  * the opening's glass, the frame and dirt.
@@ -41,7 +42,7 @@ static const struct pp_formula_quantity quantities[] = {
 
 static const struct pp_formula outside = {
     .symbol = "E",
-    .sum = "V + C_b + C_g",
+    .sum = "V + E_b + E_g",
     .unit = PP_UNIT_SHARE,
     .what = "on the opening's outside in all",
     .quantities = quantities,
@@ -51,7 +52,7 @@ static const struct pp_formula correction = {
     .symbol = "k_r",
     .sum =
         "exp(-" PP_FITTED_DF_REVEAL " d (1 / w + 1 / h)) (A / A_f)^" PP_FITTED_DF_FLOOR
-        " exp(-" PP_FITTED_DF_GROUND " C_g / max(E, 0.001))",
+        " exp(-" PP_FITTED_DF_UPWARD " C_g / max(V + C_b + C_g, 0.001))",
     .unit = PP_UNIT_NUMBER,
     .source = "ATLAS",
     .what = "correction for the reveal, the floor and the ground",
@@ -60,17 +61,19 @@ static const struct pp_formula correction = {
 
 static const struct pp_formula average = {
     .symbol = "df",
-    .sum =
-        PP_FITTED_DF " T W (1 - n + n rho_f) M 2 E / (A (1 - R^2)) " PP_FITTED_LIGHT_SKY
-                     "^" PP_FITTED_DF_SKY " k_r",
+    .sum = PP_FITTED_DF " T W (1 - n + n rho_f) M 2 E k_r / (A (1 - R^2))",
     .unit = PP_UNIT_SHARE,
     .source = "ATLAS",
     .what = "average daylight factor over the working plane",
     .quantities = quantities,
 };
 
-static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W, &outside,
-                                                    &correction, &average, NULL};
+static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W,
+                                                    PP_FITTED_LIGHT_FORMULAE,
+                                                    &outside,
+                                                    &correction,
+                                                    &average,
+                                                    NULL};
 
 static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_outside_light *light,

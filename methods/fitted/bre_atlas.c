@@ -7,8 +7,7 @@
  *          reflects 0.1
  *   irc_m  mean over the working plane
  *
- * Light of a sky that is half hidden comes from high up and lights less of the room, by a
- * power of V; a window high up, with more of the room below it, more of it. f_d and f_s:
+ * A window high up, with more of the room below it, lights more of it. f_d and f_s:
  * fitted_position.h. Scope and allowances are those of `bre`, but for panes that spread
  * light.
  */
@@ -36,7 +35,7 @@ static const struct pp_formula_quantity quantities[] = {
 
 static const struct pp_formula light_ratio = {
     .symbol = "L",
-    .sum = "((V + C_b) R_fw + C_g R_cw) / (C R_fw + " PP_BRE_TERMS_GROUND ")",
+    .sum = "((V + E_b) R_fw + E_g R_cw) / (C R_fw + " PP_BRE_TERMS_GROUND ")",
     .unit = PP_UNIT_NUMBER,
     .what = "light that enters, over that of the printed formula",
     .quantities = quantities,
@@ -44,8 +43,7 @@ static const struct pp_formula light_ratio = {
 
 static const struct pp_formula mean = {
     .symbol = "irc_m",
-    .sum = PP_FITTED_BRE " IRC_av L " PP_FITTED_LIGHT_SKY "^" PP_FITTED_BRE_SKY
-                         " (A_l / A_u)^(" PP_FITTED_BRE_PARTS " (1 - R))",
+    .sum = PP_FITTED_BRE " IRC_av L (A_l / A_u)^(" PP_FITTED_BRE_PARTS " (1 - R))",
     .unit = PP_UNIT_SHARE,
     .source = "ATLAS",
     .what = "mean internally reflected component",

@@ -10,29 +10,29 @@
 
 /* Of the position (fitted_position.h): depth and side. */
 #define PP_FITTED_DEPTH "1.36"
-#define PP_FITTED_SIDE "0.36"
+#define PP_FITTED_SIDE "0.42"
 
-/* Of `irc-atlas`: upper reflectance, sky, parts, reveal. */
-#define PP_FITTED_UPPER "0.53"
-#define PP_FITTED_SKY "0.31"
-#define PP_FITTED_PARTS "0.47"
-#define PP_FITTED_REVEAL "0.44"
+/* Of the light outside (fitted_light.h): the shade on what stands there and on the
+ * ground. */
+#define PP_FITTED_OUTSIDE "0.67"
+#define PP_FITTED_GROUND "0.35"
 
-/* Of `bre-atlas`: factor, sky, parts. */
-#define PP_FITTED_BRE "0.87"
-#define PP_FITTED_BRE_SKY "0.27"
-#define PP_FITTED_BRE_PARTS "0.50"
+/* Of `irc-atlas`: parts, reveal. */
+#define PP_FITTED_PARTS "0.40"
+#define PP_FITTED_REVEAL "0.46"
 
-/* Of `split-flux-atlas`: factor, sky, low glass. */
-#define PP_FITTED_FLUX "0.88"
-#define PP_FITTED_FLUX_SKY "0.29"
-#define PP_FITTED_FLUX_LOW "0.39"
+/* Of `bre-atlas`: factor, parts. */
+#define PP_FITTED_BRE "0.875"
+#define PP_FITTED_BRE_PARTS "0.34"
 
-/* Of `average-df-atlas`: factor, sky, reveal, floor, ground. */
-#define PP_FITTED_DF "0.77"
-#define PP_FITTED_DF_SKY "0.31"
-#define PP_FITTED_DF_REVEAL "0.82"
+/* Of `split-flux-atlas`: factor, low glass. */
+#define PP_FITTED_FLUX "0.90"
+#define PP_FITTED_FLUX_LOW "0.42"
+
+/* Of `average-df-atlas`: factor, reveal, floor, light of the ground. */
+#define PP_FITTED_DF "0.72"
+#define PP_FITTED_DF_REVEAL "0.73"
 #define PP_FITTED_DF_FLOOR "0.42"
-#define PP_FITTED_DF_GROUND "0.47"
+#define PP_FITTED_DF_UPWARD "0.36"
 
 #endif

@@ -1,12 +1,38 @@
-/* fitted_light.c - V, C_b and C_g by the geometry of `exact`: with and without a ground
- * that reflects. */
+/* fitted_light.c - V, C_b and C_g by the geometry of `exact`, with and without a ground
+ * that reflects, and what of them counts. */
 #include "methods/fitted/fitted_light.h"
 
 #include <stdlib.h>
 
 #include "methods/exact/exterior.h"
+#include "methods/fitted/fitted_constants.h"
 #include "methods/reflected/interior.h"
 #include "methods/refusals.h"
+
+static const struct pp_formula_quantity of_shade[] = {
+    {"V", PP_UNIT_SHARE, "on the opening's outside from the sky alone"},
+    {"C_b", PP_UNIT_SHARE, "on it from what stands outside, without its shade"},
+    {"C_g", PP_UNIT_SHARE, "on it from the ground that is seen, the same"},
+    {0},
+};
+
+const struct pp_formula pp_fitted_light_E_b = {
+    .symbol = "E_b",
+    .sum = "C_b max(V / 39.6, 0.003)^" PP_FITTED_OUTSIDE,
+    .unit = PP_UNIT_SHARE,
+    .source = "ATLAS",
+    .what = "on the opening's outside from what stands outside",
+    .quantities = of_shade,
+};
+
+const struct pp_formula pp_fitted_light_E_g = {
+    .symbol = "E_g",
+    .sum = "C_g max(V / 39.6, 0.003)^" PP_FITTED_GROUND,
+    .unit = PP_UNIT_SHARE,
+    .source = "ATLAS",
+    .what = "on the opening's outside from the ground",
+    .quantities = of_shade,
+};
 
 static enum pp_status light_on(struct pp_fitted_light *on, const struct pp_world *world,
                                const struct pp_outside_light *light,
@@ -52,10 +78,8 @@ enum pp_status pp_fitted_light_prepare(void **tools, const struct pp_world *worl
     return PP_OK;
 }
 
-struct pp_fitted_light pp_fitted_light_put(struct pp_worksheet *sheet,
-                                           const void *tools,
-                                           const struct pp_world *world,
-                                           const struct pp_opening *opening)
+void pp_fitted_light_put(struct pp_worksheet *sheet, const void *tools,
+                         const struct pp_world *world, const struct pp_opening *opening)
 {
     const struct pp_fitted_light *list = tools;
     struct pp_fitted_light on = list[opening - world->openings];
@@ -63,10 +87,11 @@ struct pp_fitted_light pp_fitted_light_put(struct pp_worksheet *sheet,
     pp_worksheet_put(sheet, PP_UNIT_SHARE, on.V, "V",
                      "opening on line %d: on its outside from the sky alone", line);
     pp_worksheet_put(sheet, PP_UNIT_SHARE, on.C_b, "C_b",
-                     "on it from what stands outside");
+                     "on it from what stands outside, without its shade");
     pp_worksheet_put(sheet, PP_UNIT_SHARE, on.C_g, "C_g",
-                     "on it from the ground that is seen");
-    return on;
+                     "on it from the ground that is seen, the same");
+    pp_worksheet_work(sheet, &pp_fitted_light_E_b, "from what stands outside");
+    pp_worksheet_work(sheet, &pp_fitted_light_E_g, "from the ground");
 }
 
 const char *pp_fitted_light_refuses(const struct pp_world *world,

@@ -5,6 +5,15 @@
  *   C_b   from what stands outside, by the convention of `exact` (exterior.h)
  *   C_g   from the ground that is seen, of the room's reflectance
  *
+ *   E_b, E_g   what of these counts: what stands outside, and the ground, are themselves
+ *         in the shade that the opening is in, and give less by a power of V over V of the
+ *         open sky, 39.6 %; the convention of `exact` has obstructions as bright as the sky
+ *         that they hide, times their reflectance
+ *
+ *     E_b = C_b (V / 39.6)^b,   E_g = C_g (V / 39.6)^g,   V / 39.6 at least 0.003
+ *
+ * with b and g fitted [ATLAS].
+ *
  * All over Eh, at the middle of the opening's outside and without glass, under the CIE
  * overcast sky. They do not depend on the receiver and are worked out once for a world.
  */
@@ -19,28 +28,29 @@ struct pp_fitted_light {
     double V, C_b, C_g; /* fractions */
 };
 
+/* Rows of a method's list of formulae. */
+extern const struct pp_formula pp_fitted_light_E_b, pp_fitted_light_E_g;
+#define PP_FITTED_LIGHT_FORMULAE &pp_fitted_light_E_b, &pp_fitted_light_E_g
+
 /* Rows of a formula's list of quantities. */
 #define PP_FITTED_LIGHT_QUANTITIES                                                     \
     {"V", PP_UNIT_SHARE, "on the opening's outside from the sky alone"},               \
-        {"C_b", PP_UNIT_SHARE, "on it from what stands outside"},                      \
+        {"C_b", PP_UNIT_SHARE, "on it from what stands outside, without its shade"},   \
+        {"C_g", PP_UNIT_SHARE, "on it from the ground that is seen, the same"},        \
+        {"E_b", PP_UNIT_SHARE, "on it from what stands outside"},                      \
     {                                                                                  \
-        "C_g", PP_UNIT_SHARE, "on it from the ground that is seen"                     \
+        "E_g", PP_UNIT_SHARE, "on it from the ground that is seen"                     \
     }
-
-/* How much of the open sky is left, in the formulae: 39.6 % is that on a vertical plane
- * under the open overcast sky. */
-#define PP_FITTED_LIGHT_SKY "max(V / 39.6, 0.02)"
 
 /* Of each opening of the world, in their order: a method's `prepare`; freed by free(). */
 enum pp_status pp_fitted_light_prepare(void **tools, const struct pp_world *world,
                                        const struct pp_outside_light *light,
                                        struct pp_error *err);
 
-/* Puts down those of one opening; tools: of pp_fitted_light_prepare. Returns them. */
-struct pp_fitted_light pp_fitted_light_put(struct pp_worksheet *sheet,
-                                           const void *tools,
-                                           const struct pp_world *world,
-                                           const struct pp_opening *opening);
+/* Puts down all of that for one opening; tools: of pp_fitted_light_prepare. */
+void pp_fitted_light_put(struct pp_worksheet *sheet, const void *tools,
+                         const struct pp_world *world,
+                         const struct pp_opening *opening);
 
 /* A method's `refuses`: openings that are not vertical, panes that spread light, and rooms
  * that reflect all light. */

@@ -1,20 +1,21 @@
 /* irc_atlas.c - `irc-atlas`: internally reflected component by position, a formula of six
  * terms for paper, whose constants were fitted to traced rooms [ATLAS].
  *
- *     irc = tau Ag / (A (1 - R)) ((V + C_b) rho_l + C_g)       light that enters; sphere
- *           rho_u^a                                            (1) upper surfaces
- *           (V / V_0)^b                                        (2) from high up, if hidden
- *           (A_l / A_u)^(c (1 - R))                            (3) height of the opening
- *           exp(-e (1 - R) d (1/w + 1/h))                      (4) reveal
- *           f_d f_s                                            (5), (6) position
+ *     irc = tau Ag / (A (1 - R)) ((V + E_b) rho_l + E_g) sqrt(rho_u)
+ *           ((A_l / A_u)^c exp(-e d (1/w + 1/h)))^(1 - R) f_d f_s
+ *
+ *   E_b, E_g           light of what stands outside and of the ground, in its shade
+ *   (A_l / A_u)^c      a low opening lights less of what the plane sees than a high one
+ *   exp(-e d ...)      what the reveal takes
+ *   f_d, f_s           by the depth of the point, and sideways (fitted_position.h)
  *
  * Light of the sky falls on the lower part of the room and is reflected by it and by the
  * upper part before it comes to the working plane; light of the ground by the upper part
  * only. The first line is the formula of `sphere` with the light outside parted by what it
- * comes from, and the rest of it by what happens to a share 1 - R of the light in it: in a
- * furnace, R to 1 under an open sky, it is the energy balance tau Ag (V + C_g)/(A (1 - R))
- * everywhere, whatever was fitted. No opening, or an upper part that reflects nothing,
- * gives 0. f_d and f_s: fitted_position.h; the light outside: fitted_light.h.
+ * comes from (fitted_light.h) and the root of rho_u, which a fit finds as 0.51; the six
+ * terms that were fitted have one constant each. In a furnace, R to 1 under an open sky, it
+ * is the energy balance tau Ag (V + C_g)/(A (1 - R)) everywhere, whatever was fitted. No
+ * opening, or an upper part that reflects nothing, gives 0; so does a depth without end.
  *
  * For vertical openings of clear glass under the CIE overcast sky, and points that face
  * up. The formula contains the opening's glass and, through Ag, the frame; no dirt, no
@@ -46,9 +47,9 @@ static const struct pp_formula_quantity quantities[] = {
 
 static const struct pp_formula mean = {
     .symbol = "irc_m",
-    .sum = "tau Ag / (A (1 - R)) ((V + C_b) rho_l + C_g) rho_u^" PP_FITTED_UPPER
-           " " PP_FITTED_LIGHT_SKY "^" PP_FITTED_SKY " ((A_l / A_u)^" PP_FITTED_PARTS
-           " exp(-" PP_FITTED_REVEAL " d (1 / w + 1 / h)))^(1 - R)",
+    .sum = "tau Ag / (A (1 - R)) ((V + E_b) rho_l + E_g) sqrt(rho_u) "
+           "((A_l / A_u)^" PP_FITTED_PARTS " exp(-" PP_FITTED_REVEAL
+           " d (1 / w + 1 / h)))^(1 - R)",
     .unit = PP_UNIT_SHARE,
     .source = "ATLAS",
     .what = "mean internally reflected component",
@@ -64,8 +65,12 @@ static const struct pp_formula at_point = {
     .quantities = quantities,
 };
 
-static const struct pp_formula *const formulae[] = {
-    &pp_allowance_glass_Ag, PP_FITTED_POSITION_FORMULAE, &mean, &at_point, NULL};
+static const struct pp_formula *const formulae[] = {&pp_allowance_glass_Ag,
+                                                    PP_FITTED_LIGHT_FORMULAE,
+                                                    PP_FITTED_POSITION_FORMULAE,
+                                                    &mean,
+                                                    &at_point,
+                                                    NULL};
 
 static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_outside_light *light,

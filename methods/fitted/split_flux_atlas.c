@@ -2,9 +2,8 @@
  * corrected by what traced rooms say of it [ATLAS]: by what stands outside and the ground
  * that is seen, by glass below the working plane, and by position.
  *
- * Light of a sky that is half hidden comes from high up and lights less of the room, by a
- * power of V; light through the share n of the opening below the working plane falls on
- * what the points above do not see. f_d and f_s: fitted_position.h. For vertical openings
+ * Light through the share n of the opening below the working plane falls on what the
+ * points above do not see. f_d and f_s: fitted_position.h. For vertical openings
  * of clear glass under the CIE overcast sky and points that face up; allowances are those
  * of `split-flux`.
  */
@@ -34,9 +33,9 @@ static const struct pp_formula_quantity quantities[] = {
 
 static const struct pp_formula mean = {
     .symbol = "irc_m",
-    .sum = PP_FITTED_FLUX " tau Ag / (1 - rho_u rho_l) (rho_u C_g / A_u + rho_u rho_l "
-                          "(V + C_b) / A_l) " PP_FITTED_LIGHT_SKY "^" PP_FITTED_FLUX_SKY
-                          " exp(-" PP_FITTED_FLUX_LOW " n)",
+    .sum = PP_FITTED_FLUX
+    " tau Ag / (1 - rho_u rho_l) (rho_u E_g / A_u + rho_u rho_l (V + E_b) / A_l)"
+    " exp(-" PP_FITTED_FLUX_LOW " n)",
     .unit = PP_UNIT_SHARE,
     .source = "ATLAS",
     .what = "mean internally reflected component",
@@ -52,8 +51,12 @@ static const struct pp_formula at_point = {
     .quantities = quantities,
 };
 
-static const struct pp_formula *const formulae[] = {
-    &pp_allowance_glass_Ag, PP_FITTED_POSITION_FORMULAE, &mean, &at_point, NULL};
+static const struct pp_formula *const formulae[] = {&pp_allowance_glass_Ag,
+                                                    PP_FITTED_LIGHT_FORMULAE,
+                                                    PP_FITTED_POSITION_FORMULAE,
+                                                    &mean,
+                                                    &at_point,
+                                                    NULL};
 
 static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_outside_light *light,

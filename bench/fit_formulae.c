@@ -1,0 +1,314 @@
+/* fit_formulae.c - finds and fits the formulae of methods/fitted/ on traced rooms.
+ *
+ *     fit_formulae FILE           fits the shipped forms, with the uncertainty of every
+ *                                 constant, and their errors on rooms held out
+ *     fit_formulae FILE search    searches among sources, shapes, ranges and terms
+ *
+ * FILE is one of tests/lib/traced_rooms.h. Rooms of even number are fitted and searched
+ * on, by four-fold cross-validation split by room; rooms of odd number are held out, and
+ * enter nothing but the errors that are printed for them. Uncertainties are half the
+ * distance of the 16th and the 84th percentile of refits to rooms drawn with replacement.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/fit_forms.h"
+#include "bench/fit_model.h"
+#include "bench/fit_rooms.h"
+#include "simulate/sampling/hash.h"
+
+enum { FOLDS = 4, REFITS = 100 };
+
+/* The RMS of the logarithm that the search compares, weighted as the fit is. */
+static double held_out(struct pp_fit_model *model, const struct pp_fit_rooms *rooms,
+                       int *times)
+{
+    double sum = 0.0, weight = 0.0;
+    bool averages = model->shape == PP_FIT_EVEN && !model->sideways;
+    for (int fold = 0; fold < FOLDS; fold++) {
+        struct pp_fit_model tried = *model;
+        for (int i = 0; i < rooms->count; i++) {
+            int room = rooms->rows[i].room;
+            times[i] = room % 2 == 0 && room / 2 % FOLDS != fold;
+        }
+        pp_fit_model_fit(&tried, rooms, times);
+        for (int i = 0; i < rooms->count; i++) {
+            const struct pp_fit_row *row = rooms->rows + i;
+            double truth = model->of_df ? row->df : row->irc;
+            if (row->room % 2 || times[i] || row->average != averages)
+                continue;
+            double off = log(pp_fit_model_value(&tried, row) / truth);
+            double w = row->weight * row->weight * (row->dark ? 2.25 : 1.0);
+            if (!isfinite(off))
+                continue;
+            sum += w * off * off;
+            weight += w;
+        }
+        *model = tried;
+    }
+    return sqrt(sum / weight);
+}
+
+static void print_model(const struct pp_fit_model *model)
+{
+    const double *value = model->value;
+    if (model->shape != PP_FIT_EVEN)
+        printf("  k %.3f", value[PP_FIT_DEPTH_K]);
+    if (model->sideways)
+        printf("  s %.3f", value[PP_FIT_SIDE_S]);
+    if (model->source >= PP_FIT_SPHERE_NOW)
+        printf("  b %.3f  g %.3f", value[PP_FIT_SHADE_B], value[PP_FIT_SHADE_G]);
+    for (int j = 0; j < model->count; j++)
+        printf("  %s %.3f", pp_fit_forms_terms[model->terms[j]],
+               value[PP_FIT_FIRST_TERM + j]);
+    puts("");
+}
+
+/* ---- the search ---- */
+
+/* Sources and shapes; a source alone is scaled, so that it is compared by its form. */
+static void search_shapes(const struct pp_fit_rooms *rooms, int *times)
+{
+    for (int source = 0; source < PP_FIT_SOURCES; source++)
+        for (int shape = 1; shape < PP_FIT_SHAPES; shape++)
+            for (int sideways = 0; sideways < 2; sideways++) {
+                if (source == PP_FIT_DF || source == PP_FIT_DF_NOW)
+                    continue;
+                struct pp_fit_model model = {.source = source,
+                                             .shape = shape,
+                                             .power = 0.5,
+                                             .sideways = sideways,
+                                             .count = 1,
+                                             .terms = {PP_FIT_ONE},
+                                             .value = {1.3, 0.4, 0.8, 0.4}};
+                double error = held_out(&model, rooms, times);
+                printf("%.4f  %s, %s%s:", error, pp_fit_forms_sources[source],
+                       pp_fit_forms_shapes[shape], sideways ? " and sideways" : "");
+                print_model(&model);
+            }
+}
+
+static void search_ranges(const struct pp_fit_rooms *rooms, int *times)
+{
+    static const double powers[] = {0.0, 0.25, 0.5, 1.0};
+    for (int range = 0; range < PP_FIT_RANGES; range++)
+        for (int k = 0; k < 4; k++) {
+            struct pp_fit_model model = pp_fit_forms_shipped[0].model;
+            model.range = range;
+            model.power = powers[k];
+            double error = held_out(&model, rooms, times);
+            printf("%.4f  irc-atlas with the range %s, (1 - R)^%.2f:", error,
+                   pp_fit_forms_ranges[range], powers[k]);
+            print_model(&model);
+        }
+}
+
+static bool has_term(const struct pp_fit_model *model, int term)
+{
+    for (int j = 0; j < model->count; j++)
+        if ((int)model->terms[j] == term)
+            return true;
+    return false;
+}
+
+/* Adds, one by one, the term that leaves the least error on rooms left out. `all`: prints
+ * what each would do as the last one. */
+static void search_terms(struct pp_fit_model model, const struct pp_fit_rooms *rooms,
+                         int *times, int most, bool all)
+{
+    double least = held_out(&model, rooms, times);
+    printf("%.4f  before:", least);
+    print_model(&model);
+    while (model.count < most) {
+        struct pp_fit_model best = model;
+        double found = least;
+        for (int term = 0; term < PP_FIT_TERMS; term++) {
+            struct pp_fit_model next = model;
+            if (has_term(&model, term))
+                continue;
+            next.terms[next.count] = term;
+            next.value[PP_FIT_FIRST_TERM + next.count++] = 0.0;
+            double error = held_out(&next, rooms, times);
+            if (all)
+                printf("        with %s: %.4f\n", pp_fit_forms_terms[term], error);
+            if (error < found) {
+                found = error;
+                best = next;
+            }
+        }
+        if (found >= least)
+            return;
+        model = best;
+        least = found;
+        printf("%.4f  and %s:", least,
+               pp_fit_forms_terms[model.terms[model.count - 1]]);
+        print_model(&model);
+    }
+}
+
+static void search(const struct pp_fit_rooms *rooms, int *times)
+{
+    puts("RMS of ln(figure/traced) on rooms left out, points, the darkest quarter half "
+         "as important again\n\nSources and shapes:");
+    search_shapes(rooms, times);
+    puts("\nRanges:");
+    search_ranges(rooms, times);
+    puts("\nTerms, from the balance of the sphere with the light outside:");
+    struct pp_fit_model model = pp_fit_forms_shipped[0].model;
+    model.count = 0;
+    search_terms(model, rooms, times, 4, false);
+    puts("\nWhat a seventh term would do:");
+    model = pp_fit_forms_shipped[0].model;
+    search_terms(model, rooms, times, model.count + 1, true);
+    for (int i = 1; i < pp_fit_forms_count; i++) {
+        printf("\nTerms of %s:\n", pp_fit_forms_shipped[i].name);
+        model = pp_fit_forms_shipped[i].model;
+        model.count = 1;
+        search_terms(model, rooms, times, 5, false);
+    }
+}
+
+/* ---- the shipped forms ---- */
+
+static int by_value(const void *a, const void *b)
+{
+    double off = *(const double *)a - *(const double *)b;
+    return (off > 0.0) - (off < 0.0);
+}
+
+/* Refits to rooms drawn with replacement: half the distance of the 16th and the 84th
+ * percentile of each parameter. */
+static void find_spread(const struct pp_fit_model *model,
+                        const struct pp_fit_rooms *rooms, int *times,
+                        double spread[PP_FIT_PARAMETERS])
+{
+    static double values[PP_FIT_PARAMETERS][REFITS];
+    int most = rooms->count > 0 ? rooms->rows[rooms->count - 1].room : 0;
+    int *drawn = malloc(((size_t)most + 1) * sizeof *drawn);
+    if (!drawn)
+        exit(3);
+    for (int refit = 0; refit < REFITS; refit++) {
+        struct pp_fit_model again = *model;
+        memset(drawn, 0, ((size_t)most + 1) * sizeof *drawn);
+        for (int i = 0; i <= most / 2; i++)
+            drawn[2 * (pp_hash((uint64_t)refit, (uint64_t)i) % (most / 2 + 1))]++;
+        for (int i = 0; i < rooms->count; i++)
+            times[i] = rooms->rows[i].room % 2 ? 0 : drawn[rooms->rows[i].room];
+        pp_fit_model_fit(&again, rooms, times);
+        for (int j = 0; j < PP_FIT_PARAMETERS; j++)
+            values[j][refit] = again.value[j];
+    }
+    free(drawn);
+    for (int j = 0; j < PP_FIT_PARAMETERS; j++) {
+        qsort(values[j], REFITS, sizeof(double), by_value);
+        spread[j] = (values[j][REFITS * 84 / 100] - values[j][REFITS * 16 / 100]) / 2.0;
+    }
+}
+
+static void print_errors(const char *name, const struct pp_fit_error errors[3])
+{
+    static const char *const where[3] = {"darkest quarter", "elsewhere", "averages"};
+    for (int i = 0; i < 3; i++) {
+        double n = errors[i].count;
+        if (n > 0)
+            printf("  %-18s %-16s %5.0f values  ln %.3f  relative %.3f  "
+                   "absolute %.3f %%  bias %+.3f\n",
+                   name, where[i], n, sqrt(errors[i].log / n),
+                   sqrt(errors[i].relative / n), sqrt(errors[i].absolute / n),
+                   errors[i].bias / n);
+    }
+}
+
+/* Errors on the rooms of odd number; the printed formula has one value for all points. */
+static void print_held_out(const char *name, const struct pp_fit_model *model,
+                           const struct pp_fit_rooms *rooms)
+{
+    struct pp_fit_error errors[3] = {{0, 0, 0, 0, 0}};
+    for (int i = 0; i < rooms->count; i++) {
+        const struct pp_fit_row *row = rooms->rows + i;
+        double truth = model->of_df ? row->df : row->irc,
+               figure = pp_fit_model_value(model, row);
+        if (row->room % 2 && (row->average || !model->of_df) && figure > 0.0)
+            pp_fit_model_note(errors
+                                  + (row->average ? 2
+                                     : row->dark  ? 0
+                                                  : 1),
+                              figure, truth);
+    }
+    print_errors(name, errors);
+}
+
+static void print_constants(const struct pp_fit_form *form,
+                            const struct pp_fit_model *model, const double *spread,
+                            bool all)
+{
+    static const char *const common[PP_FIT_FIRST_TERM] = {
+        "PP_FITTED_DEPTH", "PP_FITTED_SIDE", "PP_FITTED_OUTSIDE", "PP_FITTED_GROUND"};
+    for (int j = 0; j < PP_FIT_FIRST_TERM && all; j++)
+        printf("  %s \"%.3f\"  +- %.3f\n", common[j], model->value[j], spread[j]);
+    for (int j = 0; j < model->count; j++) {
+        double value = model->value[PP_FIT_FIRST_TERM + j],
+               off = spread[PP_FIT_FIRST_TERM + j];
+        bool factor = model->terms[j] == PP_FIT_ONE;
+        printf("  %s \"%.3f\"  +- %.3f\n", form->constants[j],
+               factor ? exp(value) : value, factor ? exp(value) * off : off);
+    }
+}
+
+static void fit_shipped(const struct pp_fit_rooms *rooms, int *times)
+{
+    struct pp_fit_model first = pp_fit_forms_shipped[0].model;
+    for (int i = 0; i < pp_fit_forms_count; i++) {
+        const struct pp_fit_form *form = pp_fit_forms_shipped + i;
+        struct pp_fit_model model = form->model, printed = {.source = form->printed};
+        double spread[PP_FIT_PARAMETERS];
+        printed.of_df = model.of_df;
+        if (i > 0) {
+            model.held = true;
+            memcpy(model.value, first.value, PP_FIT_FIRST_TERM * sizeof(double));
+        }
+        for (int k = 0; k < rooms->count; k++)
+            times[k] = rooms->rows[k].room % 2 == 0;
+        pp_fit_model_fit(&model, rooms, times);
+        find_spread(&model, rooms, times, spread);
+        printf("%s\n", form->name);
+        print_constants(form, &model, spread, i == 0);
+        if (i == 0)
+            first = model;
+        print_held_out(form->name, &model, rooms);
+        if (!model.of_df && i > 0) { /* at points: with the position of the first */
+            struct pp_fit_model placed = model;
+            placed.shape = first.shape;
+            placed.sideways = first.sideways;
+            placed.power = first.power;
+            print_held_out("  by position", &placed, rooms);
+        }
+        print_held_out(pp_fit_forms_sources[form->printed], &printed, rooms);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 2) {
+        fputs("fit_formulae: expected a file of traced rooms\n", stderr);
+        return 2;
+    }
+    struct pp_fit_rooms rooms = pp_fit_rooms_read(argv[1]);
+    int *times = calloc((size_t)rooms.count + 1, sizeof *times), number = 0, last = -1;
+    if (!times)
+        return 3;
+    for (int i = 0; i < rooms.count; i++) {
+        number += rooms.rows[i].room != last;
+        last = rooms.rows[i].room;
+    }
+    printf("%d rooms, %d points and averages\n", number, rooms.count);
+    if (argc > 2 && strcmp(argv[2], "search") == 0)
+        search(&rooms, times);
+    else
+        fit_shipped(&rooms, times);
+    free(times);
+    free(rooms.rows);
+    return 0;
+}

@@ -1,0 +1,233 @@
+/* fit_model.c - the model's figure and its derivatives, and the fit. */
+#include "bench/fit_model.h"
+
+#include <math.h>
+#include <string.h>
+
+static double length_of(enum pp_fit_range range, const struct pp_fit_opening *o)
+{
+    switch (range) {
+    case PP_FIT_ROOT:
+        return sqrt(o->w_r * o->h_r);
+    case PP_FIT_HEIGHT:
+        return o->h_r;
+    default:
+        return 2.0 * o->w_r * o->h_r / (o->w_r + o->h_r);
+    }
+}
+
+/* f_d f_s. */
+static double place_of(const struct pp_fit_model *model, const struct pp_fit_opening *o,
+                       double k, double s)
+{
+    double each = pow(1.0 - o->R, model->power) / length_of(model->range, o);
+    double q = k * o->d_r * each, u = o->x / o->d_r, f = 1.0;
+    if (model->shape == PP_FIT_EXPONENTIAL)
+        f = q * exp(-q * u) / (1.0 - exp(-q));
+    else if (model->shape == PP_FIT_COSH)
+        f = q * (exp(-q * u) + exp(-q * (2.0 - u))) / (1.0 - exp(-2.0 * q));
+    if (!model->sideways)
+        return f;
+    double q_s = s * o->w_r * each;
+    return f * q_s * exp(-2.0 * q_s * o->y / o->w_r) / (1.0 - exp(-q_s));
+}
+
+/* The source, its parts in the shade that they stand in. */
+static double source_of(const struct pp_fit_model *model,
+                        const struct pp_fit_opening *o, double b, double g)
+{
+    const double *part = o->source[model->source];
+    return part[0] + part[1] * pow(o->v, b) + part[2] * pow(o->v, g);
+}
+
+static double terms_of(const struct pp_fit_model *model, const struct pp_fit_opening *o)
+{
+    double sum = 0.0;
+    for (int j = 0; j < model->count; j++)
+        sum += model->value[PP_FIT_FIRST_TERM + j] * o->term[model->terms[j]];
+    return exp(sum);
+}
+
+double pp_fit_model_value(const struct pp_fit_model *model,
+                          const struct pp_fit_row *row)
+{
+    const double *value = model->value;
+    double sum = 0.0;
+    for (int i = 0; i < row->count; i++) {
+        const struct pp_fit_opening *o = row->openings + i;
+        sum += source_of(model, o, value[PP_FIT_SHADE_B], value[PP_FIT_SHADE_G])
+               * terms_of(model, o)
+               * (row->average ? 1.0
+                               : place_of(model, o, value[PP_FIT_DEPTH_K],
+                                          value[PP_FIT_SIDE_S]));
+    }
+    return sum;
+}
+
+/* ln of the figure, and its derivatives by the parameters. */
+static double derive(const struct pp_fit_model *model, const struct pp_fit_row *row,
+                     double slope[PP_FIT_PARAMETERS])
+{
+    const double step = 1e-5, *value = model->value;
+    double k = value[PP_FIT_DEPTH_K], s = value[PP_FIT_SIDE_S];
+    double b = value[PP_FIT_SHADE_B], g = value[PP_FIT_SHADE_G], sum = 0.0;
+    memset(slope, 0, PP_FIT_PARAMETERS * sizeof *slope);
+    for (int i = 0; i < row->count; i++) {
+        const struct pp_fit_opening *o = row->openings + i;
+        double terms = terms_of(model, o), source = source_of(model, o, b, g), f = 1.0;
+        if (!row->average) {
+            f = place_of(model, o, k, s);
+            double in_step = source * terms / step;
+            slope[PP_FIT_DEPTH_K] += in_step * (place_of(model, o, k + step, s) - f);
+            slope[PP_FIT_SIDE_S] += in_step * (place_of(model, o, k, s + step) - f);
+        }
+        double in_step = terms * f / step;
+        slope[PP_FIT_SHADE_B] += in_step * (source_of(model, o, b + step, g) - source);
+        slope[PP_FIT_SHADE_G] += in_step * (source_of(model, o, b, g + step) - source);
+        double power = source * terms * f;
+        sum += power;
+        for (int j = 0; j < model->count; j++)
+            slope[PP_FIT_FIRST_TERM + j] += power * o->term[model->terms[j]];
+    }
+    for (int j = 0; j < PP_FIT_PARAMETERS; j++)
+        slope[j] /= sum;
+    return log(sum);
+}
+
+static double truth_of(const struct pp_fit_model *model, const struct pp_fit_row *row)
+{
+    return model->of_df ? row->df : row->irc;
+}
+
+static bool takes_part(const struct pp_fit_model *model, const struct pp_fit_row *row)
+{
+    bool average = model->shape == PP_FIT_EVEN && !model->sideways;
+    return row->average == average && isfinite(log(truth_of(model, row)));
+}
+
+/* The dark points are half as important again: formulae are asked for them. */
+static double weight_of(const struct pp_fit_row *row, int times)
+{
+    return times * row->weight * row->weight * (row->dark ? 2.25 : 1.0);
+}
+
+static double cost_of(const struct pp_fit_model *model,
+                      const struct pp_fit_rooms *rooms, const int *times)
+{
+    double sum = 0.0;
+    for (int i = 0; i < rooms->count; i++) {
+        const struct pp_fit_row *row = rooms->rows + i;
+        if ((times && times[i] == 0) || !takes_part(model, row))
+            continue;
+        double off = log(pp_fit_model_value(model, row) / truth_of(model, row));
+        sum += weight_of(row, times ? times[i] : 1) * off * off;
+    }
+    return sum;
+}
+
+/* Solves a x = b of n equations by elimination with the largest pivot. */
+static void solve(int n, double a[PP_FIT_PARAMETERS][PP_FIT_PARAMETERS + 1])
+{
+    for (int i = 0; i < n; i++) {
+        int best = i;
+        for (int k = i + 1; k < n; k++)
+            if (fabs(a[k][i]) > fabs(a[best][i]))
+                best = k;
+        for (int k = 0; k <= n; k++) {
+            double kept = a[i][k];
+            a[i][k] = a[best][k];
+            a[best][k] = kept;
+        }
+        for (int k = 0; k < n; k++) {
+            double factor = k == i ? 0.0 : a[k][i] / a[i][i];
+            for (int j = i; j <= n && factor != 0.0; j++)
+                a[k][j] -= factor * a[i][j];
+        }
+    }
+    for (int i = 0; i < n; i++)
+        a[i][n] /= a[i][i];
+}
+
+/* The normal equations at the present parameters. */
+static void normal(const struct pp_fit_model *model, const struct pp_fit_rooms *rooms,
+                   const int *times, double a[PP_FIT_PARAMETERS][PP_FIT_PARAMETERS],
+                   double b[PP_FIT_PARAMETERS])
+{
+    memset(a, 0, PP_FIT_PARAMETERS * sizeof *a);
+    memset(b, 0, PP_FIT_PARAMETERS * sizeof *b);
+    for (int i = 0; i < rooms->count; i++) {
+        const struct pp_fit_row *row = rooms->rows + i;
+        double slope[PP_FIT_PARAMETERS];
+        if ((times && times[i] == 0) || !takes_part(model, row))
+            continue;
+        double off = derive(model, row, slope) - log(truth_of(model, row));
+        double weight = weight_of(row, times ? times[i] : 1);
+        for (int j = 0; j < PP_FIT_PARAMETERS; j++) {
+            b[j] -= weight * slope[j] * off;
+            for (int k = 0; k < PP_FIT_PARAMETERS; k++)
+                a[j][k] += weight * slope[j] * slope[k];
+        }
+    }
+}
+
+/* One step, damped until it helps; false: none does any more. */
+static bool step_on(struct pp_fit_model *model, const struct pp_fit_rooms *rooms,
+                    const int *times, double *damping, double *cost)
+{
+    double a[PP_FIT_PARAMETERS][PP_FIT_PARAMETERS], b[PP_FIT_PARAMETERS];
+    int free_ones[PP_FIT_PARAMETERS], n = 0;
+    if (!model->held && model->shape != PP_FIT_EVEN)
+        free_ones[n++] = PP_FIT_DEPTH_K;
+    if (!model->held && model->sideways)
+        free_ones[n++] = PP_FIT_SIDE_S;
+    if (!model->held && model->source >= PP_FIT_SPHERE_NOW) {
+        free_ones[n++] = PP_FIT_SHADE_B;
+        free_ones[n++] = PP_FIT_SHADE_G;
+    }
+    for (int j = 0; j < model->count; j++)
+        free_ones[n++] = PP_FIT_FIRST_TERM + j;
+    normal(model, rooms, times, a, b);
+    for (int turn = 0; turn < 8; turn++) {
+        double system[PP_FIT_PARAMETERS][PP_FIT_PARAMETERS + 1];
+        struct pp_fit_model next = *model;
+        for (int j = 0; j < n; j++) {
+            for (int k = 0; k < n; k++)
+                system[j][k] = a[free_ones[j]][free_ones[k]];
+            system[j][j] *= 1.0 + *damping;
+            system[j][j] += 1e-9;
+            system[j][n] = b[free_ones[j]];
+        }
+        solve(n, system);
+        for (int j = 0; j < n; j++)
+            next.value[free_ones[j]] += system[j][n];
+        double now = cost_of(&next, rooms, times);
+        if (now < *cost) {
+            bool worth_it = now < *cost * (1.0 - 1e-7);
+            *model = next;
+            *cost = now;
+            *damping /= 5.0;
+            return worth_it;
+        }
+        *damping *= 8.0;
+    }
+    return false;
+}
+
+void pp_fit_model_fit(struct pp_fit_model *model, const struct pp_fit_rooms *rooms,
+                      const int *times)
+{
+    double damping = 1e-4, cost = cost_of(model, rooms, times);
+    for (int i = 0; i < 30; i++)
+        if (!step_on(model, rooms, times, &damping, &cost))
+            return;
+}
+
+void pp_fit_model_note(struct pp_fit_error *error, double figure, double truth)
+{
+    double ratio = log(figure / truth);
+    error->count++;
+    error->log += ratio * ratio;
+    error->relative += (figure / truth - 1.0) * (figure / truth - 1.0);
+    error->absolute += 1e4 * (figure - truth) * (figure - truth);
+    error->bias += ratio;
+}

@@ -1,0 +1,84 @@
+/* fit_rooms.h - traced rooms (tests/lib/traced_rooms.h) as rows for the fit of formulae:
+ * of each point, and of each opening at it, all that a formula on paper may be made of. */
+#ifndef PP_BENCH_FIT_ROOMS_H
+#define PP_BENCH_FIT_ROOMS_H
+
+#include <stdbool.h>
+
+/* What the light of an opening is worth in the middle of the room, over Eh, with all of
+ * glass, frame and dirt; E_b = C_b v^b and E_g = C_g v^g, with b and g to be fitted
+ * (fitted_light.h). */
+enum pp_fit_source {
+    PP_FIT_BRE, /* as printed */
+    PP_FIT_FLUX,
+    PP_FIT_SPHERE,
+    PP_FIT_DF,         /* average-df, as printed */
+    PP_FIT_SPHERE_NOW, /* tau Ag sqrt(rho_u)/(A (1-R)) ((V + E_b) rho_l + E_g) */
+    PP_FIT_BRE_NOW,    /* the printed ones, with V + E_b and E_g in place of C and 5 */
+    PP_FIT_FLUX_NOW,
+    PP_FIT_DF_NOW, /* 2 (V + E_b + E_g) in place of theta */
+    PP_FIT_SOURCES
+};
+
+/* Dimensionless groups, as they stand in an exponential: logarithms of what enters by a
+ * power. */
+enum pp_fit_term {
+    PP_FIT_ONE,
+    PP_FIT_UPPER,        /* ln rho_u */
+    PP_FIT_LOWER,        /* ln rho_l */
+    PP_FIT_SKY,          /* ln v */
+    PP_FIT_ANGLE,        /* ln max(1 - alpha/90, 0.02) */
+    PP_FIT_PARTS,        /* (1 - R) ln(A_l/A_u) */
+    PP_FIT_PARTS_ALWAYS, /* ln(A_l/A_u) */
+    PP_FIT_REVEAL,       /* -(1 - R) d (1/w + 1/h) */
+    PP_FIT_REVEAL_ALWAYS,
+    PP_FIT_LOW,        /* -n */
+    PP_FIT_FLOOR_AREA, /* ln(A/A_f) */
+    PP_FIT_GROUND,     /* -C_g/(V + C_b + C_g) */
+    PP_FIT_CEILING,    /* ln of the reflectances of ceiling, walls, floor */
+    PP_FIT_WALLS,
+    PP_FIT_FLOOR,
+    PP_FIT_MEAN,   /* ln R */
+    PP_FIT_DEEP,   /* ln(d_r/h_r) */
+    PP_FIT_BROAD,  /* ln(w_r/h_r) */
+    PP_FIT_GLASS,  /* ln(Ag/A) */
+    PP_FIT_SILL,   /* height of the sill above the plane over h_r */
+    PP_FIT_HEAD,   /* of the head */
+    PP_FIT_PLACE,  /* -x/d_r */
+    PP_FIT_SQUARE, /* -(x/d_r)^2 */
+    PP_FIT_NEAR,   /* -ln(1 + (x/h_r)^2) */
+    PP_FIT_ASIDE,  /* -y/w_r */
+    PP_FIT_BESIDE, /* -(distance from the nearer jamb along the wall)/l */
+    PP_FIT_TERMS
+};
+
+struct pp_fit_opening {
+    double source[PP_FIT_SOURCES][3]; /* by V, C_b, C_g; of printed ones in all, 0, 0 */
+    double v;                         /* V over that of the open sky; 0.003 at least */
+    double term[PP_FIT_TERMS];
+    double R, d_r, w_r, h_r, x, y; /* as in fitted_position.h; x, y 0 of averages */
+};
+
+enum { PP_FIT_OPENINGS = 12 };
+
+struct pp_fit_row {
+    int room;       /* number */
+    bool average;   /* over the plane: no point */
+    bool dark;      /* among the darkest quarter of the room's points */
+    double irc, df; /* traced */
+    double weight;  /* of the fit: less where the traced value is rough */
+    int count;
+    struct pp_fit_opening openings[PP_FIT_OPENINGS];
+};
+
+struct pp_fit_rooms {
+    int count;
+    struct pp_fit_row *rows; /* those of a room together */
+};
+
+/* Reads a file of traced rooms; leaves out rooms that the fitted formulae refuse, and
+ * points whose traced component is under 0.002 % or not known to 30 %. Exits with a
+ * message where it cannot. */
+struct pp_fit_rooms pp_fit_rooms_read(const char *path);
+
+#endif
