@@ -175,8 +175,9 @@ check "elevations that do not fit are not made smaller" refuses 1 "larger --pape
 check "Waldram's diagram is of a point" \
     refuses 2 "--window" chart waldram --window south -p 1,1.5 -o "$scratch/x.pdf" "$deep"
 run chart vertical-sky -o "$scratch/facing.pdf" "$examples/deep-office-obstructed.xml"
-"$program" assess -c vsc "$examples/deep-office-obstructed.xml" >"$scratch/vsc"
+"$pepperpot" assess -c vsc "$examples/deep-office-obstructed.xml" >"$scratch/vsc"
 said=$(sed -n 's/.*south, line [0-9]* *\([0-9]*\.[0-9]\)[0-9]* %.*/\1/p' "$scratch/vsc")
+check "the criterion has a figure" test -n "$said"
 check_words "its squares are the criterion's component" "$scratch/facing.pdf" \
     "Vertical sky component $said"
 for format in pdf svg png; do
