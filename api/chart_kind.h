@@ -43,6 +43,8 @@ struct pp_board_options {
     enum pp_nomogram_kind nomogram; /* by --which, */
     bool nomogram_said;             /* if it was */
 
+    bool unsolved; /* of kinds from a point: the exercise in place of its solution */
+
     const char *window; /* of kinds that are of one, by line or wall; NULL: the first
                          * upright one */
 };

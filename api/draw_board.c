@@ -6,11 +6,36 @@
 #include "charts/drawing_board/protractor_chart.h"
 #include "charts/drawing_board/protractor_worked.h"
 #include "charts/drawing_board/waldram_chart.h"
+#include "charts/room/exercise_chart.h"
 #include "methods/nomogram/nomogram_sheet_fill.h"
 #include "methods/pepper_pot/pepper_pot_dots.h"
 #include "methods/pepper_pot/pepper_pot_sheet_fill.h"
 #include "methods/protractor/protractor_sheet_fill.h"
 #include "methods/waldram/waldram_sheet_fill.h"
+
+/* The exercise's drawings; *blank says that the empty diagram follows, on a sheet of its
+ * own, where the format has several. */
+static enum pp_status draw_exercise(bool *blank, struct pp_canvas *canvas,
+                                    const struct pp_study_room *room, const char *tool,
+                                    const char *unit, double viewing_mm,
+                                    struct pp_error *err)
+{
+    const struct pp_exercise exercise = {.world = room->world,
+                                         .light = &room->light,
+                                         .receiver = room->receivers[0],
+                                         .tool = tool,
+                                         .unit = unit,
+                                         .viewing_mm = viewing_mm};
+    *blank = pp_canvas_has_sheets(canvas);
+    enum pp_status status = pp_exercise_chart_draw(canvas, &exercise, err);
+    return status == PP_OK && *blank ? pp_canvas_next_sheet(canvas, err) : status;
+}
+
+/* Is the first of the room's openings glazed? */
+static bool is_glazed(const struct pp_study_room *room)
+{
+    return room->world->opening_count > 0 && room->world->openings[0].glass.panes > 0;
+}
 
 static enum pp_status draw_waldram(struct pp_canvas *canvas, struct pp_study_room *room,
                                    const struct pp_study_options *study,
@@ -26,6 +51,16 @@ static enum pp_status draw_waldram(struct pp_canvas *canvas, struct pp_study_roo
                                           room->receivers, err)
              : pp_waldram_sheet_fill_blank(&sheet, &options->sky,
                                            options->glazed != PP_NO, err);
+    if (status == PP_OK && options->unsolved) {
+        bool blank;
+        pp_board_sheets_waldram_clear(&sheet);
+        status = draw_exercise(&blank, canvas, room, "a Waldram diagram",
+                               "squares \u00d7 0.1\u00a0%", 0.0, err);
+        if (status != PP_OK || !blank)
+            return status;
+        status =
+            pp_waldram_sheet_fill_blank(&sheet, &room->light.sky, is_glazed(room), err);
+    }
     if (status == PP_OK)
         status = pp_waldram_chart_draw(canvas, &sheet, err);
     pp_board_sheets_waldram_clear(&sheet);
@@ -49,8 +84,22 @@ static enum pp_status draw_pepper_pot(struct pp_canvas *canvas,
              : pp_pepper_pot_sheet_fill_blank(&sheet, &options->sky,
                                               options->glazed != PP_NO,
                                               options->vertical == PP_YES, worth, err);
+    double viewing_mm = options->viewing_mm;
+    if (status == PP_OK && options->unsolved) {
+        bool blank, upright = sheet.upright;
+        viewing_mm = viewing_mm > 0.0 ? viewing_mm : 30.0;
+        pp_board_sheets_pepper_pot_clear(&sheet);
+        status = draw_exercise(&blank, canvas, room, "the pepper-pot diagram",
+                               options->fine ? "dots \u00d7 0.01\u00a0%"
+                                             : "dots \u00d7 0.1\u00a0%",
+                               viewing_mm, err);
+        if (status != PP_OK || !blank)
+            return status;
+        status = pp_pepper_pot_sheet_fill_blank(&sheet, &room->light.sky,
+                                                is_glazed(room), upright, worth, err);
+    }
     if (status == PP_OK)
-        status = pp_pepper_pot_chart_draw(canvas, &sheet, options->viewing_mm, err);
+        status = pp_pepper_pot_chart_draw(canvas, &sheet, viewing_mm, err);
     pp_board_sheets_pepper_pot_clear(&sheet);
     return status;
 }
@@ -67,6 +116,21 @@ static enum pp_status choose_protractor(struct pp_protractor *protractor,
     }
     return pp_protractor_scale_published(protractor,
                                          options->number ? options->number : 2, err);
+}
+
+/* The blank that follows is the protractor that the sheet has for the room. */
+static enum pp_status draw_protractor_exercise(struct pp_canvas *canvas,
+                                               const struct pp_study_room *room,
+                                               struct pp_protractor_sheet *sheet,
+                                               struct pp_error *err)
+{
+    bool blank;
+    enum pp_status status =
+        draw_exercise(&blank, canvas, room, "a daylight protractor", NULL, 0.0, err);
+    if (status != PP_OK || !blank)
+        return status;
+    sheet->world = NULL;
+    return pp_protractor_chart_draw(canvas, sheet, err);
 }
 
 static enum pp_status draw_protractor(struct pp_canvas *canvas,
@@ -87,7 +151,9 @@ static enum pp_status draw_protractor(struct pp_canvas *canvas,
         status = pp_protractor_sheet_fill_room(&sheet, room->world, &room->light,
                                                room->receivers, spacing, err);
         if (status == PP_OK)
-            status = pp_protractor_worked_draw(canvas, &sheet, err);
+            status = options->unsolved
+                         ? draw_protractor_exercise(canvas, room, &sheet, err)
+                         : pp_protractor_worked_draw(canvas, &sheet, err);
     } else {
         status = choose_protractor(&protractor, options, err);
         if (status == PP_OK)

@@ -151,6 +151,7 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
         : !pepper_pot && board->vertical         ? "--receiver"
         : !pepper_pot && board->viewing_mm > 0.0 ? "--viewing-distance"
         : (protractor || nomogram || kind->of_window) && board->glazed ? "--glazed"
+        : (blank || !kind->from_point) && board->unsolved              ? "--unsolved"
         : (blank || !kind->of_window) && board->window                 ? "--window"
         : !blank && kind->of_window && options->study.sky              ? "--sky"
         : !nomogram && board->nomogram_said                            ? "--which"

@@ -104,6 +104,10 @@ static const struct pp_option board_options[] = {
     {"which", 0, "NAME",
      "Nomogram: average (default) or minimum, for windows, or rooflight.",
      pp_board_options_read_nomogram, PLACE(choice.board)},
+    {"unsolved", 0, NULL,
+     "Waldram, pepper-pot, protractor, from a point: the exercise, which is the room's "
+     "section, plan and elevations to scale, and in a PDF the blank diagram.",
+     NULL, BOARD(unsolved)},
     {"window", 0, "WHICH",
      "Vertical sky, skylight indicator: the window, by its line in the file, or by its "
      "wall (default: the first upright one).",

@@ -151,11 +151,33 @@ for kind in vertical-sky skylight-indicator; do
     check "a rooflight faces no wall's sky" \
         refuses 1 "no upright window" chart $kind -o "$file" "$scratch/lit_from_above.xml"
 done
+for kind in waldram pepper-pot protractor; do
+    for format in pdf svg png; do
+        check "an exercise for $kind becomes $format" quietly chart $kind --unsolved \
+            -p 1,1.5 -o "$scratch/exercise.$format" "$deep"
+    done
+    for paper in a5 a4 a3 a2; do
+        check "an exercise for $kind on $paper" quietly chart $kind --unsolved --dpi 50 \
+            --paper $paper -p 1,3.5 -o "$scratch/x.png" "$deep"
+    done
+    check "without a room there is no exercise" \
+        refuses 2 "--unsolved" chart $kind --unsolved -o "$scratch/x.pdf"
+    run chart $kind -p 1,1.5 --unsolved -o "$scratch/exercise.pdf" "$deep"
+    pages=$(grep -ac '/Type /Page[^s]' "$scratch/exercise.pdf")
+    if [ "$pages" -gt 0 ]; then
+        check "the blank $kind diagram follows the exercise" test "$pages" -eq 2
+    else
+        skip "the blank $kind diagram follows" "this cairo compresses the PDF's page list"
+    fi
+done
+check "elevations that do not fit are not made smaller" refuses 1 "larger --paper" \
+    chart pepper-pot --unsolved --paper a5 -p 2,0.8 -o "$scratch/x.pdf" "$examples/office.xml"
 check "Waldram's diagram is of a point" \
     refuses 2 "--window" chart waldram --window south -p 1,1.5 -o "$scratch/x.pdf" "$deep"
 run chart vertical-sky -o "$scratch/facing.pdf" "$examples/deep-office-obstructed.xml"
-"$program" assess -c vsc "$examples/deep-office-obstructed.xml" >"$scratch/vsc"
+"$pepperpot" assess -c vsc "$examples/deep-office-obstructed.xml" >"$scratch/vsc"
 said=$(sed -n 's/.*south, line [0-9]* *\([0-9]*\.[0-9]\)[0-9]* %.*/\1/p' "$scratch/vsc")
+check "the criterion has a figure" test -n "$said"
 check_words "its squares are the criterion's component" "$scratch/facing.pdf" \
     "Vertical sky component $said"
 for format in pdf svg png; do

@@ -7,6 +7,7 @@
 #include "charts/drawing_board/pepper_pot_chart.h"
 #include "charts/drawing_board/skylight_indicator_chart.h"
 #include "charts/drawing_board/waldram_chart.h"
+#include "charts/room/exercise_chart.h"
 #include "methods/evaluate.h"
 #include "methods/pepper_pot/pepper_pot_dots.h"
 #include "methods/pepper_pot/pepper_pot_sheet_fill.h"
@@ -490,6 +491,60 @@ static void two_drawings_are_the_same_bytes(void **state)
     pp_board_sheets_pepper_pot_clear(&pot);
 }
 
+/* Are there two level strokes of that width, one that height above the other? The last
+ * side of a closed path has no stroke of its own. */
+static bool has_rectangle(const struct strokes *strokes, double width, double height)
+{
+    for (int i = 0; i < strokes->count; i++) {
+        const struct stroke *s = &strokes->list[i];
+        if (fabs(s->y1 - s->y0) > PAPER_MM
+            || fabs(fabs(s->x1 - s->x0) - width) > PAPER_MM)
+            continue;
+        for (int k = 0; k < strokes->count; k++) {
+            const struct stroke *t = &strokes->list[k];
+            if (fabs(t->y1 - t->y0) < PAPER_MM && fabs(t->x0 - s->x1) < PAPER_MM
+                && fabs(t->x1 - s->x0) < PAPER_MM
+                && fabs(fabs(t->y0 - s->y0) - height) < PAPER_MM)
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Windows of 1.9 by 1.6 and 1.7 by 1.3 m, 1.7 m away, under dots to be seen from 31 mm;
+ * without a viewing distance all is at the scale of the plan. */
+static void exercises_have_their_elevations_at_the_diagrams_scale(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, two_sides);
+    for (int i = 0; i < 2; i++) {
+        const struct pp_exercise exercise = {.world = world,
+                                             .light = &light,
+                                             .receiver = world->receivers[0],
+                                             .tool = "a diagram",
+                                             .viewing_mm = i ? 0.0 : 31.0};
+        struct pp_canvas *canvas = canvas_of(PP_CHART_SVG, PP_PAPER_A3, true);
+        struct pp_error err = {0};
+        if (pp_exercise_chart_draw(canvas, &exercise, &err) != PP_OK)
+            fail_msg("%s", err.message);
+        size_t length;
+        char *svg = finished(canvas, &length);
+        struct strokes strokes = strokes_of(svg);
+        /* A3 holds the room at 1:75, and its elevations. */
+        double near = i ? 1000.0 / 75.0 : 31.0 / 1.7;
+        assert_true(has_rectangle(&strokes, 1.9 * near, 1.6 * near));
+        assert_true(has_rectangle(&strokes, 1.7 * near, 1.3 * near));
+        assert_false(has_rectangle(&strokes, 1.9 * near + 0.1, 1.6 * near));
+        /* East, 3 m away. */
+        double far = i ? near : 31.0 / 3.0;
+        assert_true(has_rectangle(&strokes, 1.2 * far, 1.4 * far));
+        free(strokes.list);
+        free(svg);
+    }
+    pp_world_destroy(world);
+}
+
 /* Behind the window's plane and in it, by way of a room with a bay. */
 static void a_window_that_is_not_seen_has_no_squares_and_no_dots(void **state)
 {
@@ -572,6 +627,7 @@ int main(void)
             crosses_of_the_indicator_stand_at_the_cotangents_of_their_altitudes),
         cmocka_unit_test(droop_lines_pass_through_known_directions),
         cmocka_unit_test(two_drawings_are_the_same_bytes),
+        cmocka_unit_test(exercises_have_their_elevations_at_the_diagrams_scale),
         cmocka_unit_test(a_window_that_is_not_seen_has_no_squares_and_no_dots),
         cmocka_unit_test(what_the_diagrams_do_not_hold_is_refused_with_why),
     };

@@ -1,0 +1,320 @@
+/* exercise_chart.c - section and plan beside each other, the elevations below, then the
+ * lines for the answer. */
+#include "charts/room/exercise_chart.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "charts/room/room_elevation.h"
+#include "charts/room/room_plan.h"
+#include "charts/room/room_section.h"
+#include "charts/sheet/page.h"
+#include "model/base/text.h"
+
+enum { ELEVATIONS_MOST = 4, ANSWER_LINES = 3 };
+
+struct exercise_drawing {
+    cairo_t *cr;
+    struct pp_style style;
+    const struct pp_exercise *exercise;
+    struct pp_section_cut cut;
+    struct pp_report report; /* of the one point */
+    struct pp_room_elevation elevations[ELEVATIONS_MOST];
+    int elevation_count;
+    double scale; /* of section and plan, and of elevations that are not of a diagram */
+};
+
+/* Walls with openings that the point is before, in order of their first openings. */
+static void find_elevations(struct exercise_drawing *drawing)
+{
+    const struct pp_world *world = drawing->exercise->world;
+    struct pp_vec3 eye = drawing->exercise->receiver.position;
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        double before = pp_vec_dot(pp_vec_sub(eye, opening->inner.vertices[0]),
+                                   opening->inner.normal);
+        bool known = !(before > 1e-6) || drawing->elevation_count == ELEVATIONS_MOST;
+        for (int k = 0; k < drawing->elevation_count; k++)
+            known = known || drawing->elevations[k].first->face == opening->face;
+        if (!known)
+            pp_room_elevation_init(&drawing->elevations[drawing->elevation_count++],
+                                   world, opening, eye);
+    }
+}
+
+static double caption_mm(const struct pp_style *style)
+{
+    return 1.8 * style->text[PP_TEXT_SMALL];
+}
+
+/* Under a drawing, about x. */
+static void write_caption(const struct exercise_drawing *drawing, double x, double y,
+                          double width, const char *words)
+{
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL,
+                                     .grey = PP_GREY_TEXT,
+                                     .across = 0.5,
+                                     .width = width,
+                                     .lines = 2};
+    struct pp_box box =
+        pp_lettering_measure(drawing->cr, &drawing->style, &set, 0.0, 0.0, words);
+    const struct pp_lettering line = {
+        .size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT, .width = width, .lines = 2};
+    pp_lettering_draw(drawing->cr, &drawing->style, &line, x - 0.5 * box.width,
+                      y + 0.8 * drawing->style.scale, words);
+}
+
+/* Room beside the section for what stands outside. */
+static double outside_mm(const struct exercise_drawing *drawing)
+{
+    return 14.0 * drawing->style.scale;
+}
+
+static struct pp_room_section fitted_section(const struct exercise_drawing *drawing,
+                                             struct pp_box box)
+{
+    struct pp_room_section section = {.world = drawing->exercise->world,
+                                      .cut = &drawing->cut,
+                                      .report = &drawing->report,
+                                      .least_scale = drawing->scale,
+                                      .no_sights = true};
+    double outside = outside_mm(drawing);
+    pp_room_section_fit(&section, &drawing->style, box.width - 2.0 * outside,
+                        box.height - 3.0 * drawing->style.scale);
+    section.x = box.x + outside;
+    section.y = box.y + 3.0 * drawing->style.scale;
+    section.left_mm = outside - 1.0;
+    section.right_mm =
+        box.width - outside - drawing->cut.length_m * section.mm_per_m - 1.0;
+    section.head_mm = 3.0 * drawing->style.scale;
+    return section;
+}
+
+static struct pp_room_plan fitted_plan(const struct exercise_drawing *drawing,
+                                       struct pp_box box)
+{
+    struct pp_room_plan plan = {.least_scale = drawing->scale};
+    pp_room_plan_fit(&plan, drawing->exercise->world, &drawing->style, box.width,
+                     box.height - caption_mm(&drawing->style));
+    double border = pp_room_plan_border(&plan, &drawing->style);
+    double width = (plan.extent.high[0] - plan.extent.low[0]) * plan.mm_per_m;
+    double height = (plan.extent.high[1] - plan.extent.low[1]) * plan.mm_per_m;
+    plan.x = box.x + 0.5 * (box.width - width);
+    plan.y = box.y + border + height;
+    return plan;
+}
+
+/* The scale at which all elevations fit beside each other, each 1 m = mm_per_m. */
+static double elevations_scale(const struct exercise_drawing *drawing,
+                               struct pp_box box)
+{
+    double width = 0.0, height = 0.0, gaps = 6.0 * drawing->style.scale;
+    for (int i = 0; i < drawing->elevation_count; i++) {
+        const struct pp_bounds2 *extent = &drawing->elevations[i].extent;
+        width += extent->high[0] - extent->low[0];
+        height = fmax(height, extent->high[1] - extent->low[1]);
+    }
+    double most = fmin((box.width - gaps * drawing->elevation_count) / width,
+                       (box.height - caption_mm(&drawing->style)) / height);
+    return pp_room_plan_usual_scale(1000.0 / most);
+}
+
+/* One scale for section and plan, and for elevations where a diagram asks for none. */
+static void choose_scale(struct exercise_drawing *drawing, struct pp_box section,
+                         struct pp_box plan, struct pp_box elevations)
+{
+    drawing->scale = 0.0;
+    double first = 1000.0 / fitted_section(drawing, section).mm_per_m;
+    double second = fitted_plan(drawing, plan).scale;
+    drawing->scale = fmax(first, second);
+    if (!(drawing->exercise->viewing_mm > 0.0))
+        drawing->scale = fmax(drawing->scale, elevations_scale(drawing, elevations));
+}
+
+static void draw_section(const struct exercise_drawing *drawing, struct pp_box box)
+{
+    struct pp_room_section section = fitted_section(drawing, box);
+    pp_room_section_draw(drawing->cr, &drawing->style, &section);
+}
+
+static void draw_plan(const struct exercise_drawing *drawing, struct pp_box box)
+{
+    const struct pp_style *style = &drawing->style;
+    struct pp_vec3 point = drawing->exercise->receiver.position;
+    struct pp_room_plan plan = fitted_plan(drawing, box);
+    char words[64];
+    pp_room_plan_draw(drawing->cr, style, &plan);
+    pp_style_marker(drawing->cr, style, PP_DISC, pp_room_plan_x(&plan, point.x),
+                    pp_room_plan_y(&plan, point.y));
+    snprintf(words, sizeof words, "Plan 1:%g", plan.scale);
+    write_caption(drawing, box.x + 0.5 * box.width,
+                  plan.y + pp_room_plan_border(&plan, style), box.width, words);
+}
+
+static void draw_elevations(struct exercise_drawing *drawing, struct pp_box box)
+{
+    const struct pp_exercise *exercise = drawing->exercise;
+    double part = box.width / drawing->elevation_count;
+    for (int i = 0; i < drawing->elevation_count; i++) {
+        struct pp_room_elevation *elevation = &drawing->elevations[i];
+        const struct pp_bounds2 *extent = &elevation->extent;
+        const char *wall = exercise->world->surfaces[elevation->first->face].name;
+        char words[160];
+        elevation->mm_per_m = exercise->viewing_mm > 0.0
+                                  ? exercise->viewing_mm / elevation->distance_m
+                                  : 1000.0 / drawing->scale;
+        double width = (extent->high[0] - extent->low[0]) * elevation->mm_per_m;
+        elevation->x = box.x + i * part + 0.5 * (part - width)
+                       - extent->low[0] * elevation->mm_per_m;
+        elevation->y = box.y + extent->high[1] * elevation->mm_per_m;
+        pp_room_elevation_draw(drawing->cr, &drawing->style, elevation);
+        snprintf(words, sizeof words, "%s%.60s from inside, %.2f\u00a0m away, ",
+                 wall ? "Wall " : "Face", wall ? wall : "", elevation->distance_m);
+        size_t length = strlen(words);
+        snprintf(words + length, sizeof words - length,
+                 exercise->viewing_mm > 0.0 ? "1\u00a0m is %.2f\u00a0mm" : "1:%g",
+                 exercise->viewing_mm > 0.0 ? elevation->mm_per_m : drawing->scale);
+        write_caption(drawing, box.x + (i + 0.5) * part,
+                      elevation->y - extent->low[1] * elevation->mm_per_m, part, words);
+    }
+}
+
+/* Words, and a line to write on. */
+static void draw_answers(const struct exercise_drawing *drawing, struct pp_box box)
+{
+    const struct pp_style *style = &drawing->style;
+    const char *unit = drawing->exercise->unit;
+    double step = box.height / ANSWER_LINES;
+    char words[ANSWER_LINES][96];
+    snprintf(words[0], sizeof words[0], "Sky component: %s",
+             unit ? unit : "readings \u00d7 corrections");
+    snprintf(words[1], sizeof words[1], "Externally reflected component");
+    snprintf(words[2], sizeof words[2], "With glass, frame and dirt, together");
+    for (int i = 0; i < ANSWER_LINES; i++) {
+        const struct pp_lettering set = {.size = PP_TEXT_BODY, .down = 1.0};
+        double y = box.y + (i + 1) * step - 1.0;
+        pp_lettering_draw(drawing->cr, style, &set, box.x, y, words[i]);
+        cairo_move_to(drawing->cr, box.x + 0.4 * box.width, y);
+        cairo_line_to(drawing->cr, box.x + box.width, y);
+        pp_style_line(drawing->cr, style->thin, PP_GREY_LINE);
+        cairo_stroke(drawing->cr);
+    }
+}
+
+/* Elevations at a diagram's scale keep it, whatever the sheet; the height that the tallest
+ * needs, or no more than two fifths of the sheet. */
+static double elevations_height(const struct exercise_drawing *drawing, double most)
+{
+    double tallest = 0.0, viewing = drawing->exercise->viewing_mm;
+    for (int i = 0; i < drawing->elevation_count; i++) {
+        const struct pp_room_elevation *e = &drawing->elevations[i];
+        tallest = fmax(tallest, (e->extent.high[1] - e->extent.low[1]) * viewing
+                                    / fmax(e->distance_m, 1e-3));
+    }
+    return viewing > 0.0 ? tallest + 1.6 * caption_mm(&drawing->style) : 0.4 * most;
+}
+
+/* What stands outside, which may be off the drawings. */
+static void say_outside(char *foot, size_t room, const struct pp_world *world)
+{
+    enum { TOLD = 6 };
+    for (int i = 0; i < world->skyline_count; i++) {
+        const struct pp_skyline *skyline = &world->skylines[i];
+        const char *wall = world->surfaces[skyline->face].name;
+        pp_page_say(foot, room, "Before wall %s an endless skyline at %.4g\u00b0",
+                    wall ? wall : "", skyline->angle_rad / PP_RAD);
+        if (isfinite(skyline->distance_m))
+            pp_page_say(foot, room,
+                        "above the middle of its windows, %.4g\u00a0m away,",
+                        skyline->distance_m);
+        pp_page_say(foot, room, "reflecting %.3g.", skyline->reflectance);
+    }
+    for (int i = 0; i < world->block_count && i < TOLD; i++) {
+        const struct pp_block *block = &world->blocks[i];
+        pp_page_say(
+            foot, room,
+            "A block of %.4g by %.4g\u00a0m, %.4g\u00a0m high, from x\u00a0%.4g, "
+            "y\u00a0%.4g, z\u00a0%.4g, reflecting %.3g",
+            block->width_m, block->depth_m, block->height_m, block->corner.x,
+            block->corner.y, block->corner.z, block->reflectance);
+        if (block->rotate_rad != 0.0)
+            pp_page_say(foot, room, "turned by %.4g\u00b0", block->rotate_rad / PP_RAD);
+        pp_text_append(foot, room, ".");
+    }
+    if (world->block_count > TOLD)
+        pp_page_say(foot, room, "And %d blocks more.", world->block_count - TOLD);
+}
+
+static enum pp_status draw_body(struct exercise_drawing *drawing, struct pp_box body,
+                                struct pp_error *err)
+{
+    double gap = 4.0 * drawing->style.scale;
+    double answers = ANSWER_LINES * 2.6 * drawing->style.text[PP_TEXT_BODY];
+    double below = elevations_height(drawing, body.height - answers);
+    double above = body.height - answers - below - 2.0 * gap, width = 0.0;
+    for (int i = 0; i < drawing->elevation_count; i++) {
+        const struct pp_room_elevation *e = &drawing->elevations[i];
+        width = fmax(width, (e->extent.high[0] - e->extent.low[0])
+                                * drawing->exercise->viewing_mm / e->distance_m);
+    }
+    if (above < 25.0 * drawing->style.scale
+        || width * drawing->elevation_count > body.width)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the elevations do not fit on the sheet at the diagram's scale; "
+                       "expected a larger --paper or a shorter --viewing-distance");
+    /* The section's caption is 90 mm wide; on a narrow sheet the plan goes below. */
+    bool narrow = 0.6 * body.width < (90.0 + 14.0) * drawing->style.scale;
+    struct pp_box section = {body.x, body.y, body.width, 0.5 * above - gap};
+    struct pp_box plan = {body.x, body.y + 0.5 * above, body.width, 0.5 * above};
+    if (!narrow) {
+        section = (struct pp_box){body.x, body.y, 0.6 * body.width - gap, above};
+        plan =
+            (struct pp_box){body.x + 0.6 * body.width, body.y, 0.4 * body.width, above};
+    }
+    struct pp_box elevations = {body.x, body.y + above + gap, body.width, below};
+    choose_scale(drawing, section, plan, elevations);
+    draw_section(drawing, section);
+    draw_plan(drawing, plan);
+    draw_elevations(drawing, elevations);
+    draw_answers(drawing, (struct pp_box){body.x, body.y + body.height - answers,
+                                          body.width, answers});
+    return PP_OK;
+}
+
+enum pp_status pp_exercise_chart_draw(struct pp_canvas *canvas,
+                                      const struct pp_exercise *exercise,
+                                      struct pp_error *err)
+{
+    struct exercise_drawing drawing = {.cr = pp_canvas_cairo(canvas),
+                                       .style = pp_page_style(canvas),
+                                       .exercise = exercise};
+    struct pp_receiver receiver = exercise->receiver;
+    drawing.report = (struct pp_report){
+        .world = exercise->world, .receivers = &receiver, .receiver_count = 1};
+    find_elevations(&drawing);
+    if (drawing.elevation_count == 0)
+        return pp_fail(err, PP_BAD_INPUT, "the point is before no opening");
+    enum pp_status status =
+        pp_section_cut_init(&drawing.cut, exercise->world, &receiver, 1, err);
+    if (status != PP_OK)
+        return status;
+    char subtitle[256], sky[96], foot[2048] = "";
+    pp_page_sky(sky, sizeof sky, exercise->world, exercise->light);
+    snprintf(
+        subtitle, sizeof subtitle,
+        "Exercise: the light at x\u00a0%.2f, y\u00a0%.2f, z\u00a0%.2f\u00a0m, by %s, "
+        "%s",
+        receiver.position.x, receiver.position.y, receiver.position.z, exercise->tool,
+        sky);
+    pp_page_assumptions(foot, sizeof foot, exercise->world, exercise->light);
+    say_outside(foot, sizeof foot, exercise->world);
+    pp_page_say(foot, sizeof foot,
+                "On elevations the cross is opposite the point, the dashed line at its "
+                "height.");
+    const struct pp_page page = {exercise->world->name, subtitle, foot};
+    struct pp_box body = pp_page_draw(canvas, &drawing.style, &page);
+    status = draw_body(&drawing, body, err);
+    pp_section_cut_clear(&drawing.cut);
+    return status;
+}

@@ -1,0 +1,26 @@
+/* exercise_chart.h - an exercise sheet: the room's section, plan and elevations to scale
+ * with the point, what is given in words, and lines for what is to be found. */
+#ifndef PP_CHARTS_ROOM_EXERCISE_CHART_H
+#define PP_CHARTS_ROOM_EXERCISE_CHART_H
+
+#include "charts/sheet/canvas.h"
+#include "model/light/outside_light.h"
+#include "model/room/world.h"
+
+struct pp_exercise {
+    const struct pp_world *world;
+    const struct pp_outside_light *light;
+    struct pp_receiver receiver;
+    const char *tool; /* "the pepper-pot diagram" */
+    const char *unit; /* what is counted: "dots \u00d7 0.1 %"; NULL: nothing is */
+    double
+        viewing_mm; /* elevations are drawn so large that the diagram fits on them, seen
+                        * from that distance; 0: all drawings have one scale */
+};
+
+/* PP_BAD_INPUT where the room has no opening before the point. */
+enum pp_status pp_exercise_chart_draw(struct pp_canvas *canvas,
+                                      const struct pp_exercise *exercise,
+                                      struct pp_error *err);
+
+#endif

@@ -1,0 +1,71 @@
+/* room_elevation.c - outlines of the wall and its openings, a dashed horizon, a cross. */
+#include "charts/room/room_elevation.h"
+
+#include <math.h>
+
+/* A place of the wall's plane from the foot of the eye's perpendicular. */
+static void place_of(const struct pp_room_elevation *elevation, struct pp_vec3 point,
+                     double xy[2])
+{
+    struct pp_vec3 v = pp_vec_sub(point, elevation->eye);
+    xy[0] = pp_vec_dot(v, elevation->first->along);
+    xy[1] = pp_vec_dot(v, elevation->first->up);
+}
+
+void pp_room_elevation_init(struct pp_room_elevation *elevation,
+                            const struct pp_world *world,
+                            const struct pp_opening *opening, struct pp_vec3 eye)
+{
+    const struct pp_polygon *outline = &world->surfaces[opening->face].outline;
+    *elevation = (struct pp_room_elevation){
+        .world = world, .first = opening, .eye = eye, .extent = pp_bounds2_empty()};
+    elevation->distance_m =
+        fabs(pp_vec_dot(pp_vec_sub(outline->vertices[0], eye), opening->inner.normal));
+    pp_bounds2_add(&elevation->extent, 0.0, 0.0);
+    for (int i = 0; i < outline->count; i++) {
+        double xy[2];
+        place_of(elevation, outline->vertices[i], xy);
+        pp_bounds2_add(&elevation->extent, xy[0], xy[1]);
+    }
+}
+
+static void trace(cairo_t *cr, const struct pp_room_elevation *elevation,
+                  const struct pp_polygon *outline)
+{
+    cairo_new_sub_path(cr);
+    for (int i = 0; i < outline->count; i++) {
+        double xy[2];
+        place_of(elevation, outline->vertices[i], xy);
+        cairo_line_to(cr, elevation->x + xy[0] * elevation->mm_per_m,
+                      elevation->y - xy[1] * elevation->mm_per_m);
+    }
+    cairo_close_path(cr);
+}
+
+void pp_room_elevation_draw(cairo_t *cr, const struct pp_style *style,
+                            const struct pp_room_elevation *elevation)
+{
+    const struct pp_world *world = elevation->world;
+    double scale = elevation->mm_per_m, arm = 2.0 * style->scale;
+    const double dashes[] = {3.0 * style->scale, 1.2 * style->scale};
+    trace(cr, elevation, &world->surfaces[elevation->first->face].outline);
+    pp_style_line(cr, style->thick, PP_INK);
+    cairo_stroke(cr);
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].face == elevation->first->face)
+            trace(cr, elevation, &world->openings[i].inner);
+    pp_style_line(cr, style->medium, PP_INK);
+    cairo_stroke(cr);
+    pp_style_line(cr, style->thin, PP_INK);
+    cairo_set_dash(cr, dashes, 2, 0.0);
+    cairo_move_to(cr, elevation->x + elevation->extent.low[0] * scale, elevation->y);
+    cairo_line_to(cr, elevation->x + elevation->extent.high[0] * scale, elevation->y);
+    cairo_stroke(cr);
+    cairo_set_dash(cr, NULL, 0, 0.0);
+    cairo_move_to(cr, elevation->x - arm, elevation->y);
+    cairo_line_to(cr, elevation->x + arm, elevation->y);
+    cairo_move_to(cr, elevation->x, elevation->y - arm);
+    cairo_line_to(cr, elevation->x, elevation->y + arm);
+    pp_style_line(cr, style->medium, PP_INK);
+    cairo_stroke(cr);
+}

@@ -1,0 +1,33 @@
+/* room_elevation.h - a wall with its openings as seen square from inside, to a true scale,
+ * with the horizon of an eye and the foot of its perpendicular: what diagrams in
+ * perspective are laid on.
+ */
+#ifndef PP_CHARTS_ROOM_ROOM_ELEVATION_H
+#define PP_CHARTS_ROOM_ROOM_ELEVATION_H
+
+#include "charts/sheet/style.h"
+#include "model/geometry/bounds.h"
+#include "model/room/world.h"
+
+/* Places are metres to the right of the foot and above it. */
+struct pp_room_elevation {
+    const struct pp_world *world;
+    const struct pp_opening
+        *first; /* of the openings in the face: its axes are theirs */
+    struct pp_vec3 eye;
+    double distance_m;        /* from the eye to the wall */
+    struct pp_bounds2 extent; /* of the face and the foot */
+
+    /* Set by the caller: the scale, and where the foot stands on paper. */
+    double mm_per_m, x, y;
+};
+
+/* Of the face of an opening; NULL opening is not allowed. */
+void pp_room_elevation_init(struct pp_room_elevation *elevation,
+                            const struct pp_world *world,
+                            const struct pp_opening *opening, struct pp_vec3 eye);
+
+void pp_room_elevation_draw(cairo_t *cr, const struct pp_style *style,
+                            const struct pp_room_elevation *elevation);
+
+#endif
