@@ -111,6 +111,14 @@ void pp_convex_room_destroy(struct pp_convex_room *room)
     free(room);
 }
 
+bool pp_convex_room_has_niches(const struct pp_convex_room *room)
+{
+    for (int i = 0; i < room->plane_count; i++)
+        if (room->planes[i].niches)
+            return true;
+    return false;
+}
+
 static bool in_triangle(const struct pp_vec3 t[3], struct pp_vec3 normal,
                         struct pp_vec3 point)
 {

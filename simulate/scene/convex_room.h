@@ -29,6 +29,9 @@ enum pp_status pp_convex_room_create(struct pp_convex_room **room,
                                      struct pp_error *err);
 void pp_convex_room_destroy(struct pp_convex_room *room); /* NULL is allowed */
 
+/* Has an opening of the room a reveal? */
+bool pp_convex_room_has_niches(const struct pp_convex_room *room);
+
 /* The part that a ray which runs indoors meets, and its distance. *point: where it meets
  * the part's plane. -1 where that is left to the kernels: the ray starts outside or in a
  * niche, or ends on a niche's side. */

@@ -16,8 +16,8 @@ enum {
     /* Chosen by trial: */
     PATCHES = 1200,       /* about this many in a room */
     MOST_SURFACES = 2000, /* of a room that gets a solution */
-    OPENING_SAMPLES = 16, /* of each patch */
-    LOBE_SAMPLES = 32,    /* of each patch */
+    OPENING_SAMPLES = 8,  /* of each patch */
+    LOBE_SAMPLES = 16,    /* of each patch */
     MOST_SWEEPS = 40,     /* Gauss-Seidel iterations */
     MOST_ALONG = 64,      /* patches along one edge */
 };
@@ -29,6 +29,7 @@ struct radiosity_patch {
     bool back;
     bool in_figure;         /* is the centre in the surface's outline? */
     double own;             /* exitance without exchange: M + rho E */
+    double exchanged;       /* and what comes by that, before it is smoothed */
     int seen[LOBE_SAMPLES]; /* patches that its rays meet; -1: none */
 };
 
@@ -191,6 +192,51 @@ static void exchange(double *values, const struct radiosity_patch *patches, int 
     }
 }
 
+/* The patch so many columns and rows from number i of the grid; NULL: none is there, or
+ * it lies beside the figure. */
+static const struct radiosity_patch *neighbour(const struct radiosity_patch *patches,
+                                               const struct pp_radiosity_grid *grid,
+                                               int i, int columns, int rows)
+{
+    int column = i % grid->columns + columns, row = i / grid->columns + rows;
+    if (column < 0 || column >= grid->columns || row < 0 || row >= grid->rows)
+        return NULL;
+    const struct radiosity_patch *patch =
+        &patches[grid->first + row * grid->columns + column];
+    return patch->in_figure ? patch : NULL;
+}
+
+/* What comes by exchange varies little from patch to patch, but its noise is each
+ * patch's own: it becomes the mean over a patch and its neighbours, by weights 1, 2, 1
+ * along either axis. Neighbours count in opposite pairs, so that a linear course is
+ * kept. Measured over 40 rooms: half as many samples then do as well. */
+static void smooth(struct pp_radiosity *radiosity, struct radiosity_patch *patches,
+                   const struct pp_radiosity_grid *grid)
+{
+    static const struct {
+        int columns, rows;
+        double weight;
+    } pairs[] = {{1, 0, 2.0}, {0, 1, 2.0}, {1, 1, 1.0}, {1, -1, 1.0}};
+    int end = grid->first + grid->columns * grid->rows;
+    for (int i = grid->first; i < end; i++)
+        patches[i].exchanged = radiosity->values[i] - patches[i].own;
+    for (int i = grid->first; i < end; i++) {
+        double sum = 4.0 * patches[i].exchanged, weights = 4.0;
+        for (int k = 0; k < 4; k++) {
+            int columns = pairs[k].columns, rows = pairs[k].rows;
+            const struct radiosity_patch *one =
+                neighbour(patches, grid, i - grid->first, columns, rows);
+            const struct radiosity_patch *other =
+                neighbour(patches, grid, i - grid->first, -columns, -rows);
+            if (!one || !other)
+                continue;
+            sum += pairs[k].weight * (one->exchanged + other->exchanged);
+            weights += 2.0 * pairs[k].weight;
+        }
+        radiosity->values[i] = patches[i].own + sum / weights;
+    }
+}
+
 /* Patches beside the figure (outside the corner of an L) get the mean of those in it,
  * for the interpolation. */
 static void fill_beside(struct pp_radiosity *radiosity,
@@ -245,9 +291,13 @@ static void work_out(struct pp_radiosity *radiosity, struct radiosity_patch *pat
     pp_crew_run(crew, 0, count, light_one, &lighting);
     exchange(radiosity->values, patches, count, scene);
     for (int i = 0; i < world->surface_count; i++)
-        for (int side = 0; side < 2; side++)
-            if (radiosity->grids[i][side].first >= 0)
-                fill_beside(radiosity, patches, &radiosity->grids[i][side]);
+        for (int side = 0; side < 2; side++) {
+            const struct pp_radiosity_grid *grid = &radiosity->grids[i][side];
+            if (grid->first < 0)
+                continue;
+            smooth(radiosity, patches, grid);
+            fill_beside(radiosity, patches, grid);
+        }
 }
 
 enum pp_status pp_radiosity_solve(struct pp_radiosity **result,

@@ -28,18 +28,17 @@ struct pp_shared_density {
     const struct pp_radiosity *radiosity; /* not owned */
     struct pp_vec3 middle; /* a point in the room, from which all is seen */
     struct density_patch *patches;
-    int count;      /* of patches on faces; those of reveals come after them */
     double *values; /* p by patch, 1/m2 */
     double *below;  /* by patch: the probability of those before it */
 };
 
+/* In such a room the fronts of the envelope have all patches. */
 static void place_patches(struct pp_shared_density *density)
 {
     const struct pp_light_scene *scene = density->scene;
-    for (int i = 0; i < scene->world->face_count; i++) {
+    for (int i = 0; i < scene->part_count; i++) {
         const struct pp_radiosity_grid *grid = &density->radiosity->grids[i][0];
-        density->count = grid->first + grid->columns * grid->rows;
-        for (int k = 0; k < grid->columns * grid->rows; k++)
+        for (int k = 0; grid->first >= 0 && k < grid->columns * grid->rows; k++)
             density->patches[grid->first + k] = (struct density_patch){
                 .part = i,
                 .a = grid->a0 + (k % grid->columns - 0.5) / grid->per_a,
@@ -64,7 +63,7 @@ static void weigh_patches(struct pp_shared_density *density)
     const struct pp_light_scene *scene = density->scene;
     const double *values = density->radiosity->values;
     double plane_z = scene->world->working_plane_m - scene->centre.z;
-    int count = density->count;
+    int count = density->radiosity->count;
     double mean = 0.0, area = 0.0, total = 0.0;
     for (int i = 0; i < count; i++) {
         double cell = density->patches[i].width_m * density->patches[i].height_m;
@@ -92,7 +91,7 @@ static void weigh_patches(struct pp_shared_density *density)
 /* The patch that u in (0, 1) falls to. */
 static int patch_of(const struct pp_shared_density *density, double u)
 {
-    int low = 0, high = density->count;
+    int low = 0, high = density->radiosity->count;
     while (high - low > 1) {
         int middle = (low + high) / 2;
         if (density->below[middle] < u)
@@ -120,7 +119,7 @@ enum pp_status pp_shared_density_create(struct pp_shared_density **result,
                                         struct pp_error *err)
 {
     *result = NULL;
-    if (!radiosity || !scene->convex)
+    if (!radiosity || !scene->convex || pp_convex_room_has_niches(scene->convex))
         return PP_OK;
     struct pp_shared_density *density = calloc(1, sizeof *density);
     if (!density)
@@ -172,7 +171,7 @@ double pp_shared_density_left(const struct pp_shared_density *density,
                               const struct pp_light_hit *met)
 {
     int patch = pp_radiosity_nearest(density->radiosity, density->scene, met);
-    if (patch < 0 || patch >= density->count)
+    if (patch < 0)
         return 1.0;
     struct pp_vec3 to = pp_vec_sub(met->point, ray->from);
     double square = pp_vec_dot(to, to);

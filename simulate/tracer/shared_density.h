@@ -17,9 +17,9 @@
  * where that is positive. Both together have no bias, whatever p and c. These are the many
  * lights of [KELLER97], bounded as in [KK06].
  *
- * Only where any two points of the room see each other, niches apart (convex_room.h): there
- * (1) needs no ray. No point lies in the niches of reveals, whose sides are left to the
- * lobe's rays altogether.
+ * Only where any two points of the room see each other (convex_room.h): there (1) needs
+ * no ray. Nor where an opening has a reveal: the bright sides of its niche, which the room
+ * does not see the whole of, make what is shared noisier than paths in some rooms.
  */
 #ifndef PP_SIMULATE_TRACER_SHARED_DENSITY_H
 #define PP_SIMULATE_TRACER_SHARED_DENSITY_H
