@@ -6,12 +6,12 @@
 #include "reports/parts/format.h"
 #include "reports/parts/print_band.h"
 
-/* One reading and its band, of a receiver or (NULL) of the mean that `place` names. With
+/* One reading and its band (NULL: nobody asked), of a receiver or (NULL) of the mean that `place` names. With
  * external_lux over 0 a field more: the illuminance of the daylight factor under
  * external_lux. */
 static void put_line(const struct pp_result *result, const struct pp_column *column,
                      const struct pp_receiver *receiver, const char *place,
-                     const struct pp_reading *reading, struct pp_band band,
+                     const struct pp_reading *reading, const struct pp_band *band,
                      double external_lux, FILE *out)
 {
     pp_format_csv_field(result->file, out);
@@ -36,9 +36,35 @@ static void put_line(const struct pp_result *result, const struct pp_column *col
     if (external_lux > 0.0)
         pp_format_csv_number(
             column->component == PP_DF ? external_lux * reading->value : NAN, out);
-    pp_format_csv_number(100.0 * band.low, out);
-    pp_format_csv_number(100.0 * band.high, out);
+    if (band) {
+        pp_format_csv_number(100.0 * band->low, out);
+        pp_format_csv_number(100.0 * band->high, out);
+    }
     fputs("\r\n", out);
+}
+
+/* All columns at a receiver (`index`), or (-1) their averages, and with `margin` those
+ * inside the margin. */
+static void put_lines(const struct pp_results *results, const struct pp_result *result,
+                      int index, bool margin, FILE *out)
+{
+    const struct pp_report *report = &result->report;
+    double lux = results->options->external_lux;
+    for (int c = 0; c < report->column_count; c++) {
+        const struct pp_column *column = &report->columns[c];
+        if (index >= 0 ? !column->points : margin && !column->has_margin_average)
+            continue;
+        int place = index >= 0 ? index : report->receiver_count;
+        struct pp_band band =
+            margin ? pp_band_none()
+                   : pp_print_band_at(column, place, report->receiver_count);
+        put_line(result, column, index >= 0 ? &report->receivers[index] : NULL,
+                 margin ? "average-margin" : "average",
+                 index >= 0 ? &column->points[index]
+                 : margin   ? &column->margin_average
+                            : &column->average,
+                 results->bands ? &band : NULL, lux, out);
+    }
 }
 
 enum pp_status pp_df_csv(const struct pp_results *results, FILE *out,
@@ -48,28 +74,14 @@ enum pp_status pp_df_csv(const struct pp_results *results, FILE *out,
     fputs("file,room,place,x,y,z,nx,ny,nz,component,method,value_percent,"
           "std_error_percent,finished,why",
           out);
-    double lux = results->options->external_lux;
-    fputs(lux > 0.0 ? ",lux" : "", out);
-    fputs(",band_low_percent,band_high_percent\r\n", out);
+    fputs(results->options->external_lux > 0.0 ? ",lux" : "", out);
+    fputs(results->bands ? ",band_low_percent,band_high_percent\r\n" : "\r\n", out);
     for (int i = 0; i < results->count; i++) {
         const struct pp_result *result = &results->list[i];
-        const struct pp_report *report = &result->report;
-        for (int r = 0; r < report->receiver_count; r++)
-            for (int c = 0; c < report->column_count; c++)
-                if (report->columns[c].points)
-                    put_line(result, &report->columns[c], &report->receivers[r], NULL,
-                             &report->columns[c].points[r],
-                             pp_print_band_at(&report->columns[c], r,
-                                              report->receiver_count),
-                             lux, out);
-        for (int c = 0; c < report->column_count; c++)
-            put_line(result, &report->columns[c], NULL, "average",
-                     &report->columns[c].average, report->columns[c].average_band, lux,
-                     out);
-        for (int c = 0; c < report->column_count; c++)
-            if (report->columns[c].has_margin_average)
-                put_line(result, &report->columns[c], NULL, "average-margin",
-                         &report->columns[c].margin_average, pp_band_none(), lux, out);
+        for (int r = 0; r < result->report.receiver_count; r++)
+            put_lines(results, result, r, false, out);
+        put_lines(results, result, -1, false, out);
+        put_lines(results, result, -1, true, out);
     }
     return PP_OK;
 }

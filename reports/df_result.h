@@ -25,6 +25,7 @@ struct pp_results {
     int count;
     bool several; /* printed as a list, even if there is only one */
     bool more_than_one_file;
+    bool bands; /* has CSV columns for them? */
     const struct pp_study_options *options; /* not owned */
 };
 

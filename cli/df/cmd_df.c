@@ -33,7 +33,7 @@ struct df_options {
     struct pp_engine_choice engine;
     enum pp_format format;
     bool array;
-    bool no_bands;
+    bool bands, no_bands;
     bool advise; /* which method to use */
     bool margin; /* the average inside the plane's margin too */
 };
@@ -73,6 +73,8 @@ static const struct pp_option margin_option[] = {
 };
 
 static const struct pp_option bands_option[] = {
+    {"bands", 0, NULL, "In CSV, too, two columns with the ends of the bands.", NULL,
+     PLACE(bands)},
     {"no-bands", 0, NULL,
      "Without the bands in which the true figures were in 95 of 100 rooms like this "
      "one.",
@@ -267,6 +269,7 @@ static enum pp_exit run_on(struct df_options *options, const struct pp_rooms *ro
                          .rooms = rooms,
                          .results = {.several = rooms->several || options->array,
                                      .more_than_one_file = rooms->more_than_one_file,
+                                     .bands = options->bands,
                                      .options = &options->room.study}};
     enum pp_exit exit_status = pp_job_run(
         &(struct pp_job){options->room.output, compute, print, is_finished, &run});

@@ -90,6 +90,10 @@ reference() {
     ${AWK:-awk} -f docs/reference.awk pepperpot.h | cmp - docs/reference.md
 }
 check "docs/reference.md is what make reference makes of pepperpot.h" reference
+accuracy() {
+    "$program" atlas --accuracy | cmp - docs/accuracy.md
+}
+check "docs/accuracy.md is what the bands compiled in make (atlas --accuracy)" accuracy
 formulae() {
     "$program" df --list-formulas | ${AWK:-awk} -f docs/formulae.awk - docs/manual.md |
         cmp - docs/manual.md

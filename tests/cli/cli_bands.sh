@@ -1,0 +1,58 @@
+#!/bin/sh
+# Bands beside hand figures, what is advised by them, and the table that they are made of.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+deep=$examples/deep-office.xml
+
+# within EXPRESSION: holds it of f, a and b, the daylight factor by exact+bre in JSON and its
+# band?
+within() {
+    tr -d '\n ' <"$scratch/out" | grep -o '"df":{"exact+bre":{[^}]*}' | head -n 1 |
+        sed 's/.*"value":\([0-9.]*\),"band":\[\([0-9.]*\),\([0-9.]*\)\].*/\1 \2 \3/' |
+        awk '{ f = $1; a = $2; b = $3; exit !('"$1"') }'
+}
+
+# Before the window, where the sky gives nearly all, the band is narrow; at the back, where
+# one average stands for what is reflected, it is wide and below the figure.
+run df -m exact+bre -p 1.5,1 -f json "$deep"
+check "a band holds the figure near the window, within a quarter" \
+    within 'a < f && f < b && b < 1.25 * f && a > 0.75 * f'
+run df -m exact+bre -p 1.5,8.5 -f json "$deep"
+check "and at the back its middle is below the figure" \
+    within 'a > 0 && (a + b) / 2 < 0.9 * f'
+check "text has them in columns" shows '95 % band' df "$deep"
+run df --no-bands "$deep"
+check "and not without" nothing "$(grep '95 % band' "$scratch/out")"
+check "under a uniform sky there are none, and why" \
+    shows 'the sky is not overcast' df --sky uniform "$deep"
+check "nor in a plan with a recess" shows 'recess' df "$examples/l-shaped.xml"
+check "CSV has them when asked" shows 'band_low_percent' df --bands -f csv "$deep"
+
+check "a method is advised for the average" shows 'For the average use' df --advise "$deep"
+check "in JSON, too" shows '"use"' df --advise -f json "$deep"
+check "not in CSV" refuses 2 "CSV" df --advise -f csv "$deep"
+
+check "assess has bands in brackets" shows 'In brackets' assess --by-hand -c average "$deep"
+check "size says the band of what it found" \
+    shows 'band  ' size --by-hand --target 3% "$deep"
+
+# An atlas of one method that is right to a tenth: bands of any half hold the other.
+awk 'BEGIN {
+    srand(7)
+    print "# made\nroom,point,ground,true.df,df.exact+bre"
+    for (room = 0; room < 1400; room++) {
+        printf "%d,0,0.2,%.5g,2\n", room, 1.8 + 0.4 * rand()
+        printf "%d,-1,0.2,%.5g,2\n", room, 1.8 + 0.4 * rand()
+    }
+}' >"$scratch/made.csv"
+check "bands are fitted to an atlas" gives atlas --bands "$scratch/made.csv"
+check "they lie where its figures are" \
+    sh -c 'awk -F, "/^point,df/ { exit !(\$5 > 0.895 && \$5 < 0.92 && \$7 > 1.08 && \$7 < 1.105) }" "$1"' \
+    sh "$scratch/out"
+check "and hold on rooms held out" gives atlas --try "$scratch/made.csv"
+head -n 40 "$scratch/made.csv" >"$scratch/short.csv"
+check "too few rooms are refused" refuses 1 "expected enough for bands" \
+    atlas --bands "$scratch/short.csv"
+
+tap_done
