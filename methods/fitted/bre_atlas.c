@@ -61,6 +61,7 @@ static const struct pp_formula at_point = {
 
 static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W,
                                                     &pp_bre_terms_IRC_av,
+                                                    PP_FITTED_LIGHT_FORMULAE,
                                                     &light_ratio,
                                                     PP_FITTED_POSITION_FORMULAE,
                                                     &mean,
