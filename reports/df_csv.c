@@ -11,7 +11,7 @@
  * external_lux. */
 static void put_line(const struct pp_result *result, const struct pp_column *column,
                      const struct pp_receiver *receiver, const char *place,
-                     const struct pp_reading *reading, const struct pp_band *band,
+                     const struct pp_reading *reading, const struct pp_band_ends *band,
                      double external_lux, FILE *out)
 {
     pp_format_csv_field(result->file, out);
@@ -55,7 +55,7 @@ static void put_lines(const struct pp_results *results, const struct pp_result *
         if (index >= 0 ? !column->points : margin && !column->has_margin_average)
             continue;
         int place = index >= 0 ? index : report->receiver_count;
-        struct pp_band band =
+        struct pp_band_ends band =
             margin ? pp_band_none()
                    : pp_print_band_at(column, place, report->receiver_count);
         put_line(result, column, index >= 0 ? &report->receivers[index] : NULL,

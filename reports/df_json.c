@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/advice_report.h"
+#include "reports/atlas/advice_report.h"
 #include "reports/parts/format.h"
 #include "reports/parts/json.h"
 #include "reports/parts/print_band.h"
@@ -65,7 +65,7 @@ static bool add_contents(struct json_object *object, const char *name)
 /* { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." }; name is the
  * column's; with "band": [1.1, 1.6] where that is known. With external_lux over 0, the illuminance that is its share. */
 static struct json_object *entry(const struct pp_reading *reading, const char *name,
-                                 struct pp_band band, double external_lux)
+                                 struct pp_band_ends band, double external_lux)
 {
     struct json_object *object = json_object_new_object();
     bool good = object && pp_json_number(object, "value", 100.0 * reading->value);
@@ -92,7 +92,7 @@ static const struct pp_reading *reading_of(const struct pp_column *column, int i
                                         : &column->points[index];
 }
 
-static struct pp_band band_of(const struct pp_column *column, int index)
+static struct pp_band_ends band_of(const struct pp_column *column, int index)
 {
     return index == OF_AVERAGE           ? column->average_band
            : index >= 0 && column->bands ? column->bands[index]

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 
 #include "model/results/report.h"
-#include "studies/atlas/advice.h"
+#include "studies/bands/advice.h"
 #include "studies/study_options.h"
 
 /* One room's report. */

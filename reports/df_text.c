@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/advice_report.h"
+#include "reports/atlas/advice_report.h"
 #include "reports/df_plane.h"
 #include "reports/df_steps.h"
 #include "reports/formula_list.h"

@@ -3,9 +3,9 @@
 
 #include "cli/job.h"
 #include "cli/message.h"
-#include "reports/atlas_bands_csv.h"
-#include "reports/atlas_bands_text.h"
-#include "reports/band_pages.h"
+#include "reports/atlas/atlas_bands_csv.h"
+#include "reports/atlas/atlas_bands_text.h"
+#include "reports/atlas/band_pages.h"
 
 struct bands_run {
     const char *path;

@@ -7,7 +7,7 @@
 #include "cli/df/engine_choice.h"
 #include "cli/format_option.h"
 #include "cli/df/formula_option.h"
-#include "studies/atlas/report_bands.h"
+#include "studies/bands/report_bands.h"
 #include "studies/plane_margin.h"
 #include "studies/study_report.h"
 #include "cli/interrupt.h"

@@ -7,16 +7,16 @@
 #include <stdbool.h>
 
 /* Fractions of the open-sky horizontal illuminance; NAN where nothing is known. */
-struct pp_band {
+struct pp_band_ends {
     double low, high;
 };
 
-static inline struct pp_band pp_band_none(void)
+static inline struct pp_band_ends pp_band_none(void)
 {
-    return (struct pp_band){NAN, NAN};
+    return (struct pp_band_ends){NAN, NAN};
 }
 
-static inline bool pp_band_is_known(struct pp_band band)
+static inline bool pp_band_is_known(struct pp_band_ends band)
 {
     return isfinite(band.low) && isfinite(band.high);
 }

@@ -37,10 +37,10 @@ struct pp_column {
     bool has_plane;       /* a daylight factor at every point of the grid? */
     struct pp_plane_reading plane; /* then what it says of the plane */
     struct pp_reading *points;     /* one for each receiver; NULL: of the room only */
-    struct pp_band average_band;   /* of the average, where that is known */
-    struct pp_band *bands;         /* one for each point; NULL: none is known */
-    double common, common_near;    /* the share of these points' variance that is common
-                                    * (common_error.h): to all, and to those near each other */
+    struct pp_band_ends average_band; /* of the average, where that is known */
+    struct pp_band_ends *bands;       /* one for each point; NULL: none is known */
+    double common, common_near; /* the share of these points' variance that is common
+                                       * (common_error.h): to all, and to those near each other */
 };
 
 struct pp_method_options; /* methods/method.h */

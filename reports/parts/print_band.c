@@ -12,7 +12,7 @@ static int decimals_of(double high)
     return high < 1e-4 ? 4 : high < 0.09995 ? 2 : 1;
 }
 
-void pp_print_band(char *text, size_t size, struct pp_band band, bool utf8)
+void pp_print_band(char *text, size_t size, struct pp_band_ends band, bool utf8)
 {
     text[0] = '\0';
     if (!pp_band_is_known(band))
@@ -22,7 +22,8 @@ void pp_print_band(char *text, size_t size, struct pp_band band, bool utf8)
              utf8 ? "\xe2\x80\x93" : "-", decimals, 100.0 * band.high);
 }
 
-struct pp_band pp_print_band_at(const struct pp_column *column, int index, int count)
+struct pp_band_ends pp_print_band_at(const struct pp_column *column, int index,
+                                     int count)
 {
     return index == count  ? column->average_band
            : column->bands ? column->bands[index]
@@ -37,7 +38,7 @@ static double four_digits(double value)
     return atof(text);
 }
 
-bool pp_print_band_json(struct json_object *object, struct pp_band band)
+bool pp_print_band_json(struct json_object *object, struct pp_band_ends band)
 {
     if (!pp_band_is_known(band))
         return true;

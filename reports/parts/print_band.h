@@ -9,13 +9,14 @@
 #include "reports/parts/json.h"
 
 /* "0.82-1.31" in per cent, without a unit; empty where the band is not known. */
-void pp_print_band(char *text, size_t size, struct pp_band band, bool utf8);
+void pp_print_band(char *text, size_t size, struct pp_band_ends band, bool utf8);
 
 /* The band of a point (0 to `count` - 1) of a column, or of the average (`count`). */
-struct pp_band pp_print_band_at(const struct pp_column *column, int index, int count);
+struct pp_band_ends pp_print_band_at(const struct pp_column *column, int index,
+                                     int count);
 
 /* Adds "band": [0.82, 1.31], where it is known. False when memory is out. */
-bool pp_print_band_json(struct json_object *object, struct pp_band band);
+bool pp_print_band_json(struct json_object *object, struct pp_band_ends band);
 
 /* What the bands of a report are, or why it has none, as a note; nothing where nobody
  * asked. */

@@ -10,7 +10,7 @@
 
 static const size_t file_most = (size_t)4 << 30;
 
-struct reading {
+struct table_reading {
     struct pp_atlas_table *table;
     const char *path;
     int line;
@@ -25,7 +25,7 @@ static char *next_field(char *field, char **end)
     return **end == ',' ? *end + 1 : NULL;
 }
 
-static enum pp_status read_names(struct reading *reading, char *line,
+static enum pp_status read_names(struct table_reading *reading, char *line,
                                  struct pp_error *err)
 {
     struct pp_atlas_table *table = reading->table;
@@ -61,7 +61,7 @@ static bool read_number(double *value, const char *field, const char *end)
     return behind == end && isfinite(*value);
 }
 
-static enum pp_status read_row(struct reading *reading, char *line,
+static enum pp_status read_row(struct table_reading *reading, char *line,
                                struct pp_error *err)
 {
     struct pp_atlas_table *table = reading->table;
@@ -100,7 +100,7 @@ static void keep_whole_rooms(struct pp_atlas_table *table)
 enum pp_status pp_atlas_table_read(struct pp_atlas_table *table, const char *path,
                                    struct pp_error *err)
 {
-    struct reading reading = {.table = table, .path = pp_read_file_title(path)};
+    struct table_reading reading = {.table = table, .path = pp_read_file_title(path)};
     size_t length;
     *table = (struct pp_atlas_table){.room = -1, .point = -1};
     enum pp_status status = pp_read_file(&table->text, &length, path, file_most, err);

@@ -1,6 +1,6 @@
 /* assessment.c - chooses criteria, computes the factors they need, and runs them in
  * turn. */
-#include "studies/atlas/report_bands.h"
+#include "studies/bands/report_bands.h"
 #include "studies/criteria/assessment.h"
 
 #include <stdio.h>

@@ -100,8 +100,8 @@ const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
 
 /* The level of a part of the points with each at the lower, or the upper end of its
  * band. */
-static enum pp_status level_at(double *level, const struct pp_band *bands, int count,
-                               double part, bool upper, struct pp_error *err)
+static enum pp_status level_at(double *level, const struct pp_band_ends *bands,
+                               int count, double part, bool upper, struct pp_error *err)
 {
     struct pp_reading *ends = calloc((size_t)count + 1, sizeof *ends);
     struct pp_plane_share share;
@@ -115,8 +115,9 @@ static enum pp_status level_at(double *level, const struct pp_band *bands, int c
     return status;
 }
 
-enum pp_status pp_factors_band(struct pp_band *band, const struct pp_column *column,
-                               int count, double part, struct pp_error *err)
+enum pp_status pp_factors_band(struct pp_band_ends *band,
+                               const struct pp_column *column, int count, double part,
+                               struct pp_error *err)
 {
     *band = pp_band_none();
     for (int i = 0; i < count; i++)

@@ -31,7 +31,8 @@ const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
 
 /* The level that a part (a fraction) of the grid's points reaches, were all of them at the
  * lower, or at the upper ends of their bands; none where a point has no band. */
-enum pp_status pp_factors_band(struct pp_band *band, const struct pp_column *column,
-                               int count, double part, struct pp_error *err);
+enum pp_status pp_factors_band(struct pp_band_ends *band,
+                               const struct pp_column *column, int count, double part,
+                               struct pp_error *err);
 
 #endif

@@ -22,11 +22,11 @@ struct pp_finding {
     char what[80]; /* "south, line 9"; "300 lx over 50 % of the plane" */
     int line;      /* of the opening in the room file; 0: the room as a whole */
     enum pp_figure kind;
-    double figure;       /* NAN: not judged */
-    double std_error;    /* of the figure; NAN where nothing was sampled */
-    struct pp_band band; /* of a figure by hand, where that is known */
-    double wanted;       /* the bound; NAN: there is none, the figure is stated */
-    bool at_most;        /* the bound is an upper one, else a lower one */
+    double figure;            /* NAN: not judged */
+    double std_error;         /* of the figure; NAN where nothing was sampled */
+    struct pp_band_ends band; /* of a figure by hand, where that is known */
+    double wanted;            /* the bound; NAN: there is none, the figure is stated */
+    bool at_most;             /* the bound is an upper one, else a lower one */
     double reached_over; /* share of the plane on which the bound is reached; NAN where
                           * the criterion does not ask for one */
     enum pp_verdict verdict;

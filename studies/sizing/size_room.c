@@ -9,7 +9,7 @@
 #include "methods/evaluate.h"
 #include "methods/method.h"
 #include "methods/usual_pair.h"
-#include "studies/atlas/report_bands.h"
+#include "studies/bands/report_bands.h"
 #include "studies/room_value.h"
 #include "studies/study_report.h"
 
@@ -203,7 +203,7 @@ static enum pp_status find_reliability(struct pp_size_room_result *result,
 
 /* The band of a daylight factor in the report: of the average, or of the lowest of the
  * points. */
-static struct pp_band band_in(const struct pp_report *report, const char *method)
+static struct pp_band_ends band_in(const struct pp_report *report, const char *method)
 {
     const struct pp_column *column = pp_report_find(report, PP_DF, method);
     int lowest = 0;

@@ -42,7 +42,8 @@ struct pp_size_room_result {
         holds; /* false: the traced value of the size found by hand is below the target,
                  * by more than two standard errors; where that of the largest size is
                  * too, the target is out of reach, and that size is the answer */
-    struct pp_band band; /* of the value of the room sized, where the atlas has one */
+    struct pp_band_ends
+        band; /* of the value of the room sized, where the atlas has one */
     struct pp_reliability reliability; /* of the room as it is, by hand */
     char text[512];                    /* what why points to */
 };

@@ -1,0 +1,13 @@
+/* atlas_bands_csv.h - the bands of an atlas as the table that is compiled into the program,
+ * tables/atlas_bands.csv. */
+#ifndef PP_REPORTS_ATLAS_ATLAS_BANDS_CSV_H
+#define PP_REPORTS_ATLAS_ATLAS_BANDS_CSV_H
+
+#include <stdio.h>
+
+#include "studies/bands/atlas_bands.h"
+
+/* A line for the span of each feature, then one for each regime of each column. */
+void pp_atlas_bands_csv(const struct pp_atlas_bands *bands, FILE *out);
+
+#endif

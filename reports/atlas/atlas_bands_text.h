@@ -1,0 +1,14 @@
+/* atlas_bands_text.h - how the bands of an atlas do on rooms that they were not made from.
+ */
+#ifndef PP_REPORTS_ATLAS_ATLAS_BANDS_TEXT_H
+#define PP_REPORTS_ATLAS_ATLAS_BANDS_TEXT_H
+
+#include <stdio.h>
+
+#include "studies/bands/atlas_bands.h"
+
+/* A line for each column, and below it one for each regime: rooms fitted and tested, the
+ * share of these in the band, how far from 95 % it may be, and the verdict. */
+void pp_atlas_bands_text(const struct pp_atlas_bands *bands, FILE *out);
+
+#endif

@@ -1,0 +1,105 @@
+/* band_pages.c - prints each column's regimes as rows of a table. */
+#include "reports/atlas/band_pages.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "model/base/text.h"
+#include "studies/bands/band_table.h"
+#include "studies/bands/band_words.h"
+
+enum { CELL = 64, REGIME = 400 };
+
+static const char *const titles[PP_COMPONENT_COUNT] = {
+    [PP_SC] = "sky component",
+    [PP_ERC] = "externally reflected component",
+    [PP_IRC] = "internally reflected component",
+    [PP_DF] = "daylight factor",
+};
+
+static void put_introduction(FILE *out)
+{
+    fprintf(
+        out,
+        "# Accuracy of the hand methods\n\n"
+        "What the shipped run of the atlas found, in %d designed rooms under an "
+        "overcast "
+        "sky: the ratio\n"
+        "of the true figure to that of a method, by regime. `pepperpot atlas "
+        "--accuracy` "
+        "prints these\n"
+        "pages; `df`, `assess` and `size` take their bands from the same table.\n\n"
+        "- *rooms*: that have points in the regime.\n"
+        "- *bias*: the median of the method's error, of the true figure.\n"
+        "- *spread*: half the distance of the ratio's quantiles of 16 and 84 %%.\n"
+        "- *band*: 95 %% of the true figures lie between so many times the method's.\n"
+        "- *formula*, *assumption*: the same of its two parts: from the figure to what "
+        "is true in the\n"
+        "  world that the method has in mind, and from there to the room (section 5 of "
+        "the manual).\n\n"
+        "A ratio is (truth + %g %%) / (figure + %g %%), so that small figures have "
+        "bands "
+        "of so much more\n"
+        "or less. Each room counts once, however many of its points are in a regime.\n",
+        pp_band_table_rooms(), 100.0 * PP_BAND_OFFSET, 100.0 * PP_BAND_OFFSET);
+}
+
+/* "0.85 to 1.02", or a dash. */
+static void write_band(char cell[CELL], const struct pp_band_quantiles *ratio)
+{
+    if (isfinite(ratio->low))
+        snprintf(cell, CELL, "%.2f to %.2f", ratio->low, ratio->high);
+    else
+        snprintf(cell, CELL, "-");
+}
+
+static void put_row(const struct pp_band_entry *entry, FILE *out)
+{
+    char words[REGIME], band[CELL], formula[CELL], assumption[CELL];
+    pp_band_words_regime(words, sizeof words, &entry->regime);
+    write_band(band, &entry->regime.ratio);
+    write_band(formula, &entry->formula);
+    write_band(assumption, &entry->assumption);
+    fprintf(out, "| %s | %d | %+.0f %% | %.2f | %s | %s | %s |\n", words,
+            entry->regime.rooms, 100.0 / entry->regime.ratio.median - 100.0,
+            entry->spread, band, formula, assumption);
+}
+
+static void put_head(const struct pp_band_record *record, FILE *out)
+{
+    fprintf(out,
+            "\n### %s: %s %s\n\n"
+            "| regime | rooms | bias | spread | band | formula | assumption |\n"
+            "| --- | --- | --- | --- | --- | --- | --- |\n",
+            record->column, titles[record->component],
+            record->place == PP_BAND_AVERAGE ? "on average" : "at points");
+}
+
+static bool is_same(const struct pp_band_record *a, const struct pp_band_record *b)
+{
+    return a->place == b->place && a->component == b->component
+           && strcmp(a->column, b->column) == 0;
+}
+
+static void put_component(enum pp_component component, FILE *out)
+{
+    struct pp_band_record record, last = {.column = ""};
+    fprintf(out, "\n## %c%s\n", titles[component][0] - 'a' + 'A',
+            titles[component] + 1);
+    for (int i = 0; pp_band_table_at(&record, i); i++) {
+        if (record.component != component)
+            continue;
+        if (!is_same(&record, &last))
+            put_head(&record, out);
+        put_row(&record.entry, out);
+        last = record;
+    }
+}
+
+void pp_band_pages(FILE *out)
+{
+    static const enum pp_component order[] = {PP_DF, PP_SC, PP_ERC, PP_IRC};
+    put_introduction(out);
+    for (int i = 0; i < PP_COMPONENT_COUNT; i++)
+        put_component(order[i], out);
+}

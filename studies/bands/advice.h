@@ -1,0 +1,38 @@
+/* advice.h - which method to use in a room, for the average and for each point: the one
+ * whose band in the atlas is narrowest.
+ *
+ * Of bands that are about as narrow the first method's is taken; and at points that of the
+ * method which has the narrowest over all of them, unless another's is a fifth narrower (logarithms of high over low).
+ */
+#ifndef PP_STUDIES_BANDS_ADVICE_H
+#define PP_STUDIES_BANDS_ADVICE_H
+
+#include "model/results/report.h"
+#include "studies/bands/band_table.h"
+
+enum { PP_ADVICE_OTHERS = 3 };
+
+/* The points (or the average) that one method in one regime is the best for. */
+struct pp_advice_item {
+    struct pp_band_record best;
+    struct pp_band_record others[PP_ADVICE_OTHERS]; /* the next best at the first of
+                                                     * the points */
+    int other_count;
+    bool of_average;
+    int *points; /* indices of receivers; owned */
+    int point_count;
+};
+
+struct pp_advice {
+    struct pp_advice_item *items; /* the average's first */
+    int count;
+    char why_not[256]; /* why there is none; empty where there is */
+};
+
+/* By the daylight factors of the report, which has the methods to choose from. To be
+ * cleared in any case. */
+enum pp_status pp_advice_of(struct pp_advice *advice, struct pp_report *report,
+                            struct pp_error *err);
+void pp_advice_clear(struct pp_advice *advice);
+
+#endif

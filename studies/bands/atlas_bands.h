@@ -1,0 +1,45 @@
+/* atlas_bands.h - the bands of all columns of an atlas, and how they do on rooms held out.
+ */
+#ifndef PP_STUDIES_BANDS_ATLAS_BANDS_H
+#define PP_STUDIES_BANDS_ATLAS_BANDS_H
+
+#include "studies/atlas/atlas_table.h"
+#include "studies/bands/band_features.h"
+#include "studies/bands/band_fit.h"
+
+/* What is known of one column's figures at points, or of its averages. */
+struct pp_atlas_column {
+    enum pp_band_place place;
+    char component[8], name[48];
+    struct pp_band_entry *entries; /* from all rooms */
+    int entry_count;
+    struct pp_band_trial *trials; /* from half of them, tried on the others */
+    int trial_count;
+    double inside; /* share of all points (averages) tried that were in their bands */
+};
+
+/* What the rooms of the atlas have of a feature. */
+struct pp_atlas_span {
+    double from, to;
+};
+
+struct pp_atlas_bands {
+    int rooms;
+    struct pp_atlas_span spans[PP_ROOM_FEATURES];
+    struct pp_atlas_column *columns;
+    int column_count;
+};
+
+/* Of every hand column that the table has with the truth beside it. To be cleared in any
+ * case. */
+enum pp_status pp_atlas_bands_fit(struct pp_atlas_bands *bands,
+                                  const struct pp_atlas_table *table,
+                                  struct pp_error *err);
+/* Is a trial farther from 95 % than it may be (above, without the ends of its band), and
+ * how many are? */
+bool pp_atlas_bands_is_outside(const struct pp_band_trial *trial);
+int pp_atlas_bands_outside(const struct pp_atlas_bands *bands);
+
+void pp_atlas_bands_clear(struct pp_atlas_bands *bands);
+
+#endif

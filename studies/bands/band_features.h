@@ -1,0 +1,52 @@
+/* band_features.h - the features by which bands are told apart: those of room and point
+ * (room_features.h), and some of the hand figure itself.
+ *
+ *     figure     the hand figure, per cent
+ *     sky        share of the sky component in the daylight factor of a pair
+ *     outside    share of the externally reflected component in it
+ *     inside     share of the internally reflected component in it
+ *
+ * The shares are NAN of what is no pair of methods.
+ */
+#ifndef PP_STUDIES_BANDS_BAND_FEATURES_H
+#define PP_STUDIES_BANDS_BAND_FEATURES_H
+
+#include "model/results/report.h"
+#include "studies/atlas/room_features.h"
+
+enum {
+    PP_BAND_FIGURE = PP_ROOM_FEATURES,
+    PP_BAND_SKY,
+    PP_BAND_OUTSIDE,
+    PP_BAND_INSIDE,
+    PP_BAND_FEATURES,
+};
+
+/* Components as an atlas and the table of bands call them: "sc", "erc", "irc", "df". */
+extern const char *const pp_band_features_components[PP_COMPONENT_COUNT];
+
+/* "depth-head", ..., "inside". */
+const char *pp_band_features_name(int feature);
+
+/* The feature of that name, or -1. */
+int pp_band_features_find(const char *name);
+
+/* What a figure's direct and internal parts are called in the columns of a pair A+B; empty
+ * of what is no pair. */
+struct pp_band_parts {
+    char direct[48], internal[48];
+};
+struct pp_band_parts pp_band_features_parts(enum pp_component component,
+                                            const char *column);
+
+/* Fills in the features of a figure: a daylight factor and its components (fractions, NAN
+ * where it has none). */
+void pp_band_features_own(double features[PP_BAND_FEATURES], double figure, double sc,
+                          double erc, double irc);
+
+/* The same from a report's column, of point `index`, or -1: of the average. */
+void pp_band_features_of_column(double features[PP_BAND_FEATURES],
+                                const struct pp_report *report,
+                                const struct pp_column *column, int index);
+
+#endif

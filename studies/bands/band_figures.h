@@ -1,0 +1,50 @@
+/* band_figures.h - what one column of an atlas says beside the truth: the figures from
+ * which its bands are made.
+ *
+ * A column is a component by a method, at points or of the average. Its rows have the hand
+ * figure, what is true in the world that the method assumes, what is true of the room (all
+ * fractions, 0 or more), and features. Rows of a room stand together.
+ */
+#ifndef PP_STUDIES_BANDS_BAND_FIGURES_H
+#define PP_STUDIES_BANDS_BAND_FIGURES_H
+
+#include "model/base/error.h"
+
+/* Where the figures of a column stand. */
+enum pp_band_place { PP_BAND_POINT, PP_BAND_AVERAGE };
+extern const char *const pp_band_figures_places[]; /* "point", "average" */
+
+struct pp_band_figures {
+    enum pp_band_place place;
+    char component[8];
+    char column[48];
+    int count, capacity;
+    int *rooms;
+    double *hand, *own, *truth; /* own: NAN where it is not known */
+    int feature_count;          /* of each row */
+    double *features;           /* row after row */
+};
+
+/* No rows of so many features. */
+void pp_band_figures_init(struct pp_band_figures *figures, int feature_count);
+void pp_band_figures_clear(struct pp_band_figures *figures);
+
+/* One row more. */
+struct pp_band_row {
+    int room;
+    double hand, own, truth;
+    const double *features;
+};
+enum pp_status pp_band_figures_add(struct pp_band_figures *figures,
+                                   const struct pp_band_row *row, struct pp_error *err);
+
+/* Which of two halves a room belongs to, 0 or 1: by a hash of its number, as the even and
+ * the odd numbers of a Sobol sequence are in different halves of its first dimension. */
+int pp_band_figures_side(int room);
+
+/* Adds those of the rows whose room is on that side. */
+enum pp_status pp_band_figures_half(struct pp_band_figures *half,
+                                    const struct pp_band_figures *figures, int side,
+                                    struct pp_error *err);
+
+#endif

@@ -1,0 +1,46 @@
+/* band_regime.h - a regime of rooms and points, and the band that the ratio of the true to
+ * the hand figure has in it.
+ *
+ * A regime is told by conditions on features, numbers that are known of a room and a point
+ * before any light is traced. The ratio is taken with an offset a, so that it is one of
+ * the two figures where these are large and their difference over a where they are small
+ * or 0:
+ *
+ *     q = (truth + a) / (hand + a)                                               (1)
+ */
+#ifndef PP_STUDIES_BANDS_BAND_REGIME_H
+#define PP_STUDIES_BANDS_BAND_REGIME_H
+
+#include <stdbool.h>
+
+enum { PP_BAND_CONDITIONS = 5 };
+
+/* from <= feature < to; the ends may be infinite. A feature that is NAN is below every
+ * bound. */
+struct pp_band_condition {
+    int feature; /* its number */
+    double from, to;
+};
+
+/* Quantiles of a ratio: of 2.5 %, 50 % and 97.5 %. */
+struct pp_band_quantiles {
+    double low, median, high;
+};
+
+struct pp_band_regime {
+    struct pp_band_condition conditions[PP_BAND_CONDITIONS];
+    int condition_count; /* 0: all rooms and points */
+    struct pp_band_quantiles ratio;
+    int rooms; /* behind it */
+};
+
+/* Are a point's features those of the regime? */
+bool pp_band_regime_holds(const struct pp_band_regime *regime, const double *features);
+
+/* The truth that a ratio makes of a hand figure by (1), at least 0; both fractions. */
+double pp_band_regime_truth(double hand, double ratio, double offset);
+
+/* The ratio (1). */
+double pp_band_regime_ratio(double truth, double hand, double offset);
+
+#endif

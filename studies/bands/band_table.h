@@ -1,0 +1,39 @@
+/* band_table.h - the bands that were found in the shipped run of the atlas, compiled in
+ * (tables/atlas_bands.csv, which `pepperpot atlas FILE --bands` writes).
+ */
+#ifndef PP_STUDIES_BANDS_BAND_TABLE_H
+#define PP_STUDIES_BANDS_BAND_TABLE_H
+
+#include "studies/bands/band_features.h"
+#include "studies/bands/band_fit.h"
+
+/* What the table says of a column in one regime. */
+struct pp_band_record {
+    enum pp_band_place place;
+    enum pp_component component;
+    const char *column; /* static */
+    struct pp_band_entry entry;
+};
+
+/* Record `index` of the table; false: there are no more. */
+bool pp_band_table_at(struct pp_band_record *record, int index);
+
+/* The regimes of one column, at most PP_BAND_REGIMES, in `records`; returns how many, 0
+ * where the atlas has none. */
+enum { PP_BAND_REGIMES = 16 };
+int pp_band_table_find(struct pp_band_record records[PP_BAND_REGIMES],
+                       enum pp_band_place place, enum pp_component component,
+                       const char *column);
+
+/* The one among records whose regime has the features; NULL where none has. */
+const struct pp_band_record *pp_band_table_regime(const struct pp_band_record *records,
+                                                  int count, const double *features);
+
+/* What the rooms of the run have of a feature of rooms or points, from the least to the
+ * most. False: the run does not tell. */
+bool pp_band_table_span(double *from, double *to, int feature);
+
+/* How many rooms the run has. */
+int pp_band_table_rooms(void);
+
+#endif

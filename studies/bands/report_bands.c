@@ -1,0 +1,220 @@
+/* report_bands.c - holds a report's room against the rooms of the atlas, and looks the
+ * bands of its columns up. */
+#include "studies/bands/report_bands.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "methods/method.h"
+#include "methods/variant.h"
+#include "studies/bands/band_table.h"
+#include "studies/bands/band_words.h"
+
+/* ---- is the room one of the atlas? ---- */
+
+static bool is_convex(const struct pp_region *plane)
+{
+    if (plane->count != 1)
+        return false;
+    const struct pp_ring *ring = &plane->rings[0];
+    for (int i = 0; i < ring->count; i++) {
+        const double *a = ring->xy[i], *b = ring->xy[(i + 1) % ring->count],
+                     *c = ring->xy[(i + 2) % ring->count];
+        if (pp_region_turn(a, b, c) < -1e-6)
+            return false;
+    }
+    return true;
+}
+
+static bool has_things_inside(const struct pp_world *world)
+{
+    for (int i = world->face_count; i < world->surface_count; i++)
+        if (world->surfaces[i].inside && world->surfaces[i].role == PP_FREE_SURFACE)
+            return true;
+    return false;
+}
+
+/* Why rooms of that kind are not in the atlas; NULL: they are. */
+static const char *why_not(const struct pp_world *world,
+                           const struct pp_outside_light *light)
+{
+    const struct pp_sky *sky = &light->sky;
+    bool overcast =
+        sky->kind == PP_SKY_OVERCAST || (sky->kind == PP_SKY_ISO && sky->iso == 1);
+    return !overcast                   ? "the sky is not overcast"
+           : world->opening_count == 0 ? "there is no opening"
+           : has_things_inside(world)  ? "surfaces stand in the room"
+           : !is_convex(&world->plane) ? "the plan has a recess"
+           : world->ground_is_open     ? "the ground outside has no shadows"
+                                       : NULL;
+}
+
+/* Values as printed, of which the ends of a span are rounded. */
+static bool is_within(double value, double from, double to)
+{
+    double slack = 1e-3 * fmax(fabs(from), fabs(to));
+    return isnan(value) || (value >= from - slack && value <= to + slack);
+}
+
+/* The first feature from `first` up to `end` in which no room of the atlas is like this
+ * one; -1: there is none. */
+static int find_unlike(const double *features, int first, int end, double *from,
+                       double *to)
+{
+    for (int i = first; i < end; i++)
+        if (pp_band_table_span(from, to, i) && !is_within(features[i], *from, *to))
+            return i;
+    return -1;
+}
+
+enum pp_status pp_report_bands_features(double features[PP_BAND_FEATURES],
+                                        const char **why, struct pp_report *report,
+                                        struct pp_error *err)
+{
+    const char *kind = why_not(report->world, &report->light);
+    double from, to;
+    *why = NULL;
+    for (int i = 0; i < PP_BAND_FEATURES; i++)
+        features[i] = NAN;
+    if (kind) {
+        *why = pp_report_say(
+            report, "no bands: the atlas has no rooms like this one: %s", kind);
+        return *why ? PP_OK : pp_fail_memory(err);
+    }
+    enum pp_status status =
+        pp_room_features(features, report->world, &report->light, err);
+    if (status != PP_OK)
+        return status;
+    int unlike = find_unlike(features, 0, PP_ROOM_OF_POINTS, &from, &to);
+    if (unlike < 0)
+        return PP_OK;
+    *why = pp_report_say(report,
+                         "no bands: the atlas has no rooms like this one: %s is %.3g, "
+                         "there %.3g to %.3g",
+                         pp_band_words_feature(unlike), features[unlike], from, to);
+    return *why ? PP_OK : pp_fail_memory(err);
+}
+
+bool pp_report_bands_point(double features[PP_BAND_FEATURES],
+                           const struct pp_report *report, int index)
+{
+    const struct pp_receiver *receiver = &report->receivers[index];
+    double from, to;
+    if (receiver->normal.z < 1.0 - 1e-9)
+        return false;
+    pp_room_features_at(features, report->world, receiver->position);
+    return find_unlike(features, PP_ROOM_OF_POINTS, PP_ROOM_FEATURES, &from, &to) < 0;
+}
+
+/* ---- the bands of a column ---- */
+
+bool pp_report_bands_has(const struct pp_report *report, const struct pp_column *column)
+{
+    const struct pp_method_options *options = report->options;
+    bool own_table = options && options->lumen_table
+                     && strncmp(column->name, "lumen", strlen("lumen")) == 0;
+    return !own_table && !column->of_all_surfaces;
+}
+
+enum { OF_POINT = PP_ROOM_FEATURES - PP_ROOM_OF_POINTS };
+
+/* The features that are a point's own; false: none of the atlas lies so. */
+struct place {
+    bool known;
+    double features[OF_POINT];
+};
+
+struct lookup {
+    const struct pp_report *report;
+    double *features;     /* of the room, and space for those of a point */
+    struct place *places; /* of each point */
+    struct pp_band_record points[PP_BAND_REGIMES], averages[PP_BAND_REGIMES];
+    int point_count, average_count;
+};
+
+static struct pp_band_ends band_of(const struct pp_band_record *record, double figure)
+{
+    if (!record || !isfinite(figure))
+        return pp_band_none();
+    const struct pp_band_quantiles *ratio = &record->entry.regime.ratio;
+    return (struct pp_band_ends){
+        pp_band_regime_truth(figure, ratio->low, PP_BAND_OFFSET),
+        pp_band_regime_truth(figure, ratio->high, PP_BAND_OFFSET)};
+}
+
+static struct pp_band_ends band_at(struct lookup *lookup,
+                                   const struct pp_column *column, int index)
+{
+    const struct place *place = &lookup->places[index];
+    if (!place->known)
+        return pp_band_none();
+    memcpy(lookup->features + PP_ROOM_OF_POINTS, place->features,
+           sizeof place->features);
+    pp_band_features_of_column(lookup->features, lookup->report, column, index);
+    return band_of(
+        pp_band_table_regime(lookup->points, lookup->point_count, lookup->features),
+        column->points[index].value);
+}
+
+static struct pp_band_ends average_band(struct lookup *lookup,
+                                        const struct pp_column *column)
+{
+    for (int i = PP_ROOM_OF_POINTS; i < PP_ROOM_FEATURES; i++)
+        lookup->features[i] = NAN;
+    pp_band_features_of_column(lookup->features, lookup->report, column, -1);
+    return band_of(
+        pp_band_table_regime(lookup->averages, lookup->average_count, lookup->features),
+        column->average.value);
+}
+
+static enum pp_status fill_column(struct lookup *lookup, struct pp_column *column,
+                                  struct pp_error *err)
+{
+    const struct pp_report *report = lookup->report;
+    lookup->point_count = pp_band_table_find(lookup->points, PP_BAND_POINT,
+                                             column->component, column->name);
+    lookup->average_count = pp_band_table_find(lookup->averages, PP_BAND_AVERAGE,
+                                               column->component, column->name);
+    if (lookup->average_count > 0)
+        column->average_band = average_band(lookup, column);
+    if (lookup->point_count == 0 || !column->points)
+        return PP_OK;
+    free(column->bands);
+    column->bands =
+        malloc(((size_t)report->receiver_count + 1) * sizeof *column->bands);
+    if (!column->bands)
+        return pp_fail_memory(err);
+    for (int i = 0; i < report->receiver_count; i++)
+        column->bands[i] = band_at(lookup, column, i);
+    return PP_OK;
+}
+
+static enum pp_status find_places(struct lookup *lookup, struct pp_error *err)
+{
+    int count = lookup->report->receiver_count;
+    lookup->places = malloc(((size_t)count + 1) * sizeof *lookup->places);
+    for (int i = 0; lookup->places && i < count; i++) {
+        struct place *place = &lookup->places[i];
+        place->known = pp_report_bands_point(lookup->features, lookup->report, i);
+        memcpy(place->features, lookup->features + PP_ROOM_OF_POINTS,
+               sizeof place->features);
+    }
+    return lookup->places ? PP_OK : pp_fail_memory(err);
+}
+
+enum pp_status pp_report_bands_fill(struct pp_report *report, struct pp_error *err)
+{
+    double features[PP_BAND_FEATURES];
+    struct lookup lookup = {.report = report, .features = features};
+    enum pp_status status =
+        pp_report_bands_features(features, &report->no_bands, report, err);
+    if (status != PP_OK || report->no_bands)
+        return status;
+    status = find_places(&lookup, err);
+    for (int i = 0; status == PP_OK && i < report->column_count; i++)
+        if (pp_report_bands_has(report, &report->columns[i]))
+            status = fill_column(&lookup, &report->columns[i], err);
+    free(lookup.places);
+    return status;
+}

@@ -1,0 +1,31 @@
+/* report_bands.h - sets the band of the atlas beside each hand figure of a report.
+ *
+ * The bands hold for rooms like those of the atlas: under an overcast sky, of features
+ * within those of its rooms, with nothing standing in them and no recess in their plan.
+ */
+#ifndef PP_STUDIES_BANDS_REPORT_BANDS_H
+#define PP_STUDIES_BANDS_REPORT_BANDS_H
+
+#include "model/results/report.h"
+#include "studies/bands/band_features.h"
+
+/* Fills the bands of the report's columns, or says in report->no_bands why there are none;
+ * points that do not face up, or lie as none of the atlas does, have none. */
+enum pp_status pp_report_bands_fill(struct pp_report *report, struct pp_error *err);
+
+/* The features of the report's room, and in *why why the atlas does not cover it (NULL: it
+ * does), kept with the report's sentences. */
+enum pp_status pp_report_bands_features(double features[PP_BAND_FEATURES],
+                                        const char **why, struct pp_report *report,
+                                        struct pp_error *err);
+
+/* Adds the features of a point; false: none of the atlas lies so. */
+bool pp_report_bands_point(double features[PP_BAND_FEATURES],
+                           const struct pp_report *report, int index);
+
+/* May a column have bands? Not the simulated ones, nor those that a user's own tables or
+ * formulae make. */
+bool pp_report_bands_has(const struct pp_report *report,
+                         const struct pp_column *column);
+
+#endif
