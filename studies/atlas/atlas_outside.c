@@ -63,7 +63,7 @@ static void put_street(struct pp_atlas_layout *room, const double u[6])
 
 void pp_atlas_outside_put(struct pp_atlas_layout *room, bool windows)
 {
-    enum kind {
+    enum surroundings {
         NOTHING,
         FAR_SKYLINE,
         NEAR_SKYLINE,
@@ -78,7 +78,7 @@ void pp_atlas_outside_put(struct pp_atlas_layout *room, bool windows)
                                     0.05, 0.08, 0.045, 0.05};
     double u[6], reflectance;
     pp_atlas_draw(room, PP_ATLAS_OUTSIDE, u);
-    enum kind kind = (enum kind)PP_ONE_OF(shares, &u[0]);
+    enum surroundings kind = (enum surroundings)PP_ONE_OF(shares, &u[0]);
     reflectance = pp_between(0.1, 0.6, u[4]);
     if (!windows || room->roof != PP_ATLAS_FLAT)
         kind = kind == STREET || kind == ASIDE || (windows && kind == FAR_SKYLINE)
