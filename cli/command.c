@@ -47,15 +47,20 @@ static enum pp_exit run_with(const struct pp_command *command, void *options, in
                            : pp_message_usage(command->name, &err);
 }
 
-enum pp_exit pp_command_run(const struct pp_command *command, int argc, char **argv)
+enum pp_exit pp_command_run(const struct pp_command *command, int argc, char **argv,
+                            const struct pp_ranks *ranks)
 {
     struct pp_error err;
+    if (ranks && ranks->rank > 0 && !command->deals)
+        return PP_EXIT_DONE;
     void *options = calloc(1, command->size);
     if (!options) {
         pp_fail_memory(&err);
         return pp_message_error(&err);
     }
     command->init(options);
+    if (command->deals)
+        *(const struct pp_ranks **)((char *)options + command->ranks_place) = ranks;
     enum pp_exit exit_status = run_with(command, options, argc, argv);
     command->clear(options);
     free(options);

@@ -12,6 +12,7 @@
 
 #include "cli/exit_status.h"
 #include "cli/options.h"
+#include "model/base/ranks.h"
 
 struct pp_command {
     const char *name, *summary;
@@ -28,13 +29,20 @@ struct pp_command {
     enum pp_exit (*run)(void *options, char **operands, int count);
     void (*clear)(void *options); /* in any case */
     int words_before_files; /* how many operands are not yet files: 1 for a kind */
+
+    /* Does it deal its work out to ranks? Then a const struct pp_ranks * is at that
+     * place of the options, set behind init: NULL where there are none. */
+    bool deals;
+    size_t ranks_place;
 };
 
 void pp_command_help(const struct pp_command *command, FILE *out);
 
 /* argv[0] is the command's name. Prints its help, or says what is wrong with its words,
- * or runs it. */
-enum pp_exit pp_command_run(const struct pp_command *command, int argc, char **argv);
+ * or runs it. ranks: NULL where this process is alone; of a command that does not deal,
+ * only rank 0 does anything. */
+enum pp_exit pp_command_run(const struct pp_command *command, int argc, char **argv,
+                            const struct pp_ranks *ranks);
 
 extern const struct pp_command pp_command_df, pp_command_chart, pp_command_render,
     pp_command_assess, pp_command_size, pp_command_availability, pp_command_validate,

@@ -11,6 +11,7 @@
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "cli/ranks/mpirun.h"
 #include "model/base/text.h"
 
 static const struct pp_command *const commands[] = {
@@ -55,7 +56,7 @@ static enum pp_exit fail_unknown(const char *word)
     return PP_EXIT_USAGE;
 }
 
-static enum pp_exit run(int argc, char **argv)
+static enum pp_exit run(int argc, char **argv, const struct pp_ranks *ranks)
 {
     const char *word = argc > 1 ? argv[1] : NULL;
     if (!word) {
@@ -77,7 +78,7 @@ static enum pp_exit run(int argc, char **argv)
     }
     for (int i = 0; i < COMMAND_COUNT; i++)
         if (strcmp(word, commands[i]->name) == 0)
-            return pp_command_run(commands[i], argc - 1, argv + 1);
+            return pp_command_run(commands[i], argc - 1, argv + 1, ranks);
     return fail_unknown(word);
 }
 
@@ -95,10 +96,13 @@ int main(int argc, char **argv)
     occupy_standard_streams();
     setlocale(LC_CTYPE, ""); /* the terminal's characters; numbers keep their point */
 
-    enum pp_exit status = run(argc, argv);
+    struct pp_mpirun mpirun;
+    enum pp_exit status = pp_mpirun_begin(&mpirun);
+    if (status == PP_EXIT_DONE)
+        status = run(argc, argv, mpirun.ranks.count > 1 ? &mpirun.ranks : NULL);
     if (fflush(stdout) != 0 || ferror(stdout)) {
         pp_message("standard output can't be written: %s", strerror(errno));
-        return PP_EXIT_MACHINE;
+        status = PP_EXIT_MACHINE;
     }
-    return status;
+    return pp_mpirun_end(&mpirun, status);
 }

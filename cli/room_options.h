@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "cli/options.h"
+#include "model/base/ranks.h"
 #include "studies/study_options.h"
 
 struct pp_room_options {
@@ -13,7 +14,8 @@ struct pp_room_options {
     const char *room;   /* only the rooms of that name; NULL: all */
     const char *output; /* NULL: standard output */
     bool quiet;
-    bool by_hand; /* not simulated, by a command that does by default */
+    bool by_hand;                 /* not simulated, by a command that does by default */
+    const struct pp_ranks *ranks; /* not owned; NULL: this process is alone */
 };
 
 /* Nothing asked for: seed 1, all else empty. */

@@ -6,6 +6,7 @@
 #include "cli/terminal.h"
 #include "cli/availability/availability_options.h"
 #include "cli/command.h"
+#include "cli/ranks/deal_rooms.h"
 #include "cli/format_option.h"
 #include "studies/study_report.h"
 #include "cli/interrupt.h"
@@ -77,6 +78,25 @@ struct assess_run {
     struct pp_assessments all;
 };
 
+static struct pp_room_figures figures(void *data, int room)
+{
+    struct pp_assessment *one = &((struct assess_run *)data)->all.list[room];
+    return (struct pp_room_figures){&one->report, &one->by_clock};
+}
+
+/* Some of the time is for the larger houses. */
+static enum pp_status simulate_room(const void *data, int room,
+                                    struct pp_report *report, bool *by_clock,
+                                    struct pp_error *err)
+{
+    const struct assess_run *run = data;
+    struct pp_study_options own = run->options->room.study;
+    own.seconds *= 1.0 - PP_LARGER_HOUSE_SHARE;
+    return run->all.list[room].has_factors
+               ? pp_study_report_traced(report, &own, by_clock, err)
+               : PP_OK;
+}
+
 static enum pp_status compute(void *data, struct pp_error *err)
 {
     struct assess_run *run = data;
@@ -89,8 +109,6 @@ static enum pp_status compute(void *data, struct pp_error *err)
                                              .median_lux = run->options->median_lux,
                                              .of_weather =
                                                  run->options->weather != NULL};
-    struct pp_study_options own = *study;
-    own.seconds *= 1.0 - PP_LARGER_HOUSE_SHARE;
     enum pp_status status = PP_OK;
     all->list = calloc((size_t)rooms->count + 1, sizeof *all->list);
     if (!all->list)
@@ -101,12 +119,15 @@ static enum pp_status compute(void *data, struct pp_error *err)
                                 before->list, before->count, &wanted, err);
     if (status == PP_OK && study->simulate)
         pp_interrupt_watch();
+    if (status == PP_OK)
+        status =
+            pp_deal_rooms(&(struct pp_room_dealing){study->simulate ? all->count : 0,
+                                                    run->options->room.ranks, figures,
+                                                    simulate_room, run},
+                          err);
     for (int i = 0; i < all->count && status == PP_OK; i++) {
         struct pp_assessment *one = &all->list[i];
-        if (study->simulate && one->has_factors)
-            status = pp_study_report_traced(&one->report, &own, &one->by_clock, err);
-        if (status == PP_OK)
-            status = pp_assessment_judge(one, &wanted, err);
+        status = pp_assessment_judge(one, &wanted, err);
         if (status == PP_OK)
             status = pp_larger_house_doubt(one, &wanted, err);
     }
@@ -263,4 +284,6 @@ const struct pp_command pp_command_assess = {
     .check = check,
     .run = run,
     .clear = clear,
+    .deals = true,
+    .ranks_place = PLACE(room.ranks),
 };

@@ -82,7 +82,8 @@ static enum pp_status deal(struct sweep *sweep, int first, int end,
                                     .work = rows_of,
                                     .take = take,
                                     .look = look,
-                                    .data = sweep};
+                                    .data = sweep,
+                                    .ranks = options->ranks};
     pp_interrupt_watch();
     if (sweep->watch->begin)
         sweep->watch->begin(sweep->watch->data, "atlas");
@@ -90,6 +91,19 @@ static enum pp_status deal(struct sweep *sweep, int first, int end,
     if (sweep->watch->end)
         sweep->watch->end(sweep->watch->data);
     return status;
+}
+
+/* Works for rank 0, which alone reads and writes files of its own; ends as interrupted. */
+static enum pp_status follow(const struct row_source *source,
+                             const struct pp_room_options *options, struct pp_error *err)
+{
+    int next;
+    return deal(&(struct sweep){.source = source}, 0, 0, options, &next, err);
+}
+
+static bool is_rank_0(const struct pp_room_options *options)
+{
+    return !options->ranks || options->ranks->rank == 0;
 }
 
 /* ---- on ---- */
@@ -119,7 +133,8 @@ enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
     struct row_source source;
     enum pp_status status = open_source(&source, making, NULL, &err);
     if (status == PP_OK) {
-        status = go_on(&file, &source, rooms, options, &err);
+        status = is_rank_0(options) ? go_on(&file, &source, rooms, options, &err)
+                                    : follow(&source, options, &err);
         pp_atlas_columns_clear(&source.columns);
     }
     if (status != PP_OK)
@@ -160,7 +175,10 @@ static enum pp_status renew(const struct pp_atlas_making *making,
         status = open_source(&source, making, table, err);
     if (status != PP_OK)
         return status;
-    status = pp_output_open(&output, options->output, err);
+    if (is_rank_0(options))
+        status = pp_output_open(&output, options->output, err);
+    else
+        status = follow(&source, options, err);
     if (status == PP_OK) {
         status = print_anew(output.stream, &source, rooms, options, &next, err);
         if (status == PP_OK && next < rooms)

@@ -199,4 +199,6 @@ const struct pp_command pp_command_atlas = {
     .check = check,
     .run = run,
     .clear = clear,
+    .deals = true,
+    .ranks_place = PLACE(room.ranks),
 };

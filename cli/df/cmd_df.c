@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/ranks/deal_rooms.h"
 #include "cli/df/engine_choice.h"
 #include "cli/format_option.h"
 #include "cli/df/formula_option.h"
@@ -112,7 +113,7 @@ static void help_on_methods(FILE *out)
 }
 
 /* By light paths, through the cache, or both. */
-static enum pp_status simulate(struct pp_result *result,
+static enum pp_status simulate(struct pp_report *report, bool *by_clock,
                                const struct pp_study_options *study,
                                const struct pp_engine_choice *choice,
                                struct pp_error *err)
@@ -123,12 +124,12 @@ static enum pp_status simulate(struct pp_result *result,
     struct pp_kept_bytes kept = {0};
     enum pp_status status = PP_OK;
     if (choice->path)
-        status = pp_study_report_traced(&result->report, study, &result->by_clock, err);
+        status = pp_study_report_traced(report, study, by_clock, err);
     if (status == PP_OK && choice->cached)
-        status = pp_study_report_simulate(&result->report, &pp_engine_cache, cached,
-                                          study, &result->by_clock,
-                                          choice->cache.file ? &kept : NULL, err);
-    if (status == PP_OK && kept.bytes && result->report.finished)
+        status =
+            pp_study_report_simulate(report, &pp_engine_cache, cached, study, by_clock,
+                                     choice->cache.file ? &kept : NULL, err);
+    if (status == PP_OK && kept.bytes && report->finished)
         status = pp_cache_choice_write(&choice->cache, kept.bytes, kept.length, err);
     free(kept.bytes);
     return status;
@@ -155,7 +156,7 @@ static enum pp_status add_margin(struct pp_result *result,
     if (status == PP_OK && margin.has_plane)
         status = pp_study_report_methods(&inside.report, &margin.room, &study, err);
     if (status == PP_OK && margin.has_plane && study.simulate)
-        status = simulate(&inside, &study, &engine, err);
+        status = simulate(&inside.report, &inside.by_clock, &study, &engine, err);
     if (status == PP_OK)
         status = pp_plane_margin_take(&result->report,
                                       margin.has_plane ? &inside.report : NULL, err);
@@ -183,6 +184,21 @@ static enum pp_status add_advice(struct pp_result *result,
     return status;
 }
 
+static struct pp_room_figures figures(void *data, int room)
+{
+    struct pp_result *result = &((struct df_run *)data)->results.list[room];
+    return (struct pp_room_figures){&result->report, &result->by_clock};
+}
+
+static enum pp_status simulate_room(const void *data, int room,
+                                    struct pp_report *report, bool *by_clock,
+                                    struct pp_error *err)
+{
+    const struct df_run *run = data;
+    (void)room;
+    return simulate(report, by_clock, run->results.options, &run->options->engine, err);
+}
+
 /* Hand methods of all rooms first: they take milliseconds, and are there whatever
  * happens to the simulation. */
 static enum pp_status compute(void *data, struct pp_error *err)
@@ -202,10 +218,12 @@ static enum pp_status compute(void *data, struct pp_error *err)
     }
     if (status == PP_OK && results->options->simulate)
         pp_interrupt_watch();
-    for (int i = 0; i < results->count && results->options->simulate; i++)
-        if (status == PP_OK)
-            status = simulate(&results->list[i], results->options,
-                              &run->options->engine, err);
+    if (status == PP_OK)
+        status = pp_deal_rooms(
+            &(struct pp_room_dealing){results->options->simulate ? results->count : 0,
+                                      run->options->room.ranks, figures, simulate_room,
+                                      run},
+            err);
     for (int i = 0; i < results->count && status == PP_OK && run->options->margin; i++)
         status = add_margin(&results->list[i], &rooms->list[i], run->options, err);
     for (int i = 0; i < results->count && status == PP_OK; i++)
@@ -401,4 +419,6 @@ const struct pp_command pp_command_df = {
     .check = check,
     .run = run,
     .clear = clear,
+    .deals = true,
+    .ranks_place = PLACE(room.ranks),
 };

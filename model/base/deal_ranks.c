@@ -197,8 +197,8 @@ static bool lead_or_work(void *data, int member, int index)
     return true;
 }
 
-/* Tells all that it is over; those that are at work read it when they are done. */
-static void dismiss(const struct pp_ranks *ranks)
+/* Those that are at work read it when they are done. */
+void pp_deal_ranks_dismiss(const struct pp_ranks *ranks)
 {
     const struct head over = {.kind = OVER};
     for (int rank = 1; rank < ranks->count; rank++)
@@ -222,7 +222,7 @@ enum pp_status pp_deal_ranks_lead(const struct pp_deal *deal, int *next,
                 *err = leading.err;
         }
     }
-    dismiss(deal->ranks);
+    pp_deal_ranks_dismiss(deal->ranks);
     pp_crew_destroy(leading.crew);
     pp_deal_book_destroy(leading.book);
     return status;

@@ -13,4 +13,7 @@ enum pp_status pp_deal_ranks_lead(const struct pp_deal *deal, int *next,
  * more; then fails with PP_INTERRUPTED. */
 enum pp_status pp_deal_ranks_follow(const struct pp_deal *deal, struct pp_error *err);
 
+/* Rank 0: tells all ranks that there is nothing more to be done, should they ask. */
+void pp_deal_ranks_dismiss(const struct pp_ranks *ranks);
+
 #endif

@@ -1,0 +1,35 @@
+/* deal_rooms.h - the simulations of many rooms, by this process one after the other, or
+ * dealt out to ranks.
+ */
+#ifndef PP_CLI_RANKS_DEAL_ROOMS_H
+#define PP_CLI_RANKS_DEAL_ROOMS_H
+
+#include "model/base/ranks.h"
+#include "model/results/report.h"
+
+/* What is simulated of a room goes to its report, and whether its time was over. */
+struct pp_room_figures {
+    struct pp_report *report;
+    bool *by_clock;
+};
+
+struct pp_room_dealing {
+    int count;                    /* of rooms; 0: nothing is simulated */
+    const struct pp_ranks *ranks; /* NULL: this process alone */
+
+    /* The report of a room; it has the hand methods' columns. */
+    struct pp_room_figures (*figures)(void *data, int room);
+
+    /* Adds the simulation's columns to the report, which may be a copy without any
+     * columns; nothing else is changed. */
+    enum pp_status (*simulate)(const void *data, int room, struct pp_report *report,
+                               bool *by_clock, struct pp_error *err);
+    void *data;
+};
+
+/* Simulates all rooms; a single one by rank 0, with the threads of its options. Over ranks (deal.h) it ends as interrupted for others than 0,
+ * which has the columns of all rooms, the same as if it had been alone. */
+enum pp_status pp_deal_rooms(const struct pp_room_dealing *dealing,
+                             struct pp_error *err);
+
+#endif

@@ -1,0 +1,21 @@
+/* mpirun.h - whether the program was started by mpirun, as one of several ranks. */
+#ifndef PP_CLI_RANKS_MPIRUN_H
+#define PP_CLI_RANKS_MPIRUN_H
+
+#include "cli/exit_status.h"
+#include "model/base/ranks.h"
+
+struct pp_mpirun {
+    struct pp_ranks ranks;   /* good where count is 2 or more */
+    void (*end)(void *data); /* of the module; NULL: none is loaded */
+};
+
+/* To be called first. Where the process is one of several ranks, loads the module;
+ * ranks but 0 print nothing from here on. Says what is wrong, if so. */
+enum pp_exit pp_mpirun_begin(struct pp_mpirun *mpirun);
+
+/* To be called last. Returns what the process says to mpirun: a rank other than 0 has
+ * done what it could. */
+enum pp_exit pp_mpirun_end(struct pp_mpirun *mpirun, enum pp_exit status);
+
+#endif

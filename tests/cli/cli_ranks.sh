@@ -1,0 +1,86 @@
+#!/bin/sh
+# cli_ranks.sh - several ranks under mpirun: the same bytes as alone, one voice, and a
+# rank that is killed.
+
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+if ! command -v mpirun >/dev/null || [ ! -f .libs/pepperpot-mpi.so ]; then
+    echo '1..0 # SKIP there is no mpirun, or it was built without MPI'
+    exit 0
+fi
+
+# Open MPI keeps some of its memory to the end.
+export ASAN_OPTIONS="detect_leaks=0:$ASAN_OPTIONS"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+
+# ranks N WORDS: the program as N ranks.
+ranks() {
+    count=$1
+    shift
+    timeout 120 mpirun --oversubscribe -n "$count" "$pepperpot" "$@" \
+        >"$scratch/out" 2>"$scratch/err" </dev/null
+    status=$?
+}
+
+files="$examples/office.xml $deep $examples/classroom.xml $examples/l-shaped.xml"
+batch="$files --simulate --samples 8 --format json"
+long="$files --simulate --samples 60 --format json"
+
+the_same_bytes_of_df() {
+    run df $batch
+    [ $status -eq 0 ] || told || return 1
+    cp "$scratch/out" "$scratch/alone"
+    for n in 1 2 4; do
+        ranks $n df $batch
+        [ $status -eq 0 ] && cmp "$scratch/alone" "$scratch/out" || told || return 1
+    done
+}
+
+the_same_bytes_of_assess() {
+    run assess $files --samples 8 --format json
+    [ $status -eq 0 ] || told || return 1
+    cp "$scratch/out" "$scratch/alone"
+    ranks 3 assess $files --samples 8 --format json --threads 2
+    [ $status -eq 0 ] && cmp "$scratch/alone" "$scratch/out" || told
+}
+
+one_rank_writes() {
+    run df $deep
+    cp "$scratch/out" "$scratch/alone"
+    ranks 4 df $deep -o "$scratch/file"
+    [ $status -eq 0 ] && [ ! -s "$scratch/out" ] || told || return 1
+    cmp "$scratch/alone" "$scratch/file" || return 1
+    run size --help
+    cp "$scratch/out" "$scratch/alone"
+    ranks 3 size --help
+    cmp "$scratch/alone" "$scratch/out"
+}
+
+one_rank_speaks() {
+    ranks 4 df $deep "$scratch/none.xml"
+    [ $status -eq 1 ] || [ $status -eq 3 ] || told || return 1
+    [ "$(grep -c 'none.xml' "$scratch/err")" -eq 1 ] || told
+}
+
+# The last rank is killed once it is at work.
+a_rank_may_be_killed() {
+    run df $long
+    cp "$scratch/out" "$scratch/alone"
+    timeout 60 mpirun --oversubscribe --enable-recovery -n 3 "$pepperpot" df $long \
+        >"$scratch/out" 2>"$scratch/err" </dev/null &
+    job=$!
+    sleep 0.7
+    victim=$(pgrep -P "$(pgrep -P $job)" | tail -n 1)
+    [ -n "$victim" ] && kill -9 "$victim"
+    wait $job
+    status=$?
+    [ $status -eq 0 ] && cmp "$scratch/alone" "$scratch/out" || told
+}
+
+check '1, 2 and 4 ranks give the bytes of one process' the_same_bytes_of_df
+check 'so does assess, with two threads each' the_same_bytes_of_assess
+check 'rank 0 alone writes, also of a command that does not deal' one_rank_writes
+check 'a mistake is told once, with its exit status' one_rank_speaks
+check 'a rank that is killed costs nothing but time' a_rank_may_be_killed
+tap_done
