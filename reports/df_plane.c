@@ -36,7 +36,7 @@ static bool has_points(const struct pp_report *report, const struct pp_column *c
 struct layer {
     const struct pp_column *column;
     const struct pp_lattice *lattice;
-    bool bands, utf8;
+    bool bands;
     int cell; /* columns of the terminal that a point takes */
 };
 
@@ -44,7 +44,7 @@ static void put_point(const struct layer *layer, int at, char cell[WORDS])
 {
     double value = layer->column->points[at].value;
     if (layer->bands)
-        pp_print_band(cell, WORDS, layer->column->bands[at], layer->utf8);
+        pp_print_band(cell, WORDS, layer->column->bands[at]);
     else if (isfinite(value))
         snprintf(cell, WORDS, "%.2f", 100.0 * value + 0.0);
     else
@@ -89,14 +89,13 @@ static void put_layer(const struct layer *layer, int width, FILE *out)
 }
 
 void pp_df_plane_tables(const struct pp_report *report,
-                        const struct pp_lattice *lattice, int width, bool utf8,
-                        FILE *out)
+                        const struct pp_lattice *lattice, int width, FILE *out)
 {
     for (int i = 0; i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
         if (!has_points(report, column))
             continue;
-        struct layer layer = {column, lattice, false, utf8, CELL};
+        struct layer layer = {column, lattice, false, CELL};
         fprintf(out, "\n  Daylight factors by %s, per cent\n", column->name);
         put_layer(&layer, width, out);
         if (!column->bands)

@@ -13,8 +13,7 @@
  * (high y) above: a row for each y, a column for each x; in panels where the line is too
  * short; and behind them, where they are known, their bands. */
 void pp_df_plane_tables(const struct pp_report *report,
-                        const struct pp_lattice *lattice, int width, bool utf8,
-                        FILE *out);
+                        const struct pp_lattice *lattice, int width, FILE *out);
 
 /* A line for each column that has figures of the plane: minimum, median, average,
  * uniformity, and the share over each level. Nothing where none has. */

@@ -25,7 +25,7 @@ struct pp_results {
     int count;
     bool several; /* printed as a list, even if there is only one */
     bool more_than_one_file;
-    bool bands; /* has CSV columns for them? */
+    bool bands; /* of all methods in text, and in CSV, too? */
     const struct pp_study_options *options; /* not owned */
 };
 

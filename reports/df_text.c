@@ -133,7 +133,7 @@ static bool has_band(const struct pp_report *report, const struct pp_column *col
 }
 
 static bool add_bands(struct pp_table *table, const struct pp_report *report,
-                      const struct pp_column *column, bool utf8)
+                      const struct pp_column *column)
 {
     struct pp_table_column *shown =
         pp_table_add(table, band_title, band_title, column->name);
@@ -141,7 +141,7 @@ static bool add_bands(struct pp_table *table, const struct pp_report *report,
         return false;
     for (int row = 0; row <= report->receiver_count; row++)
         pp_print_band(shown->cells[row], PP_CELL_BYTES,
-                      pp_print_band_at(column, row, report->receiver_count), utf8);
+                      pp_print_band_at(column, row, report->receiver_count));
     return true;
 }
 
@@ -173,9 +173,11 @@ static bool is_stood_in_for(const struct pp_report *report,
     return report->stand_in != NULL;
 }
 
-/* lux_title: of the columns with illuminances; external_lux 0: none. */
+/* lux_title: of the columns with illuminances; external_lux 0: none. Bands stand beside the
+ * first method's daylight factors, or beside all. */
 static bool fill_table(struct pp_table *table, const struct pp_report *report,
-                       double external_lux, const char *lux_title, bool utf8)
+                       double external_lux, const char *lux_title, bool all_bands,
+                       bool utf8)
 {
     for (int i = 0; i < report->column_count; i++)
         if ((report->columns[i].component != PP_ERC
@@ -183,11 +185,15 @@ static bool fill_table(struct pp_table *table, const struct pp_report *report,
             && !is_stood_in_for(report, &report->columns[i])
             && !add_values(table, report, &report->columns[i], utf8))
             return false;
-    for (int i = 0; i < report->column_count; i++)
-        if (report->columns[i].component == PP_DF
-            && has_band(report, &report->columns[i])
-            && !add_bands(table, report, &report->columns[i], utf8))
+    bool banded = false;
+    for (int i = 0; i < report->column_count && (all_bands || !banded); i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (column->component != PP_DF || !has_band(report, column))
+            continue;
+        if (!add_bands(table, report, column))
             return false;
+        banded = true;
+    }
     for (int i = 0; external_lux > 0.0 && i < report->column_count; i++)
         if (report->columns[i].component == PP_DF
             && !is_stood_in_for(report, &report->columns[i])
@@ -264,8 +270,9 @@ static bool add_no_places(struct pp_table *table, const struct pp_report *report
 /* A grid's daylight factors are laid out like the plan, and of the components the averages
  * are enough. */
 static enum pp_status print_table(const struct pp_report *report,
-                                  const struct pp_study_options *options, int width,
-                                  bool utf8, FILE *out, struct pp_error *err)
+                                  const struct pp_study_options *options,
+                                  bool all_bands, int width, bool utf8, FILE *out,
+                                  struct pp_error *err)
 {
     char lux_title[48];
     struct pp_lattice lattice;
@@ -283,12 +290,13 @@ static enum pp_status print_table(const struct pp_report *report,
     table.last_label = "average";
     bool good = (as_plan ? add_no_places(&table, report, out)
                          : pp_print_places(&table, &shown, width, out))
-                && fill_table(&table, &shown, options->external_lux, lux_title, utf8);
+                && fill_table(&table, &shown, options->external_lux, lux_title,
+                              all_bands, utf8);
     if (good) {
         fputc('\n', out);
         pp_table_print(&table, width, out);
         if (as_plan)
-            pp_df_plane_tables(report, &lattice, width, utf8, out);
+            pp_df_plane_tables(report, &lattice, width, out);
     }
     pp_table_clear(&table);
     pp_lattice_clear(&lattice);
@@ -322,8 +330,8 @@ static void print_margin(const struct pp_report *report, bool utf8, int width,
 }
 
 static enum pp_status print_room(const struct pp_result *result,
-                                 const struct pp_study_options *options, int width,
-                                 bool utf8, FILE *out, struct pp_error *err)
+                                 const struct pp_study_options *options, bool all_bands,
+                                 int width, bool utf8, FILE *out, struct pp_error *err)
 {
     const struct pp_report *report = &result->report;
     pp_print_title(report->world, result->file, out);
@@ -331,7 +339,8 @@ static enum pp_status print_room(const struct pp_result *result,
     pp_print_assumed(report->world, &report->light, width, out);
     fputc('\n', out);
 
-    enum pp_status status = print_table(report, options, width, utf8, out, err);
+    enum pp_status status =
+        print_table(report, options, all_bands, width, utf8, out, err);
     if (status != PP_OK)
         return status;
     pp_print_band_note(report, width, out);
@@ -359,7 +368,8 @@ enum pp_status pp_df_text(const struct pp_results *results, int width, bool utf8
     for (int i = 0; i < results->count && status == PP_OK; i++) {
         if (i > 0)
             fputs("\n\n", out);
-        status = print_room(&results->list[i], results->options, width, utf8, out, err);
+        status = print_room(&results->list[i], results->options, results->bands, width,
+                            utf8, out, err);
     }
     return status;
 }

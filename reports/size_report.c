@@ -254,7 +254,7 @@ static enum pp_status print_room(const struct pp_size_room_result *result,
     put_fact(pp_size_room_change_words[request->change], text, width, out);
     if (pp_band_is_known(result->band)) {
         char band[48];
-        pp_print_band(band, sizeof band, result->band, utf8);
+        pp_print_band(band, sizeof band, result->band);
         snprintf(text, sizeof text,
                  "%s %%: where the truth was in 95 of 100 rooms like that one (the "
                  "atlas)",

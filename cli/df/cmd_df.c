@@ -74,8 +74,9 @@ static const struct pp_option margin_option[] = {
 };
 
 static const struct pp_option bands_option[] = {
-    {"bands", 0, NULL, "In CSV, too, two columns with the ends of the bands.", NULL,
-     PLACE(bands)},
+    {"bands", 0, NULL,
+     "Bands of all methods in the text's table, not of the first alone, and in CSV.",
+     NULL, PLACE(bands)},
     {"no-bands", 0, NULL,
      "Without the bands in which the true figures were in 95 of 100 rooms like this "
      "one.",

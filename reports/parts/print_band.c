@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "model/base/text.h"
 #include "reports/parts/print.h"
 
 /* Bands are known to two or three digits: decimals that show both ends so. */
@@ -12,14 +13,14 @@ static int decimals_of(double high)
     return high < 1e-4 ? 4 : high < 0.09995 ? 2 : 1;
 }
 
-void pp_print_band(char *text, size_t size, struct pp_band_ends band, bool utf8)
+void pp_print_band(char *text, size_t size, struct pp_band_ends band)
 {
     text[0] = '\0';
     if (!pp_band_is_known(band))
         return;
     int decimals = decimals_of(band.high);
-    snprintf(text, size, "%.*f%s%.*f", decimals, 100.0 * band.low,
-             utf8 ? "\xe2\x80\x93" : "-", decimals, 100.0 * band.high);
+    snprintf(text, size, "%.*f-%.*f", decimals, 100.0 * band.low, decimals,
+             100.0 * band.high);
 }
 
 struct pp_band_ends pp_print_band_at(const struct pp_column *column, int index,
@@ -57,14 +58,33 @@ static bool has_band(const struct pp_report *report)
     return false;
 }
 
+static void append_averages(char *text, size_t size, const struct pp_report *report)
+{
+    const char *before = "; of the averages ";
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        char band[48];
+        if (column->component != PP_DF || !pp_band_is_known(column->average_band))
+            continue;
+        pp_print_band(band, sizeof band, column->average_band);
+        pp_text_append(text, size, "%s%s %s", before, column->name, band);
+        before = ", ";
+    }
+}
+
 void pp_print_band_note(const struct pp_report *report, int width, FILE *out)
 {
-    const char *text = report->no_bands;
-    if (!text && has_band(report))
-        text = "95 % band: where the true daylight factor was in 95 of 100 rooms like "
-               "this one, of those that the program has traced (the atlas)";
-    if (!text)
+    char text[1600] = "";
+    if (report->no_bands)
+        pp_text_append(text, sizeof text, "%s", report->no_bands);
+    else if (has_band(report))
+        pp_text_append(text, sizeof text,
+                       "95 %% band: where the true daylight factor was in 95 of 100 "
+                       "rooms like this one, of those that the program has traced (the "
+                       "atlas)");
+    if (!text[0])
         return;
+    append_averages(text, sizeof text, report);
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
 }

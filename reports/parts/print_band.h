@@ -9,7 +9,7 @@
 #include "reports/parts/json.h"
 
 /* "0.82-1.31" in per cent, without a unit; empty where the band is not known. */
-void pp_print_band(char *text, size_t size, struct pp_band_ends band, bool utf8);
+void pp_print_band(char *text, size_t size, struct pp_band_ends band);
 
 /* The band of a point (0 to `count` - 1) of a column, or of the average (`count`). */
 struct pp_band_ends pp_print_band_at(const struct pp_column *column, int index,
@@ -18,7 +18,7 @@ struct pp_band_ends pp_print_band_at(const struct pp_column *column, int index,
 /* Adds "band": [0.82, 1.31], where it is known. False when memory is out. */
 bool pp_print_band_json(struct json_object *object, struct pp_band_ends band);
 
-/* What the bands of a report are, or why it has none, as a note; nothing where nobody
+/* What the bands of a report are, with those of the averages, or why it has none, as a note; nothing where nobody
  * asked. */
 void pp_print_band_note(const struct pp_report *report, int width, FILE *out);
 

@@ -54,8 +54,7 @@ static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
                                pp_finding_probability_at_least(average->value,
                                                                average->std_error,
                                                                minima[i].least));
-        if (average && !pp_band_is_known(finding.band)
-            && is_low_by_formula(&finding, findings))
+        if (average && is_low_by_formula(&finding, findings))
             pp_finding_note(&finding,
                             "average-df is low, by up to 43 %% in the rooms of "
                             "the manual: this is not to be relied on");

@@ -26,8 +26,6 @@ run df --no-bands "$office"
 check "and not without" nothing "$(grep '95 % band' "$scratch/out")"
 check "under a uniform sky there are none, and why" \
     shows 'the sky is not overcast' df --sky uniform "$office"
-check "nor in a room deeper than any of the atlas" \
-    shows "width is 3, there" df "$examples/deep-office.xml"
 check "nor in a plan with a recess" shows 'recess' df "$examples/l-shaped.xml"
 check "CSV has them when asked" shows 'band_low_percent' df --bands -f csv "$office"
 
