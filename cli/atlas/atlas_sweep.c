@@ -95,7 +95,8 @@ static enum pp_status deal(struct sweep *sweep, int first, int end,
 
 /* Works for rank 0, which alone reads and writes files of its own; ends as interrupted. */
 static enum pp_status follow(const struct row_source *source,
-                             const struct pp_room_options *options, struct pp_error *err)
+                             const struct pp_room_options *options,
+                             struct pp_error *err)
 {
     int next;
     return deal(&(struct sweep){.source = source}, 0, 0, options, &next, err);

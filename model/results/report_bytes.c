@@ -96,8 +96,8 @@ static bool get_column(struct rest *rest, struct pp_report *report)
     int count;
     if (!get(rest, &component, sizeof component) || !get(rest, name, sizeof name)
         || !get(rest, &common, sizeof common)
-        || !get(rest, &common_near, sizeof common_near) || !get_reading(rest, report, &average)
-        || !get(rest, &count, sizeof count)
+        || !get(rest, &common_near, sizeof common_near)
+        || !get_reading(rest, report, &average) || !get(rest, &count, sizeof count)
         || (count >= 0 && count != report->receiver_count))
         return false;
     struct pp_column *column = pp_report_add(report, component, name, count >= 0);

@@ -99,7 +99,8 @@ static int set_up(void **state)
     f->result.file = "a room, really.xml";
     f->options = PP_STUDY_OPTIONS_NONE;
     f->options.simulate = true;
-    f->results = (struct pp_results){.list = &f->result, .count = 1, .options = &f->options};
+    f->results =
+        (struct pp_results){.list = &f->result, .count = 1, .options = &f->options};
     *state = f;
     return 0;
 }
