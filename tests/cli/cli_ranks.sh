@@ -25,7 +25,6 @@ ranks() {
 
 files="$examples/office.xml $deep $examples/classroom.xml $examples/l-shaped.xml"
 batch="$files --simulate --samples 8 --format json"
-long="$files --simulate --samples 60 --format json"
 
 the_same_bytes_of_df() {
     run df $batch
@@ -63,24 +62,34 @@ one_rank_speaks() {
     [ "$(grep -c 'none.xml' "$scratch/err")" -eq 1 ] || told
 }
 
-# The last rank is killed once it is at work.
+the_same_bytes_of_an_atlas() {
+    few="atlas --rooms 5 --error 20% --quiet"
+    run $few -o "$scratch/one.csv"
+    for n in 2 4; do
+        ranks $n $few -o "$scratch/$n.csv"
+        [ $status -eq 0 ] && cmp "$scratch/one.csv" "$scratch/$n.csv" || told || return 1
+    done
+}
+
+# The last rank is killed once there is a first room, so that all of them are at work.
 a_rank_may_be_killed() {
-    run df $long
-    cp "$scratch/out" "$scratch/alone"
-    timeout 60 mpirun --oversubscribe --enable-recovery -n 3 "$pepperpot" df $long \
+    run atlas --rooms 12 --error 20% --quiet -o "$scratch/never.csv"
+    timeout 60 mpirun --oversubscribe --enable-recovery -n 3 "$pepperpot" atlas \
+        --rooms 12 --error 20% --quiet -o "$scratch/killed.csv" \
         >"$scratch/out" 2>"$scratch/err" </dev/null &
     job=$!
-    sleep 0.7
+    until grep -q '^0,-1,' "$scratch/killed.csv" 2>/dev/null; do sleep 0.05; done
     victim=$(pgrep -P "$(pgrep -P $job)" | tail -n 1)
-    [ -n "$victim" ] && kill -9 "$victim"
+    [ -n "$victim" ] && kill -9 "$victim" || return 1
     wait $job
     status=$?
-    [ $status -eq 0 ] && cmp "$scratch/alone" "$scratch/out" || told
+    [ $status -eq 0 ] && cmp "$scratch/never.csv" "$scratch/killed.csv" || told
 }
 
 check '1, 2 and 4 ranks give the bytes of one process' the_same_bytes_of_df
 check 'so does assess, with two threads each' the_same_bytes_of_assess
 check 'rank 0 alone writes, also of a command that does not deal' one_rank_writes
 check 'a mistake is told once, with its exit status' one_rank_speaks
+check 'so does the atlas' the_same_bytes_of_an_atlas
 check 'a rank that is killed costs nothing but time' a_rank_may_be_killed
 tap_done
