@@ -5,7 +5,9 @@
 #include <string.h>
 
 #include "cli/atlas/atlas_sweep.h"
+#include "cli/atlas/map_sheet.h"
 #include "cli/atlas/sweep_bands.h"
+#include "cli/chart/sheet_options.h"
 #include "cli/command.h"
 #include "cli/message.h"
 #include "cli/output.h"
@@ -28,6 +30,8 @@ struct atlas_options {
     const char *number;          /* of the room whose file is wanted; NULL: none */
     enum pp_atlas_sky sky;
     bool by_hand, bands, try_bands, accuracy;
+    bool map; /* by sheet.kind */
+    struct pp_map_sheet sheet;
 };
 
 /* ---- a room's file ---- */
@@ -69,6 +73,21 @@ static enum pp_status read_number(const char *text, void *place, struct pp_error
     return PP_OK;
 }
 
+static enum pp_status read_map(const char *text, void *place, struct pp_error *err)
+{
+    struct atlas_options *options = place;
+    for (int i = 0; i < PP_MAP_KINDS; i++)
+        if (strcmp(text, pp_atlas_mapping_names[i]) == 0) {
+            options->map = true;
+            options->sheet.kind = (enum pp_atlas_mapping_kind)i;
+            return PP_OK;
+        }
+    char names[128];
+    return pp_fail(
+        err, PP_BAD_INPUT, "%s",
+        pp_text_list_names(names, sizeof names, pp_atlas_mapping_names, PP_MAP_KINDS));
+}
+
 #define PLACE(member) offsetof(struct atlas_options, member)
 
 static const struct pp_option sweep_options[] = {
@@ -97,6 +116,21 @@ static const struct pp_option sweep_options[] = {
     {0},
 };
 
+static const struct pp_option map_options[] = {
+    {"map", 0, "BY",
+     "Draw a map of the atlas FILE to -o FILE.pdf, FILE.svg or FILE.png: what --method "
+     "says over what is true, by depth (of the point, and proportion of the room), erc "
+     "(its share in the direct light), ground, reflectance or obstruction.",
+     read_map, 0},
+    {"method", 0, "NAME",
+     "The map's method, a column: exact+bre, average-df, erc.exact (default "
+     "exact+bre).",
+     pp_options_read_text, PLACE(sheet.method)},
+    {"paper", 0, "SIZE", "The map's: a5, a4 (default), a3 or a2.",
+     pp_sheet_options_read_paper, PLACE(sheet.paper)},
+    {0},
+};
+
 static const struct pp_option stop_option[] = {
     {"error", 0, "E%",
      "Trace until the standard error of the daylight factor is down to that share of "
@@ -108,6 +142,7 @@ static const struct pp_option stop_option[] = {
 
 static const struct pp_option_group groups[] = {
     {"Rooms", sweep_options, 0},
+    {"Map", map_options, 0},
     {"Simulation", stop_option, 0},
     {"Simulation", pp_room_seed_options, PLACE(room)},
     {"Output", pp_room_output_options, PLACE(room)},
@@ -116,21 +151,23 @@ static const struct pp_option_group groups[] = {
 
 static void init(void *values)
 {
-    *(struct atlas_options *)values =
-        (struct atlas_options){.room = pp_room_options_none};
+    *(struct atlas_options *)values = (struct atlas_options){
+        .room = pp_room_options_none, .sheet.method = "exact+bre"};
 }
 
 /* Are just the words there that one of the uses needs? */
 static enum pp_status check_use(const struct atlas_options *options, int files,
                                 struct pp_error *err)
 {
-    bool of_file = options->by_hand || options->bands || options->try_bands;
+    bool of_file =
+        options->by_hand || options->bands || options->try_bands || options->map;
     int uses = (options->rooms > 0) + (options->number != NULL) + options->by_hand
-               + options->bands + options->try_bands + options->accuracy;
+               + options->bands + options->try_bands + options->accuracy + options->map;
     if (uses != 1)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected one of --rooms N -o FILE, --room NUMBER, --by-hand "
-                       "FILE, --bands FILE, --try FILE, and --accuracy");
+                       "FILE, --map BY FILE -o CHART, --bands FILE, --try FILE, and "
+                       "--accuracy");
     if (of_file != (files == 1) || files > 1)
         return pp_fail(
             err, PP_BAD_INPUT,
@@ -155,6 +192,8 @@ static enum pp_status check(void *values, char **operands, int count,
     if (options->rooms > 0 && (!output || strcmp(output, "-") == 0))
         return pp_fail(err, PP_BAD_INPUT,
                        "the atlas grows in a file; expected -o FILE");
+    if (options->map && (!output || strcmp(output, "-") == 0))
+        return pp_fail(err, PP_BAD_INPUT, "--map: expected -o FILE.pdf, .svg or .png");
     if (!(options->room.study.error > 0.0))
         options->room.study.error = 0.01;
     return PP_OK;
@@ -175,6 +214,8 @@ static enum pp_exit run(void *values, char **operands, int count)
         return pp_sweep_bands_try(operands[0], options->room.output);
     if (options->accuracy)
         return pp_sweep_bands_accuracy(options->room.output);
+    if (options->map)
+        return pp_map_sheet_write(&options->sheet, operands[0], options->room.output);
     if (options->by_hand)
         return pp_atlas_sweep_anew(operands[0], &options->room);
     return pp_atlas_sweep_on(

@@ -81,6 +81,32 @@ awk -F, -v OFS=, '/^#/ { print; next }
 check "of an atlas that lacks a method" atlas --by-hand "$scratch/less.csv" -o "$scratch/anew.csv"
 check "they make it whole" same "$whole" "$scratch/anew.csv"
 
+# An atlas of 30 rooms in which the method says 0.5, 1 or 4 times what is true.
+made=$scratch/made.csv
+awk 'BEGIN {
+    print "room,point,depth-width,ground,depth,true.df,se.df,df.exact+bre"
+    for (i = 0; i < 30; i++) {
+        for (k = 0; k < 3; k++)
+            printf "%d,%d,1.1,%g,%g,2,0.02,%g\n", i, k, 0.12 + 0.1 * k, 0.7 + k, k == 2 ? 8 : k + 1
+        printf "%d,-1,1.1,0.12,,2,0.02,3\n", i
+    }
+}' >"$made"
+for format in pdf svg png; do
+    check "a map by depth as $format" atlas --map depth "$made" -o "$scratch/map.$format"
+    check "is drawn" test -s "$scratch/map.$format"
+done
+check "and one by the ground" atlas --map ground --method exact+bre --paper a5 "$made" \
+    -o "$scratch/ground.svg"
+check "on the paper asked for" grep -q 'width="210mm" height="148mm"' "$scratch/ground.svg"
+check "a method it lacks is named" refuses_atlas 1 'no method "sphere"' \
+    --map depth --method sphere "$made" -o "$scratch/none.svg"
+check "a map by what it lacks is refused" refuses_atlas 1 "lacks columns" \
+    --map erc "$made" -o "$scratch/none.svg"
+check "and nothing is drawn" test ! -e "$scratch/none.svg"
+check "an unknown map is a mistake" refuses_atlas 2 "depth, erc, ground" --map width "$made"
+check "a map to nowhere is" refuses_atlas 2 "expected -o FILE.pdf" --map depth "$made"
+check "a map of nothing is" refuses_atlas 2 "expected one file" --map depth -o x.svg
+
 check "another seed does not go on in the file" \
     refuses_atlas 1 "another atlas" --seed 2 --rooms 4 -o "$whole"
 check "nor another sky" refuses_atlas 1 "another atlas" --sky iso --rooms 4 -o "$whole"

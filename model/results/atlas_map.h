@@ -1,0 +1,43 @@
+/* atlas_map.h - how far a method is from the truth over the rooms of an atlas, by one
+ * number that is known of them or by two, as it is drawn.
+ *
+ * studies/atlas/atlas_mapping.h fills it; charts/atlas_chart.h draws it.
+ */
+#ifndef PP_MODEL_RESULTS_ATLAS_MAP_H
+#define PP_MODEL_RESULTS_ATLAS_MAP_H
+
+#include <stdbool.h>
+
+enum {
+    PP_ATLAS_CLASSES = 10, /* of a number, at most */
+    PP_ATLAS_CELLS = PP_ATLAS_CLASSES * PP_ATLAS_CLASSES,
+    PP_ATLAS_ENOUGH = 10, /* rooms for quantiles */
+};
+
+/* Classes of a number, between edges; the last edge may be INFINITY. */
+struct pp_atlas_scale {
+    const char *words; /* what the number is; not owned */
+    int count;         /* of classes; 1 and no words: there is no such scale */
+    double edges[PP_ATLAS_CLASSES + 1]; /* rising */
+};
+
+/* What the method says over what is true, 1 where it is right: median and the values that
+ * 5 and 95 % lie below. NAN of fewer than PP_ATLAS_ENOUGH rooms. */
+struct pp_atlas_quantiles {
+    int rooms;
+    double low, median, high;
+};
+
+struct pp_atlas_map {
+    const char *column; /* of the method: "df.exact+bre"; not owned */
+    bool averages;      /* over working planes, not at points */
+    int rooms;          /* that were asked, in all */
+    int blind; /* values left out, as the truth of them is not well enough known */
+    struct pp_atlas_scale across, up; /* up.count 1: a map by one number */
+
+    /* Of class u up and a across at u PP_ATLAS_CLASSES + a: in the room as it is, and in
+     * the world that the method calculates in, where that was traced. */
+    struct pp_atlas_quantiles real[PP_ATLAS_CELLS], own[PP_ATLAS_CELLS];
+};
+
+#endif
