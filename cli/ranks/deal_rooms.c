@@ -6,7 +6,7 @@
 
 #include "cli/interrupt.h"
 #include "model/base/deal.h"
-#include "model/results/report_bytes.h"
+#include "cli/ranks/report_bytes.h"
 
 /* The first byte is whether the time was over. */
 static enum pp_status pack(const struct pp_report *report, bool by_clock, char **bytes,

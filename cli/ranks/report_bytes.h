@@ -1,8 +1,8 @@
 /* report_bytes.h - the columns of a report as bytes, from one process to another of the
  * same program on the same kind of machine. No steps, and nothing of the plane.
  */
-#ifndef PP_MODEL_RESULTS_REPORT_BYTES_H
-#define PP_MODEL_RESULTS_REPORT_BYTES_H
+#ifndef PP_CLI_RANKS_REPORT_BYTES_H
+#define PP_CLI_RANKS_REPORT_BYTES_H
 
 #include <stddef.h>
 

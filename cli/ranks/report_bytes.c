@@ -1,5 +1,5 @@
 /* report_bytes.c - numbers as they are in memory, sentences with a zero behind them. */
-#include "model/results/report_bytes.h"
+#include "cli/ranks/report_bytes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
