@@ -6,7 +6,7 @@
 #include "studies/atlas/atlas_drawn.h"
 #include "tests/lib/near.h"
 
-enum { ROOMS = 256 };
+enum { ROOMS = 128 };
 
 static struct pp_atlas_design design;
 
@@ -72,7 +72,7 @@ static void a_prefix_is_spread_evenly(void **state)
         quarters[quarter < 0 ? 0 : quarter > 3 ? 3 : quarter]++;
     }
     for (int i = 0; i < 4; i++) /* reflectances are printed to 0.01 */
-        assert_in_range(quarters[i], ROOMS / 4 - 8, ROOMS / 4 + 8);
+        assert_in_range(quarters[i], ROOMS / 4 - 6, ROOMS / 4 + 6);
 }
 
 static int rooms_with(const char *what)
