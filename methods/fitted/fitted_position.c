@@ -112,9 +112,10 @@ struct pp_fitted_place pp_fitted_position_of(const struct pp_world *world,
     return place;
 }
 
-void pp_fitted_position_put(struct pp_worksheet *sheet, const struct pp_world *world,
-                            const struct pp_opening *opening,
-                            const struct pp_receiver *receiver)
+/* f_d and f_s. */
+static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world,
+                        const struct pp_opening *opening,
+                        const struct pp_receiver *receiver)
 {
     if (!receiver) {
         pp_worksheet_put(sheet, PP_UNIT_NUMBER, 1.0, "f_d", "mean over the depth");
@@ -137,4 +138,18 @@ void pp_fitted_position_put(struct pp_worksheet *sheet, const struct pp_world *w
     pp_worksheet_work(sheet, &pp_fitted_position_f_d, "by the depth of the point");
     pp_worksheet_work(sheet, &pp_fitted_position_q_s, "half its breadth in ranges");
     pp_worksheet_work(sheet, &pp_fitted_position_f_s, "by its place sideways");
+}
+
+double pp_fitted_position_work(struct pp_worksheet *sheet,
+                               const struct pp_formula *mean,
+                               const struct pp_formula *at_point,
+                               const struct pp_world *world,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver)
+{
+    pp_worksheet_work(sheet, mean,
+                      "opening on line %d: mean internally reflected component",
+                      opening->line);
+    put_factors(sheet, world, opening, receiver);
+    return pp_worksheet_work(sheet, at_point, "the same at the point");
 }

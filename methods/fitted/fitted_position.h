@@ -48,10 +48,15 @@ struct pp_fitted_place pp_fitted_position_of(const struct pp_world *world,
                                              const struct pp_opening *opening,
                                              const struct pp_receiver *receiver);
 
-/* Puts down f_d and f_s, and what they come from but R, which is on the sheet. Without a
- * receiver both are 1, their mean over the working plane. */
-void pp_fitted_position_put(struct pp_worksheet *sheet, const struct pp_world *world,
-                            const struct pp_opening *opening,
-                            const struct pp_receiver *receiver);
+/* The last steps of a component by position: works the mean over the working plane out,
+ * puts down f_d and f_s and what they come from but R, which is on the sheet, and works out
+ * the value at the point, which is returned. Without a receiver both are 1, their mean
+ * over the working plane. */
+double pp_fitted_position_work(struct pp_worksheet *sheet,
+                               const struct pp_formula *mean,
+                               const struct pp_formula *at_point,
+                               const struct pp_world *world,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver);
 
 #endif

@@ -88,11 +88,8 @@ static enum pp_status evaluate(const struct pp_world *world,
     pp_interior_put(sheet, &all);
     pp_fitted_parts_put(sheet, world, opening);
     pp_fitted_opening_put_reveal(sheet, opening);
-    pp_worksheet_work(sheet, &mean,
-                      "opening on line %d: mean internally reflected component",
-                      opening->line);
-    pp_fitted_position_put(sheet, world, opening, receiver);
-    part->value = pp_worksheet_work(sheet, &at_point, "the same at the point");
+    part->value =
+        pp_fitted_position_work(sheet, &mean, &at_point, world, opening, receiver);
     return PP_OK;
 }
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "model/base/array.h"
+#include "simulate/sampling/hash.h"
 
 const char *const pp_band_figures_places[] = {"point", "average"};
 
@@ -61,13 +62,11 @@ enum pp_status pp_band_figures_add(struct pp_band_figures *figures,
     return PP_OK;
 }
 
-/* SplitMix64's mixing. */
+/* SplitMix64's. */
 int pp_band_figures_side(int room)
 {
-    uint64_t x = ((uint64_t)room + 1) * 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return (int)((x ^ (x >> 31)) >> 63);
+    return (int)(pp_hash_mix64(((uint64_t)room + 1) * UINT64_C(0x9e3779b97f4a7c15))
+                 >> 63);
 }
 
 enum pp_status pp_band_figures_half(struct pp_band_figures *half,
