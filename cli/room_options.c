@@ -57,6 +57,19 @@ static enum pp_status read_points(const char *text, void *place, struct pp_error
     return PP_OK;
 }
 
+enum pp_status pp_room_options_read_state(const char *text, void *place,
+                                          struct pp_error *err)
+{
+    enum pp_site_state *state = place;
+    if (strcmp(text, "existing") == 0)
+        *state = PP_STATE_EXISTING;
+    else if (strcmp(text, "proposed") == 0)
+        *state = PP_STATE_PROPOSED;
+    else
+        return pp_fail(err, PP_BAD_INPUT, "existing or proposed");
+    return PP_OK;
+}
+
 const struct pp_option pp_room_methods_option[] = {
     {"methods", 'm', "LIST",
      "The methods to use, by name and with commas between, or "
@@ -82,6 +95,11 @@ const struct pp_option pp_room_sky_options[] = {
      pp_options_read_text, PLACE(study.sky)},
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room)},
+    {"state", 0, "STATE",
+     "The site as it is, existing, or as it will be, proposed (default), where the "
+     "file "
+     "has both.",
+     pp_room_options_read_state, PLACE(state)},
     {0},
 };
 

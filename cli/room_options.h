@@ -7,16 +7,22 @@
 
 #include "cli/options.h"
 #include "model/base/ranks.h"
+#include "model/room/world.h"
 #include "studies/study_options.h"
 
 struct pp_room_options {
     struct pp_study_options study;
-    const char *room;   /* only the rooms of that name; NULL: all */
-    const char *output; /* NULL: standard output */
+    const char *room;         /* only the rooms of that name; NULL: all */
+    enum pp_site_state state; /* as which the rooms stand; PP_STATE_BOTH: not given */
+    const char *output;       /* NULL: standard output */
     bool quiet;
     bool by_hand;                 /* not simulated, by a command that does by default */
     const struct pp_ranks *ranks; /* not owned; NULL: this process is alone */
 };
+
+/* Reads "existing" or "proposed" (enum pp_site_state), as options do. */
+enum pp_status pp_room_options_read_state(const char *text, void *place,
+                                          struct pp_error *err);
 
 /* Nothing asked for: seed 1, all else empty. */
 extern const struct pp_room_options pp_room_options_none;

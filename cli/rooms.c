@@ -80,6 +80,17 @@ static enum pp_exit keep_building(struct pp_rooms *rooms, struct pp_building *bu
     return PP_EXIT_DONE;
 }
 
+static enum pp_status choose_state(struct pp_building *building, const char *file,
+                                   enum pp_site_state state, struct pp_error *err)
+{
+    if (!pp_building_has_states(building))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s: --state: nothing in it has a state; expected a file that "
+                       "says what is existing and what is proposed",
+                       file);
+    return pp_building_set_state(building, state, err);
+}
+
 static enum pp_exit load_file(struct loading *loading, const char *file)
 {
     struct pp_mistakes mistakes;
@@ -96,6 +107,10 @@ static enum pp_exit load_file(struct loading *loading, const char *file)
         pp_mistakes_clear(&mistakes);
         return kept;
     }
+    enum pp_site_state state = loading->options->state;
+    if (building && result == PP_EXIT_DONE && state != PP_STATE_BOTH
+        && choose_state(building, file, state, &err) != PP_OK)
+        result = pp_message_error(&err);
     int count = building ? pp_building_room_count(building) : 0;
     for (int i = 0; i < count && result == PP_EXIT_DONE; i++)
         result = resolve_room(loading, file, building, i, &mistakes);

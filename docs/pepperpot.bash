@@ -48,6 +48,8 @@ _pepperpot()
         methods=$("$program" df --help 2>/dev/null |
             sed -n '/^Methods:/,$s/^  \([a-z][a-z-]*\) .*/\1/p')
         mapfile -t COMPREPLY < <(compgen -W "$methods" -- "$word")
+    elif [ "$previous" = --state ]; then
+        mapfile -t COMPREPLY < <(compgen -W 'existing proposed' -- "$word")
     elif [ "$previous" = --sky ]; then
         local skies
         skies="overcast uniform $(printf 'iso-%d ' {1..15})"

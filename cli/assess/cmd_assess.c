@@ -50,6 +50,11 @@ static const struct pp_option choice_options[] = {
      pp_options_read_input, PLACE(weather)},
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room.room)},
+    {"state", 0, "STATE",
+     "Judge the site as it is, existing, or as it will be, proposed. Without the "
+     "option, "
+     "where the file has both: as proposed, with what is lost.",
+     pp_room_options_read_state, PLACE(room.state)},
     {0},
 };
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "model/base/read_file.h"
+#include "model/room/build/building_site.h"
 #include "model/room/read/read_elements.h"
 #include "model/room/read/xml.h"
 #include "model/room/room_parts.h"
@@ -30,7 +31,9 @@ enum pp_status pp_building_parse(struct pp_building **building, const char *byte
     enum pp_status status = pp_xml_parse(&xml, bytes, length, mistakes, err);
     if (status == PP_OK)
         status = pp_read_elements(made, &xml, mistakes, err);
-    bool whole = status == PP_OK && xml.whole && made->room_count > 0;
+    if (status == PP_OK)
+        status = pp_building_site_settle(made, PP_STATE_PROPOSED, err);
+    bool whole = status == PP_OK && xml.whole && made->read_count > 0;
     pp_xml_clear(&xml);
     pp_mistakes_sort(mistakes);
 
@@ -67,9 +70,11 @@ void pp_building_destroy(struct pp_building *building)
 {
     if (!building)
         return;
-    for (int i = 0; i < building->room_count; i++)
-        pp_room_parts_clear(&building->rooms[i]);
-    free(building->rooms);
+    pp_building_site_clear(building);
+    for (int i = 0; i < building->read_count; i++)
+        pp_room_parts_clear(&building->read[i]);
+    free(building->read);
+    pp_room_parts_clear(&building->common);
     free(building->name);
     free(building->text);
     free(building);
@@ -94,4 +99,23 @@ int pp_building_room_count(const struct pp_building *building)
 struct pp_room *pp_building_room(struct pp_building *building, int index)
 {
     return &building->rooms[index];
+}
+
+int pp_building_openings_before(const struct pp_building *building, int index)
+{
+    int count = 0;
+    for (int i = 0; i < building->places[index]; i++)
+        count += building->read[i].opening_count;
+    return count;
+}
+
+bool pp_building_has_states(const struct pp_building *building)
+{
+    return building->has_states;
+}
+
+enum pp_status pp_building_set_state(struct pp_building *building,
+                                     enum pp_site_state state, struct pp_error *err)
+{
+    return pp_building_site_settle(building, state, err);
 }

@@ -1,8 +1,9 @@
-/* building.h - a room file, read: a room, or a building of several. world.h goes on
+/* building.h - a room file, read: a room, or a building of several on one site. world.h goes on
  * from its rooms to their worlds. */
 #ifndef PP_MODEL_ROOM_BUILDING_H
 #define PP_MODEL_ROOM_BUILDING_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "model/base/error.h"
@@ -33,6 +34,19 @@ const char *pp_building_name(
     const struct pp_building *building); /* NULL: a lone room */
 int pp_building_room_count(const struct pp_building *building);
 struct pp_room *pp_building_room(struct pp_building *building, int index);
+
+/* How many windows, rooflights and openings stand before those of that room in the file,
+ * in rooms of any state. */
+int pp_building_openings_before(const struct pp_building *building, int index);
+
+/* Does the file say of anything that it stands there in one state only? */
+bool pp_building_has_states(const struct pp_building *building);
+
+/* The rooms as they are in that state, PP_STATE_EXISTING or PP_STATE_PROPOSED, in place
+ * of those there are, whose pointers are void; a building that has just been read is as
+ * proposed. Fails only where memory is out. */
+enum pp_status pp_building_set_state(struct pp_building *building,
+                                     enum pp_site_state state, struct pp_error *err);
 
 /* The file's own text, as it was read; not owned. */
 const char *pp_building_text(const struct pp_building *building, size_t *length);

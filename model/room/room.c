@@ -58,6 +58,7 @@ static void copy_plan(struct pp_plan_part *plan, bool *good)
 static void copy_parts(struct pp_room *room, bool *good)
 {
     copy_text(&room->name, good);
+    copy_text(&room->ref, good);
     copy_plan(&room->plan, good);
     COPY_LIST(room->finishes, room->finish_count, good);
     for (int i = 0; i < room->finish_count; i++)
@@ -65,6 +66,7 @@ static void copy_parts(struct pp_room *room, bool *good)
     COPY_LIST(room->openings, room->opening_count, good);
     for (int i = 0; i < room->opening_count; i++) {
         copy_text(&room->openings[i].wall, good);
+        copy_text(&room->openings[i].name, good);
         copy_vertices(&room->openings[i].vertices, good);
     }
     COPY_LIST(room->skylines, room->skyline_count, good);
@@ -74,9 +76,13 @@ static void copy_parts(struct pp_room *room, bool *good)
     for (int i = 0; i < room->facade_count; i++)
         copy_text(&room->facades[i].wall, good);
     COPY_LIST(room->blocks, room->block_count, good);
+    for (int i = 0; i < room->block_count; i++)
+        copy_text(&room->blocks[i].name, good);
     COPY_LIST(room->surfaces, room->surface_count, good);
-    for (int i = 0; i < room->surface_count; i++)
+    for (int i = 0; i < room->surface_count; i++) {
+        copy_text(&room->surfaces[i].name, good);
         copy_vertices(&room->surfaces[i].vertices, good);
+    }
     COPY_LIST(room->receivers, room->receiver_count, good);
 }
 
@@ -161,6 +167,7 @@ enum pp_status pp_room_repeat_opening(struct pp_room *room, int index,
     bool good = true;
     struct pp_opening_part *added = &room->openings[count];
     *added = room->openings[index];
+    added->name = NULL;
     copy_text(&added->wall, &good);
     copy_vertices(&added->vertices, &good);
     put_place(added, place);
@@ -183,6 +190,7 @@ void pp_room_remove_opening(struct pp_room *room, int index)
 {
     struct pp_opening_part *part = &room->openings[index];
     free(part->wall);
+    free(part->name);
     pp_room_parts_clear_vertices(&part->vertices);
     int behind = --room->opening_count - index;
     memmove(part, part + 1, (size_t)behind * sizeof *part);
@@ -263,6 +271,8 @@ void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *wor
 {
     for (int i = 0; i < room->skyline_count; i++)
         free(room->skylines[i].wall);
+    for (int i = 0; i < room->block_count; i++)
+        free(room->blocks[i].name);
     room->skyline_count = room->block_count = 0;
 
     /* The world has the free-standing surfaces in the file's order. */
@@ -274,7 +284,7 @@ void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *wor
         if (world->surfaces[i].inside) {
             room->surfaces[kept++] = *part;
         } else {
-            pp_room_parts_clear_vertices(&part->vertices);
+            pp_room_parts_clear_surface(part);
         }
     }
     room->surface_count = kept;

@@ -10,6 +10,13 @@ void pp_room_parts_clear_vertices(struct pp_vertices *vertices)
     *vertices = (struct pp_vertices){0};
 }
 
+void pp_room_parts_clear_surface(struct pp_surface_part *surface)
+{
+    free(surface->name);
+    pp_room_parts_clear_vertices(&surface->vertices);
+    *surface = (struct pp_surface_part){0};
+}
+
 void pp_room_parts_clear_plan(struct pp_plan_part *plan)
 {
     pp_room_parts_clear_vertices(&plan->vertices);
@@ -24,19 +31,23 @@ void pp_room_parts_clear_plan(struct pp_plan_part *plan)
 void pp_room_parts_clear(struct pp_room *room)
 {
     free(room->name);
+    free(room->ref);
     pp_room_parts_clear_plan(&room->plan);
     for (int i = 0; i < room->finish_count; i++)
         free(room->finishes[i].wall);
     for (int i = 0; i < room->opening_count; i++) {
         free(room->openings[i].wall);
+        free(room->openings[i].name);
         pp_room_parts_clear_vertices(&room->openings[i].vertices);
     }
     for (int i = 0; i < room->skyline_count; i++)
         free(room->skylines[i].wall);
     for (int i = 0; i < room->facade_count; i++)
         free(room->facades[i].wall);
+    for (int i = 0; i < room->block_count; i++)
+        free(room->blocks[i].name);
     for (int i = 0; i < room->surface_count; i++)
-        pp_room_parts_clear_vertices(&room->surfaces[i].vertices);
+        pp_room_parts_clear_surface(&room->surfaces[i]);
     free(room->finishes);
     free(room->openings);
     free(room->skylines);

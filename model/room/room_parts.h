@@ -15,6 +15,7 @@
 #include <stdbool.h>
 
 #include "model/room/room.h"
+#include "model/room/room_use.h"
 #include "model/room/sky_words.h"
 #include "model/geometry/vec.h"
 #include "model/room/world.h"
@@ -73,6 +74,7 @@ struct pp_glazing_part {
 };
 
 struct pp_opening_part {
+    char *name; /* NULL where not given */
     enum pp_opening_kind kind;
     char *wall;                               /* window */
     double left_m, sill_m, width_m, height_m; /* window */
@@ -86,6 +88,7 @@ struct pp_skyline_part {
     char *wall;
     double angle_rad, distance_m; /* INFINITY where not given */
     double reflectance;
+    enum pp_site_state state;
     int line;
 };
 
@@ -102,7 +105,21 @@ struct pp_surface_part {
     struct pp_vertices vertices;
     double reflectance, exitance;
     const struct pp_finish *finish;
+    char *name; /* NULL where not given; of a room that stands outside: that room's */
+    bool is_room_outside; /* a face of another room of the building */
+    bool is_of_site;      /* given by the building, for all of its rooms */
+    bool is_of_block;     /* of its roof, or of its walls over a footprint */
+    bool is_on_ground; /* its z is above the ground's level, which may stand behind it
+                           * in the file: only while that is read */
+    enum pp_site_state state;
     int line;
+};
+
+/* Where a room stands in its building: its own origin, and how far it is turned about it,
+ * counter-clockwise seen from above. */
+struct pp_placement {
+    bool given; /* any of it; else the room stands by itself */
+    double x, y, z, rotate_rad;
 };
 
 enum pp_receiver_kind { PP_POINT, PP_LINE, PP_GRID };
@@ -119,9 +136,14 @@ struct pp_receiver_part {
 
 /* All that it points to is its own: see pp_room_parts_clear, and pp_room_copy. */
 struct pp_room {
-    char *name; /* NULL where not given */
-    double north_rad;
+    char *name, *ref; /* NULL where not given */
+    enum pp_room_use use;
+    double
+        north_rad; /* of a building's room that stands as read: NAN where not given */
+    struct pp_placement placement;
+    enum pp_site_state state;
     struct pp_site_part site; /* the building's where the room has none */
+    bool site_is_own;         /* it has */
     struct pp_sky_part sky;   /* likewise */
     struct pp_plan_part plan;
     double floor, walls, ceiling; /* reflectances */
@@ -149,6 +171,7 @@ struct pp_room {
 /* Frees all that the room points to, not the room. */
 void pp_room_parts_clear(struct pp_room *room);
 void pp_room_parts_clear_plan(struct pp_plan_part *plan);
+void pp_room_parts_clear_surface(struct pp_surface_part *surface);
 void pp_room_parts_clear_vertices(struct pp_vertices *vertices);
 
 #endif

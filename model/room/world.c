@@ -32,14 +32,18 @@ void pp_world_destroy(struct pp_world *world)
     for (int i = 0; i < world->opening_count; i++) {
         pp_polygon_clear(&world->openings[i].inner);
         pp_polygon_clear(&world->openings[i].outer);
+        free(world->openings[i].name);
     }
     free(world->surfaces);
+    for (int i = 0; i < world->block_count; i++)
+        free(world->blocks[i].name);
     free(world->openings);
     free(world->skylines);
     free(world->facades);
     free(world->blocks);
     free(world->receivers);
     free(world->name);
+    free(world->ref);
     pp_region_clear(&world->plane);
     free(world);
 }
@@ -69,11 +73,11 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
             : room->decorations;
     world->ground_level_m = room->site.ground_level_m;
     world->ground_is_open = room->site.ground_is_open;
-    if (room->name) {
-        world->name = strdup(room->name);
-        if (!world->name)
-            return pp_fail_memory(err);
-    }
+    world->use = room->use;
+    world->name = room->name ? strdup(room->name) : NULL;
+    world->ref = room->ref ? strdup(room->ref) : NULL;
+    if ((room->name && !world->name) || (room->ref && !world->ref))
+        return pp_fail_memory(err);
     return PP_OK;
 }
 

@@ -17,6 +17,7 @@
 #include "model/geometry/region.h"
 #include "model/geometry/vec.h"
 #include "model/light/glass.h"
+#include "model/room/room_use.h"
 
 enum pp_role {
     PP_FLOOR,        /* of the room's own envelope */
@@ -53,6 +54,9 @@ struct pp_surface {
     int line;  /* in the room file; 0 where none */
 };
 
+/* When a thing stands there: always, before something is built, or with it. */
+enum pp_site_state { PP_STATE_BOTH, PP_STATE_EXISTING, PP_STATE_PROPOSED };
+
 /* An opening in a face, with its glass. Its own axes lie in the face's plane: along is
  * horizontal and runs to the right seen from inside, up completes it; their cross
  * product is the normal, into the room. */
@@ -73,6 +77,7 @@ struct pp_opening {
     double reveal_m; /* depth, 0 where the glass stands in the face */
     int facade;      /* that it looks out of, -1: there is none */
     double recess_m; /* how far the glass stands back from that facade's plane */
+    char *name;      /* NULL where it has none */
     int line;
 };
 
@@ -100,6 +105,9 @@ struct pp_block {
     double rotate_rad; /* about the corner, counter-clockwise seen from above */
     double reflectance;
     const struct pp_finish *finish; /* as a surface's */
+    char *name;                     /* NULL where it has none */
+    bool is_of_site;                /* given by a building, for all of its rooms */
+    enum pp_site_state state;
     int line;
 
     /* Of a world's block: the edges from the corner, width_m and depth_m long, and where
@@ -135,7 +143,8 @@ enum pp_work { PP_CLEAN, PP_DIRTY }; /* that is done in the room */
 enum pp_dirt { PP_DIRT_BRE309, PP_DIRT_BS8206 };
 
 struct pp_world {
-    char *name;
+    char *name, *ref; /* NULL where it has none */
+    enum pp_room_use use;
     double north_rad;                   /* bearing of +y, clockwise from true north */
     double latitude_rad, longitude_rad; /* NAN where the file has none */
     char country[3];                    /* two letters; empty where the file has none */

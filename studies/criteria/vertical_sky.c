@@ -28,8 +28,8 @@ static const char slopes[] = "it is not upright; the rule is for windows in wall
 
 enum { WORDS_SIZE = 64 };
 
-/* The name of an opening in findings: its face and its line in the room file, "south,
- * line 9". */
+/* The name of an opening in findings: its own, if it has one, its face and its line in
+ * the room file, "W1, south, line 9". */
 static void opening_words(char words[WORDS_SIZE], const struct pp_world *world,
                           const struct pp_opening *opening)
 {
@@ -37,7 +37,11 @@ static void opening_words(char words[WORDS_SIZE], const struct pp_world *world,
     const char *name = face->name                 ? face->name
                        : face->role == PP_CEILING ? "ceiling"
                                                   : "opening";
-    snprintf(words, WORDS_SIZE, "%.40s, line %d", name, opening->line);
+    if (opening->name)
+        snprintf(words, WORDS_SIZE, "%.20s, %.20s, line %d", opening->name, name,
+                 opening->line);
+    else
+        snprintf(words, WORDS_SIZE, "%.40s, line %d", name, opening->line);
 }
 
 /* Is the glass upright, to a degree? */

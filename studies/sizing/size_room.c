@@ -177,9 +177,7 @@ static void find_text(struct pp_size_room_result *result)
 {
     struct pp_building *building = result->room->building;
     result->file_text = pp_building_text(building, &result->file_length);
-    result->file_opening = 0;
-    for (int i = 0; i < result->room->index; i++)
-        result->file_opening += pp_room_opening_count(pp_building_room(building, i));
+    result->file_opening = pp_building_openings_before(building, result->room->index);
 }
 
 /* ---- The room ---- */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/text.h"
 #include "model/geometry/tolerance.h"
 #include "model/room/position.h"
 
@@ -97,6 +98,16 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         overlaps = area_m2 > PP_ROUNDING_M;
     }
     *clear = !overlaps;
+    if (overlaps && block->is_of_site) {
+        char name[64];
+        pp_mistakes_add(
+            r->mistakes, block->line,
+            "block: overlaps the room \"%s\" of line %d; expected it "
+            "outside all rooms of the building",
+            pp_text_excerpt(name, sizeof name, world->name ? world->name : ""),
+            r->room->line);
+        return PP_OK;
+    }
     if (overlaps) {
         pp_mistakes_add(
             r->mistakes, block->line,
@@ -204,7 +215,11 @@ enum pp_status pp_build_blocks(struct pp_resolver *r, struct pp_error *err)
             return PP_SYSTEM;
         if (!clear)
             continue;
-        world->blocks[world->block_count++] = *block;
+        char *name = block->name ? strdup(block->name) : NULL;
+        if (block->name && !name)
+            return pp_fail_memory(err);
+        world->blocks[world->block_count] = *block;
+        world->blocks[world->block_count++].name = name;
         if (add_sides(r, world->block_count - 1, &box, err) != PP_OK)
             return PP_SYSTEM;
     }

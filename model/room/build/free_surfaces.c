@@ -1,13 +1,16 @@
 /* free_surfaces.c - see free_surfaces.h.
  *
  * A surface may touch the room's faces, or lie in one like a picture on a wall; then it
- * is set off into the room.
+ * is set off into the room. Faces of other rooms of the building are such surfaces too,
+ * which stand outside: one that lies in a face of this room is set off outwards.
  */
 #include "model/room/build/free_surfaces.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/text.h"
 #include "model/geometry/polygons_cross.h"
 #include "model/geometry/tolerance.h"
 #include "model/room/position.h"
@@ -86,6 +89,33 @@ static const char *role_word(enum pp_role role)
     return role == PP_FLOOR ? "floor" : role == PP_WALL ? "wall" : "ceiling";
 }
 
+/* Notes a face of another room that stands in this one. */
+static void say_rooms_overlap(struct pp_resolver *r, const struct pp_surface_part *part,
+                              struct pp_vec3 where)
+{
+    char other[64], own[64];
+    const char *name = r->world->name;
+    pp_mistakes_add(r->mistakes, r->room->line,
+                    "room: \"%s\" and the room \"%s\" of line %d overlap, at (%g, %g, "
+                    "%g) of the former; expected rooms side by side",
+                    pp_text_excerpt(own, sizeof own, name ? name : ""),
+                    pp_text_excerpt(other, sizeof other, part->name ? part->name : ""),
+                    part->line, where.x, where.y, where.z);
+}
+
+/* Of which room are the coordinates in a message? Empty for a room's own surfaces. */
+static const char *room_words(char words[96], const struct pp_resolver *r,
+                              const struct pp_surface_part *part)
+{
+    char name[64];
+    words[0] = '\0';
+    if (part->is_of_site)
+        snprintf(
+            words, 96, " \"%s\"",
+            pp_text_excerpt(name, sizeof name, r->world->name ? r->world->name : ""));
+    return words;
+}
+
 /* Notes a surface that goes through the envelope; *clear if it does not. */
 static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
                                   const struct pp_surface_part *part,
@@ -94,16 +124,34 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
 {
     const struct pp_world *world = r->world;
     struct pp_vec3 where;
+    char words[96];
+    const char *what = part->is_of_block ? "block" : "surface";
     bool cross = false;
     for (int i = 0; i < world->face_count && !cross; i++) {
         const struct pp_surface *face = &world->surfaces[i];
         if (pp_polygons_cross(&cross, polygon, &face->outline, &where, err) != PP_OK)
             return PP_SYSTEM;
-        if (cross)
+        /* Each of the two finds it: it is said once. */
+        if (cross && part->is_room_outside && part->line > r->room->line)
+            say_rooms_overlap(r, part, where);
+        else if (cross && !part->is_room_outside)
             pp_mistakes_add(r->mistakes, part->line,
-                            "surface: goes through a %s of the room at (%g, %g, %g); "
-                            "expected it all inside or all outside",
-                            role_word(face->role), where.x, where.y, where.z);
+                            "%s: goes through a %s of the room%s at (%g, %g, %g); "
+                            "expected it all %soutside",
+                            what, role_word(face->role), room_words(words, r, part),
+                            where.x, where.y, where.z,
+                            part->is_of_block ? "" : "inside or all ");
+    }
+    if (!cross && seen->inside && part->is_room_outside) {
+        cross = true;
+        say_rooms_overlap(r, part, seen->inside_at);
+    }
+    if (!cross && seen->inside && (part->is_of_site || part->is_of_block)) {
+        cross = true;
+        where = seen->inside_at;
+        pp_mistakes_add(r->mistakes, part->line,
+                        "%s: stands in the room%s at (%g, %g, %g); expected it outside",
+                        what, room_words(words, r, part), where.x, where.y, where.z);
     }
     if (!cross && seen->inside && seen->outside) {
         cross = true;
@@ -116,6 +164,26 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
     }
     *clear = !cross;
     return PP_OK;
+}
+
+/* Notes openings before which the face of another room stands: no light comes through
+ * them. */
+static void check_openings(struct pp_resolver *r, const struct pp_surface_part *part,
+                           const struct pp_polygon *polygon)
+{
+    for (int i = 0; i < r->world->opening_count; i++) {
+        const struct pp_opening *opening = &r->world->openings[i];
+        char name[64];
+        if (pp_polygon_distance(polygon, pp_polygon_middle(&opening->outer))
+            > PP_SET_OFF_M)
+            continue;
+        pp_mistakes_add(
+            r->mistakes, opening->line,
+            "the opening is closed by the room \"%s\" of line %d, which "
+            "stands right before it; expected the open air there",
+            pp_text_excerpt(name, sizeof name, part->name ? part->name : ""),
+            part->line);
+    }
 }
 
 /* Moves vertices on to the polygon's own plane, and a surface that lies in a face of
@@ -155,6 +223,7 @@ static enum pp_status resolve_surface(struct pp_resolver *r,
                                  .back = part->reflectance,
                                  .exitance = part->exitance,
                                  .finish = part->finish,
+                                 .name = part->name,
                                  .owner = -1,
                                  .line = part->line};
     if (pp_polygon_of(&surface.outline, part->vertices.list, part->vertices.count, err)
@@ -165,12 +234,15 @@ static enum pp_status resolve_surface(struct pp_resolver *r,
     enum pp_status status = look_over(&seen, r, &surface.outline, err);
     if (status == PP_OK)
         status = check_clear(&clear, r, part, &surface.outline, &seen, err);
+    if (status == PP_OK && clear && part->is_room_outside)
+        check_openings(r, part, &surface.outline);
     if (status != PP_OK || !clear) {
         pp_polygon_clear(&surface.outline);
         return status;
     }
     /* A surface all of which lies in the envelope counts as inside. */
-    surface.inside = seen.inside || !seen.outside;
+    surface.inside = (seen.inside || !seen.outside) && !part->is_room_outside
+                     && !part->is_of_site && !part->is_of_block;
     flatten_and_set_off(r->world, &surface.outline, surface.inside);
     return pp_resolve_add_surface(r, &surface, err);
 }

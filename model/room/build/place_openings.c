@@ -2,6 +2,7 @@
 #include "model/room/build/place_openings.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "model/room/corrections.h"
 #include "model/room/build/opening_outline.h"
@@ -122,10 +123,16 @@ static enum pp_status add_opening(struct pp_resolver *r,
     free(vertices);
     /* The face's normal to the bit, not one more rounding of it. */
     opening.inner.normal = opening.outer.normal = normal;
-    if (status == PP_OK)
+    opening.name = part->name ? strdup(part->name) : NULL;
+    if (status == PP_OK && part->name && !opening.name)
+        status = pp_fail_memory(err);
+    if (status == PP_OK) {
         world->openings[world->opening_count++] = opening;
-    else
+    } else {
         pp_polygon_clear(&opening.inner);
+        pp_polygon_clear(&opening.outer);
+        free(opening.name);
+    }
     return status;
 }
 

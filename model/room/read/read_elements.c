@@ -7,11 +7,12 @@
 #include "model/base/text.h"
 #include "model/room/read/element_form.h"
 #include "model/room/read/read_opening.h"
+#include "model/room/read/read_outside.h"
 #include "model/room/read/read_shape.h"
 #include "model/room/read/reader.h"
 #include "model/room/sky_words.h"
 
-static void read_site(struct pp_reader *r, struct pp_site_part *site,
+static void read_site(struct pp_reader *r, struct pp_room *room,
                       const struct pp_xml_element *e)
 {
     struct pp_site_form form;
@@ -28,7 +29,8 @@ static void read_site(struct pp_reader *r, struct pp_site_part *site,
         return;
     }
     enum pp_work by_place = form.surroundings == PP_INDUSTRIAL ? PP_DIRTY : PP_CLEAN;
-    *site = (struct pp_site_part){
+    room->site_is_own = true;
+    room->site = (struct pp_site_part){
         .latitude_rad = form.latitude_rad,
         .longitude_rad = form.longitude_rad,
         .surroundings = (enum pp_surroundings)form.surroundings,
@@ -38,7 +40,7 @@ static void read_site(struct pp_reader *r, struct pp_site_part *site,
         .ground_is_open = form.ground_is_open != 0,
         .dirt = (enum pp_dirt)form.dirt,
         .line = e->line};
-    snprintf(site->country, sizeof site->country, "%s",
+    snprintf(room->site.country, sizeof room->site.country, "%s",
              form.country ? form.country : "");
 }
 
@@ -91,69 +93,6 @@ static void read_finish(struct pp_reader *r, struct pp_room *room,
         room->finishes[room->finish_count++] = (struct pp_finish_part){
             pp_reader_copy_text(r, form.wall), form.finish.reflectance,
             form.finish.finish, e->line};
-}
-
-static void read_skyline(struct pp_reader *r, struct pp_room *room,
-                         const struct pp_xml_element *e)
-{
-    struct pp_skyline_form form;
-    if (pp_reader_fill_form(r, &form, &pp_rule_skyline, e)
-        && PP_READER_RESERVE(r, room->skylines, room->skyline_count))
-        room->skylines[room->skyline_count++] =
-            (struct pp_skyline_part){pp_reader_copy_text(r, form.wall), form.angle_rad,
-                                     form.distance_m, form.finish.reflectance, e->line};
-}
-
-static void read_facade(struct pp_reader *r, struct pp_room *room,
-                        const struct pp_xml_element *e)
-{
-    struct pp_facade_form form;
-    if (pp_reader_fill_form(r, &form, &pp_rule_facade, e)
-        && PP_READER_RESERVE(r, room->facades, room->facade_count))
-        room->facades[room->facade_count++] =
-            (struct pp_facade_part){.wall = pp_reader_copy_text(r, form.wall),
-                                    .left_m = form.left_m,
-                                    .right_m = form.right_m,
-                                    .up_m = form.up_m,
-                                    .down_m = form.down_m,
-                                    .depth_m = form.depth_m,
-                                    .reflectance = form.finish.reflectance,
-                                    .finish = form.finish.finish,
-                                    .line = e->line};
-}
-
-static void read_block(struct pp_reader *r, struct pp_room *room,
-                       const struct pp_xml_element *e)
-{
-    struct pp_block_form form;
-    if (pp_reader_fill_form(r, &form, &pp_rule_block, e)
-        && PP_READER_RESERVE(r, room->blocks, room->block_count))
-        room->blocks[room->block_count++] =
-            (struct pp_block){.corner = pp_vec(form.x, form.y, form.base),
-                              .width_m = form.width_m,
-                              .depth_m = form.depth_m,
-                              .height_m = form.height_m,
-                              .rotate_rad = form.rotate_rad,
-                              .reflectance = form.finish.reflectance,
-                              .finish = form.finish.finish,
-                              .line = e->line};
-}
-
-static void read_surface(struct pp_reader *r, struct pp_room *room,
-                         const struct pp_xml_element *e)
-{
-    struct pp_surface_form form;
-    struct pp_surface_part part = {.line = e->line};
-    bool good = pp_reader_fill_form(r, &form, &pp_rule_surface, e);
-    good = pp_reader_add_vertices(r, &part.vertices, &pp_rule_vertex, e) && good;
-    if (!good || !PP_READER_RESERVE(r, room->surfaces, room->surface_count)) {
-        pp_room_parts_clear_vertices(&part.vertices);
-        return;
-    }
-    part.reflectance = form.finish.reflectance;
-    part.finish = form.finish.finish;
-    part.exitance = form.exitance;
-    room->surfaces[room->surface_count++] = part;
 }
 
 static void read_working_plane(struct pp_reader *r, struct pp_room *room,
@@ -233,17 +172,17 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
         {&pp_rule_envelope, pp_read_shape_envelope},
         {&pp_rule_finishes, read_finishes},
         {&pp_rule_finish, read_finish},
-        {&pp_rule_skyline, read_skyline},
-        {&pp_rule_facade, read_facade},
-        {&pp_rule_block, read_block},
-        {&pp_rule_surface, read_surface},
+        {&pp_rule_skyline, pp_read_outside_skyline},
+        {&pp_rule_facade, pp_read_outside_facade},
+        {&pp_rule_block, pp_read_outside_block},
+        {&pp_rule_surface, pp_read_outside_surface},
         {&pp_rule_working_plane, read_working_plane},
     };
     for (size_t i = 0; i < sizeof plain / sizeof *plain; i++)
         if (pp_element_form_matches(e, plain[i].rule))
             plain[i].read(r, room, e);
     if (pp_element_form_matches(e, &pp_rule_site))
-        read_site(r, &room->site, e);
+        read_site(r, room, e);
     else if (pp_element_form_matches(e, &pp_rule_sky))
         read_sky(r, &room->sky, e);
     else if (pp_element_form_matches(e, &pp_rule_window))
@@ -264,54 +203,95 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
 static const struct pp_site_part plain_site = {
     .latitude_rad = NAN, .longitude_rad = NAN, .ground_reflectance = 0.2};
 
-static void read_room(struct pp_reader *r, struct pp_room *room,
-                      const struct pp_xml_element *e, bool root)
+/* A room's own name, place and bearing, and what stays as it is unless an element says
+ * otherwise. */
+static void begin_room(struct pp_reader *r, struct pp_room *room,
+                       const struct pp_room_form *form)
 {
-    struct pp_room_form form = {0};
-    bool good = pp_reader_fill_form(r, &form, &pp_rule_room, e);
-    if (root && form.version < 0 && e->ended && !pp_reader_should_stop(r))
-        pp_mistakes_add(r->mistakes, e->line,
-                        "room: version is missing; expected \"1\"");
-    room->line = e->line;
-    room->north_rad = good ? form.north_rad : 0.0;
-    room->name = pp_reader_copy_text(r, form.name);
+    room->name = pp_reader_copy_text(r, form->name);
+    room->ref = pp_reader_copy_text(r, form->ref);
+    room->use = (enum pp_room_use)form->use;
+    room->state = (enum pp_site_state)form->state;
+    room->north_rad = form->north_rad;
+    room->placement = (struct pp_placement){
+        .given = !isnan(form->x) || !isnan(form->y) || !isnan(form->z)
+                 || !isnan(form->rotate_rad),
+        .x = isnan(form->x) ? 0.0 : form->x,
+        .y = isnan(form->y) ? 0.0 : form->y,
+        .z = isnan(form->z) ? 0.0 : form->z,
+        .rotate_rad = isnan(form->rotate_rad) ? 0.0 : form->rotate_rad};
     room->floor = 0.2;
     room->walls = 0.5;
     room->ceiling = 0.7;
     room->decorations = 1.0;
     room->working_plane_m = 0.85;
+}
+
+static void read_room(struct pp_reader *r, struct pp_room *room,
+                      const struct pp_xml_element *e, bool root)
+{
+    struct pp_room_form form = {
+        .north_rad = NAN, .x = NAN, .y = NAN, .z = NAN, .rotate_rad = NAN};
+    bool good =
+        pp_reader_fill_form(r, &form, root ? &pp_rule_room : &pp_rule_building_room, e);
+    if (root && form.version < 0 && e->ended && !pp_reader_should_stop(r))
+        pp_mistakes_add(r->mistakes, e->line,
+                        "room: version is missing; expected \"1\"");
+    room->line = e->line;
+    if (!good)
+        form.north_rad = form.x = form.y = form.z = form.rotate_rad = NAN;
+    begin_room(r, room, &form);
     for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
          c = c->next)
         read_child(r, room, c);
     pp_read_shape_check(r, e);
-    for (int i = 0; i < room->block_count; i++)
-        if (isnan(room->blocks[i].corner.z))
-            room->blocks[i].corner.z = room->site.ground_level_m;
+}
+
+/* A skyline of a building is that of all its rooms, whatever their floor: so far away
+ * that its angle is the same for all of them. */
+static void check_common_skylines(struct pp_reader *r, const struct pp_room *common)
+{
+    for (int i = 0; i < common->skyline_count; i++)
+        if (isfinite(common->skylines[i].distance_m))
+            pp_mistakes_add(r->mistakes, common->skylines[i].line,
+                            "skyline: has a distance, but stands before all rooms of "
+                            "the building, on each floor at the same angle; expected "
+                            "none, or a <block> in its place");
 }
 
 static void read_building(struct pp_reader *r, struct pp_building *building,
                           const struct pp_xml_element *e)
 {
-    struct pp_building_form form = {0};
-    struct pp_site_part site = plain_site;
-    struct pp_sky_part sky = pp_sky_words_default();
+    struct pp_building_form form = {.north_rad = NAN};
+    struct pp_room *common = &building->common;
+    common->site = plain_site;
+    common->sky = pp_sky_words_default();
     pp_reader_fill_form(r, &form, &pp_rule_building, e);
     building->name = pp_reader_copy_text(r, form.name);
-    /* Site and sky of all rooms may stand behind the rooms. */
+    common->north_rad = form.north_rad;
+    common->line = e->line;
+    /* What is common to all rooms may stand behind them. */
     for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
          c = c->next)
-        if (pp_element_form_matches(c, &pp_rule_site))
-            read_site(r, &site, c);
-        else if (pp_element_form_matches(c, &pp_rule_sky))
-            read_sky(r, &sky, c);
+        if (!pp_element_form_matches(c, &pp_rule_building_room))
+            read_child(r, common, c);
+    check_common_skylines(r, common);
+    pp_read_outside_stand_on_ground(common);
     for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
          c = c->next) {
-        if (!pp_element_form_matches(c, &pp_rule_room)
-            || !PP_READER_RESERVE(r, building->rooms, building->room_count))
+        if (!pp_element_form_matches(c, &pp_rule_building_room)
+            || !PP_READER_RESERVE(r, building->read, building->read_count))
             continue;
-        struct pp_room *room = &building->rooms[building->room_count++];
-        *room = (struct pp_room){.site = site, .sky = sky};
+        struct pp_room *room = &building->read[building->read_count++];
+        *room = (struct pp_room){.site = common->site, .sky = common->sky};
         read_room(r, room, c, false);
+        if (room->placement.given && !isnan(room->north_rad))
+            pp_mistakes_add(r->mistakes, room->line,
+                            "room: has a north of its own, but is placed in the "
+                            "building; expected north on the building alone");
+        if (room->placement.given && !room->site_is_own)
+            room->site.ground_level_m -= room->placement.z;
+        pp_read_outside_stand_on_ground(room);
     }
 }
 
@@ -325,11 +305,12 @@ enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xm
     if (pp_element_form_matches(root, &pp_rule_building)) {
         read_building(&r, building, root);
     } else if (pp_element_form_matches(root, &pp_rule_room)) {
-        if (PP_READER_RESERVE(&r, building->rooms, building->room_count)) {
-            building->rooms[0] =
+        if (PP_READER_RESERVE(&r, building->read, building->read_count)) {
+            building->read[0] =
                 (struct pp_room){.site = plain_site, .sky = pp_sky_words_default()};
-            building->room_count = 1;
-            read_room(&r, building->rooms, root, true);
+            building->read_count = 1;
+            read_room(&r, building->read, root, true);
+            pp_read_outside_stand_on_ground(building->read);
         }
     } else if (xml->whole) {
         char shown[160];

@@ -11,9 +11,17 @@
 /* The contents of one file. */
 struct pp_building {
     char *name; /* NULL: a lone room, or not given */
-    struct pp_room *rooms;
+    struct pp_room
+        common; /* what holds for all rooms: north (NAN: not given), site, sky,
+                            * skylines, blocks, surfaces; it has no plan */
+    struct pp_room *read; /* the rooms as the file has them, each by itself */
+    int read_count;
+    struct pp_room *rooms; /* those that there are in a state, with all that stands
+                            * outside of each (building_site.h); NULL: not settled */
+    int *places;           /* of each where it stands in `read` */
     int room_count;
-    char *text; /* of the file, with a 0 behind it */
+    bool has_states; /* does anything stand there in one state only? */
+    char *text;      /* of the file, with a 0 behind it */
     size_t text_length;
 };
 

@@ -96,5 +96,6 @@ void pp_read_opening(struct pp_reader *r, struct pp_room *room,
     part.y = form.y;
     part.depth_m = form.depth_m;
     part.wall = pp_reader_copy_text(r, form.wall);
+    part.name = pp_reader_copy_text(r, form.name);
     room->openings[room->opening_count++] = part;
 }

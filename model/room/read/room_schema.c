@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "model/geometry/vec.h"
+#include "model/room/room_use.h"
 #include "model/room/sky_words.h"
 
 /* Kinds of value */
@@ -107,6 +108,35 @@ static const struct pp_value_kind dirt_edition = {.reading = PP_VALUE_CHOICE,
 static const char *const grounds[] = {"shaded", "open", NULL};
 static const struct pp_value_kind ground_kind = {
     .reading = PP_VALUE_CHOICE, .expected = "\"shaded\" or \"open\"", .words = grounds};
+static const char *const states[] = {"both", "existing", "proposed", NULL};
+static const struct pp_value_kind state = {.reading = PP_VALUE_CHOICE,
+                                           .expected =
+                                               "\"existing\", \"proposed\" or \"both\"",
+                                           .words = states};
+static const struct pp_value_kind use = {
+    .reading = PP_VALUE_CHOICE,
+    .expected = "\"bedroom\", \"living-room\", \"dining-room\", \"kitchen\", "
+                "\"living-kitchen\", \"studio\", \"study\", \"office\", "
+                "\"meeting-room\", \"classroom\", \"ward\", \"shop\", \"workshop\", "
+                "\"bathroom\", \"circulation\", \"store\", \"other\" or \"unknown\"",
+    .words = pp_room_use_words};
+static const char *const roofs[] = {"flat", "mono", "gable", "hip", NULL};
+static const struct pp_value_kind roof = {
+    .reading = PP_VALUE_CHOICE,
+    .expected = "\"flat\", \"mono\", \"gable\" or \"hip\"",
+    .words = roofs};
+static const char *const ridges[] = {"longer", "width", "depth", NULL};
+static const struct pp_value_kind ridge = {.reading = PP_VALUE_CHOICE,
+                                           .expected =
+                                               "\"longer\", \"width\" or \"depth\"",
+                                           .words = ridges};
+static const struct pp_value_kind pitch = {.reading = PP_VALUE_NUMBER,
+                                           .expected =
+                                               "a number of degrees above 0, up to 85",
+                                           .least = 0.0,
+                                           .most = 85.0,
+                                           .above_least = true,
+                                           .unit = PP_RAD};
 static const struct pp_value_kind sky_type = {
     .reading = PP_VALUE_CHOICE,
     .expected = "\"overcast\", \"uniform\" or \"iso-1\" to \"iso-15\"",
@@ -197,8 +227,9 @@ LEAF(finish, "finish", finish_rows);
         {"frame-factor", &frame, OR(1), IN(opening, frame_factor)},                    \
         {"maintenance", &or_auto, OR(1), IN(opening, maintenance)},                    \
         {"curtains", &curtains, OR(1), IN(opening, curtains)},                         \
+        {"reveal", &depth, OR(0), IN(opening, reveal_m)},                              \
     {                                                                                  \
-        "reveal", &depth, OR(0), IN(opening, reveal_m)                                 \
+        "name", &text, OR(NAN), IN(opening, name)                                      \
     }
 static const struct pp_attribute_rule window_rows[] = {
     {"wall", &wall, REQUIRED, IN(opening, wall)},
@@ -225,6 +256,7 @@ static const struct pp_attribute_rule skyline_rows[] = {
     {"angle", &skyline_angle, REQUIRED, IN(skyline, angle_rad)},
     {"distance", &size, OR(INFINITY), IN(skyline, distance_m)},
     {"reflectance", &reflectance, OR(0.2), IN(skyline, finish)},
+    {"state", &state, OR(0), IN(skyline, state)},
 };
 LEAF(skyline, "skyline", skyline_rows);
 
@@ -248,12 +280,32 @@ static const struct pp_attribute_rule block_rows[] = {
     {"height", &size, REQUIRED, IN(block, height_m)},
     {"rotate", &bearing, OR(0), IN(block, rotate_rad)},
     {"reflectance", &reflectance, OR(0.2), IN(block, finish)},
+    {"name", &text, OR(NAN), IN(block, name)},
+    {"state", &state, OR(0), IN(block, state)},
+    {"roof", &roof, OR(0), IN(block, roof)},
+    {"pitch", &pitch, OR(NAN), IN(block, pitch_rad)},
+    {"ridge", &ridge, OR(0), IN(block, ridge)},
 };
 LEAF(block, "block", block_rows);
+static const struct pp_attribute_rule footprint_rows[] = {
+    {"x", &coordinate, OR(0), IN(block, x)},
+    {"y", &coordinate, OR(0), IN(block, y)},
+    {"base", &coordinate, OR(NAN), IN(block, base)},
+    {"height", &size, REQUIRED, IN(block, height_m)},
+    {"rotate", &bearing, OR(0), IN(block, rotate_rad)},
+    {"reflectance", &reflectance, OR(0.2), IN(block, finish)},
+    {"name", &text, OR(NAN), IN(block, name)},
+    {"state", &state, OR(0), IN(block, state)},
+};
+static const struct pp_child_rule footprint[] = {
+    {&pp_rule_plan_vertex, 3, PP_ROOM_VERTICES_MOST}};
+RULE(footprint, "block", footprint_rows, footprint);
 
 static const struct pp_attribute_rule surface_rows[] = {
     {"reflectance", &reflectance, OR(0.2), IN(surface, finish)},
     {"exitance", &fraction, OR(0), IN(surface, exitance)},
+    {"name", &text, OR(NAN), IN(surface, name)},
+    {"state", &state, OR(0), IN(surface, state)},
 };
 RULE(surface, "surface", surface_rows, polygon);
 
@@ -286,8 +338,17 @@ LEAF(grid, "grid", grid_rows);
 static const struct pp_attribute_rule room_rows[] = {
     {"version", &version, OR(-1), IN(room, version)},
     {"name", &text, OR(NAN), IN(room, name)},
-    {"north", &bearing, OR(0), IN(room, north_rad)},
+    {"north", &bearing, OR(NAN), IN(room, north_rad)},
+    {"ref", &text, OR(NAN), IN(room, ref)},
+    {"use", &use, OR(0), IN(room, use)},
+    /* Those that follow are of rooms in a building. */
+    {"x", &coordinate, OR(NAN), IN(room, x)},
+    {"y", &coordinate, OR(NAN), IN(room, y)},
+    {"z", &coordinate, OR(NAN), IN(room, z)},
+    {"rotate", &bearing, OR(NAN), IN(room, rotate_rad)},
+    {"state", &state, OR(0), IN(room, state)},
 };
+enum { BUILDING_ROWS = 5 };
 static const struct pp_child_rule room_children[] = {
     {&pp_rule_site, 0, 1},     {&pp_rule_sky, 0, 1},           {&pp_rule_plan, 0, 1},
     {&pp_rule_envelope, 0, 1}, {&pp_rule_finishes, 0, 1},      {&pp_rule_finish, 0, 0},
@@ -296,12 +357,17 @@ static const struct pp_child_rule room_children[] = {
     {&pp_rule_surface, 0, 0},  {&pp_rule_working_plane, 0, 1}, {&pp_rule_point, 0, 0},
     {&pp_rule_line, 0, 0},     {&pp_rule_grid, 0, 0},
 };
-RULE(room, "room", room_rows, room_children);
+RULE(building_room, "room", room_rows, room_children);
+const struct pp_element_rule pp_rule_room = {
+    "room", room_rows, sizeof room_rows / sizeof *room_rows - BUILDING_ROWS,
+    room_children, sizeof room_children / sizeof *room_children};
 
 static const struct pp_attribute_rule building_rows[] = {
     {"version", &version, REQUIRED, IN(building, version)},
     {"name", &text, OR(NAN), IN(building, name)},
+    {"north", &bearing, OR(NAN), IN(building, north_rad)},
 };
 static const struct pp_child_rule building_children[] = {
-    {&pp_rule_site, 0, 1}, {&pp_rule_sky, 0, 1}, {&pp_rule_room, 1, 0}};
+    {&pp_rule_site, 0, 1},  {&pp_rule_sky, 0, 1},     {&pp_rule_skyline, 0, 0},
+    {&pp_rule_block, 0, 0}, {&pp_rule_surface, 0, 0}, {&pp_rule_building_room, 1, 0}};
 RULE(building, "building", building_rows, building_children);

@@ -78,12 +78,16 @@ struct pp_finish_value {
 struct pp_building_form {
     int version;
     const char *name;
+    double north_rad; /* NAN: not given */
 };
 
 struct pp_room_form {
     int version; /* -1: not given */
-    const char *name;
-    double north_rad;
+    const char *name, *ref;
+    double north_rad;           /* NAN: not given */
+    double x, y, z, rotate_rad; /* NAN: not given */
+    int use;                    /* enum pp_room_use, 0: not given */
+    int state;                  /* enum pp_site_state */
 };
 
 struct pp_site_form {
@@ -127,7 +131,7 @@ struct pp_finish_form {
 
 /* A window, a rooflight or an opening. */
 struct pp_opening_form {
-    const char *wall;
+    const char *name, *wall;
     double left_m, sill_m, width_m, height_m, x, y, depth_m;
     const char *glazing;
     double transmittance, frame_factor, maintenance, curtains, reveal_m;
@@ -138,6 +142,7 @@ struct pp_skyline_form {
     const char *wall;
     double angle_rad, distance_m;
     struct pp_finish_value finish;
+    int state; /* enum pp_site_state */
 };
 
 struct pp_facade_form {
@@ -147,13 +152,19 @@ struct pp_facade_form {
 };
 
 struct pp_block_form {
-    double x, y, base, width_m, depth_m, height_m, rotate_rad;
+    const char *name;
+    double x, y, base, width_m, depth_m, height_m, rotate_rad; /* NAN: not given */
+    double pitch_rad;                                          /* NAN: not given */
+    int roof, ridge; /* enum pp_roof, enum pp_ridge */
     struct pp_finish_value finish;
+    int state; /* enum pp_site_state */
 };
 
 struct pp_surface_form {
+    const char *name;
     struct pp_finish_value finish;
     double exitance;
+    int state; /* enum pp_site_state */
 };
 
 struct pp_plane_form {
@@ -168,10 +179,11 @@ struct pp_receiver_form {
     double spacing_m, margin_m;
 };
 
-extern const struct pp_element_rule pp_rule_building, pp_rule_room, pp_rule_site,
-    pp_rule_sky, pp_rule_plan, pp_rule_plan_vertex, pp_rule_envelope, pp_rule_face,
-    pp_rule_vertex, pp_rule_finishes, pp_rule_finish, pp_rule_window, pp_rule_rooflight,
-    pp_rule_opening, pp_rule_skyline, pp_rule_facade, pp_rule_block, pp_rule_surface,
-    pp_rule_working_plane, pp_rule_point, pp_rule_line, pp_rule_grid;
+extern const struct pp_element_rule pp_rule_building, pp_rule_building_room,
+    pp_rule_room, pp_rule_site, pp_rule_sky, pp_rule_plan, pp_rule_plan_vertex,
+    pp_rule_envelope, pp_rule_face, pp_rule_vertex, pp_rule_finishes, pp_rule_finish,
+    pp_rule_window, pp_rule_rooflight, pp_rule_opening, pp_rule_skyline, pp_rule_facade,
+    pp_rule_block, pp_rule_footprint, pp_rule_surface, pp_rule_working_plane,
+    pp_rule_point, pp_rule_line, pp_rule_grid;
 
 #endif

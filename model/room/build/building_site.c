@@ -1,0 +1,301 @@
+/* building_site.c - see building_site.h. */
+#include "model/room/build/building_site.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/array.h"
+#include "model/room/build/envelope.h"
+#include "model/room/build/resolve.h"
+#include "model/room/room.h"
+
+/* Of outer faces of walls and roofs. */
+static const double outside_reflectance = 0.2;
+
+/* A room's faces and walls, in its own axes. */
+struct shell {
+    struct pp_world world; /* nothing but surfaces */
+    char **walls;
+    int wall_count;
+};
+
+static void clear_shell(struct shell *shell)
+{
+    for (int i = 0; i < shell->world.surface_count; i++) {
+        pp_polygon_clear(&shell->world.surfaces[i].outline);
+        free((char *)shell->world.surfaces[i].name);
+    }
+    free(shell->world.surfaces);
+    for (int i = 0; i < shell->wall_count; i++)
+        free(shell->walls[i]);
+    free(shell->walls);
+}
+
+/* Mistakes in a room's faces are noted where the room itself is resolved. */
+static enum pp_status make_shell(struct shell *shell, const struct pp_room *room,
+                                 struct pp_error *err)
+{
+    struct pp_mistakes unsaid;
+    pp_mistakes_init(&unsaid, "room");
+    struct pp_resolver r = {.room = room, .world = &shell->world, .mistakes = &unsaid};
+    struct pp_error fault = {0};
+    enum pp_status status = pp_clipper_create(&r.clipper, &fault);
+    if (status == PP_OK)
+        status = pp_build_envelope(&r, &fault);
+    pp_clipper_destroy(r.clipper);
+    shell->walls = r.walls;
+    shell->wall_count = r.wall_count;
+    free(r.wall_faces);
+    free(r.corners);
+    pp_mistakes_clear(&unsaid);
+    return status == PP_SYSTEM ? pp_fail(err, status, "%s", fault.message) : PP_OK;
+}
+
+/* ---- From the building's axes to a room's ---- */
+
+static struct pp_vec3 turned(struct pp_vec3 p, double angle_rad)
+{
+    double c = cos(angle_rad), s = sin(angle_rad);
+    return pp_vec(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
+}
+
+static struct pp_vec3 to_building(const struct pp_placement *place, struct pp_vec3 p)
+{
+    return pp_vec_add(turned(p, place->rotate_rad),
+                      pp_vec(place->x, place->y, place->z));
+}
+
+static struct pp_vec3 to_room(const struct pp_placement *place, struct pp_vec3 p)
+{
+    return turned(pp_vec_sub(p, pp_vec(place->x, place->y, place->z)),
+                  -place->rotate_rad);
+}
+
+/* ---- What a room gets ---- */
+
+static bool has_wall(const struct shell *shell, const char *name)
+{
+    for (int i = 0; i < shell->wall_count; i++)
+        if (name && strcmp(shell->walls[i], name) == 0)
+            return true;
+    return false;
+}
+
+static bool stands_in(enum pp_site_state it, enum pp_site_state state)
+{
+    return it == PP_STATE_BOTH || it == state;
+}
+
+static enum pp_status add_block(struct pp_room *room, const struct pp_block *block,
+                                struct pp_error *err)
+{
+    struct pp_block added = *block;
+    added.name = block->name ? strdup(block->name) : NULL;
+    added.is_of_site = true;
+    added.corner = to_room(&room->placement, block->corner);
+    added.rotate_rad -= room->placement.rotate_rad;
+    if ((block->name && !added.name)
+        || pp_array_append(&room->blocks, room->block_count, sizeof *room->blocks, NULL)
+               != PP_OK) {
+        free(added.name);
+        return pp_fail_memory(err);
+    }
+    room->blocks[room->block_count++] = added;
+    return PP_OK;
+}
+
+/* A copy of the part with these vertices in the building's axes. */
+static enum pp_status add_surface(struct pp_room *room,
+                                  const struct pp_surface_part *part,
+                                  const struct pp_vec3 *vertices, int count,
+                                  struct pp_error *err)
+{
+    struct pp_surface_part added = *part;
+    added.name = part->name ? strdup(part->name) : NULL;
+    added.vertices =
+        (struct pp_vertices){.list = malloc((size_t)count * sizeof *vertices),
+                             .lines = calloc((size_t)count, sizeof(int)),
+                             .count = count};
+    if ((part->name && !added.name) || !added.vertices.list || !added.vertices.lines
+        || pp_array_append(&room->surfaces, room->surface_count, sizeof *room->surfaces,
+                           NULL)
+               != PP_OK) {
+        pp_room_parts_clear_surface(&added);
+        return pp_fail_memory(err);
+    }
+    for (int i = 0; i < count; i++) {
+        added.vertices.list[i] = to_room(&room->placement, vertices[i]);
+        added.vertices.lines[i] = part->line;
+    }
+    room->surfaces[room->surface_count++] = added;
+    return PP_OK;
+}
+
+static enum pp_status add_skyline(struct pp_room *room,
+                                  const struct pp_skyline_part *part,
+                                  struct pp_error *err)
+{
+    struct pp_skyline_part added = *part;
+    added.wall = strdup(part->wall);
+    if (!added.wall
+        || pp_array_append(&room->skylines, room->skyline_count, sizeof *room->skylines,
+                           NULL)
+               != PP_OK) {
+        free(added.wall);
+        return pp_fail_memory(err);
+    }
+    room->skylines[room->skyline_count++] = added;
+    return PP_OK;
+}
+
+/* Adds what the building holds for all rooms. */
+static enum pp_status add_common(struct pp_room *room, const struct shell *shell,
+                                 const struct pp_room *common, enum pp_site_state state,
+                                 struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < common->skyline_count && status == PP_OK; i++)
+        if (stands_in(common->skylines[i].state, state)
+            && has_wall(shell, common->skylines[i].wall))
+            status = add_skyline(room, &common->skylines[i], err);
+    for (int i = 0; i < common->block_count && status == PP_OK; i++)
+        if (stands_in(common->blocks[i].state, state))
+            status = add_block(room, &common->blocks[i], err);
+    for (int i = 0; i < common->surface_count && status == PP_OK; i++) {
+        struct pp_surface_part part = common->surfaces[i];
+        part.is_of_site = true;
+        if (stands_in(part.state, state))
+            status =
+                add_surface(room, &part, part.vertices.list, part.vertices.count, err);
+    }
+    return status;
+}
+
+/* Adds the faces of another room. */
+static enum pp_status add_neighbour(struct pp_room *room, const struct pp_room *other,
+                                    const struct shell *shell, struct pp_error *err)
+{
+    struct pp_surface_part part = {.reflectance = outside_reflectance,
+                                   .name = other->name,
+                                   .is_room_outside = true,
+                                   .line = other->line};
+    for (int i = 0; i < shell->world.face_count; i++) {
+        const struct pp_polygon *face = &shell->world.surfaces[i].outline;
+        struct pp_vec3 *vertices = malloc((size_t)face->count * sizeof *vertices);
+        if (!vertices)
+            return pp_fail_memory(err);
+        for (int k = 0; k < face->count; k++)
+            vertices[k] = to_building(&other->placement, face->vertices[k]);
+        enum pp_status status = add_surface(room, &part, vertices, face->count, err);
+        free(vertices);
+        if (status != PP_OK)
+            return status;
+    }
+    return PP_OK;
+}
+
+/* ---- A state ---- */
+
+/* Leaves only what there is in the state; parts keep their order. */
+static void keep_state(struct pp_room *room, enum pp_site_state state)
+{
+    int kept = 0;
+    for (int i = 0; i < room->skyline_count; i++)
+        if (stands_in(room->skylines[i].state, state))
+            room->skylines[kept++] = room->skylines[i];
+        else
+            free(room->skylines[i].wall);
+    room->skyline_count = kept;
+    kept = 0;
+    for (int i = 0; i < room->block_count; i++)
+        if (stands_in(room->blocks[i].state, state))
+            room->blocks[kept++] = room->blocks[i];
+        else
+            free(room->blocks[i].name);
+    room->block_count = kept;
+    kept = 0;
+    for (int i = 0; i < room->surface_count; i++)
+        if (stands_in(room->surfaces[i].state, state))
+            room->surfaces[kept++] = room->surfaces[i];
+        else
+            pp_room_parts_clear_surface(&room->surfaces[i]);
+    room->surface_count = kept;
+}
+
+static bool has_states(const struct pp_room *room)
+{
+    bool some = room->state != PP_STATE_BOTH;
+    for (int i = 0; i < room->skyline_count; i++)
+        some |= room->skylines[i].state != PP_STATE_BOTH;
+    for (int i = 0; i < room->block_count; i++)
+        some |= room->blocks[i].state != PP_STATE_BOTH;
+    for (int i = 0; i < room->surface_count; i++)
+        some |= room->surfaces[i].state != PP_STATE_BOTH;
+    return some;
+}
+
+/* Room `index` as it stands in the state, with all that is outside it. */
+static enum pp_status settle_room(struct pp_building *building, int index,
+                                  const struct shell *shells, enum pp_site_state state,
+                                  struct pp_error *err)
+{
+    const struct pp_room *common = &building->common, *read = &building->read[index];
+    struct pp_room *room = NULL;
+    enum pp_status status = pp_room_copy(&room, read, err);
+    if (status != PP_OK)
+        return status;
+    double north_rad = isnan(common->north_rad) ? 0.0 : common->north_rad;
+    if (isnan(room->north_rad))
+        room->north_rad = north_rad - room->placement.rotate_rad;
+    keep_state(room, state);
+    status = add_common(room, &shells[index], common, state, err);
+    for (int i = 0; i < building->read_count && status == PP_OK; i++) {
+        const struct pp_room *other = &building->read[i];
+        if (i != index && room->placement.given && other->placement.given
+            && stands_in(other->state, state))
+            status = add_neighbour(room, other, &shells[i], err);
+    }
+    building->rooms[building->room_count] = *room;
+    building->places[building->room_count++] = index;
+    free(room);
+    return status;
+}
+
+void pp_building_site_clear(struct pp_building *building)
+{
+    for (int i = 0; i < building->room_count; i++)
+        pp_room_parts_clear(&building->rooms[i]);
+    free(building->rooms);
+    free(building->places);
+    building->rooms = NULL;
+    building->places = NULL;
+    building->room_count = 0;
+}
+
+enum pp_status pp_building_site_settle(struct pp_building *building,
+                                       enum pp_site_state state, struct pp_error *err)
+{
+    int count = building->read_count;
+    pp_building_site_clear(building);
+    building->rooms = calloc((size_t)count + 1, sizeof *building->rooms);
+    building->places = calloc((size_t)count + 1, sizeof *building->places);
+    struct shell *shells = calloc((size_t)count + 1, sizeof *shells);
+    enum pp_status status = PP_OK;
+    if (!building->rooms || !building->places || !shells)
+        status = pp_fail_memory(err);
+    building->has_states = has_states(&building->common);
+    for (int i = 0; i < count && status == PP_OK; i++) {
+        building->has_states |= has_states(&building->read[i]);
+        status = make_shell(&shells[i], &building->read[i], err);
+    }
+    for (int i = 0; i < count && status == PP_OK; i++)
+        if (stands_in(building->read[i].state, state))
+            status = settle_room(building, i, shells, state, err);
+    for (int i = 0; shells && i < count; i++)
+        clear_shell(&shells[i]);
+    free(shells);
+    if (status != PP_OK)
+        pp_building_site_clear(building);
+    return status;
+}

@@ -1,0 +1,41 @@
+/* block_shape.h - what of a block outside is no box: a footprint of any outline, and
+ * roofs, as polygons. Inside model/room/ only.
+ *
+ * Lengths in metres, in the block's own axes: u along its width, v along its depth, z up
+ * from its base. All polygons are plane and seen from outside counter-clockwise.
+ */
+#ifndef PP_MODEL_ROOM_READ_BLOCK_SHAPE_H
+#define PP_MODEL_ROOM_READ_BLOCK_SHAPE_H
+
+#include "model/base/error.h"
+#include "model/geometry/vec.h"
+
+enum pp_roof {
+    PP_ROOF_FLAT,
+    PP_ROOF_MONO,  /* rises from one side to the one opposite */
+    PP_ROOF_GABLE, /* two slopes that meet in a ridge, upright at its ends */
+    PP_ROOF_HIP    /* four slopes of one pitch */
+};
+enum pp_ridge {
+    PP_RIDGE_LONGER, /* along the longer sides; along the width where they are alike */
+    PP_RIDGE_WIDTH,
+    PP_RIDGE_DEPTH
+};
+
+enum { PP_BLOCK_SHAPE_CORNERS = 4, PP_BLOCK_SHAPE_ROOF_MOST = 4 };
+
+/* One polygon of three or four corners. */
+struct pp_block_shape_face {
+    struct pp_vec3 corners[PP_BLOCK_SHAPE_CORNERS];
+    int count;
+};
+
+/* Fills in what stands on a box of that width and depth whose walls are height_m high:
+ * slopes and gables of the roof, of the pitch (rad, above 0, under pi/2). A mono-pitch
+ * roof is highest over the side at depth (ridge along the width) or at width (along the
+ * depth); the ridge of a hip roof runs along the longer sides. Returns how many; 0 for a flat roof. */
+int pp_block_shape_roof(struct pp_block_shape_face faces[PP_BLOCK_SHAPE_ROOF_MOST],
+                        double width_m, double depth_m, double height_m,
+                        enum pp_roof roof, double pitch_rad, enum pp_ridge ridge);
+
+#endif

@@ -1,0 +1,31 @@
+/* room_use.h - what a room is used as, by which criteria tell what bears on it. */
+#ifndef PP_MODEL_ROOM_ROOM_USE_H
+#define PP_MODEL_ROOM_ROOM_USE_H
+
+enum pp_room_use {
+    PP_USE_UNKNOWN,
+    PP_USE_BEDROOM,
+    PP_USE_LIVING_ROOM,
+    PP_USE_DINING_ROOM,
+    PP_USE_KITCHEN,
+    PP_USE_LIVING_KITCHEN, /* a living room with a kitchen in it */
+    PP_USE_STUDIO,         /* one room to live, cook and sleep in */
+    PP_USE_STUDY,
+    PP_USE_OFFICE,
+    PP_USE_MEETING_ROOM,
+    PP_USE_CLASSROOM,
+    PP_USE_WARD,
+    PP_USE_SHOP,
+    PP_USE_WORKSHOP,
+    PP_USE_BATHROOM,
+    PP_USE_CIRCULATION, /* halls, stairs, corridors */
+    PP_USE_STORE,
+    PP_USE_OTHER,
+    PP_USE_COUNT
+};
+
+/* As room files write them, by enum pp_room_use, that of PP_USE_UNKNOWN being
+ * "unknown"; ends with NULL. */
+extern const char *const pp_room_use_words[];
+
+#endif
