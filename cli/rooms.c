@@ -80,15 +80,34 @@ static enum pp_exit keep_building(struct pp_rooms *rooms, struct pp_building *bu
     return PP_EXIT_DONE;
 }
 
+/* The rooms that there are in the state asked for, of which there must be one. */
 static enum pp_status choose_state(struct pp_building *building, const char *file,
                                    enum pp_site_state state, struct pp_error *err)
 {
-    if (!pp_building_has_states(building))
+    if (state != PP_STATE_BOTH && !pp_building_has_states(building))
         return pp_fail(err, PP_BAD_INPUT,
                        "%s: --state: nothing in it has a state; expected a file that "
                        "says what is existing and what is proposed",
                        file);
-    return pp_building_set_state(building, state, err);
+    if (state != PP_STATE_BOTH && pp_building_set_state(building, state, err) != PP_OK)
+        return PP_SYSTEM;
+    if (pp_building_room_count(building) == 0)
+        return pp_fail(err, PP_BAD_INPUT, "%s: no room in it is %s; expected one", file,
+                       state == PP_STATE_EXISTING ? "existing" : "proposed");
+    return PP_OK;
+}
+
+/* All rooms of a building that has been read. */
+static enum pp_exit resolve_building(struct loading *loading, const char *file,
+                                     struct pp_building *building,
+                                     struct pp_mistakes *mistakes)
+{
+    int count = pp_building_room_count(building);
+    enum pp_exit result = PP_EXIT_DONE;
+    for (int i = 0; i < count && result == PP_EXIT_DONE; i++)
+        result = resolve_room(loading, file, building, i, mistakes);
+    loading->rooms->several |= pp_building_name(building) || count > 1;
+    return result;
 }
 
 static enum pp_exit load_file(struct loading *loading, const char *file)
@@ -107,17 +126,13 @@ static enum pp_exit load_file(struct loading *loading, const char *file)
         pp_mistakes_clear(&mistakes);
         return kept;
     }
-    enum pp_site_state state = loading->options->state;
-    if (building && result == PP_EXIT_DONE && state != PP_STATE_BOTH
-        && choose_state(building, file, state, &err) != PP_OK)
+    if (building && result == PP_EXIT_DONE
+        && choose_state(building, file, loading->options->state, &err) != PP_OK)
         result = pp_message_error(&err);
-    int count = building ? pp_building_room_count(building) : 0;
-    for (int i = 0; i < count && result == PP_EXIT_DONE; i++)
-        result = resolve_room(loading, file, building, i, &mistakes);
+    if (building && result == PP_EXIT_DONE)
+        result = resolve_building(loading, file, building, &mistakes);
     if (mistakes.count > 0 && result == PP_EXIT_DONE)
         result = pp_message_mistakes(&mistakes);
-    loading->rooms->several |= building && pp_building_name(building);
-    loading->rooms->several |= count > 1;
     pp_mistakes_clear(&mistakes);
     return result;
 }
@@ -215,6 +230,51 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
     for (int i = 0; i < rooms->count && result == PP_EXIT_DONE; i++)
         if (options->study.points.count > 0)
             result = place_points(&rooms->list[i], &options->study.points);
+    if (result != PP_EXIT_DONE)
+        pp_rooms_clear(rooms);
+    return result;
+}
+
+/* One building of those rooms again, from its text. */
+static enum pp_exit load_existing(struct loading *loading, const char *file,
+                                  const struct pp_building *proposed)
+{
+    struct pp_mistakes mistakes;
+    struct pp_building *building = NULL;
+    struct pp_error err = {0};
+    size_t length;
+    const char *text = pp_building_text(proposed, &length);
+    pp_mistakes_init(&mistakes, strcmp(file, "-") == 0 ? "standard input" : file);
+    enum pp_status status = pp_building_parse(&building, text, length, &mistakes, &err);
+    if (status == PP_OK)
+        status = pp_building_set_state(building, PP_STATE_EXISTING, &err);
+    enum pp_exit result = status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
+    enum pp_exit kept = keep_building(loading->rooms, building);
+    if (result == PP_EXIT_DONE)
+        result = kept;
+    if (result == PP_EXIT_DONE)
+        result = resolve_building(loading, file, building, &mistakes);
+    if (mistakes.count > 0 && result == PP_EXIT_DONE)
+        result = pp_message_mistakes(&mistakes);
+    pp_mistakes_clear(&mistakes);
+    return result;
+}
+
+enum pp_exit pp_rooms_load_existing(struct pp_rooms *rooms, const char *command,
+                                    const struct pp_rooms *proposed,
+                                    const struct pp_room_options *options)
+{
+    *rooms = (struct pp_rooms){.more_than_one_file = proposed->more_than_one_file};
+    struct loading loading = {rooms, command, options};
+    enum pp_exit result = PP_EXIT_DONE;
+    const struct pp_building *last = NULL;
+    for (int i = 0; i < proposed->count && result == PP_EXIT_DONE; i++) {
+        const struct pp_study_room *room = &proposed->list[i];
+        if (room->building == last || !pp_building_has_states(room->building))
+            continue;
+        last = room->building;
+        result = load_existing(&loading, room->file, last);
+    }
     if (result != PP_EXIT_DONE)
         pp_rooms_clear(rooms);
     return result;

@@ -22,6 +22,11 @@ struct pp_rooms {
 enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **files,
                            int file_count, const struct pp_room_options *options);
 
+/* The rooms of those files that have states, as they are existing. */
+enum pp_exit pp_rooms_load_existing(struct pp_rooms *rooms, const char *command,
+                                    const struct pp_rooms *proposed,
+                                    const struct pp_room_options *options);
+
 void pp_rooms_clear(struct pp_rooms *rooms);
 
 #endif

@@ -12,7 +12,6 @@ _pepperpot()
         local formats='text json csv'
         [ "$command" != size ] || formats='text json'
         [ "$command" != chart ] || formats='pdf svg png'
-        [ "$command" != assess ] || formats='text json'
         [ "$command" != render ] || formats='hdr pfm png pdf svg'
         mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
     elif [ "$previous" = --to ] || [ "$previous" = --against ] ||
@@ -48,6 +47,9 @@ _pepperpot()
         methods=$("$program" df --help 2>/dev/null |
             sed -n '/^Methods:/,$s/^  \([a-z][a-z-]*\) .*/\1/p')
         mapfile -t COMPREPLY < <(compgen -W "$methods" -- "$word")
+    elif [ "$command" = assess ] && [ "$previous" = --for ]; then
+        local profiles='uk-planning en17037 uk-dwellings breeam rights-of-light de-dwelling'
+        mapfile -t COMPREPLY < <(compgen -W "$profiles" -- "$word")
     elif [ "$previous" = --state ]; then
         mapfile -t COMPREPLY < <(compgen -W 'existing proposed' -- "$word")
     elif [ "$previous" = --sky ]; then

@@ -14,27 +14,45 @@
 #include "cli/job.h"
 #include "cli/rooms.h"
 #include "cli/watch.h"
-#include "reports/assess_json.h"
-#include "reports/assess_text.h"
+#include "reports/assess/assess_csv.h"
+#include "reports/assess/assess_json.h"
+#include "reports/assess/assess_table.h"
+#include "reports/assess/assess_table_json.h"
+#include "reports/assess/assess_text.h"
 #include "studies/criteria/capitals.h"
 #include "studies/criteria/larger_house.h"
+#include "studies/criteria/profile.h"
 #include "model/base/text.h"
 
 struct assess_options {
     struct pp_room_options room;
-    const char *criteria; /* as typed; NULL: all */
-    const char *before;   /* the file with the room as it was; NULL: none */
-    const char *place;    /* a capital of the standard's table; NULL: the room's site */
-    double median_lux;    /* instead; 0: not given */
-    const char *weather;  /* or the weather file that it is taken from; NULL: none */
+    const char *criteria;     /* as typed; NULL: all */
+    const char *profile_name; /* as typed; NULL: none asked for */
+    const struct pp_profile *profile;
+    bool table;          /* one table of all rooms in place of a sheet a room */
+    const char *before;  /* the file with the room as it was; NULL: none */
+    const char *place;   /* a capital of the standard's table; NULL: the room's site */
+    double median_lux;   /* instead; 0: not given */
+    const char *weather; /* or the weather file that it is taken from; NULL: none */
     enum pp_format format;
 };
 
 #define PLACE(member) offsetof(struct assess_options, member)
 
+static const struct pp_option table_option[] = {
+    {"table", 0, NULL,
+     "One table of all windows and rooms, existing and proposed, in place of a sheet a "
+     "room.",
+     NULL, PLACE(table)},
+    {0},
+};
+
 static const struct pp_option choice_options[] = {
     {"criteria", 'c', "LIST", "Only these criteria, by name and with commas between.",
      pp_options_read_text, PLACE(criteria)},
+    {"for", 0, "PROFILE",
+     "Only what a report of that kind has to judge, of rooms of that use.",
+     pp_options_read_text, PLACE(profile_name)},
     {"before", 'b', "FILE",
      "The room as it was before something was built outside: sky and area lost.",
      pp_options_read_input, PLACE(before)},
@@ -70,6 +88,10 @@ static void help_on_criteria(FILE *out)
     const struct pp_criterion *criterion;
     for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
         pp_options_help_word(criterion->name, criterion->summary, out);
+    fputs("\nProfiles, of --for:\n", out);
+    const struct pp_profile *profile;
+    for (int i = 0; (profile = pp_profile_at(i)) != NULL; i++)
+        pp_options_help_word(profile->name, profile->summary, out);
     fputs("\nAlso:", out);
     for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
         if (criterion->alias)
@@ -110,6 +132,8 @@ static enum pp_status compute(void *data, struct pp_error *err)
     const struct pp_study_options *study = &run->options->room.study;
     const struct pp_assess_options wanted = {.study = study,
                                              .criteria = run->options->criteria,
+                                             .profile = run->options->profile,
+                                             .before_is_state = !run->options->before,
                                              .place = run->options->place,
                                              .median_lux = run->options->median_lux,
                                              .of_weather =
@@ -142,6 +166,13 @@ static enum pp_status compute(void *data, struct pp_error *err)
 static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
 {
     const struct assess_run *run = data;
+    if (run->options->format == PP_FORMAT_CSV)
+        return pp_assess_csv(&run->all, out, err);
+    if (run->options->table && run->options->format == PP_FORMAT_JSON)
+        return pp_assess_table_json(&run->all, out, err);
+    if (run->options->table)
+        return pp_assess_table(&run->all, pp_terminal_width(run->options->room.output),
+                               out, err);
     return run->options->format == PP_FORMAT_JSON
                ? pp_assess_json(&run->all, out, err)
                : pp_assess_text(&run->all, pp_terminal_width(run->options->room.output),
@@ -176,6 +207,32 @@ static enum pp_exit run_on(struct assess_options *options, const struct pp_rooms
     return exit_status;
 }
 
+static enum pp_status refuse_without_before(const struct pp_criterion *criterion,
+                                            struct pp_error *err)
+{
+    return pp_fail(err, PP_BAD_INPUT,
+                   "%s compares with the room as it was; it needs --before FILE, or a "
+                   "file that says what is existing and what is proposed",
+                   criterion->name);
+}
+
+/* A criterion that was asked for by name must have a room before to compare with. */
+static enum pp_exit check_before(const struct assess_options *options)
+{
+    bool chosen[PP_CRITERIA_MOST];
+    struct pp_error err;
+    const struct pp_criterion *criterion;
+    if (!options->criteria
+        || pp_assessment_choose(chosen, options->criteria, &err) != PP_OK)
+        return PP_EXIT_DONE;
+    for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
+        if (chosen[i] && criterion->needs_before) {
+            refuse_without_before(criterion, &err);
+            return pp_message_usage("assess", &err);
+        }
+    return PP_EXIT_DONE;
+}
+
 static enum pp_exit run(void *values, char **files, int file_count)
 {
     struct assess_options *options = values;
@@ -194,7 +251,11 @@ static enum pp_exit run(void *values, char **files, int file_count)
         all_rooms.room = NULL;
         char *file[] = {(char *)options->before};
         exit_status = pp_rooms_load(&before, "assess", file, 1, &all_rooms);
+    } else if (options->room.state == PP_STATE_BOTH) {
+        exit_status = pp_rooms_load_existing(&before, "assess", &rooms, &options->room);
     }
+    if (exit_status == PP_EXIT_DONE && before.count == 0)
+        exit_status = check_before(options);
     if (exit_status == PP_EXIT_DONE)
         exit_status = run_on(options, &rooms, &before);
     pp_rooms_clear(&before);
@@ -245,14 +306,18 @@ static enum pp_status check(void *values, char **files, int file_count,
         status = check_place(options, err);
     if (status == PP_OK)
         status = pp_assessment_choose(chosen, options->criteria, err);
-    const struct pp_criterion *criterion;
-    for (int i = 0; status == PP_OK && (criterion = pp_criteria_at(i)) != NULL; i++)
-        if (options->criteria && chosen[i] && criterion->needs_before
-            && !options->before)
-            status = pp_fail(err, PP_BAD_INPUT,
-                             "%s compares with the room as it was; it needs --before "
-                             "FILE",
-                             criterion->name);
+    if (status == PP_OK && options->profile_name) {
+        options->profile = pp_profile_find(options->profile_name, err);
+        status = options->profile ? PP_OK : PP_BAD_INPUT;
+    }
+    if (status == PP_OK && options->criteria && options->profile)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "--criteria and --for both say what is judged; expected one "
+                         "of them");
+    if (status == PP_OK && options->before && options->room.state != PP_STATE_BOTH)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "--before and --state both say what is set beside each other; "
+                         "expected one of them");
     return status;
 }
 
@@ -272,7 +337,8 @@ static const struct pp_option_group groups[] = {
     {"What is judged", choice_options, 0},
     {"What is judged", pp_room_external_option, PLACE(room)},
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
-    {"Output", pp_text_or_json_option, PLACE(format)},
+    {"Output", table_option, 0},
+    {"Output", pp_format_option, PLACE(format)},
     {"Output", pp_room_output_options, PLACE(room)},
     {0},
 };

@@ -101,6 +101,11 @@ struct pp_room *pp_building_room(struct pp_building *building, int index)
     return &building->rooms[index];
 }
 
+int pp_building_place(const struct pp_building *building, int index)
+{
+    return building->places[index];
+}
+
 int pp_building_openings_before(const struct pp_building *building, int index)
 {
     int count = 0;

@@ -35,6 +35,9 @@ const char *pp_building_name(
 int pp_building_room_count(const struct pp_building *building);
 struct pp_room *pp_building_room(struct pp_building *building, int index);
 
+/* Where that room stands among all of the file, of any state, from 0. */
+int pp_building_place(const struct pp_building *building, int index);
+
 /* How many windows, rooflights and openings stand before those of that room in the file,
  * in rooms of any state. */
 int pp_building_openings_before(const struct pp_building *building, int index);

@@ -222,6 +222,17 @@ static void put_right(struct writer *writer, const char *text, int length, int c
     writer->blanks += length > 0 ? 0 : columns;
 }
 
+static void put_aligned(struct writer *writer, const char *text, int length,
+                        int columns, const struct pp_table_column *column)
+{
+    if (!column->is_words) {
+        put_right(writer, text, length, columns, column->width);
+        return;
+    }
+    put_text(writer, text, length);
+    writer->blanks += column->width - (length > 0 ? columns : 0);
+}
+
 /* Columns of a table that stand side by side: the keys, and first to end - 1. */
 struct panel {
     const struct pp_table *table;
@@ -285,8 +296,8 @@ static void print_headings(const struct panel *panel, struct writer *writer)
             if (which < 0)
                 writer->blanks += column->width;
             else
-                put_right(writer, lines[which], lengths[which],
-                          piece_width(lines[which], lengths[which]), column->width);
+                put_aligned(writer, lines[which], lengths[which],
+                            piece_width(lines[which], lengths[which]), column);
         }
         end_line(writer);
     }
@@ -306,8 +317,8 @@ static void print_row(const struct panel *panel, int row, bool labelled,
          i = next_column(panel, i)) {
         const char *cell = table->columns[i].cells[row];
         put_gap(writer, panel, i);
-        put_right(writer, cell, (int)strlen(cell), pp_format_utf8_width(cell),
-                  table->columns[i].width);
+        put_aligned(writer, cell, (int)strlen(cell), pp_format_utf8_width(cell),
+                    &table->columns[i]);
     }
     end_line(writer);
 }

@@ -15,6 +15,7 @@ struct pp_table_column {
     char heading[48];        /* broken before "+" and behind "-" to be narrow */
     char (*cells)[PP_CELL_BYTES];
     int width;
+    bool is_words; /* to the left; numbers are to the right */
 };
 
 struct pp_table {

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "model/base/text.h"
+#include "studies/criteria/bearing.h"
 #include "studies/criteria/capitals.h"
 #include "studies/criteria/en17037_grid.h"
 #include "studies/criteria/factors.h"
@@ -39,20 +40,37 @@ enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *l
     return PP_OK;
 }
 
+/* The same room of the same file in the other state; NULL: it is not there then. */
+static const struct pp_study_room *find_in_state(const struct pp_study_room *room,
+                                                 const struct pp_study_room *before,
+                                                 int before_count)
+{
+    for (int i = 0; i < before_count; i++)
+        if (strcmp(before[i].file, room->file) == 0
+            && pp_building_place(before[i].building, before[i].index)
+                   == pp_building_place(room->building, room->index))
+            return &before[i];
+    return NULL;
+}
+
 /* The room of the file before that goes with this one: the only one, or that of the
  * same name. */
 static enum pp_status find_before(struct pp_assessment *assessment,
                                   const struct pp_study_room *before, int before_count,
-                                  int room_count, struct pp_error *err)
+                                  int room_count, bool is_state, struct pp_error *err)
 {
     const struct pp_study_room *room = assessment->room, *found = NULL;
-    for (int i = 0; i < before_count && !found; i++) {
+    for (int i = 0; i < before_count && !found && !is_state; i++) {
         const char *name = before[i].world->name, *wanted = room->world->name;
         bool only = before_count == 1 && room_count == 1;
         if (only || (name && wanted && strcmp(name, wanted) == 0))
             found = &before[i];
     }
     const char *file = before[0].file;
+    if (is_state)
+        found = find_in_state(room, before, before_count);
+    if (!found && is_state)
+        return PP_OK;
     if (!found)
         return pp_fail(err, PP_BAD_INPUT,
                        "%s: it has no room named \"%.100s\" to compare with", file,
@@ -103,7 +121,8 @@ static enum pp_status gather(struct pp_assessment *assessment,
 }
 
 static enum pp_status judge(struct pp_assessment *assessment,
-                            const bool chosen[PP_CRITERIA_MOST], struct pp_error *err)
+                            const bool chosen[PP_CRITERIA_MOST], const char *country,
+                            struct pp_error *err)
 {
     const struct pp_inquiry inquiry = {
         .world = assessment->room->world,
@@ -112,6 +131,7 @@ static enum pp_status judge(struct pp_assessment *assessment,
         .pairs = assessment->pairs,
         .factors = assessment->has_factors ? &assessment->report : NULL,
         .median = assessment->median,
+        .country = country,
     };
     assessment->answers = calloc(PP_CRITERIA_MOST, sizeof *assessment->answers);
     if (!assessment->answers)
@@ -126,6 +146,24 @@ static enum pp_status judge(struct pp_assessment *assessment,
         status = criterion->evaluate(&inquiry, &answer->findings, err);
     }
     return status;
+}
+
+/* Those asked for by name; else of the profile's, or of all, those that bear on the room.
+ * Whoever asks for a profile has chosen a country's rules. */
+static enum pp_status choose(bool chosen[PP_CRITERIA_MOST],
+                             const struct pp_world *world,
+                             const struct pp_assess_options *options,
+                             struct pp_error *err)
+{
+    const struct pp_profile *profile = options->criteria ? NULL : options->profile;
+    enum pp_status status = pp_assessment_choose(
+        chosen, profile ? profile->criteria : options->criteria, err);
+    if (status != PP_OK || options->criteria)
+        return status;
+    const struct pp_criterion *criterion;
+    for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
+        chosen[i] &= pp_bearing_bears(criterion, world, !profile);
+    return PP_OK;
 }
 
 static bool any_of_factors(const bool chosen[PP_CRITERIA_MOST])
@@ -145,12 +183,13 @@ enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
 {
     bool chosen[PP_CRITERIA_MOST];
     *assessment = (struct pp_assessment){.room = room};
-    enum pp_status status = pp_assessment_choose(chosen, options->criteria, err);
+    enum pp_status status = choose(chosen, room->world, options, err);
     if (status != PP_OK)
         return status;
     assessment->has_factors = any_of_factors(chosen);
     if (before_count > 0)
-        status = find_before(assessment, before, before_count, room_count, err);
+        status = find_before(assessment, before, before_count, room_count,
+                             options->before_is_state, err);
     return status == PP_OK ? gather(assessment, options, err) : status;
 }
 
@@ -159,10 +198,15 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
                                    struct pp_error *err)
 {
     bool chosen[PP_CRITERIA_MOST];
-    enum pp_status status = pp_assessment_choose(chosen, options->criteria, err);
+    const struct pp_world *world = assessment->room->world;
+    enum pp_status status = choose(chosen, world, options, err);
+    const char *country = options->profile && !world->country[0]
+                              ? options->profile->country
+                              : world->country;
     if (status == PP_OK)
-        status = judge(assessment, chosen, err);
-    assessment->has_gains = !options->criteria && !options->verdicts_only;
+        status = judge(assessment, chosen, country, err);
+    assessment->has_gains =
+        !options->criteria && !options->profile && !options->verdicts_only;
     if (status == PP_OK && assessment->has_gains)
         status = pp_gains_find(&assessment->gains, assessment->room->room,
                                assessment->room->world, &assessment->room->light, err);

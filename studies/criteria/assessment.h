@@ -9,15 +9,20 @@
 #include "studies/study_options.h"
 #include "studies/study_room.h"
 #include "studies/criteria/criteria.h"
+#include "studies/criteria/profile.h"
 #include "studies/sizing/gains.h"
 
 struct pp_assess_options {
     const struct pp_study_options *study; /* not owned */
-    const char *criteria;                 /* names with commas between; NULL: all */
-    const char *place;  /* a capital of the standard's table; NULL: the room's site */
-    double median_lux;  /* instead; 0: not given */
-    bool of_weather;    /* is that median a weather file's? */
-    bool verdicts_only; /* what would help is not looked for */
+    const char
+        *criteria; /* names with commas between, judged whatever the room's use and
+                           * country; NULL: the profile's */
+    const struct pp_profile *profile; /* not owned; NULL: all */
+    bool before_is_state; /* the rooms before are those of the same file, existing */
+    const char *place;    /* a capital of the standard's table; NULL: the room's site */
+    double median_lux;    /* instead; 0: not given */
+    bool of_weather;      /* is that median a weather file's? */
+    bool verdicts_only;   /* what would help is not looked for */
 };
 
 /* A criterion that was asked for, and what it found. */
@@ -50,7 +55,8 @@ enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *l
 /* An assessment of a room, of which nothing is judged yet: its grid, the hand methods'
  * daylight factors there, the place's median. before (may be NULL): the rooms as they
  * were, of which the one of the same name, or the only one, goes with this room, where
- * that is one of `room_count`. Whoever wants to judge by traced factors adds them to
+ * that is one of `room_count`; of the same file's state that which stands at the same
+ * place in it, if there is one. Whoever wants to judge by traced factors adds them to
  * assessment->report (study_report.h) before pp_assessment_judge. To be cleared in any
  * case. */
 enum pp_status pp_assessment_begin(struct pp_assessment *assessment,

@@ -13,6 +13,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/factors.h"
 #include "studies/criteria/plane_share.h"
@@ -35,13 +36,19 @@ static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
 {
     static const struct {
         const char *room;
+        enum pp_dwelling_room kind;
         double least;
-    } minima[] = {{"bedroom", 0.01}, {"living room", 0.015}, {"kitchen", 0.02}};
+    } minima[] = {{"bedroom", PP_DWELLING_BEDROOM, 0.01},
+                  {"living room", PP_DWELLING_LIVING_ROOM, 0.015},
+                  {"kitchen", PP_DWELLING_KITCHEN, 0.02}};
     const char *why;
     const struct pp_column *column = pp_factors_average(inquiry, findings, &why);
     const struct pp_reading *average = column ? &column->average : NULL;
     enum pp_status status = PP_OK;
+    int rooms = pp_bearing_dwelling_rooms(inquiry->world->use);
     for (int i = 0; i < 3 && status == PP_OK; i++) {
+        if (rooms && !(rooms & minima[i].kind))
+            continue;
         struct pp_finding finding =
             pp_finding_not_judged(why ? why : "", "%s", minima[i].room);
         if (average)
@@ -114,6 +121,8 @@ const struct pp_criterion pp_criterion_average = {
     .source = "BS8206",
     .summary = "1 % in bedrooms, 1.5 % in living rooms, 2 % in kitchens",
     .of_factors = true,
+    .bears_on_use = pp_bearing_is_dwelling,
+    .countries = "GB IE",
     .evaluate = evaluate_average,
 };
 
@@ -123,5 +132,6 @@ const struct pp_criterion pp_criterion_uniformity = {
     .source = "BREEAM14",
     .summary = "minimum over average is 0.3, under glazed roofs 0.7",
     .of_factors = true,
+    .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_uniformity,
 };

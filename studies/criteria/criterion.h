@@ -30,6 +30,7 @@ struct pp_inquiry {
      * the room was simulated, and the columns that pp_factors_by_hand adds. */
     const struct pp_report *factors;
     struct pp_median median; /* outside, at the room's site */
+    const char *country;     /* whose rules hold; "": not known */
 };
 
 struct pp_criterion {
@@ -40,6 +41,8 @@ struct pp_criterion {
     const char *summary; /* one line for the help, without a full stop */
     bool needs_before;   /* is evaluated only where there is a room before */
     bool of_factors;     /* judges by the inquiry's factors; else they may be NULL */
+    bool (*bears_on_use)(enum pp_room_use use); /* NULL: on rooms of any use */
+    const char *countries; /* whose it is, "GB IE"; NULL: anybody's */
 
     /* Adds the criterion's findings; a figure that cannot be judged is among them, with
      * the reason. Fails only for lack of memory and the like. */

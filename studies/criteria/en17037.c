@@ -23,6 +23,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/factors.h"
 #include "studies/criteria/plane_share.h"
@@ -147,11 +148,15 @@ static enum pp_status evaluate_annex(const struct pp_inquiry *inquiry,
 {
     static const struct target targets[] = {
         {"bedroom", 100, 0.5}, {"living room", 150, 0.5}, {"kitchen", 200, 0.5}};
+    static const enum pp_dwelling_room kinds[] = {
+        PP_DWELLING_BEDROOM, PP_DWELLING_LIVING_ROOM, PP_DWELLING_KITCHEN};
+    int rooms = pp_bearing_dwelling_rooms(inquiry->world->use);
     const char *why;
     const struct pp_column *column = column_of(inquiry, findings, &why);
     enum pp_status status = PP_OK;
     for (int i = 0; i < 3 && status == PP_OK; i++)
-        status = add_target(inquiry, &targets[i], column, why, findings, err);
+        if (!rooms || rooms & kinds[i])
+            status = add_target(inquiry, &targets[i], column, why, findings, err);
     return status;
 }
 
@@ -161,6 +166,7 @@ const struct pp_criterion pp_criterion_en17037 = {
     .source = "EN17037",
     .summary = "300, 500, 750 lx over half the plane, 100, 300, 500 lx over 95 %",
     .of_factors = true,
+    .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate,
 };
 
@@ -170,5 +176,7 @@ const struct pp_criterion pp_criterion_uk_annex = {
     .source = "BSEN17037",
     .summary = "100, 150, 200 lx over half the plane of bedroom, living room, kitchen",
     .of_factors = true,
+    .bears_on_use = pp_bearing_is_dwelling,
+    .countries = "GB",
     .evaluate = evaluate_annex,
 };

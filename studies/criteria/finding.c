@@ -24,6 +24,8 @@ struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wante
 {
     struct pp_finding finding = {.kind = kind,
                                  .figure = figure,
+                                 .now = NAN,
+                                 .before = NAN,
                                  .std_error = NAN,
                                  .band = pp_band_none(),
                                  .wanted = wanted,
@@ -39,6 +41,14 @@ struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wante
     vsnprintf(finding.what, sizeof finding.what, what, arguments);
     va_end(arguments);
     return finding;
+}
+
+void pp_finding_compares(struct pp_finding *finding, enum pp_figure compared,
+                         double now, double before)
+{
+    finding->compared = compared;
+    finding->now = now;
+    finding->before = before;
 }
 
 struct pp_finding pp_finding_not_judged(const char *why, const char *what, ...)

@@ -23,6 +23,8 @@ struct pp_finding {
     int line;      /* of the opening in the room file; 0: the room as a whole */
     enum pp_figure kind;
     double figure;            /* NAN: not judged */
+    double now, before;       /* that it rests on, by pp_finding_compares; NAN: none */
+    enum pp_figure compared;  /* their kind */
     double std_error;         /* of the figure; NAN where nothing was sampled */
     struct pp_band_ends band; /* of a figure by hand, where that is known */
     double wanted;            /* the bound; NAN: there is none, the figure is stated */
@@ -58,6 +60,11 @@ struct pp_finding_list {
 struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wanted,
                                 bool at_most, const char *what, ...)
     __attribute__((format(printf, 5, 6)));
+
+/* What the finding's figure rests on: the figure now, and before something was built
+ * (NAN: not known). */
+void pp_finding_compares(struct pp_finding *finding, enum pp_figure compared,
+                         double now, double before);
 
 /* A finding without a figure, not judged; `why` becomes its note. */
 struct pp_finding pp_finding_not_judged(const char *why, const char *what, ...)

@@ -4,12 +4,14 @@
  *   glass, net of frames, over floor area                  >= 8 %  [IBC21] section 1204.2
  *   openings in the wall, frames included, over floor area >= 1/8  [MBO02] section 47
  *
- * All openings count, rooflights too, whatever their glass; the floor is that of the
+ * Where the country is known, only its own code is asked. All openings count, rooflights too, whatever their glass; the floor is that of the
  * whole room.
  */
 #include <math.h>
+#include <string.h>
 
 #include "methods/allowance.h"
+#include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
 
 #define GLASS_WANTED 0.08
@@ -35,8 +37,12 @@ static enum pp_status evaluate(const struct pp_inquiry *inquiry,
     struct pp_finding opening =
         pp_finding_of(PP_FIGURE_SHARE, opening_m2 / floor_m2, OPENING_WANTED, false,
                       "openings over floor [MBO02]");
-    enum pp_status status = pp_finding_list_add(findings, &glass, err);
-    return status == PP_OK ? pp_finding_list_add(findings, &opening, err) : status;
+    enum pp_status status = PP_OK;
+    if (strcmp(inquiry->country, "DE") != 0)
+        status = pp_finding_list_add(findings, &glass, err);
+    if (status == PP_OK && strcmp(inquiry->country, "US") != 0)
+        status = pp_finding_list_add(findings, &opening, err);
+    return status;
 }
 
 const struct pp_criterion pp_criterion_glazing_ratio = {
@@ -44,5 +50,7 @@ const struct pp_criterion pp_criterion_glazing_ratio = {
     .title = "Glazing over floor",
     .source = "IBC21, MBO02",
     .summary = "glass is 8 % of the floor, openings are an eighth of it",
+    .bears_on_use = pp_bearing_needs_daylight,
+    .countries = "US DE",
     .evaluate = evaluate,
 };

@@ -15,6 +15,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
 #include "methods/reflected/interior.h"
 #include "model/geometry/frame.h"
@@ -156,5 +157,6 @@ const struct pp_criterion pp_criterion_limiting_depth = {
     .title = "Limiting depth",
     .source = "BS8206, BREEAM14",
     .summary = "d/w + d/h is at most 2/(1 - R_b), of rooms lit from one side",
+    .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate,
 };

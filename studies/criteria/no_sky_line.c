@@ -10,6 +10,7 @@
  */
 #include <math.h>
 
+#include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
 #include "methods/daylight_curves.h"
 #include "model/geometry/region.h"
@@ -68,6 +69,7 @@ static enum pp_status add_former(const struct sky_view_area *now,
     if (then.sky_m2 > 0.0) {
         share = pp_finding_of(PP_FIGURE_RATIO, now->sky_m2 / then.sky_m2,
                               FORMER_SHARE_WANTED, false, what);
+        pp_finding_compares(&share, PP_FIGURE_AREA, now->sky_m2, then.sky_m2);
         pp_finding_within(&share, (now->error_m2 + then.error_m2) / then.sky_m2);
         pp_finding_note(&share, "%.2f m2 now, %.2f m2 before", now->sky_m2,
                         then.sky_m2);
@@ -86,6 +88,7 @@ static enum pp_status evaluate_line(const struct pp_inquiry *inquiry,
     double no_sky_m2 = view.plane_m2 - view.sky_m2;
     struct pp_finding area =
         pp_finding_of(PP_FIGURE_AREA, no_sky_m2, NAN, true, "area beyond it");
+    pp_finding_compares(&area, PP_FIGURE_AREA, view.sky_m2, NAN);
     if (view.plane_m2 > 0.0)
         pp_finding_note(&area, "%.1f %% of the working plane",
                         100.0 * no_sky_m2 / view.plane_m2);
@@ -116,6 +119,7 @@ const struct pp_criterion pp_criterion_no_sky_line = {
     .title = "No-sky line",
     .source = "BR209",
     .summary = "the area beyond it; 0.8 of what saw sky before still does (--before)",
+    .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_line,
 };
 
@@ -124,5 +128,6 @@ const struct pp_criterion pp_criterion_sky_line = {
     .title = "Sky-line rule",
     .source = "BS8206, BREEAM14",
     .summary = "80 % of the working plane sees sky",
+    .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_rule,
 };

@@ -157,5 +157,6 @@ const struct pp_criterion pp_criterion_rights_of_light = {
     .title = "Rights of light",
     .source = "WW23",
     .summary = "a sky factor of 0.2 % at 0.85 m over half of the room",
+    .countries = "GB IE",
     .evaluate = evaluate,
 };

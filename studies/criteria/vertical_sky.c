@@ -14,6 +14,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/section_angle.h"
 #include "methods/exact/exterior.h"
@@ -97,10 +98,11 @@ static enum pp_status find_component(struct pp_finding *finding,
     double share;
     enum pp_status status =
         vertical_sky(&share, inquiry->world, &inquiry->world->openings[opening], err);
-    if (status == PP_OK)
-        *finding =
-            pp_finding_of(PP_FIGURE_FACTOR, share, VSC_WANTED, false, "%s", what);
-    return status;
+    if (status != PP_OK)
+        return status;
+    *finding = pp_finding_of(PP_FIGURE_FACTOR, share, VSC_WANTED, false, "%s", what);
+    pp_finding_compares(finding, PP_FIGURE_FACTOR, share, NAN);
+    return PP_OK;
 }
 
 static enum pp_status evaluate_component(const struct pp_inquiry *inquiry,
@@ -124,10 +126,12 @@ static enum pp_status find_loss(struct pp_finding *finding,
         return status;
     if (!(then > NO_SKY)) {
         *finding = pp_finding_not_judged("it faced no sky before", "%s", what);
+        pp_finding_compares(finding, PP_FIGURE_FACTOR, now, then);
         return PP_OK;
     }
     *finding = pp_finding_of(PP_FIGURE_RATIO, now / then, FORMER_SHARE_WANTED, false,
                              "%s", what);
+    pp_finding_compares(finding, PP_FIGURE_FACTOR, now, then);
     pp_finding_note(finding, "%.1f %% now, %.1f %% before", 100.0 * now, 100.0 * then);
     if (finding->verdict == PP_NOT_MET && now >= VSC_WANTED) {
         finding->verdict = PP_MET;
@@ -171,6 +175,7 @@ const struct pp_criterion pp_criterion_vertical_sky = {
     .title = "Vertical sky component",
     .source = "BR209",
     .summary = "27 % at the middle of each window's outside",
+    .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_component,
 };
 
@@ -180,6 +185,7 @@ const struct pp_criterion pp_criterion_former_sky = {
     .source = "BR209",
     .summary = "27 % or 0.8 of what it was before, at each window (--before)",
     .needs_before = true,
+    .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_loss,
 };
 
@@ -188,5 +194,6 @@ const struct pp_criterion pp_criterion_obstruction = {
     .title = "25 degree rule",
     .source = "BR209",
     .summary = "nothing rises more than 25 degrees before a window, in section",
+    .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_angle,
 };

@@ -171,7 +171,9 @@ check "an average that is not met, with its bound in the band, is open" sh -c "
 check "but not where it is met" sh -c "
     '$pepperpot' assess --by-hand -c average --room Bedroom '$examples/building.xml' |
     grep -A 1 'bedroom ' | grep -vq 'is open'"
-check "no CSV" refuses 2 "text or json" assess --format csv "$deep"
+check "as CSV a finding a line" \
+    shows "Deep office,,,vertical-sky,\"south, line 10\",10," \
+    assess --by-hand -c vsc --format csv "$deep"
 check "the help has every criterion" sh -c "
     '$pepperpot' assess --help | grep -qE '^  rights-of-light '"
 tap_done

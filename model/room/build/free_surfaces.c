@@ -187,9 +187,12 @@ static void check_openings(struct pp_resolver *r, const struct pp_surface_part *
 }
 
 /* Moves vertices on to the polygon's own plane, and a surface that lies in a face of
- * the envelope off it into the room, or out if that is where it stands. */
+ * the envelope off it into the room, or out if that is where it stands. A face of
+ * another room, whose normal points into that, is moved only where it is turned to this
+ * room: two fronts in one plane stay so. */
 static void flatten_and_set_off(const struct pp_world *world,
-                                struct pp_polygon *polygon, bool inside)
+                                struct pp_polygon *polygon, bool inside,
+                                bool is_of_room)
 {
     struct pp_vec3 middle = pp_polygon_middle(polygon), n = polygon->normal;
     for (int k = 0; k < polygon->count; k++) {
@@ -204,7 +207,8 @@ static void flatten_and_set_off(const struct pp_world *world,
             nearest = fmin(nearest, fabs(height));
             farthest = fmax(farthest, fabs(height));
         }
-        if (farthest >= PP_SET_OFF_M)
+        if (farthest >= PP_SET_OFF_M
+            || (is_of_room && pp_vec_dot(polygon->normal, face->normal) > 0.0))
             continue;
         double shift = inside ? PP_SET_OFF_M + nearest : -PP_SET_OFF_M - nearest;
         for (int k = 0; k < polygon->count; k++)
@@ -243,7 +247,8 @@ static enum pp_status resolve_surface(struct pp_resolver *r,
     /* A surface all of which lies in the envelope counts as inside. */
     surface.inside = (seen.inside || !seen.outside) && !part->is_room_outside
                      && !part->is_of_site && !part->is_of_block;
-    flatten_and_set_off(r->world, &surface.outline, surface.inside);
+    flatten_and_set_off(r->world, &surface.outline, surface.inside,
+                        part->is_room_outside);
     return pp_resolve_add_surface(r, &surface, err);
 }
 

@@ -35,6 +35,7 @@ static struct pp_finding_list found_by(const struct pp_criterion *criterion,
     if (before && pp_pair_rooms(&pairs, world, before, &err) != PP_OK)
         fail_msg("%s", err.message);
     const struct pp_inquiry inquiry = {
+        .country = world->country,
         .world = world,
         .light = light,
         .before = before,
@@ -559,7 +560,8 @@ static void traced_verdicts_are_right_as_often_as_they_say(void **state)
                      PP_OK);
     report.receivers = grid;
     int count = report.receiver_count;
-    struct pp_inquiry inquiry = {.world = world, .light = &light, .factors = &report};
+    struct pp_inquiry inquiry = {
+        .world = world, .light = &light, .factors = &report, .country = ""};
     struct pp_column *column = pp_report_add(&report, PP_DF, "traced", true);
 
     struct pp_tracer_options fine = {.error = 0.003, .seed = 99, .threads = 2};

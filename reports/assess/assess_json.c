@@ -1,21 +1,13 @@
 /* assess_json.c - builds the JSON object of one assessed room, criterion by criterion. */
-#include "reports/assess_json.h"
+#include "reports/assess/assess_json.h"
 
 #include <math.h>
 
+#include "reports/parts/figure_unit.h"
 #include "reports/parts/json.h"
 #include "reports/parts/print_band.h"
 #include "reports/parts/print_reliability.h"
 #include "reports/gains_report.h"
-
-static const struct {
-    const char *unit;
-    double scale;
-} kinds[] = {
-    [PP_FIGURE_FACTOR] = {"%", 100.0}, [PP_FIGURE_SHARE] = {"%", 100.0},
-    [PP_FIGURE_RATIO] = {"", 1.0},     [PP_FIGURE_ANGLE] = {"degrees", 1.0 / PP_RAD},
-    [PP_FIGURE_AREA] = {"m2", 1.0},
-};
 
 /* { "of": "south, line 9", "line": 9, "figure": 30.1, "unit": "%", "wanted": 27,
  * "bound": "least", "verdict": "met" } and whatever else there is. */
@@ -23,7 +15,7 @@ static struct json_object *finding_object(const struct pp_finding *finding,
                                           double external_lux)
 {
     struct json_object *object = json_object_new_object();
-    double scale = kinds[finding->kind].scale;
+    double scale = pp_figure_scale(finding->kind);
     bool judged = isfinite(finding->figure);
     bool good = object && pp_json_text(object, "of", finding->what);
     if (good && finding->line > 0)
@@ -31,7 +23,7 @@ static struct json_object *finding_object(const struct pp_finding *finding,
     if (good)
         good = pp_json_number(object, "figure", scale * finding->figure);
     if (good && judged)
-        good = pp_json_text(object, "unit", kinds[finding->kind].unit);
+        good = pp_json_text(object, "unit", pp_figure_unit(finding->kind));
     if (good && isfinite(finding->std_error))
         good = pp_json_number(object, "se", scale * finding->std_error);
     if (good && pp_band_is_known(finding->band))
@@ -40,6 +32,11 @@ static struct json_object *finding_object(const struct pp_finding *finding,
                               json_object_new_boolean(pp_finding_is_open(finding)));
     if (good && judged && external_lux > 0.0 && finding->kind == PP_FIGURE_FACTOR)
         good = pp_json_number(object, "lux", external_lux * finding->figure);
+    if (good && isfinite(finding->before))
+        good = pp_json_number(object, "before",
+                              pp_figure_scale(finding->compared) * finding->before)
+               && pp_json_number(object, "now",
+                                 pp_figure_scale(finding->compared) * finding->now);
     if (good && isfinite(finding->wanted))
         good = pp_json_number(object, "wanted", scale * finding->wanted)
                && pp_json_text(object, "bound", finding->at_most ? "most" : "least");

@@ -1,18 +1,19 @@
 /* assess_text.c - lays out assessments: a row a finding with its verdict at the end, and
  * notes below the row. */
-#include "reports/assess_text.h"
+#include "reports/assess/assess_text.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "reports/assess/finding_cells.h"
 #include "reports/parts/print.h"
 #include "reports/parts/print_reliability.h"
 #include "reports/gains_report.h"
 #include "reports/parts/format.h"
 #include "model/base/text.h"
 
-enum { CELL = 40, COLUMNS = 6, INDENT = 4, GAP = 2, NOTE_INDENT = 6 };
+enum { CELL = PP_FINDING_CELL, COLUMNS = 6, INDENT = 4, GAP = 2, NOTE_INDENT = 6 };
 enum { WHAT, FIGURE, LUX, WANTED, OVER, VERDICT };
 
 struct layout {
@@ -23,95 +24,6 @@ struct layout {
 };
 
 /* ---- cells ---- */
-
-static const char *unit_of(enum pp_figure kind, bool utf8)
-{
-    switch (kind) {
-    case PP_FIGURE_FACTOR:
-    case PP_FIGURE_SHARE:
-        return " %";
-    case PP_FIGURE_ANGLE:
-        return utf8 ? "\xc2\xb0" : " deg";
-    case PP_FIGURE_AREA:
-        return utf8 ? " m\xc2\xb2" : " m2";
-    case PP_FIGURE_RATIO:
-        break;
-    }
-    return "";
-}
-
-static double scale_of(enum pp_figure kind)
-{
-    return kind == PP_FIGURE_FACTOR || kind == PP_FIGURE_SHARE ? 100.0
-           : kind == PP_FIGURE_ANGLE                           ? 1.0 / PP_RAD
-                                                               : 1.0;
-}
-
-enum { DECIMALS_MORE = 4 }; /* at most, than a figure usually has */
-
-/* Decimals more than usual that figure and bound need so that, as printed, they are to
- * each other as they are: 0.2963 is less than 0.3, 0.30 is not. */
-static int decimals_more(const struct pp_finding *finding, int decimals)
-{
-    double scale = scale_of(finding->kind);
-    double off = finding->figure - finding->wanted;
-    if (!isfinite(off) || fabs(off) <= 1e-9 * fabs(finding->wanted))
-        return 0;
-    for (int more = 0; more < DECIMALS_MORE; more++) {
-        char figure[CELL], wanted[CELL];
-        snprintf(figure, CELL, "%.*f", decimals + more, scale * finding->figure);
-        snprintf(wanted, CELL, "%.*g", 3 + more, scale * finding->wanted);
-        double shown = atof(figure) - atof(wanted);
-        if (off < 0.0 ? shown < 0.0 : shown > 0.0)
-            return more;
-    }
-    return DECIMALS_MORE;
-}
-
-/* Decimals of the figure; *significant digits of the bound. */
-static int decimals_of(const struct pp_finding *finding, int *significant)
-{
-    bool one = finding->kind == PP_FIGURE_ANGLE || finding->kind == PP_FIGURE_SHARE;
-    int more = decimals_more(finding, one ? 1 : 2);
-    *significant = 3 + more;
-    return (one ? 1 : 2) + more;
-}
-
-/* "3.16 +-0.02 %" or "3.16 (2.80-3.50) %", the error rounded up to what can be shown. */
-static void write_figure(char cell[CELL], const struct pp_finding *finding, bool utf8)
-{
-    double scale = scale_of(finding->kind);
-    int significant, decimals = decimals_of(finding, &significant);
-    cell[0] = '\0';
-    if (isnan(finding->figure))
-        return;
-    pp_text_append(cell, CELL, "%.*f", decimals, scale * finding->figure + 0.0);
-    if (isfinite(finding->std_error)) {
-        int places = decimals > 2 ? decimals : 2;
-        double unit = pow(10.0, places);
-        pp_text_append(cell, CELL, " %s%.*f", utf8 ? "\xc2\xb1" : "+-", places,
-                       ceil(unit * scale * finding->std_error - 1e-7) / unit + 0.0);
-    }
-    if (pp_band_is_known(finding->band))
-        pp_text_append(cell, CELL, " (%.*f%s%.*f)", decimals, scale * finding->band.low,
-                       utf8 ? "\xe2\x80\x93" : "-", decimals,
-                       scale * finding->band.high);
-    pp_text_append(cell, CELL, "%s", unit_of(finding->kind, utf8));
-}
-
-static void write_wanted(char cell[CELL], const struct pp_finding *finding, bool utf8)
-{
-    int significant;
-    decimals_of(finding, &significant);
-    cell[0] = '\0';
-    if (isnan(finding->figure) || isnan(finding->wanted))
-        return;
-    const char *sign = finding->at_most ? utf8 ? "\xe2\x89\xa4" : "<="
-                       : utf8           ? "\xe2\x89\xa5"
-                                        : ">=";
-    snprintf(cell, CELL, "%s %.*g%s", sign, significant,
-             scale_of(finding->kind) * finding->wanted, unit_of(finding->kind, utf8));
-}
 
 /* Rounded so that only what is all but sure is called certain. */
 static void write_verdict(char cell[CELL], const struct pp_finding *finding)
@@ -132,8 +44,8 @@ static void write_verdict(char cell[CELL], const struct pp_finding *finding)
 static void write_cells(char cells[COLUMNS][CELL], const struct pp_finding *finding,
                         const struct layout *layout)
 {
-    write_figure(cells[FIGURE], finding, layout->utf8);
-    write_wanted(cells[WANTED], finding, layout->utf8);
+    pp_finding_cells_figure(cells[FIGURE], finding, layout->utf8);
+    pp_finding_cells_wanted(cells[WANTED], finding, layout->utf8);
     write_verdict(cells[VERDICT], finding);
     cells[LUX][0] = cells[OVER][0] = '\0';
     if (isfinite(finding->reached_over))
@@ -344,6 +256,10 @@ static void print_room(const struct pp_assessment *assessment,
         fputs("  before         ", out);
         pp_print_title(assessment->before->world, assessment->before->file, out);
     }
+    if (assessment->answer_count == 0)
+        fprintf(out,
+                "\n  Of what was asked for nothing bears on a room whose use is %s.\n",
+                pp_room_use_words[assessment->room->world->use]);
     for (int i = 0; i < assessment->answer_count; i++)
         print_answer(&assessment->answers[i], layout, out);
     if (options->simulate && assessment->has_factors)

@@ -1,6 +1,6 @@
 /* assess_text.h - rooms held against the criteria, as text for people. */
-#ifndef PP_REPORTS_ASSESS_TEXT_H
-#define PP_REPORTS_ASSESS_TEXT_H
+#ifndef PP_REPORTS_ASSESS_ASSESS_TEXT_H
+#define PP_REPORTS_ASSESS_ASSESS_TEXT_H
 
 #include <stdio.h>
 

@@ -1,10 +1,10 @@
 /* assess_json.h - rooms held against the criteria, as JSON of format pepperpot-assess-1. */
-#ifndef PP_REPORTS_ASSESS_JSON_H
-#define PP_REPORTS_ASSESS_JSON_H
+#ifndef PP_REPORTS_ASSESS_ASSESS_JSON_H
+#define PP_REPORTS_ASSESS_ASSESS_JSON_H
 
 #include <stdio.h>
 
-#include "reports/assess_text.h"
+#include "reports/assess/assess_text.h"
 
 /* One object a room ("pepperpot-assess-1"), an array of them if there are several. */
 enum pp_status pp_assess_json(const struct pp_assessments *assessments, FILE *out,

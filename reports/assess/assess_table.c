@@ -1,0 +1,163 @@
+/* assess_table.c - fills and prints the tables of a site. */
+#include "reports/assess/assess_table.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "model/base/text.h"
+#include "reports/assess/finding_cells.h"
+#include "reports/parts/figure_unit.h"
+#include "reports/parts/print.h"
+#include "reports/parts/table.h"
+#include "studies/criteria/site_table.h"
+
+/* What a column shows of a row. */
+enum shown { ROOM, REF, USE, OF, EXISTING, PROPOSED, RATIO, FIGURE, WANTED, VERDICT };
+
+struct heading {
+    const char *group; /* NULL: a key */
+    const char *words;
+    enum shown shown;
+    bool compares; /* left out where nothing is compared */
+};
+
+static const char sky[] = "vertical sky component, %", lit[] = "area that sees sky, m2",
+                  found[] = "found";
+static const struct heading of_windows[] = {
+    {NULL, "room", ROOM, false},        {NULL, "ref", REF, false},
+    {NULL, "window", OF, false},        {sky, "existing", EXISTING, true},
+    {sky, "proposed", PROPOSED, false}, {sky, "ratio", RATIO, true},
+    {sky, "verdict", VERDICT, false},   {0}};
+static const struct heading of_rooms[] = {
+    {NULL, "room", ROOM, false},        {NULL, "ref", REF, false},
+    {NULL, "use", USE, false},          {lit, "existing", EXISTING, true},
+    {lit, "proposed", PROPOSED, false}, {lit, "ratio", RATIO, true},
+    {lit, "verdict", VERDICT, true},    {0}};
+static const struct heading of_others[] = {
+    {NULL, "room", ROOM, false},        {NULL, "of", OF, false},
+    {found, "figure", FIGURE, false},   {found, "wanted", WANTED, false},
+    {found, "verdict", VERDICT, false}, {0}};
+
+static void put_number(char cell[PP_CELL_BYTES], double value, int decimals)
+{
+    if (isnan(value))
+        snprintf(cell, PP_CELL_BYTES, "-");
+    else
+        snprintf(cell, PP_CELL_BYTES, "%.*f", decimals, value + 0.0);
+}
+
+static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
+                     enum shown shown)
+{
+    const struct pp_world *world = row->room->room->world;
+    const struct pp_finding *finding = row->finding;
+    double compared = pp_figure_scale(finding->compared);
+    char text[PP_FINDING_CELL];
+    const char *verdict = pp_finding_verdict(finding->verdict);
+    switch (shown) {
+    case ROOM:
+        pp_text_excerpt(cell, PP_CELL_BYTES, world->name ? world->name : "-");
+        break;
+    case REF:
+        pp_text_excerpt(cell, PP_CELL_BYTES, world->ref ? world->ref : "");
+        break;
+    case USE:
+        snprintf(cell, PP_CELL_BYTES, "%s",
+                 world->use ? pp_room_use_words[world->use] : "");
+        break;
+    case OF:
+        pp_text_excerpt(cell, PP_CELL_BYTES, finding->what);
+        break;
+    case EXISTING:
+        put_number(cell, compared * row->existing, 2);
+        break;
+    case PROPOSED:
+        put_number(cell, compared * row->proposed, 2);
+        break;
+    case RATIO:
+        put_number(cell, row->ratio, 3);
+        break;
+    case FIGURE:
+        pp_finding_cells_figure(text, finding, false);
+        snprintf(cell, PP_CELL_BYTES, "%.31s", text);
+        break;
+    case WANTED:
+        pp_finding_cells_wanted(text, finding, false);
+        snprintf(cell, PP_CELL_BYTES, "%.31s", text);
+        break;
+    case VERDICT:
+        snprintf(cell, PP_CELL_BYTES, "%s", verdict ? verdict : "-");
+    }
+}
+
+static enum pp_status print_table(const char *title, const struct heading *headings,
+                                  const struct pp_site_row *rows, int count, int width,
+                                  FILE *out, struct pp_error *err)
+{
+    bool compares = false, has_ref = false, good = true;
+    for (int i = 0; i < count; i++) {
+        compares |= !isnan(rows[i].existing);
+        has_ref |= rows[i].room->room->world->ref != NULL;
+    }
+    if (count == 0)
+        return PP_OK;
+    struct pp_table table;
+    pp_table_init(&table, count);
+    for (const struct heading *h = headings; h->words && good; h++) {
+        if ((h->compares && !compares) || (h->shown == REF && !has_ref))
+            continue;
+        struct pp_table_column *column =
+            pp_table_add(&table, h->group, h->group, h->words);
+        good = column != NULL;
+        table.key_count += good && !h->group;
+        for (int i = 0; i < count && good; i++)
+            put_cell(column->cells[i], &rows[i], h->shown);
+        if (good)
+            column->is_words = h->shown <= OF || h->shown == VERDICT;
+    }
+    fprintf(out, "\n  %s\n\n", title);
+    if (good)
+        pp_table_print(&table, width, out);
+    pp_table_clear(&table);
+    return good ? PP_OK : pp_fail_memory(err);
+}
+
+/* The criteria of the rows, with their sources; and how figures of daylight came about,
+ * of the first room that has any. */
+static void print_foot(const struct pp_site_table *table, int width, FILE *out)
+{
+    const struct pp_site_row *lists[] = {table->windows, table->rooms, table->others};
+    const int counts[] = {table->window_count, table->room_count, table->other_count};
+    char text[1024] = "Judged by:";
+    const struct pp_criterion *last = NULL;
+    for (int l = 0; l < 3; l++)
+        for (int i = 0; i < counts[l] && lists[l][i].room == lists[l][0].room; i++) {
+            const struct pp_criterion *criterion = lists[l][i].criterion;
+            if (criterion != last)
+                pp_text_append(text, sizeof text, "%s %s [%s]", last ? "," : "",
+                               criterion->title, criterion->source);
+            last = criterion;
+        }
+    fputs("\n  ", out);
+    pp_print_wrapped(text, 2, 2, width, out);
+}
+
+enum pp_status pp_assess_table(const struct pp_assessments *all, int width, FILE *out,
+                               struct pp_error *err)
+{
+    struct pp_site_table table;
+    enum pp_status status = pp_site_table_of(&table, all->list, all->count, err);
+    if (status == PP_OK)
+        status = print_table("Windows", of_windows, table.windows, table.window_count,
+                             width, out, err);
+    if (status == PP_OK)
+        status = print_table("Rooms", of_rooms, table.rooms, table.room_count, width,
+                             out, err);
+    if (status == PP_OK)
+        status = print_table("All else", of_others, table.others, table.other_count,
+                             width, out, err);
+    if (status == PP_OK)
+        print_foot(&table, width, out);
+    pp_site_table_clear(&table);
+    return status;
+}

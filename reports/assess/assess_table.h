@@ -1,0 +1,12 @@
+/* assess_table.h - the rooms of a site held against the criteria, in one table: windows
+ * and their sky, rooms and the area that sees sky, all else below. */
+#ifndef PP_REPORTS_ASSESS_ASSESS_TABLE_H
+#define PP_REPORTS_ASSESS_ASSESS_TABLE_H
+
+#include "reports/assess/assess_text.h"
+
+/* As text `width` columns wide (60 or more). */
+enum pp_status pp_assess_table(const struct pp_assessments *all, int width, FILE *out,
+                               struct pp_error *err);
+
+#endif

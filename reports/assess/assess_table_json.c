@@ -1,0 +1,71 @@
+/* assess_table_json.c - see assess_table_json.h. */
+#include "reports/assess/assess_table_json.h"
+
+#include <math.h>
+
+#include "reports/parts/figure_unit.h"
+#include "reports/parts/json.h"
+#include "studies/criteria/site_table.h"
+
+static struct json_object *row_object(const struct pp_site_row *row, bool compares)
+{
+    const struct pp_world *world = row->room->room->world;
+    const struct pp_finding *finding = row->finding;
+    double scale = pp_figure_scale(compares ? finding->compared : finding->kind);
+    struct json_object *object = json_object_new_object();
+    bool good = object && pp_json_text(object, "room", world->name)
+                && pp_json_text(object, "ref", world->ref)
+                && pp_json_text(object, "use",
+                                world->use ? pp_room_use_words[world->use] : NULL)
+                && pp_json_text(object, "criterion", row->criterion->name)
+                && pp_json_text(object, "of", finding->what);
+    if (good && finding->line > 0)
+        good = pp_json_add(object, "line", json_object_new_int(finding->line));
+    if (good && compares)
+        good = pp_json_number(object, "existing", scale * row->existing)
+               && pp_json_number(object, "proposed", scale * row->proposed)
+               && pp_json_number(object, "ratio", row->ratio)
+               && pp_json_text(object, "unit", pp_figure_unit(finding->compared));
+    if (good && !compares)
+        good = pp_json_number(object, "figure", scale * finding->figure)
+               && pp_json_number(object, "wanted", scale * finding->wanted)
+               && pp_json_text(object, "unit", pp_figure_unit(finding->kind));
+    if (good && isfinite(finding->std_error))
+        good = pp_json_number(object, "se", scale * finding->std_error);
+    if (good)
+        good = pp_json_text(object, "verdict", pp_finding_verdict(finding->verdict));
+    if (good && finding->note[0])
+        good = pp_json_text(object, finding->verdict == PP_NOT_JUDGED ? "why" : "note",
+                            finding->note);
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+static bool add_rows(struct json_object *object, const char *key,
+                     const struct pp_site_row *rows, int count, bool compares)
+{
+    struct json_object *list = json_object_new_array();
+    bool good = pp_json_add(object, key, list);
+    for (int i = 0; i < count && good; i++)
+        good = pp_json_append(list, row_object(&rows[i], compares));
+    return good;
+}
+
+enum pp_status pp_assess_table_json(const struct pp_assessments *all, FILE *out,
+                                    struct pp_error *err)
+{
+    struct pp_site_table table;
+    enum pp_status status = pp_site_table_of(&table, all->list, all->count, err);
+    if (status == PP_OK) {
+        struct json_object *object = json_object_new_object();
+        bool good =
+            object && pp_json_text(object, "format", "pepperpot-site-1")
+            && add_rows(object, "windows", table.windows, table.window_count, true)
+            && add_rows(object, "rooms", table.rooms, table.room_count, true)
+            && add_rows(object, "others", table.others, table.other_count, false);
+        status = pp_json_print(out, pp_json_whole(object, good), err);
+    }
+    pp_site_table_clear(&table);
+    return status;
+}

@@ -1,0 +1,21 @@
+/* finding_cells.h - a finding's figure and bound as cells of a table: as many decimals as
+ * it takes that, as printed, they are to each other as they are. */
+#ifndef PP_REPORTS_ASSESS_FINDING_CELLS_H
+#define PP_REPORTS_ASSESS_FINDING_CELLS_H
+
+#include <stdbool.h>
+
+#include "studies/criteria/finding.h"
+
+enum { PP_FINDING_CELL = 40 }; /* bytes */
+
+/* "3.16 +-0.02 %" or "3.16 (2.80-3.50) %", the error rounded up to what can be shown;
+ * empty where there is no figure. */
+void pp_finding_cells_figure(char cell[PP_FINDING_CELL],
+                             const struct pp_finding *finding, bool utf8);
+
+/* ">= 0.3"; empty where there is no bound or no figure. */
+void pp_finding_cells_wanted(char cell[PP_FINDING_CELL],
+                             const struct pp_finding *finding, bool utf8);
+
+#endif

@@ -1,0 +1,14 @@
+/* figure_unit.h - in which units findings are printed. */
+#ifndef PP_REPORTS_PARTS_FIGURE_UNIT_H
+#define PP_REPORTS_PARTS_FIGURE_UNIT_H
+
+#include "studies/criteria/finding.h"
+
+/* By which a figure is multiplied to be printed: factors and shares in per cent, angles
+ * in degrees. */
+double pp_figure_scale(enum pp_figure kind);
+
+/* "%", "degrees", "m2"; "" of a plain number. Static. */
+const char *pp_figure_unit(enum pp_figure kind);
+
+#endif

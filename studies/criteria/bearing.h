@@ -1,0 +1,32 @@
+/* bearing.h - what a room's use and its country have to do with a criterion. */
+#ifndef PP_STUDIES_CRITERIA_BEARING_H
+#define PP_STUDIES_CRITERIA_BEARING_H
+
+#include <stdbool.h>
+
+#include "model/room/room_use.h"
+#include "model/room/world.h"
+#include "studies/criteria/criterion.h"
+
+/* The kinds of rooms of a dwelling that British figures tell apart, as bits. */
+enum pp_dwelling_room {
+    PP_DWELLING_BEDROOM = 1,
+    PP_DWELLING_LIVING_ROOM = 2,
+    PP_DWELLING_KITCHEN = 4
+};
+
+/* Which of them the room is: a room of several uses is the one that asks for most
+ * [BS8206]; all of them where its use is not known; 0: it is no habitable room of a
+ * dwelling. */
+int pp_bearing_dwelling_rooms(enum pp_room_use use);
+
+/* For bears_on_use of criteria. */
+bool pp_bearing_needs_daylight(enum pp_room_use use); /* no bathroom, hall, store */
+bool pp_bearing_is_dwelling(enum pp_room_use use);
+
+/* Does the criterion bear on the room? By its use, and, where by_country, by the site's
+ * country; what is not known bears. */
+bool pp_bearing_bears(const struct pp_criterion *criterion,
+                      const struct pp_world *world, bool by_country);
+
+#endif

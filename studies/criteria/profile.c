@@ -1,0 +1,41 @@
+/* profile.c - the list of profiles. */
+#include "studies/criteria/profile.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#include "model/base/text.h"
+
+static const struct pp_profile profiles[] = {
+    {"uk-planning", "a neighbour's light and the new rooms' own, as BR 209 has it",
+     "vertical-sky,former-sky,obstruction,no-sky-line,uk-annex", "GB"},
+    {"en17037", "daylight provision by EN 17037", "en17037", ""},
+    {"uk-dwellings", "daylight in dwellings by the UK annex of EN 17037", "uk-annex",
+     "GB"},
+    {"breeam", "average, uniformity and view of sky, as BREEAM takes them",
+     "average,uniformity,sky-line", ""},
+    {"rights-of-light", "the area adequately lit in the English law of easements",
+     "rights-of-light", "GB"},
+    {"de-dwelling", "windows as German building codes ask for them, and EN 17037",
+     "glazing-ratio,en17037", "DE"},
+};
+
+enum { PROFILES = sizeof profiles / sizeof *profiles };
+
+const struct pp_profile *pp_profile_at(int index)
+{
+    return index < PROFILES ? &profiles[index] : NULL;
+}
+
+const struct pp_profile *pp_profile_find(const char *name, struct pp_error *err)
+{
+    const char *names[PROFILES];
+    for (int i = 0; i < PROFILES; i++) {
+        names[i] = profiles[i].name;
+        if (strcmp(name, names[i]) == 0)
+            return &profiles[i];
+    }
+    pp_text_unknown(err, name, names, PROFILES, NULL, "there is no profile \"%.60s\"",
+                    name);
+    return NULL;
+}

@@ -1,0 +1,21 @@
+/* profile.h - what a kind of report has to judge: criteria by the name of the occasion. */
+#ifndef PP_STUDIES_CRITERIA_PROFILE_H
+#define PP_STUDIES_CRITERIA_PROFILE_H
+
+#include "model/base/error.h"
+
+struct pp_profile {
+    const char *name;     /* as typed on the command line */
+    const char *summary;  /* one line for the help, without a full stop */
+    const char *criteria; /* names with commas between */
+    const char *country;  /* whose rules they are; "": no one country's */
+};
+
+/* In the order in which they are shown; NULL at the end. index is at most one past the
+ * last. */
+const struct pp_profile *pp_profile_at(int index);
+
+/* NULL, and PP_BAD_INPUT in err, where there is none of that name. */
+const struct pp_profile *pp_profile_find(const char *name, struct pp_error *err);
+
+#endif

@@ -1,0 +1,85 @@
+/* site_table.c - sorts findings into windows, rooms and others.
+ *
+ * Where a room has been judged with the room as it was, its windows stand with the
+ * criterion that compares (former-sky), else with the one that does not (vertical-sky).
+ */
+#include "studies/criteria/site_table.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "model/base/array.h"
+
+static enum pp_status add(struct pp_site_row **rows, int *count,
+                          const struct pp_assessment *room,
+                          const struct pp_answer *answer,
+                          const struct pp_finding *finding, struct pp_error *err)
+{
+    if (pp_array_append(rows, *count, sizeof **rows, err) != PP_OK)
+        return PP_SYSTEM;
+    double before = finding->before;
+    (*rows)[(*count)++] =
+        (struct pp_site_row){.room = room,
+                             .criterion = answer->criterion,
+                             .finding = finding,
+                             .existing = before,
+                             .proposed = finding->now,
+                             .ratio = before > 0.0 ? finding->now / before : NAN};
+    return PP_OK;
+}
+
+/* Does the room have findings of that criterion? */
+static bool has(const struct pp_assessment *room, const struct pp_criterion *criterion)
+{
+    for (int i = 0; i < room->answer_count; i++)
+        if (room->answers[i].criterion == criterion)
+            return true;
+    return false;
+}
+
+static enum pp_status add_answer(struct pp_site_table *table,
+                                 const struct pp_assessment *room,
+                                 const struct pp_answer *answer, struct pp_error *err)
+{
+    const struct pp_criterion *criterion = answer->criterion;
+    const struct pp_finding_list *findings = &answer->findings;
+    bool of_sky = criterion == &pp_criterion_vertical_sky
+                  || criterion == &pp_criterion_former_sky;
+    if (criterion == &pp_criterion_vertical_sky && has(room, &pp_criterion_former_sky))
+        return PP_OK;
+    /* Of the no-sky line the last finding is the one that compares, if any does. */
+    if (criterion == &pp_criterion_no_sky_line)
+        return findings->count == 0
+                   ? PP_OK
+                   : add(&table->rooms, &table->room_count, room, answer,
+                         &findings->list[findings->count - 1], err);
+    for (int i = 0; i < findings->count; i++) {
+        enum pp_status status = of_sky ? add(&table->windows, &table->window_count,
+                                             room, answer, &findings->list[i], err)
+                                       : add(&table->others, &table->other_count, room,
+                                             answer, &findings->list[i], err);
+        if (status != PP_OK)
+            return status;
+    }
+    return PP_OK;
+}
+
+enum pp_status pp_site_table_of(struct pp_site_table *table,
+                                const struct pp_assessment *rooms, int count,
+                                struct pp_error *err)
+{
+    *table = (struct pp_site_table){0};
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < rooms[i].answer_count && status == PP_OK; k++)
+            status = add_answer(table, &rooms[i], &rooms[i].answers[k], err);
+    return status;
+}
+
+void pp_site_table_clear(struct pp_site_table *table)
+{
+    free(table->windows);
+    free(table->rooms);
+    free(table->others);
+    *table = (struct pp_site_table){0};
+}

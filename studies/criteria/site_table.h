@@ -1,0 +1,34 @@
+/* site_table.h - what a planning authority reads: each window's sky and each room's lit
+ * area, before and after, in one table of a site.
+ */
+#ifndef PP_STUDIES_CRITERIA_SITE_TABLE_H
+#define PP_STUDIES_CRITERIA_SITE_TABLE_H
+
+#include "studies/criteria/assessment.h"
+
+/* One line of the table. */
+struct pp_site_row {
+    const struct pp_assessment *room; /* not owned, like all below */
+    const struct pp_criterion *criterion;
+    const struct pp_finding *finding; /* whose verdict it is */
+    double existing, proposed;        /* NAN: not known; units of finding->compared */
+    double ratio;                     /* proposed over existing; NAN: not known */
+};
+
+/* The lines of all rooms, in their order. */
+struct pp_site_table {
+    struct pp_site_row *windows; /* vertical sky component, a line a window */
+    int window_count;
+    struct pp_site_row *rooms; /* area that sees sky, a line a room */
+    int room_count;
+    struct pp_site_row *others; /* every other finding */
+    int other_count;
+};
+
+/* From rooms that have been judged. To be cleared in any case. */
+enum pp_status pp_site_table_of(struct pp_site_table *table,
+                                const struct pp_assessment *rooms, int count,
+                                struct pp_error *err);
+void pp_site_table_clear(struct pp_site_table *table);
+
+#endif

@@ -1,0 +1,100 @@
+#!/bin/sh
+# One site for many rooms: states, the table of a site, profiles, what is refused.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+LC_ALL=C
+export LC_ALL
+site=$(cd "$srcdir/examples/sites" && pwd)/corner-house.xml
+
+# column N ROW: the Nth field from the end of the table's row with that text.
+column() {
+    grep -F -- "$2" "$scratch/out" | awk -v n="$1" '{ print $(NF - n) }' | head -n 1
+}
+# is NUMBER NUMBER TOLERANCE
+is() {
+    awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; exit !(d <= t && -d <= t) }' ||
+        { echo "$1, not $2"; return 1; }
+}
+
+check "the table of a site" gives assess --by-hand --for uk-planning --table "$site"
+check "fits in 80 columns" nothing "$(too_wide)"
+sed 's/ not met$/ not-met/' "$scratch/out" >"$scratch/table" && mv "$scratch/table" "$scratch/out"
+before=$(column 3 "W3, south") now=$(column 2 "W3, south") ratio=$(column 1 "W3, south")
+check "a ratio is that of its sky components" is "$ratio" \
+    "$(awk -v a="$now" -v b="$before" 'BEGIN { print a / b }')" 6e-4
+check "a bathroom's window is in it for no criterion" nothing "$(grep W6 "$scratch/out")"
+check "a workshop is no room of a dwelling" nothing "$(grep 'Workroom.* lx' "$scratch/out")"
+check "a living room with a kitchen is a kitchen" grep -q "Living room *kitchen: 200" "$scratch/out"
+check "and nothing else" nothing "$(grep 'Living room *[bl][a-z ]*: 1' "$scratch/out")"
+
+for state in existing proposed; do
+    check "--state $state" gives assess --by-hand -c vsc --table --state $state "$site"
+    sed 's/ not met$/ not-met/' "$scratch/out" >"$scratch/$state"
+done
+cp "$scratch/existing" "$scratch/out"
+check "as existing it has the sky before" is "$(column 1 "W3, south")" "$before" 0
+cp "$scratch/proposed" "$scratch/out"
+check "as proposed the sky now" is "$(column 1 "W3, south")" "$now" 0
+check "from standard input the same" sh -c "
+    '$pepperpot' assess --by-hand --for uk-planning --table - <'$site' |
+        grep -qE 'W3, south.* $before +$now '"
+check "as JSON" shows '"format": "pepperpot-site-1"' \
+    assess --by-hand -c vsc,former-sky,nsl --table -f json "$site"
+check "with both states" grep -qE '"W5, south, line [0-9]+".*"existing": [0-9.]+, "proposed"' \
+    "$scratch/out"
+check "as CSV" shows "Bedroom,1.01,bedroom,former-sky," assess --by-hand -c former-sky -f csv "$site"
+check "a sheet a room has what was before" shows "% before" \
+    assess --by-hand -c former-sky --room Bedroom "$site"
+
+# The study by itself: all that the building has, moved by hand.
+cat >"$scratch/study.xml" <<'EOF'
+<room version="1" name="Study" north="10">
+  <site latitude="51.5" longitude="-0.1" ground-level="-0.5"/>
+  <plan width="3.5" depth="4.5" height="2.7"/>
+  <window wall="south" left="0.9" sill="0.8" width="1.6" height="1.5"/>
+  <block x="-9.2" y="-24" width="30" depth="8" height="7" roof="gable" pitch="35"
+         reflectance="0.3"/>
+  <block x="-5.2" height="11">
+    <vertex x="-22" y="-20"/> <vertex x="-12" y="-24"/>
+    <vertex x="-12" y="-6"/> <vertex x="-22" y="-4"/>
+  </block>
+  <block x="-1.2" y="-15" width="10" depth="5" height="19"/>
+  <block x="-5.2" y="0" width="5" depth="4.5" base="0" height="2.7"/>
+  <block x="3.7" y="-6" width="4" depth="6" base="0" height="2.7"/>
+  <block x="-5.2" y="0" width="5" depth="4.5" base="3" height="2.6"/>
+  <block x="0" y="0" width="3.5" depth="4.5" base="3" height="2.6"/>
+</room>
+EOF
+numbers() {
+    "$pepperpot" df -m exact+bre,brs-table -f csv --points "0.7,0.9 1.8,3.7" "$@" |
+        sed 1d | tr ',' '\n' | grep -E '^[0-9]+\.[0-9]{4,}$'
+}
+check "a room of the site has the figures of the same room by itself" sh -c '
+    paste "$1" "$2" | awk "{ d = \$1 - \$2; if (d > 1e-8 || -d > 1e-8) bad = 1; n++ }
+        END { exit bad || n < 6 }"' sh "$(numbers --room Study "$site" >"$scratch/a"; echo "$scratch/a")" \
+    "$(numbers "$scratch/study.xml" >"$scratch/b"; echo "$scratch/b")"
+
+check "the country chooses" gives assess --by-hand --room Bedroom "$site"
+check "in Britain no American code" nothing "$(grep 'IBC21' "$scratch/out")"
+sed 's/country="GB"/country="DE"/' "$site" >"$scratch/german.xml"
+check "in Germany its own code" shows "MBO02" assess --by-hand --room Bedroom "$scratch/german.xml"
+check "and no British one" nothing "$(grep 'BSEN17037\|glass over' "$scratch/out")"
+check "who asks for a criterion gets it" shows "living room: 150 lx" \
+    assess --by-hand -c uk-annex --room Workroom "$site"
+check "of a bathroom nothing is judged" shows "nothing bears on a room whose use is bathroom" \
+    assess --by-hand --for uk-planning --room Bathroom "$site"
+
+check "a profile by its name" refuses 2 "did you mean uk-planning?" \
+    assess --for uk-planing "$site"
+check "--for or --criteria" refuses 2 "expected one of them" assess --for en17037 -c vsc "$site"
+check "--before or --state" refuses 2 "expected one of them" \
+    assess --before "$site" --state existing "$site"
+check "two states" refuses 2 "existing or proposed" df --state planned "$site"
+check "none in a file without" refuses 1 "nothing in it has a state" df --state existing "$deep"
+sed 's/<room name/<room state="existing" name/' "$site" >"$scratch/gone.xml"
+check "rooms that all go" refuses 1 "no room in it is proposed" df "$scratch/gone.xml"
+check "are there before" gives df --state existing -m exact "$scratch/gone.xml"
+check "a room that is new has nothing before" sh -c "
+    sed 's/<room name=\"Study\"/<room state=\"proposed\" name=\"Study\"/' '$site' |
+        '$pepperpot' assess --by-hand -c vsc,former-sky --table - | grep -qE 'W3.* - '"
+tap_done
