@@ -110,7 +110,7 @@ int pp_building_openings_before(const struct pp_building *building, int index)
 {
     int count = 0;
     for (int i = 0; i < building->places[index]; i++)
-        count += building->read[i].opening_count;
+        count += building->openings[i];
     return count;
 }
 

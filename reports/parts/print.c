@@ -50,41 +50,46 @@ void pp_print_wrapped(const char *text, int column, int indent, int width, FILE 
     fputc('\n', out);
 }
 
-/* "  label        the fact, wrapped" */
-static void put_fact(const char *label, int width, FILE *out, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-static void put_fact(const char *label, int width, FILE *out, const char *format, ...)
+/* Who is told the facts. */
+struct listener {
+    pp_print_fact *tell;
+    void *closure;
+};
+
+static void tell(const struct listener *listener, const char *label, const char *format,
+                 ...) __attribute__((format(printf, 3, 4)));
+static void tell(const struct listener *listener, const char *label, const char *format,
+                 ...)
 {
     char text[TEXT_BYTES];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    fprintf(out, "  %-*s", LABEL, label);
-    pp_print_wrapped(text, LABEL + 2, LABEL + 2, width, out);
+    listener->tell(listener->closure, label, text);
 }
 
-static void print_sky(const struct pp_world *world,
-                      const struct pp_outside_light *light, int width, FILE *out)
+static void tell_sky(const struct pp_world *world,
+                      const struct pp_outside_light *light, const struct listener *listener)
 {
     const struct pp_sky *sky = &light->sky;
     if (sky->kind == PP_SKY_OVERCAST) {
-        put_fact("sky", width, out, "CIE standard overcast");
+        tell(listener, "sky", "CIE standard overcast");
     } else if (sky->kind == PP_SKY_UNIFORM) {
-        put_fact("sky", width, out, "uniform");
+        tell(listener, "sky", "uniform");
     } else if (!pp_sky_iso_has_sun(sky->iso)) {
-        put_fact("sky", width, out, "ISO 15469 type %d", sky->iso);
+        tell(listener, "sky", "ISO 15469 type %d", sky->iso);
     } else {
         double bearing = atan2(sky->sun.x, sky->sun.y) + world->north_rad;
         bearing = fmod(bearing / PP_RAD + 720.0, 360.0);
-        put_fact("sky", width, out,
+        tell(listener, "sky",
                  "ISO 15469 type %d, sun %.3g deg high, bearing %.4g deg; without its "
                  "disc",
                  sky->iso, asin(sky->sun.z) / PP_RAD, bearing);
     }
 }
 
-static void print_size(const struct pp_world *world, int width, FILE *out)
+static void tell_size(const struct pp_world *world, const struct listener *listener)
 {
     struct pp_vec3 low = pp_vec(INFINITY, INFINITY, INFINITY);
     struct pp_vec3 high = pp_vec(-INFINITY, -INFINITY, -INFINITY);
@@ -100,7 +105,7 @@ static void print_size(const struct pp_world *world, int width, FILE *out)
         if (face->role == PP_FLOOR)
             floor_m2 += face->outline.area_m2;
     }
-    put_fact("room", width, out,
+    tell(listener, "room",
              "%.2f x %.2f m, %.2f m high; floor %.1f m2, surfaces %.1f m2",
              high.x - low.x, high.y - low.y, high.z - low.z, floor_m2, all_m2);
 }
@@ -122,7 +127,7 @@ static void append_reflectance(const struct pp_world *world, enum pp_role role,
         pp_text_append(text, TEXT_BYTES, " to %.3g", high);
 }
 
-static void print_reflectances(const struct pp_world *world, int width, FILE *out)
+static void tell_reflectances(const struct pp_world *world, const struct listener *listener)
 {
     char text[TEXT_BYTES] = "";
     append_reflectance(world, PP_FLOOR, "floor", text);
@@ -132,7 +137,7 @@ static void print_reflectances(const struct pp_world *world, int width, FILE *ou
         pp_text_append(text, TEXT_BYTES,
                        "; decorations leave %.3g of what they reflect",
                        world->decorations);
-    put_fact("reflectances", width, out, "%s", text);
+    tell(listener, "reflectances", "%s", text);
 }
 
 /* What is assumed of an opening, without its place along the wall. */
@@ -182,7 +187,7 @@ static void describe_opening(const struct pp_world *world,
 }
 
 /* Openings of which the same is to be said stand together. */
-static void print_openings(const struct pp_world *world, int width, FILE *out)
+static void tell_openings(const struct pp_world *world, const struct listener *listener)
 {
     for (int i = 0; i < world->opening_count; i++) {
         char text[TEXT_BYTES], other[TEXT_BYTES];
@@ -200,14 +205,15 @@ static void print_openings(const struct pp_world *world, int width, FILE *out)
         char label[LABEL + 8] = "opening";
         if (same > 1)
             snprintf(label, sizeof label, "%d openings", same);
-        put_fact(label, width, out, "%s", text);
+        tell(listener, label, "%s", text);
     }
     if (world->opening_count == 0)
-        put_fact("openings", width, out, "none");
+        tell(listener, "openings", "none");
 }
 
-static void print_outside(const struct pp_world *world,
-                          const struct pp_outside_light *light, int width, FILE *out)
+static void tell_outside(const struct pp_world *world,
+                          const struct pp_outside_light *light,
+                          const struct listener *listener)
 {
     char text[TEXT_BYTES] = "";
     pp_text_append(text, TEXT_BYTES, "ground %.3g", light->ground_reflectance);
@@ -237,17 +243,38 @@ static void print_outside(const struct pp_world *world,
         pp_text_append(text, TEXT_BYTES, "; %d surface%s", loose, loose > 1 ? "s" : "");
     if (world->skyline_count + world->block_count + loose == 0)
         pp_text_append(text, TEXT_BYTES, "; nothing in the way");
-    put_fact("outside", width, out, "%s", text);
+    tell(listener, "outside", "%s", text);
+}
+
+void pp_print_facts(const struct pp_world *world, const struct pp_outside_light *light,
+                    pp_print_fact *fact, void *closure)
+{
+    const struct listener listener = {fact, closure};
+    tell_sky(world, light, &listener);
+    tell_size(world, &listener);
+    tell_reflectances(world, &listener);
+    tell_openings(world, &listener);
+    tell_outside(world, light, &listener);
+    tell(&listener, "working plane", "at %.2f m; the average is over all of it",
+         world->working_plane_m);
+}
+
+struct lines {
+    FILE *out;
+    int width;
+};
+
+/* "  label        the fact, wrapped" */
+static void put_fact(void *closure, const char *label, const char *text)
+{
+    const struct lines *lines = closure;
+    fprintf(lines->out, "  %-*s", LABEL, label);
+    pp_print_wrapped(text, LABEL + 2, LABEL + 2, lines->width, lines->out);
 }
 
 void pp_print_assumed(const struct pp_world *world,
                       const struct pp_outside_light *light, int width, FILE *out)
 {
-    print_sky(world, light, width, out);
-    print_size(world, width, out);
-    print_reflectances(world, width, out);
-    print_openings(world, width, out);
-    print_outside(world, light, width, out);
-    put_fact("working plane", width, out, "at %.2f m; the average is over all of it",
-             world->working_plane_m);
+    struct lines lines = {out, width};
+    pp_print_facts(world, light, put_fact, &lines);
 }

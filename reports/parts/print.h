@@ -17,6 +17,13 @@ void pp_print_title(const struct pp_world *world, const char *file, FILE *out);
 void pp_print_assumed(const struct pp_world *world,
                       const struct pp_outside_light *light, int width, FILE *out);
 
+/* One of them: "room", "5.00 x 4.50 m, ...". */
+typedef void pp_print_fact(void *closure, const char *label, const char *text);
+
+/* Hands them on, one by one. */
+void pp_print_facts(const struct pp_world *world, const struct pp_outside_light *light,
+                    pp_print_fact *fact, void *closure);
+
 /* Words of text from column `column` on, wrapped at `width`; further lines are indented
  * by `indent`. Ends the line. */
 void pp_print_wrapped(const char *text, int column, int indent, int width, FILE *out);

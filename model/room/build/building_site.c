@@ -8,6 +8,7 @@
 #include "model/base/array.h"
 #include "model/room/build/envelope.h"
 #include "model/room/build/resolve.h"
+#include "model/room/read/room_schema.h"
 #include "model/room/room.h"
 
 /* Of outer faces of walls and roofs. */
@@ -235,41 +236,75 @@ static bool has_states(const struct pp_room *room)
     return some;
 }
 
+/* Does the building hold anything that goes to its rooms? */
+static bool holds(const struct pp_room *common)
+{
+    return common->skyline_count + common->block_count + common->surface_count > 0;
+}
+
+/* More placed rooms than can stand before each other? That is a mistake, noted where the
+ * file was read. */
+static bool has_too_many(const struct pp_building *building)
+{
+    int placed = 0;
+    for (int i = 0; i < building->read_count && placed <= PP_ROOM_PLACED_MOST; i++)
+        placed += building->read[i].placement.given;
+    return placed > PP_ROOM_PLACED_MOST;
+}
+
 /* Room `index` as it stands in the state, with all that is outside it. */
 static enum pp_status settle_room(struct pp_building *building, int index,
                                   const struct shell *shells, enum pp_site_state state,
                                   struct pp_error *err)
 {
-    const struct pp_room *common = &building->common, *read = &building->read[index];
-    struct pp_room *room = NULL;
-    enum pp_status status = pp_room_copy(&room, read, err);
-    if (status != PP_OK)
-        return status;
+    const struct pp_room *common = &building->common;
+    struct pp_room *read = &building->read[index], *room = NULL;
+    bool stays = !read->placement.given && !holds(common) && !has_states(read);
+    enum pp_status status = PP_OK;
+    building->places[building->room_count] = index;
+    building->moved[building->room_count] = stays;
+    if (!stays) {
+        status = pp_room_copy(&room, read, err);
+        if (status != PP_OK)
+            return status;
+        building->rooms[building->room_count] = *room;
+        free(room);
+    } else {
+        building->rooms[building->room_count] = *read;
+        *read = (struct pp_room){0};
+    }
+    room = &building->rooms[building->room_count++];
     double north_rad = isnan(common->north_rad) ? 0.0 : common->north_rad;
     if (isnan(room->north_rad))
         room->north_rad = north_rad - room->placement.rotate_rad;
+    if (stays)
+        return PP_OK;
     keep_state(room, state);
     status = add_common(room, &shells[index], common, state, err);
+    bool neighbours = room->placement.given && !has_too_many(building);
     for (int i = 0; i < building->read_count && status == PP_OK; i++) {
         const struct pp_room *other = &building->read[i];
-        if (i != index && room->placement.given && other->placement.given
+        if (i != index && neighbours && other->placement.given
             && stands_in(other->state, state))
             status = add_neighbour(room, other, &shells[i], err);
     }
-    building->rooms[building->room_count] = *room;
-    building->places[building->room_count++] = index;
-    free(room);
     return status;
 }
 
 void pp_building_site_clear(struct pp_building *building)
 {
     for (int i = 0; i < building->room_count; i++)
-        pp_room_parts_clear(&building->rooms[i]);
+        if (building->moved[i])
+            building->read[building->places[i]] = building->rooms[i];
+        else
+            pp_room_parts_clear(&building->rooms[i]);
     free(building->rooms);
     free(building->places);
+    free(building->moved);
+    free(building->openings);
     building->rooms = NULL;
-    building->places = NULL;
+    building->places = building->openings = NULL;
+    building->moved = NULL;
     building->room_count = 0;
 }
 
@@ -280,14 +315,19 @@ enum pp_status pp_building_site_settle(struct pp_building *building,
     pp_building_site_clear(building);
     building->rooms = calloc((size_t)count + 1, sizeof *building->rooms);
     building->places = calloc((size_t)count + 1, sizeof *building->places);
+    building->moved = calloc((size_t)count + 1, sizeof *building->moved);
+    building->openings = calloc((size_t)count + 1, sizeof *building->openings);
     struct shell *shells = calloc((size_t)count + 1, sizeof *shells);
     enum pp_status status = PP_OK;
-    if (!building->rooms || !building->places || !shells)
+    if (!building->rooms || !building->places || !building->moved || !building->openings
+        || !shells)
         status = pp_fail_memory(err);
     building->has_states = has_states(&building->common);
     for (int i = 0; i < count && status == PP_OK; i++) {
+        building->openings[i] = building->read[i].opening_count;
         building->has_states |= has_states(&building->read[i]);
-        status = make_shell(&shells[i], &building->read[i], err);
+        if (building->read[i].placement.given || building->common.skyline_count > 0)
+            status = make_shell(&shells[i], &building->read[i], err);
     }
     for (int i = 0; i < count && status == PP_OK; i++)
         if (stands_in(building->read[i].state, state))

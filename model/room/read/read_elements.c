@@ -276,6 +276,7 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
         if (!pp_element_form_matches(c, &pp_rule_building_room))
             read_child(r, common, c);
     check_common_skylines(r, common);
+    int placed = 0;
     pp_read_outside_stand_on_ground(common);
     for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
          c = c->next) {
@@ -285,6 +286,11 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
         struct pp_room *room = &building->read[building->read_count++];
         *room = (struct pp_room){.site = common->site, .sky = common->sky};
         read_room(r, room, c, false);
+        if (room->placement.given && ++placed == PP_ROOM_PLACED_MOST + 1)
+            pp_mistakes_add(r->mistakes, room->line,
+                            "room: the building has more than %d placed rooms; expected "
+                            "%d at most, and blocks for the others",
+                            PP_ROOM_PLACED_MOST, PP_ROOM_PLACED_MOST);
         if (room->placement.given && !isnan(room->north_rad))
             pp_mistakes_add(r->mistakes, room->line,
                             "room: has a north of its own, but is placed in the "

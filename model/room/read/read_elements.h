@@ -14,11 +14,14 @@ struct pp_building {
     struct pp_room
         common; /* what holds for all rooms: north (NAN: not given), site, sky,
                             * skylines, blocks, surfaces; it has no plan */
-    struct pp_room *read; /* the rooms as the file has them, each by itself */
+    struct pp_room *read; /* the rooms as the file has them, each by itself; those that
+                           * nothing is added to or taken from have moved to `rooms` */
     int read_count;
+    int *openings;         /* how many each of these has */
     struct pp_room *rooms; /* those that there are in a state, with all that stands
                             * outside of each (building_site.h); NULL: not settled */
-    int *places;           /* of each where it stands in `read` */
+    int *places;           /* of each where it stands in `read`, */
+    bool *moved;           /* and has it moved from there? */
     int room_count;
     bool has_states; /* does anything stand there in one state only? */
     char *text;      /* of the file, with a 0 behind it */

@@ -67,7 +67,11 @@ struct pp_element_rule {
 /* Limits of values and polygons. */
 #define PP_ROOM_LENGTH_MOST_M 1e5   /* any coordinate or length, either sign */
 #define PP_ROOM_LENGTH_LEAST_M 1e-3 /* where it must be greater than 0 */
-enum { PP_ROOM_POINTS_MOST = 100000, PP_ROOM_VERTICES_MOST = 1000 };
+enum {
+    PP_ROOM_POINTS_MOST = 100000,
+    PP_ROOM_VERTICES_MOST = 1000,
+    PP_ROOM_PLACED_MOST = 200 /* each stands before all others */
+};
 
 /* A reflectance, with the finish where that is how it was given. */
 struct pp_finish_value {

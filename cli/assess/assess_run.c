@@ -1,0 +1,158 @@
+/* assess_run.c - see assess_run.h. */
+#include "cli/assess/assess_run.h"
+
+#include <stdlib.h>
+
+#include "cli/availability/availability_options.h"
+#include "cli/interrupt.h"
+#include "cli/job.h"
+#include "cli/message.h"
+#include "cli/ranks/deal_rooms.h"
+#include "cli/watch.h"
+#include "studies/criteria/larger_house.h"
+#include "studies/study_report.h"
+
+static struct pp_room_figures figures(void *data, int room)
+{
+    struct pp_assessment *one = &((struct pp_assess_run *)data)->all.list[room];
+    return (struct pp_room_figures){&one->report, &one->by_clock};
+}
+
+/* Some of the time is for the larger houses. */
+static enum pp_status simulate_room(const void *data, int room,
+                                    struct pp_report *report, bool *by_clock,
+                                    struct pp_error *err)
+{
+    const struct pp_assess_run *run = data;
+    struct pp_study_options own = run->words->room.study;
+    own.seconds *= 1.0 - PP_LARGER_HOUSE_SHARE;
+    return run->all.list[room].has_factors
+               ? pp_study_report_traced(report, &own, by_clock, err)
+               : PP_OK;
+}
+
+static enum pp_status compute(void *data, struct pp_error *err)
+{
+    struct pp_assess_run *run = data;
+    struct pp_assessments *all = &run->all;
+    const struct pp_rooms *rooms = run->rooms, *before = run->before;
+    const struct pp_study_options *study = &run->words->room.study;
+    const struct pp_assess_options wanted = {.study = study,
+                                             .criteria = run->words->criteria,
+                                             .profile = run->words->profile,
+                                             .before_is_state = !run->words->before,
+                                             .place = run->words->place,
+                                             .median_lux = run->words->median_lux,
+                                             .of_weather = run->words->weather != NULL};
+    enum pp_status status = PP_OK;
+    all->list = calloc((size_t)rooms->count + 1, sizeof *all->list);
+    if (!all->list)
+        return pp_fail_memory(err);
+    for (int i = 0; i < rooms->count && status == PP_OK; i++)
+        status =
+            pp_assessment_begin(&all->list[all->count++], &rooms->list[i], rooms->count,
+                                before->list, before->count, &wanted, err);
+    if (status == PP_OK && study->simulate)
+        pp_interrupt_watch();
+    if (status == PP_OK)
+        status =
+            pp_deal_rooms(&(struct pp_room_dealing){study->simulate ? all->count : 0,
+                                                    run->words->room.ranks, figures,
+                                                    simulate_room, run},
+                          err);
+    for (int i = 0; i < all->count && status == PP_OK; i++) {
+        struct pp_assessment *one = &all->list[i];
+        status = pp_assessment_judge(one, &wanted, err);
+        if (status == PP_OK)
+            status = pp_larger_house_doubt(one, &wanted, err);
+    }
+    return status;
+}
+
+static bool is_finished(const void *data)
+{
+    const struct pp_assess_run *run = data;
+    for (int i = 0; i < run->all.count; i++)
+        if (!run->all.list[i].report.finished)
+            return false;
+    return true;
+}
+
+static enum pp_exit run_on(struct pp_assess_words *words, const struct pp_rooms *rooms,
+                           const struct pp_rooms *before,
+                           enum pp_status (*print)(const void *, FILE *,
+                                                   struct pp_error *))
+{
+    struct pp_terminal_watch watch;
+    words->room.study.watch = pp_watch_of_terminal(&watch, words->room.quiet);
+    struct pp_assess_run run = {.words = words,
+                                .rooms = rooms,
+                                .before = before,
+                                .all = {.several = rooms->several,
+                                        .more_than_one_file = rooms->more_than_one_file,
+                                        .options = &words->room.study}};
+    enum pp_exit exit_status = pp_job_run(
+        &(struct pp_job){words->room.output, compute, print, is_finished, &run});
+    for (int i = 0; i < run.all.count; i++)
+        pp_assessment_clear(&run.all.list[i]);
+    free(run.all.list);
+    return exit_status;
+}
+
+static enum pp_status refuse_without_before(const struct pp_criterion *criterion,
+                                            struct pp_error *err)
+{
+    return pp_fail(err, PP_BAD_INPUT,
+                   "%s compares with the room as it was; it needs --before FILE, or a "
+                   "file that says what is existing and what is proposed",
+                   criterion->name);
+}
+
+/* A criterion that was asked for by name must have a room before to compare with. */
+static enum pp_exit check_before(const struct pp_assess_words *words,
+                                 const char *command)
+{
+    bool chosen[PP_CRITERIA_MOST];
+    struct pp_error err;
+    const struct pp_criterion *criterion;
+    if (!words->criteria
+        || pp_assessment_choose(chosen, words->criteria, &err) != PP_OK)
+        return PP_EXIT_DONE;
+    for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
+        if (chosen[i] && criterion->needs_before) {
+            refuse_without_before(criterion, &err);
+            return pp_message_usage(command, &err);
+        }
+    return PP_EXIT_DONE;
+}
+
+enum pp_exit pp_assess_run(struct pp_assess_words *words, const char *command,
+                           char **files, int file_count,
+                           enum pp_status (*print)(const void *data, FILE *out,
+                                                   struct pp_error *err))
+{
+    struct pp_rooms rooms = {0}, before = {0};
+    enum pp_exit exit_status = PP_EXIT_DONE;
+    if (words->weather)
+        exit_status =
+            pp_availability_options_median(words->weather, &words->median_lux);
+    if (exit_status == PP_EXIT_DONE)
+        exit_status = pp_rooms_load(&rooms, command, files, file_count, &words->room);
+    if (exit_status != PP_EXIT_DONE)
+        return exit_status;
+    if (words->before) {
+        struct pp_room_options all_rooms = words->room;
+        all_rooms.room = NULL;
+        char *file[] = {(char *)words->before};
+        exit_status = pp_rooms_load(&before, command, file, 1, &all_rooms);
+    } else if (words->room.state == PP_STATE_BOTH) {
+        exit_status = pp_rooms_load_existing(&before, command, &rooms, &words->room);
+    }
+    if (exit_status == PP_EXIT_DONE && before.count == 0)
+        exit_status = check_before(words, command);
+    if (exit_status == PP_EXIT_DONE)
+        exit_status = run_on(words, &rooms, &before, print);
+    pp_rooms_clear(&before);
+    pp_rooms_clear(&rooms);
+    return exit_status;
+}

@@ -1,0 +1,134 @@
+/* assess_words.c - see assess_words.h. */
+#include "cli/assess/assess_words.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#include "cli/availability/availability_options.h"
+#include "model/base/text.h"
+#include "studies/criteria/assessment.h"
+#include "studies/criteria/capitals.h"
+
+#define PLACE(member) offsetof(struct pp_assess_words, member)
+
+const struct pp_option pp_assess_words_table[] = {
+    {"table", 0, NULL,
+     "One table of all windows and rooms, existing and proposed, in place of a sheet a "
+     "room.",
+     NULL, PLACE(table)},
+    {0},
+};
+
+const struct pp_option pp_assess_words_choice[] = {
+    {"criteria", 'c', "LIST", "Only these criteria, by name and with commas between.",
+     pp_options_read_text, PLACE(criteria)},
+    {"for", 0, "PROFILE",
+     "Only what a report of that kind has to judge, of rooms of that use.",
+     pp_options_read_text, PLACE(profile_name)},
+    {"before", 'b', "FILE",
+     "The room as it was before something was built outside: sky and area lost.",
+     pp_options_read_input, PLACE(before)},
+    {"place", 0, "NAME",
+     "A capital of EN 17037's table, whose median illuminance is taken; by default "
+     "that "
+     "of the site's country, or else the one nearest to the site.",
+     pp_options_read_text, PLACE(place)},
+    {"median-diffuse", 0, "LUX",
+     "The place's median diffuse illuminance itself, for EN 17037.",
+     pp_options_read_lux, PLACE(median_lux)},
+    {"weather", 'w', "FILE.epw", "The same by a weather file in EnergyPlus format.",
+     pp_options_read_input, PLACE(weather)},
+    {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
+     PLACE(room.room)},
+    {"state", 0, "STATE",
+     "Judge the site as it is, existing, or as it will be, proposed. Without the "
+     "option, "
+     "where the file has both: as proposed, with what is lost.",
+     pp_room_options_read_state, PLACE(room.state)},
+    {0},
+};
+
+void pp_assess_words_help(FILE *out)
+{
+    fputs("\nCriteria:\n", out);
+    const struct pp_criterion *criterion;
+    for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
+        pp_options_help_word(criterion->name, criterion->summary, out);
+    fputs("\nProfiles, of --for:\n", out);
+    const struct pp_profile *profile;
+    for (int i = 0; (profile = pp_profile_at(i)) != NULL; i++)
+        pp_options_help_word(profile->name, profile->summary, out);
+    fputs("\nAlso:", out);
+    for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
+        if (criterion->alias)
+            fprintf(out, " %s (%s)", criterion->alias, criterion->name);
+    fputc('\n', out);
+}
+
+static enum pp_status check_place(const struct pp_assess_words *options,
+                                  struct pp_error *err)
+{
+    const char *names[64];
+    int count = 0;
+    if (options->weather && (options->place || options->median_lux > 0.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--weather says what %s says too; expected one of them",
+                       options->place ? "--place" : "--median-diffuse");
+    if (!options->place || pp_capitals_find(options->place))
+        return options->place && options->median_lux > 0.0
+                   ? pp_fail(err, PP_BAD_INPUT,
+                             "--place and --median-diffuse are two ways to say the "
+                             "same; expected one of them")
+                   : PP_OK;
+    for (; count < 64 && count < pp_capitals_count(); count++)
+        names[count] = pp_capitals_at(count)->name;
+    return pp_text_unknown(err, options->place, names, count, NULL,
+                           "--place: \"%.100s\" is not in the standard's table",
+                           options->place);
+}
+
+enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
+                                     struct pp_error *err)
+{
+    struct pp_assess_words *options = values;
+    bool chosen[PP_CRITERIA_MOST];
+    if (file_count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected a room file, or - for standard input");
+    for (int i = 0; i < file_count && options->before; i++)
+        if (strcmp(options->before, "-") == 0 && strcmp(files[i], "-") == 0)
+            return pp_fail(err, PP_BAD_INPUT,
+                           "standard input can't be the room and the room before");
+    enum pp_status status = pp_room_options_settle_by_hand(&options->room, err);
+    if (status == PP_OK)
+        status = pp_room_options_settle(&options->room, err);
+    if (status == PP_OK)
+        status = check_place(options, err);
+    if (status == PP_OK)
+        status = pp_assessment_choose(chosen, options->criteria, err);
+    if (status == PP_OK && options->profile_name) {
+        options->profile = pp_profile_find(options->profile_name, err);
+        status = options->profile ? PP_OK : PP_BAD_INPUT;
+    }
+    if (status == PP_OK && options->criteria && options->profile)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "--criteria and --for both say what is judged; expected one "
+                         "of them");
+    if (status == PP_OK && options->before && options->room.state != PP_STATE_BOTH)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "--before and --state both say what is set beside each other; "
+                         "expected one of them");
+    return status;
+}
+
+void pp_assess_words_init(void *values)
+{
+    *(struct pp_assess_words *)values =
+        (struct pp_assess_words){.room = pp_room_options_none};
+}
+
+void pp_assess_words_clear(void *values)
+{
+    struct pp_assess_words *options = values;
+    pp_room_options_clear(&options->room);
+}

@@ -1,0 +1,38 @@
+/* assess_words.h - the words of commands that judge rooms: what is judged, by whose
+ * figures, and what it is set beside. */
+#ifndef PP_CLI_ASSESS_ASSESS_WORDS_H
+#define PP_CLI_ASSESS_ASSESS_WORDS_H
+
+#include <stdbool.h>
+
+#include "cli/room_options.h"
+#include "pepperpot.h"
+#include "studies/criteria/profile.h"
+
+struct pp_assess_words {
+    struct pp_room_options room;
+    const char *criteria;     /* as typed; NULL: all */
+    const char *profile_name; /* as typed; NULL: none asked for */
+    const struct pp_profile *profile;
+    bool table;          /* one table of all rooms in place of a sheet a room */
+    const char *before;  /* the file with the room as it was; NULL: none */
+    const char *place;   /* a capital of the standard's table; NULL: the room's site */
+    double median_lux;   /* instead; 0: not given */
+    const char *weather; /* or the weather file that it is taken from; NULL: none */
+    enum pp_format format;
+};
+
+/* Lists for struct pp_option_group, with a struct pp_assess_words as values. */
+extern const struct pp_option pp_assess_words_choice[]; /* what is judged */
+extern const struct pp_option pp_assess_words_table[];  /* table */
+
+/* For struct pp_command. */
+void pp_assess_words_init(void *words);
+void pp_assess_words_clear(void *words);
+enum pp_status pp_assess_words_check(void *words, char **files, int file_count,
+                                     struct pp_error *err);
+
+/* What the help ends with: criteria and profiles. */
+void pp_assess_words_help(FILE *out);
+
+#endif
