@@ -36,6 +36,19 @@ const struct pp_option pp_size_task_options[] = {
     {0},
 };
 
+const struct pp_option pp_size_block_options[] = {
+    {"obstruction", 0, "NAME",
+     "In place of a window: how high the block of that name may be so that every "
+     "upright "
+     "window keeps its share of the vertical sky component.",
+     pp_options_read_text, PLACE(obstruction)},
+    {"keep", 0, "SHARE%", "That share (default 80%).", pp_options_read_per_cent,
+     PLACE(keep)},
+    {"window-name", 0, "NAME", "Only the window of that name counts.",
+     pp_options_read_text, PLACE(window_name)},
+    {0},
+};
+
 const struct pp_option pp_size_write_option[] = {
     {"write", 'w', "FILE",
      "Write the room file with the sized windows to FILE, all else in it as it was.",
@@ -55,9 +68,43 @@ static enum pp_status check_method(const char *by, struct pp_error *err)
     return status == PP_OK ? status : pp_fail(err, status, "--by: %s", fault.message);
 }
 
+/* Nothing that is about windows to be sized goes with --obstruction. */
+static enum pp_status settle_block(struct pp_size_options *options,
+                                   struct pp_error *err)
+{
+    const struct pp_size_request *request = &options->request;
+    const struct pp_room_options *room = &options->room;
+    const char *other = request->target > 0.0          ? "target"
+                        : request->by                  ? "by"
+                        : request->wall                ? "wall"
+                        : request->line > 0            ? "window"
+                        : options->write               ? "write"
+                        : room->study.points.count > 0 ? "points"
+                        : room->study.simulate         ? "simulate"
+                        : room->room                   ? "room"
+                        : room->state != PP_STATE_BOTH ? "state"
+                                                       : NULL;
+    if (other)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--%s does not go with --obstruction; expected one of them",
+                       other);
+    if (options->keep == 0.0)
+        options->keep = PP_SIZE_OPTIONS_KEEP;
+    if (options->keep >= 1.0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--keep is all of it; expected less than 100%%, such as 80%%");
+    return PP_OK;
+}
+
 enum pp_status pp_size_options_settle(struct pp_size_options *options,
                                       struct pp_error *err)
 {
+    if (options->obstruction)
+        return settle_block(options, err);
+    if (options->keep > 0.0 || options->window_name)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--%s is for --obstruction; expected both or neither",
+                       options->window_name ? "window-name" : "keep");
     if (!(options->request.target > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "expected --target, the daylight factor to reach, such as "

@@ -11,14 +11,21 @@
 struct pp_size_options {
     struct pp_room_options room;
     struct pp_size_request request; /* its study is set by pp_size_options_settle */
-    const char *write; /* where the changed room file goes; NULL: nowhere */
+    const char *write;       /* where the changed room file goes; NULL: nowhere */
+    const char *obstruction; /* the block whose height is asked for; NULL: none */
+    double keep;             /* share of its sky that each window keeps then */
+    const char *window_name; /* the only window that counts then; NULL: all */
     enum pp_format format;
 };
+
+/* The least share that windows keep, unless told otherwise [BR209]. */
+#define PP_SIZE_OPTIONS_KEEP 0.8
 
 /* The options of the command, apart from the simulation's and the output's; with a
  * struct pp_size_options as values. */
 extern const struct pp_option pp_size_task_options[];
 extern const struct pp_option pp_size_write_option[];
+extern const struct pp_option pp_size_block_options[];
 
 /* Do they make sense together? PP_BAD_INPUT if not. */
 enum pp_status pp_size_options_settle(struct pp_size_options *options,

@@ -1,6 +1,7 @@
 /* building.c - see building.h. */
 #include "model/room/building.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -123,4 +124,116 @@ enum pp_status pp_building_set_state(struct pp_building *building,
                                      enum pp_site_state state, struct pp_error *err)
 {
     return pp_building_site_settle(building, state, err);
+}
+
+/* ---- Blocks by their names ---- */
+
+/* Of the building, or of a lone room. */
+static struct pp_room *holder(const struct pp_building *building)
+{
+    bool lone = building->read_count == 1 && building->common.block_count == 0
+                && building->common.surface_count == 0;
+    struct pp_building *own = (struct pp_building *)building;
+    if (!lone)
+        return &own->common;
+    return building->room_count == 1 && building->moved[0] ? &own->rooms[0]
+                                                           : &own->read[0];
+}
+
+static bool is_called(const char *own, const char *name)
+{
+    return own && strcmp(own, name) == 0;
+}
+
+/* Of the faces of the block of that line, but for the box itself: a roof, or the walls
+ * over a footprint; z of the lowest and of the highest corner. */
+static void find_reach(double reach_m[2], const struct pp_room *room, int line)
+{
+    reach_m[0] = INFINITY;
+    reach_m[1] = -INFINITY;
+    for (int i = 0; i < room->surface_count; i++)
+        for (int k = 0;
+             k < room->surfaces[i].vertices.count && room->surfaces[i].is_of_block
+             && room->surfaces[i].line == line;
+             k++) {
+            double z = room->surfaces[i].vertices.list[k].z;
+            reach_m[0] = fmin(reach_m[0], z);
+            reach_m[1] = fmax(reach_m[1], z);
+        }
+}
+
+/* The line of the one block of that name; 0 where there is none, or several. *box: its
+ * index among the room's boxes, -1: it stands over a footprint. */
+static int find_block(const struct pp_room *room, const char *name, int *box)
+{
+    int line = 0;
+    *box = -1;
+    for (int i = 0; i < room->block_count; i++)
+        if (is_called(room->blocks[i].name, name)) {
+            if (line)
+                return 0;
+            line = room->blocks[i].line;
+            *box = i;
+        }
+    for (int i = 0; i < room->surface_count; i++)
+        if (room->surfaces[i].is_of_block && is_called(room->surfaces[i].name, name)) {
+            if (line && line != room->surfaces[i].line)
+                return 0;
+            line = room->surfaces[i].line;
+        }
+    return line;
+}
+
+double pp_building_block_height(const struct pp_building *building, const char *name)
+{
+    int box;
+    const struct pp_room *room = holder(building);
+    int line = find_block(room, name, &box);
+    if (!line)
+        return NAN;
+    double reach_m[2];
+    find_reach(reach_m, room, line);
+    return box >= 0 ? room->blocks[box].height_m : reach_m[1] - reach_m[0];
+}
+
+void pp_building_set_block_height(struct pp_building *building, const char *name,
+                                  double height_m)
+{
+    int box;
+    struct pp_room *room = holder(building);
+    int line = find_block(room, name, &box);
+    double more = height_m - pp_building_block_height(building, name), reach_m[2];
+    if (!line || !isfinite(more))
+        return;
+    find_reach(reach_m, room, line);
+    double base = box >= 0 ? room->blocks[box].corner.z : reach_m[0];
+    if (box >= 0)
+        room->blocks[box].height_m = height_m;
+    for (int i = 0; i < room->surface_count; i++) {
+        struct pp_surface_part *part = &room->surfaces[i];
+        for (int k = 0;
+             k < part->vertices.count && part->is_of_block && part->line == line; k++)
+            if (part->vertices.list[k].z > base)
+                part->vertices.list[k].z += more;
+    }
+}
+
+int pp_building_block_names(const struct pp_building *building, const char **names,
+                            int most)
+{
+    const struct pp_room *room = holder(building);
+    int count = 0, line = 0;
+    for (int i = 0; i < room->block_count && count < most; i++)
+        if (room->blocks[i].name)
+            names[count++] = room->blocks[i].name;
+    for (int i = 0; i < room->surface_count && count < most; i++) {
+        const struct pp_surface_part *part = &room->surfaces[i];
+        bool is_roof = false;
+        for (int k = 0; k < room->block_count; k++)
+            is_roof |= room->blocks[k].line == part->line;
+        if (part->is_of_block && part->name && part->line != line && !is_roof)
+            names[count++] = part->name;
+        line = part->line;
+    }
+    return count;
 }

@@ -54,4 +54,19 @@ enum pp_status pp_building_set_state(struct pp_building *building,
 /* The file's own text, as it was read; not owned. */
 const char *pp_building_text(const struct pp_building *building, size_t *length);
 
+/* Height (m) of the block of that name, of the building or of a lone room: of its walls,
+ * where it has a roof. NAN where there is none, or more than one. */
+double pp_building_block_height(const struct pp_building *building, const char *name);
+
+/* Gives that block another height (m, greater than 0), roof and all; base and footprint
+ * stay. For the rooms of the building it counts from the next pp_building_set_state
+ * on. */
+void pp_building_set_block_height(struct pp_building *building, const char *name,
+                                  double height_m);
+
+/* Up to `most` names of blocks, the building's or a lone room's; not owned. Returns how
+ * many. */
+int pp_building_block_names(const struct pp_building *building, const char **names,
+                            int most);
+
 #endif

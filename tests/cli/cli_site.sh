@@ -84,6 +84,25 @@ check "who asks for a criterion gets it" shows "living room: 150 lx" \
 check "of a bathroom nothing is judged" shows "nothing bears on a room whose use is bathroom" \
     assess --by-hand --for uk-planning --room Bathroom "$site"
 
+check "how high the tower may be" shows "keeps 0.8 of its" size --obstruction Tower "$site"
+check "fits in 80 columns" nothing "$(too_wide)"
+check "one window decides, with 0.8 left" grep -qE "^  Study +W3 .* 0\.8000  \*$" "$scratch/out"
+check "as JSON" shows '"verdict": "found"' size --obstruction Tower -f json "$site"
+height=$(sed -n 's/^  "height": \([0-9.]*\),/\1/p' "$scratch/out")
+sed "s/depth=\"5\" height=\"19\"/depth=\"5\" height=\"$height\"/" "$site" >"$scratch/lower.xml"
+check "at that height it has it" gives assess --by-hand -c former-sky --room Study -f csv "$scratch/lower.xml"
+check "to 1e-4" is "$(sed -n '2s/.*",29,[0-9.]*,[0-9.]*,\([0-9.]*\),.*/\1/p' "$scratch/out")" 0.8 1e-4
+check "of one window alone" shows "W5" size --obstruction Tower --window-name W5 --keep 90% "$site"
+check "a block over a footprint too" shows "at up to 14.65 m every window keeps 0.6" \
+    size --obstruction Corner --keep 60% "$site"
+check "a block by its name" refuses 1 "did you mean Tower?" size --obstruction Towr "$site"
+check "a window by its name" refuses 1 'no upright window is named "W9"' \
+    size --obstruction Tower --window-name W9 "$site"
+check "no target with it" refuses 2 "does not go with --obstruction" \
+    size --obstruction Tower --target 2% "$site"
+check "no share without it" refuses 2 "is for --obstruction" size --target 2% --keep 80% "$site"
+check "a file without names" refuses 1 "no block in it has a name" size --obstruction Tower "$deep"
+
 check "a profile by its name" refuses 2 "did you mean uk-planning?" \
     assess --for uk-planing "$site"
 check "--for or --criteria" refuses 2 "expected one of them" assess --for en17037 -c vsc "$site"
