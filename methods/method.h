@@ -173,8 +173,10 @@ extern const struct pp_method pp_method_split_flux_atlas;
 
 /* The daylight factor as a whole: */
 extern const struct pp_method pp_method_average_df;
+extern const struct pp_method pp_method_average_df_above;
 extern const struct pp_method pp_method_average_df_lynes;
 extern const struct pp_method pp_method_average_df_atlas;
+extern const struct pp_method pp_method_efficiency;
 extern const struct pp_method pp_method_lumen;
 extern const struct pp_method pp_method_lumen_one;
 
