@@ -8,6 +8,7 @@
 const struct pp_method *const pp_methods[] = {
     &pp_method_exact,
     &pp_method_brs_table,
+    &pp_method_brs_rooflight,
     &pp_method_waldram,
     &pp_method_pepper_pot,
     &pp_method_protractor,

@@ -151,6 +151,7 @@ const struct pp_method *pp_method_find(const char *name);
 /* The methods by name. Sky and externally reflected component: */
 extern const struct pp_method pp_method_exact;
 extern const struct pp_method pp_method_brs_table;
+extern const struct pp_method pp_method_brs_rooflight;
 extern const struct pp_method pp_method_waldram;
 extern const struct pp_method pp_method_pepper_pot;
 extern const struct pp_method pp_method_protractor;
