@@ -153,7 +153,9 @@ extern const struct pp_method pp_method_exact;
 extern const struct pp_method pp_method_brs_table;
 extern const struct pp_method pp_method_brs_rooflight;
 extern const struct pp_method pp_method_waldram;
+extern const struct pp_method pp_method_waldram_overlay;
 extern const struct pp_method pp_method_pepper_pot;
+extern const struct pp_method pp_method_pepper_pot_sky;
 extern const struct pp_method pp_method_protractor;
 
 /* Internally reflected component: */
