@@ -1,13 +1,15 @@
-/* average_df.c - the average daylight factor in one formula, in its two forms.
+/* average_df.c - the average daylight factor in one formula, in its two forms, and the
+ * two practices for low glass.
  *
  * `average-df` is over the working plane [CL84]; `average-df-lynes`, the older form it
  * grew out of, over all surfaces of the room [LYNES79]. theta is the angle of visible sky
  * in section (reflected/sky_angle.h). In the newer form glass below the working plane
  * counts with the floor's reflectance rho_f: its light reaches the plane by way of the
- * floor. A rooflight with a well counts by the well's efficiency (reflected/well.h).
+ * floor. The other practice, `average-df-above`, leaves it out [BS8206]. A rooflight with
+ * a well counts by the well's efficiency (reflected/well.h).
  *
- * The two are averages over different surfaces and not to be compared: before dirt and
- * without glass below the working plane, the older one is (1 + R)/2 of the other. Under
+ * The two forms are averages over different surfaces and not to be compared: before dirt
+ * and without glass below the working plane, the older one is (1 + R)/2 of the other. Under
  * the CIE overcast sky; the newer form for glass of any slope, the older for vertical
  * one. Several openings add up, with the common A and R. Both contain the opening's
  * glass and, through W, the frame; `average-df` contains dirt too. Neither is meant for
@@ -35,6 +37,15 @@ static const struct pp_formula glass_that_counts = {
     .sum = "(a_u + rho_f a_l) B",
     .unit = PP_UNIT_SQUARE_METRE,
     .what = "net area of glass, that below the working plane by way of the floor",
+    .quantities = of_W,
+};
+
+static const struct pp_formula glass_above = {
+    .symbol = "W",
+    .sum = "a_u B",
+    .unit = PP_UNIT_SQUARE_METRE,
+    .source = "BS8206",
+    .what = "net area of glass above the working plane",
     .quantities = of_W,
 };
 
@@ -91,24 +102,37 @@ static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W,
                                                     PP_SKY_ANGLE_SLOPING_FORMULAE,
                                                     &average,
                                                     NULL};
+static const struct pp_formula *const formulae_of_above[] = {
+    &pp_allowance_glass_W,
+    &glass_above,
+    &glass_behind_well,
+    PP_SKY_ANGLE_FORMULAE,
+    PP_SKY_ANGLE_SLOPING_FORMULAE,
+    &average,
+    NULL};
 static const struct pp_formula *const formulae_of_lynes[] = {
     &pp_allowance_glass_W, PP_SKY_ANGLE_FORMULAE, &average_of_surfaces, NULL};
 
+/* What becomes of glass below the working plane. */
+enum low_glass { COUNTS_BY_FLOOR, LEFT_OUT, COUNTS_IN_FULL };
+
 /* W where a part of the opening lies below the working plane. */
 static void put_low_glass(struct pp_worksheet *sheet, const struct pp_world *world,
-                          const struct pp_opening *opening, double low_m2)
+                          const struct pp_opening *opening, double low_m2,
+                          enum low_glass practice)
 {
     int line = opening->line;
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2 - low_m2,
                      "a_u", "opening on line %d: area above the working plane", line);
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, low_m2, "a_l",
                      "opening on line %d: area below it", line);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER,
-                     pp_interior_role(world, PP_FLOOR).reflectance, "rho_f",
-                     "reflectance of the floor, by which that part counts");
+    pp_worksheet_put(
+        sheet, PP_UNIT_NUMBER, pp_interior_role(world, PP_FLOOR).reflectance, "rho_f",
+        practice == LEFT_OUT ? "reflectance of the floor; that part is left out"
+                             : "reflectance of the floor, by which that part counts");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->frame_factor, "B",
                      "opening on line %d: frame factor", line);
-    pp_worksheet_work(sheet, &glass_that_counts,
+    pp_worksheet_work(sheet, practice == LEFT_OUT ? &glass_above : &glass_that_counts,
                       "opening on line %d: net area of glass that counts", line);
 }
 
@@ -128,12 +152,11 @@ static void put_well(struct pp_worksheet *sheet, const struct pp_world *world,
                       line);
 }
 
-/* newer_form: with dirt, and with less of the glass below the working plane. */
 static enum pp_status put_terms(struct pp_worksheet *sheet,
                                 const struct pp_world *world,
                                 const struct pp_outside_light *light,
-                                const struct pp_opening *opening, bool newer_form,
-                                struct pp_error *err)
+                                const struct pp_opening *opening,
+                                enum low_glass practice, struct pp_error *err)
 {
     struct pp_interior all = pp_interior_all(world);
     double low_m2 = pp_interior_area_below(&opening->inner, world->working_plane_m);
@@ -142,17 +165,31 @@ static enum pp_status put_terms(struct pp_worksheet *sheet,
                      "opening on line %d: diffuse transmittance", line);
     if (pp_well_is(opening))
         put_well(sheet, world, light, opening);
-    else if (newer_form && low_m2 > 0.0)
-        put_low_glass(sheet, world, opening, low_m2);
+    else if (practice != COUNTS_IN_FULL && low_m2 > 0.0)
+        put_low_glass(sheet, world, opening, low_m2, practice);
     else
         pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);
     enum pp_status status = pp_sky_angle(sheet, world, light, opening, err);
+    if (status == PP_OK)
+        pp_interior_put(sheet, &all);
+    return status;
+}
+
+static enum pp_status work_newer_form(const struct pp_world *world,
+                                      const struct pp_outside_light *light,
+                                      const struct pp_opening *opening,
+                                      enum low_glass practice, struct pp_part *part,
+                                      struct pp_error *err)
+{
+    enum pp_status status =
+        put_terms(&part->sheet, world, light, opening, practice, err);
     if (status != PP_OK)
         return status;
-    if (newer_form)
-        pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->maintenance, "M",
-                         "opening on line %d: maintenance", line);
-    pp_interior_put(sheet, &all);
+    pp_worksheet_put(&part->sheet, PP_UNIT_NUMBER, opening->maintenance, "M",
+                     "opening on line %d: maintenance", opening->line);
+    part->value =
+        pp_worksheet_work(&part->sheet, &average,
+                          "opening on line %d: average daylight factor", opening->line);
     return PP_OK;
 }
 
@@ -163,12 +200,18 @@ static enum pp_status evaluate(const struct pp_world *world,
                                struct pp_part *part, struct pp_error *err)
 {
     (void)receiver, (void)tools;
-    enum pp_status status = put_terms(&part->sheet, world, light, opening, true, err);
-    if (status == PP_OK)
-        part->value = pp_worksheet_work(&part->sheet, &average,
-                                        "opening on line %d: average daylight factor",
-                                        opening->line);
-    return status;
+    return work_newer_form(world, light, opening, COUNTS_BY_FLOOR, part, err);
+}
+
+static enum pp_status evaluate_above(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
+                                     const struct pp_opening *opening,
+                                     const struct pp_receiver *receiver,
+                                     const void *tools, struct pp_part *part,
+                                     struct pp_error *err)
+{
+    (void)receiver, (void)tools;
+    return work_newer_form(world, light, opening, LEFT_OUT, part, err);
 }
 
 static enum pp_status evaluate_lynes(const struct pp_world *world,
@@ -179,7 +222,8 @@ static enum pp_status evaluate_lynes(const struct pp_world *world,
                                      struct pp_error *err)
 {
     (void)receiver, (void)tools;
-    enum pp_status status = put_terms(&part->sheet, world, light, opening, false, err);
+    enum pp_status status =
+        put_terms(&part->sheet, world, light, opening, COUNTS_IN_FULL, err);
     if (status == PP_OK)
         part->value = pp_worksheet_work(&part->sheet, &average_of_surfaces,
                                         "opening on line %d: average over all surfaces",
@@ -198,6 +242,19 @@ const struct pp_method pp_method_average_df = {
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
     .refuses_room = pp_refusals_formula_room,
     .evaluate = evaluate,
+};
+
+const struct pp_method pp_method_average_df_above = {
+    .name = "average-df-above",
+    .summary = "the same without the glass below the working plane",
+    .source = "BS8206",
+    .formulae = formulae_of_above,
+    .gives = PP_GIVES_WHOLE,
+    .own_ground = 0.1,
+    .speaks_for = PP_FOR_ROOM,
+    .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
+    .refuses_room = pp_refusals_formula_room,
+    .evaluate = evaluate_above,
 };
 
 const struct pp_method pp_method_average_df_lynes = {

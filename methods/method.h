@@ -151,8 +151,11 @@ const struct pp_method *pp_method_find(const char *name);
 /* The methods by name. Sky and externally reflected component: */
 extern const struct pp_method pp_method_exact;
 extern const struct pp_method pp_method_brs_table;
+extern const struct pp_method pp_method_brs_rooflight;
 extern const struct pp_method pp_method_waldram;
+extern const struct pp_method pp_method_waldram_overlay;
 extern const struct pp_method pp_method_pepper_pot;
+extern const struct pp_method pp_method_pepper_pot_sky;
 extern const struct pp_method pp_method_protractor;
 
 /* Internally reflected component: */
@@ -173,8 +176,10 @@ extern const struct pp_method pp_method_split_flux_atlas;
 
 /* The daylight factor as a whole: */
 extern const struct pp_method pp_method_average_df;
+extern const struct pp_method pp_method_average_df_above;
 extern const struct pp_method pp_method_average_df_lynes;
 extern const struct pp_method pp_method_average_df_atlas;
+extern const struct pp_method pp_method_efficiency;
 extern const struct pp_method pp_method_lumen;
 extern const struct pp_method pp_method_lumen_one;
 

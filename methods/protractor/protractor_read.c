@@ -32,18 +32,15 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "methods/view/visible.h"
 #include "methods/view/elevation.h"
-#include "model/geometry/area_moments.h"
-#include "methods/view/window_drawing.h"
+#include "methods/view/slope_rectangles.h"
+#include "methods/view/visible.h"
 
-/* A slope within this angle of a right angle, 0 or a published slope counts as such. */
-static const double slope_tolerance_rad = 1e-3;
+static const double slope_tolerance_rad = PP_SLOPE_RECTANGLES_TOLERANCE_RAD;
 
 double pp_protractor_read_slope(const struct pp_opening *opening)
 {
-    struct pp_vec3 out = opening->inner.normal;
-    return atan2(hypot(out.x, out.y), -out.z);
+    return pp_slope_rectangles_slope(opening);
 }
 
 enum pp_status pp_protractor_read_choose(struct pp_protractor *protractor,
@@ -71,21 +68,9 @@ enum pp_status pp_protractor_read_choose(struct pp_protractor *protractor,
                    slope / PP_RAD);
 }
 
-/* A rectangle in the opening's plane, lengths over the distance of the plane. */
-struct rectangle {
-    double left, right, low, high;
-};
-
 static bool is_upright(double slope)
 {
     return fabs(slope - PP_PI / 2.0) < slope_tolerance_rad;
-}
-
-/* gamma of an edge at b. */
-static double section_altitude(double b, double slope)
-{
-    double up = b * sin(slope) + cos(slope), forward = sin(slope) - b * cos(slope);
-    return fmax(atan2(up, forward), 0.0);
 }
 
 static const struct pp_formula_quantity of_primary[] = {
@@ -141,12 +126,12 @@ const struct pp_formula pp_protractor_read_less = {
 
 static void read_rectangle(struct pp_protractor_reading *reading,
                            const struct pp_protractor_dial *dial, double slope,
-                           struct rectangle at)
+                           const struct pp_slope_rectangle *at)
 {
-    const double b[2] = {at.low, at.high}, x[2] = {at.left, at.right};
+    const double b[2] = {at->low, at->high}, x[2] = {at->left, at->right};
     bool turned_down = !is_upright(slope);
     for (int i = 0; i < 2; i++) {
-        reading->edge_rad[i] = section_altitude(b[i], slope);
+        reading->edge_rad[i] = pp_slope_rectangles_altitude(b[i], slope);
         reading->share[i] = pp_protractor_dial_share(dial, reading->edge_rad[i]);
     }
     reading->average_rad = (reading->edge_rad[0] + reading->edge_rad[1]) / 2.0;
@@ -198,86 +183,13 @@ static enum pp_status read_upright(struct pp_protractor_readings *readings,
             reading->hidden
                 ? pp_visible_luminance_factor(&light->sky, part->reflectance)
                 : 1.0;
-        read_rectangle(
-            reading, dial, PP_PI / 2.0,
-            (struct rectangle){part->left, part->right, part->low, part->high});
+        const struct pp_slope_rectangle at = {.left = part->left,
+                                              .right = part->right,
+                                              .low = part->low,
+                                              .high = part->high};
+        read_rectangle(reading, dial, PP_PI / 2.0, &at);
     }
     pp_elevation_clear(&elevation);
-    return status;
-}
-
-/* The axes of plan and section, in the opening's plane: `along` its level edges, `up`
- * the slope. */
-struct axes {
-    bool turned; /* a level opening's, along its longer edges */
-    struct pp_vec3 along, up;
-};
-
-static struct axes section_axes(const struct pp_opening *opening, double slope)
-{
-    if (slope < slope_tolerance_rad && opening->height_m > opening->width_m)
-        return (struct axes){true, opening->up, pp_vec_scale(opening->along, -1.0)};
-    return (struct axes){false, opening->along, opening->up};
-}
-
-/* Adds the part of a ring above the point's horizon, in the section's axes. */
-static enum pp_status add_ring(struct pp_area_moments *sum, const struct pp_ring *ring,
-                               const struct axes *axes, double horizon,
-                               struct pp_error *err)
-{
-    size_t room = (size_t)ring->count * PP_AREA_MOMENTS_POINTS;
-    double(*points)[2] = malloc(2 * (room + 1) * sizeof *points);
-    if (!points)
-        return pp_fail_memory(err);
-    for (int i = 0; i < ring->count; i++) {
-        const double *xy = ring->xy[i];
-        points[i][0] = axes->turned ? xy[1] : xy[0];
-        points[i][1] = axes->turned ? -xy[0] : xy[1];
-    }
-    struct pp_area_moments extent = pp_area_moments_in_box(
-        points, points + room, ring->count, -INFINITY, INFINITY, horizon, INFINITY);
-    free(points);
-    sum->area += extent.area;
-    sum->left = fmin(sum->left, extent.left);
-    sum->right = fmax(sum->right, extent.right);
-    sum->low = fmin(sum->low, extent.low);
-    sum->high = fmax(sum->high, extent.high);
-    return PP_OK;
-}
-
-/* The rectangle of an obstruction: jambs and head (the edge nearer to the zenith) of
- * the hidden part, equal area. */
-static struct rectangle obstruction_rectangle(const struct pp_area_moments *extent,
-                                              double slope)
-{
-    double height = extent->area / (extent->right - extent->left);
-    bool behind =
-        section_altitude(extent->low, slope) + section_altitude(extent->high, slope)
-        > PP_PI;
-    double low = behind ? extent->low : extent->high - height;
-    return (struct rectangle){extent->left, extent->right, low, low + height};
-}
-
-/* The rectangle of equal area with the middle and the proportions of the bounding
- * box. */
-static struct rectangle equal_rectangle(const struct pp_area_moments *extent)
-{
-    double width = extent->right - extent->left, height = extent->high - extent->low;
-    double margin = (1.0 - sqrt(extent->area / (width * height))) / 2.0;
-    if (!(margin > 1e-9))
-        margin = 0.0;
-    return (struct rectangle){
-        extent->left + margin * width, extent->right - margin * width,
-        extent->low + margin * height, extent->high - margin * height};
-}
-
-static enum pp_status extent_of(struct pp_area_moments *extent,
-                                const struct pp_region *region, const struct axes *axes,
-                                double horizon, struct pp_error *err)
-{
-    enum pp_status status = PP_OK;
-    for (int r = 0; r < region->count && status == PP_OK; r++)
-        status = add_ring(extent, &region->rings[r], axes, horizon, err);
     return status;
 }
 
@@ -285,41 +197,21 @@ static enum pp_status extent_of(struct pp_area_moments *extent,
  * and added to the externally reflected one. */
 static enum pp_status read_sloping(struct pp_protractor_readings *readings,
                                    const struct pp_protractor_dial *dial,
-                                   const struct pp_opening *opening,
-                                   const struct pp_window_drawing *drawing,
+                                   const struct pp_slope_rectangles *rectangles,
                                    struct pp_error *err)
 {
-    double slope = pp_protractor_read_slope(opening);
-    struct axes axes = section_axes(opening, slope);
-    double horizon = slope < slope_tolerance_rad ? -INFINITY : -1.0 / tan(slope);
-    readings->list = calloc((size_t)drawing->count + 1, sizeof *readings->list);
+    readings->list = calloc((size_t)rectangles->count + 1, sizeof *readings->list);
     if (!readings->list)
         return pp_fail_memory(err);
-
-    struct pp_area_moments whole = pp_area_moments_empty();
-    enum pp_status status = PP_OK;
-    for (int i = 0; i < drawing->count && status == PP_OK; i++)
-        status = extent_of(&whole, &drawing->parts[i].region, &axes, horizon, err);
-    if (status != PP_OK || !(whole.area > 0.0))
-        return status;
-    struct pp_protractor_reading *all = &readings->list[readings->count++];
-    all->factor = 1.0;
-    read_rectangle(all, dial, slope, equal_rectangle(&whole));
-
-    for (int i = 0; i < drawing->count && status == PP_OK; i++) {
-        struct pp_area_moments extent = pp_area_moments_empty();
-        if (!drawing->parts[i].hidden)
-            continue;
-        status = extent_of(&extent, &drawing->parts[i].region, &axes, horizon, err);
-        if (status != PP_OK || !(extent.area > 1e-12))
-            continue;
+    for (int i = 0; i < rectangles->count; i++) {
+        const struct pp_slope_rectangle *at = &rectangles->list[i];
         struct pp_protractor_reading *reading = &readings->list[readings->count++];
-        reading->hidden = true;
-        reading->factor = drawing->parts[i].factor;
-        read_rectangle(reading, dial, slope, obstruction_rectangle(&extent, slope));
-        readings->less_hidden = true;
+        reading->hidden = at->hidden;
+        reading->factor = at->factor;
+        read_rectangle(reading, dial, rectangles->slope_rad, at);
+        readings->less_hidden = readings->less_hidden || at->hidden;
     }
-    return status;
+    return PP_OK;
 }
 
 void pp_protractor_read_work(struct pp_protractor_readings *readings)
@@ -342,10 +234,10 @@ enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
                                   struct pp_vec3 point, struct pp_error *err)
 {
     double slope = pp_protractor_read_slope(opening);
-    struct axes axes = section_axes(opening, slope);
+    struct pp_vec3 along = pp_slope_rectangles_along(opening);
     *readings = (struct pp_protractor_readings){
-        .along = axes.along,
-        .out = pp_vec_unit(pp_vec_cross(pp_vec(0.0, 0.0, 1.0), axes.along)),
+        .along = along,
+        .out = pp_vec_unit(pp_vec_cross(pp_vec(0.0, 0.0, 1.0), along)),
         .distance_m = pp_vec_dot(pp_vec_sub(point, opening->inner.vertices[0]),
                                  opening->inner.normal),
         .slope_rad = slope};
@@ -353,12 +245,13 @@ enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
     if (is_upright(slope)) {
         status = read_upright(readings, dial, world, light, opening, point, err);
     } else {
-        struct pp_window_drawing drawing;
-        status = pp_window_drawing_init(&drawing, world, light, opening, point, err);
+        struct pp_slope_rectangles rectangles;
+        status =
+            pp_slope_rectangles_init(&rectangles, world, light, opening, point, err);
         if (status != PP_OK)
             return status;
-        status = read_sloping(readings, dial, opening, &drawing, err);
-        pp_window_drawing_clear(&drawing);
+        status = read_sloping(readings, dial, &rectangles, err);
+        pp_slope_rectangles_clear(&rectangles);
     }
     if (status != PP_OK)
         pp_protractor_sheet_readings_clear(readings);

@@ -148,6 +148,25 @@ struct pp_interior pp_interior_role(const struct pp_world *world, enum pp_role r
     return mean(sums);
 }
 
+struct pp_interior pp_interior_role_above(const struct pp_world *world,
+                                          enum pp_role role, double z)
+{
+    struct sums lower = {0}, upper = {0};
+    for (int i = 0; i < world->face_count; i++)
+        if (world->surfaces[i].role == role)
+            add_split(&lower, &upper, &world->surfaces[i].outline, z, 1.0,
+                      world->surfaces[i].front);
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = world->openings + i;
+        const struct pp_surface *face = world->surfaces + opening->face;
+        if (face->role != role)
+            continue;
+        add_split(&lower, &upper, &opening->inner, z, -1.0, face->front);
+        add_split(&lower, &upper, &opening->inner, z, 1.0, PP_OPENING_REFLECTANCE);
+    }
+    return mean(upper);
+}
+
 struct pp_interior_parts pp_interior_split(const struct pp_world *world, double z)
 {
     return split(world, z, -1, false);

@@ -30,6 +30,10 @@ void pp_interior_put(struct pp_worksheet *sheet, const struct pp_interior *all);
 /* The faces of a role (floor, walls or ceiling) without their openings. */
 struct pp_interior pp_interior_role(const struct pp_world *world, enum pp_role role);
 
+/* The same above the level plane at `z`, openings included with 0.1. */
+struct pp_interior pp_interior_role_above(const struct pp_world *world,
+                                          enum pp_role role, double z);
+
 /* Rows of a formula's list of quantities for A and R. */
 #define PP_INTERIOR_QUANTITIES                                                         \
     {"A", PP_UNIT_SQUARE_METRE, "area of all inside surfaces, openings included"},     \

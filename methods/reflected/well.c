@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "methods/lumen/rectangle_factor.h"
+#include "methods/reflected/point_factor.h"
 #include "methods/refusals.h"
 #include "model/light/graded_sky.h"
 
@@ -11,6 +12,8 @@ enum {
     BANDS = 12,     /* of the sides; twice as many change no efficiency by 0.002 */
     ALTITUDES = 48, /* of the light that passes straight through */
     AZIMUTHS = 12,  /* in a quarter of the circle */
+    TOP = BANDS,    /* the glass seen from below, a zone behind the bands */
+    ZONES,
 };
 
 bool pp_well_is(const struct pp_opening *opening)
@@ -71,20 +74,32 @@ static void form_factors(double factor[BANDS + 1], const struct pp_well_shape *s
 }
 
 /* Solves M x = y in place for a matrix whose rows are led by their diagonals. */
-static void solve(double M[BANDS][BANDS], double y[BANDS])
+static void solve(double M[ZONES][ZONES], double y[ZONES])
 {
-    for (int i = 0; i < BANDS; i++)
-        for (int k = i + 1; k < BANDS; k++) {
+    for (int i = 0; i < ZONES; i++)
+        for (int k = i + 1; k < ZONES; k++) {
             double times = M[k][i] / M[i][i];
-            for (int j = i; j < BANDS; j++)
+            for (int j = i; j < ZONES; j++)
                 M[k][j] -= times * M[i][j];
             y[k] -= times * y[i];
         }
-    for (int i = BANDS - 1; i >= 0; i--) {
-        for (int j = i + 1; j < BANDS; j++)
+    for (int i = ZONES - 1; i >= 0; i--) {
+        for (int j = i + 1; j < ZONES; j++)
             y[i] -= M[i][j] * y[j];
         y[i] /= M[i][i];
     }
+}
+
+/* Reflectance of the glass from below, for diffuse light. */
+static double back_of(const struct pp_glass *glass)
+{
+    double sum = 0.0;
+    for (int k = 0; k < ALTITUDES; k++) {
+        double sine = (k + 0.5) / ALTITUDES;
+        sum += 2.0 * sine / ALTITUDES
+               * pp_glass_reflectance(glass, sqrt(1.0 - sine * sine));
+    }
+    return sum;
 }
 
 /* Bands are alike, so that what one sends to another depends on how far apart they are:
@@ -93,16 +108,20 @@ static void solve(double M[BANDS][BANDS], double y[BANDS])
  *     i to j     section (F(m - 1) - 2 F(m) + F(m + 1)),  m = |i - j| > 0
  *     to itself  1 - 2 section (1 - F(1))
  *     to the foot, n bands below its upper edge: section (F(n - 1) - F(n))
+ *
+ * and to the glass above in the same way; that reflects some of it down again.
  */
 struct pp_well_efficiency pp_well_efficiency(const struct pp_well_shape *shape,
                                              double b, const struct pp_glass *glass)
 {
-    double T[BANDS + 1], F[BANDS + 1], M[BANDS][BANDS], on_band[BANDS];
+    double T[BANDS + 1], F[BANDS + 1], M[ZONES][ZONES], on_zone[ZONES];
     pass_straight(T, shape, b, glass);
     form_factors(F, shape);
-    double section = BANDS / (4.0 * pp_well_index(shape));
+    double section = BANDS / (4.0 * pp_well_index(shape)), back = back_of(glass);
     for (int i = 0; i < BANDS; i++) {
-        on_band[i] = T[i] - T[i + 1];
+        on_zone[i] = T[i] - T[i + 1];
+        M[i][TOP] = -back * (F[i] - F[i + 1]);
+        M[TOP][i] = -shape->sides * section * (F[i] - F[i + 1]);
         for (int j = 0; j < BANDS; j++) {
             int m = i > j ? i - j : j - i;
             double sent = m == 0 ? 1.0 - 2.0 * section * (1.0 - F[1])
@@ -110,11 +129,14 @@ struct pp_well_efficiency pp_well_efficiency(const struct pp_well_shape *shape,
             M[i][j] = (i == j) - shape->sides * sent;
         }
     }
-    solve(M, on_band);
+    M[TOP][TOP] = 1.0;
+    on_zone[TOP] = 0.0;
+    solve(M, on_zone);
     struct pp_well_efficiency efficiency = {.whole = T[BANDS], .direct = T[BANDS]};
+    efficiency.whole += back * on_zone[TOP] * F[BANDS];
     for (int i = 0; i < BANDS; i++)
         efficiency.whole +=
-            shape->sides * on_band[i] * section * (F[BANDS - 1 - i] - F[BANDS - i]);
+            shape->sides * on_zone[i] * section * (F[BANDS - 1 - i] - F[BANDS - i]);
     return efficiency;
 }
 
@@ -164,35 +186,11 @@ void pp_well_put(struct pp_worksheet *sheet, const struct pp_world *world,
                      "share that has not met its sides");
 }
 
-/* The form factor of a polygon by its edges [HSM16]: the angle that each subtends, times
- * the cosine of the plane through it and the point. */
-static double edge_factor(struct pp_vec3 to_a, struct pp_vec3 to_b,
-                          struct pp_vec3 normal)
-{
-    struct pp_vec3 across = pp_vec_cross(to_a, to_b);
-    double sine = pp_vec_length(across);
-    if (!(sine > 0.0))
-        return 0.0;
-    return atan2(sine, pp_vec_dot(to_a, to_b)) * pp_vec_dot(across, normal) / sine
-           / (2.0 * PP_PI);
-}
-
 double pp_well_foot_to_plane(const struct pp_world *world,
                              const struct pp_opening *opening)
 {
-    struct pp_vec3 middle = pp_polygon_middle(&opening->inner);
-    double sum = 0.0;
-    for (int i = 0; i < world->plane.count; i++) {
-        const struct pp_ring *ring = world->plane.rings + i;
-        for (int k = 0; k < ring->count; k++) {
-            const double *a = ring->xy[k], *b = ring->xy[(k + 1) % ring->count];
-            double z = world->working_plane_m;
-            sum -= edge_factor(pp_vec_sub(pp_vec(a[0], a[1], z), middle),
-                               pp_vec_sub(pp_vec(b[0], b[1], z), middle),
-                               opening->inner.normal);
-        }
-    }
-    return fmin(fmax(sum, 0.0), 1.0);
+    return pp_point_factor(pp_polygon_middle(&opening->inner), opening->inner.normal,
+                           &world->plane, world->working_plane_m);
 }
 
 void pp_well_put_foot(struct pp_worksheet *sheet, const struct pp_world *world,

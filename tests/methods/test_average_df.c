@@ -96,6 +96,29 @@ static void glass_below_the_working_plane_counts_by_way_of_the_floor(void **stat
     }
 }
 
+/* Of the same window 1.1 of 1.5 m count, whatever the floor; on a black one the two
+ * practices are one, as they are for glass above the plane. Wholly below it: nothing. */
+static void glass_below_the_working_plane_can_be_left_out(void **state)
+{
+    (void)state;
+    const struct pp_method *above_only = &pp_method_average_df_above;
+    for (double floor = 0.0; floor < 1.0; floor += 0.3) {
+        struct box_room box;
+        box_room_build(&box, 4.0, 6.0, 3.0, floor, 0.5, 0.7);
+        box.world.working_plane_m = 0.45;
+        box_room_south(&box, 0.2, 0.45, 3.6, 1.5)->frame_factor = 0.71;
+        double whole = average_df_of(&box, 0);
+        assert_relative(box_method_value(above_only, &box, 0), whole, 1e-14);
+        box.world.working_plane_m = 0.85;
+        double left = box_method_value(above_only, &box, 0);
+        assert_relative(left, 1.1 / 1.5 * whole, 1e-13);
+        assert_relative(average_df_of(&box, 0) - left, 0.4 * floor / 1.5 * whole,
+                        1e-12);
+        box.world.working_plane_m = 1.96;
+        assert_near(box_method_value(above_only, &box, 0), 0.0, 1e-16);
+    }
+}
+
 /* By hand, 4 x 6 x 3 m, a level pane of 1.1 x 0.7 m, T 0.68: R = (24 * 0.2 + 60 * 0.5
  * + 23.23 * 0.7 + 0.077) / 108 = 0.473639, DF = 0.68 * 0.77 * 180 / (108 (1 - R^2))
  * = 1.12500 %. */
@@ -156,6 +179,7 @@ int main(void)
         cmocka_unit_test(reveal_cuts_the_angle_from_above),
         cmocka_unit_test(older_form_is_over_all_surfaces),
         cmocka_unit_test(glass_below_the_working_plane_counts_by_way_of_the_floor),
+        cmocka_unit_test(glass_below_the_working_plane_can_be_left_out),
         cmocka_unit_test(level_glass_sees_180_degrees_of_sky),
         cmocka_unit_test(sloping_glass_sees_180_degrees_less_its_slope),
         cmocka_unit_test(other_skies_are_refused_and_by_the_older_form_slopes),

@@ -1,0 +1,176 @@
+/* brs_edges.c - readings of tables, and the sums of them. */
+#include "methods/brs/brs_edges.h"
+
+#include <math.h>
+#include <stddef.h>
+
+/* ---- the table ---- */
+
+/* The position of x between two printed values: 0 at low, 1 at high. */
+static double between(double x, double low, double high)
+{
+    return isinf(high) ? 1.0 - low / x : (x - low) / (high - low);
+}
+
+/* The table's row `row` at `aside`, in per cent. */
+static double read_row(const struct pp_brs_cells *table, int row, double aside)
+{
+    const double *head = table->cells, *cells = table->cells + row * table->columns;
+    int k = 1;
+    while (k < table->columns - 1 && aside > head[k])
+        k++;
+    double low = k > 1 ? head[k - 1] : 0.0, low_value = k > 1 ? cells[k - 1] : 0.0;
+    return low_value + between(aside, low, head[k]) * (cells[k] - low_value);
+}
+
+double pp_brs_edges_read(const struct pp_brs_cells *table, double up, double aside)
+{
+    if (!(up > 0.0 && aside > 0.0))
+        return 0.0;
+    const double *cells = table->cells;
+    int columns = table->columns, i = table->rows - 1;
+    while (i > 1 && up > cells[i * columns])
+        i--;
+    bool first = i == table->rows - 1;
+    double low = first ? 0.0 : cells[(i + 1) * columns];
+    double low_value = first ? 0.0 : read_row(table, i + 1, aside);
+    double high_value = read_row(table, i, aside);
+    double t = between(up, low, cells[i * columns]);
+    return (low_value + t * (high_value - low_value)) / 100.0;
+}
+
+/* ---- the formulae ---- */
+
+#define BRS(left, right, what_of, quantities_of, is_fixed)                             \
+    {                                                                                  \
+        .symbol = left, .sum = right, .unit = PP_UNIT_SHARE, .source = "HLG58",        \
+        .what = what_of, .quantities = quantities_of, .fixed = is_fixed                \
+    }
+
+static const struct pp_formula_quantity of_upper[] = {
+    {"h", PP_UNIT_NUMBER, "upper edge over distance"},
+    {"T_hl", PP_UNIT_SHARE, "table there, to the left jamb"},
+    {"T_hr", PP_UNIT_SHARE, "table there, to the right jamb"},
+    {0},
+};
+static const struct pp_formula_quantity of_lower[] = {
+    {"s", PP_UNIT_NUMBER, "lower edge over distance"},
+    {"T_sl", PP_UNIT_SHARE, "table there, to the left jamb"},
+    {"T_sr", PP_UNIT_SHARE, "table there, to the right jamb"},
+    {0},
+};
+
+static const char both_sides[] = "jambs on both sides of the normal",
+                  to_the_left[] = "both jambs to the left of the normal",
+                  to_the_right[] = "both jambs to the right of the normal";
+
+const struct pp_formula pp_brs_edges_upper[3] = {
+    BRS("H", "T_hl + T_hr", both_sides, of_upper, true),
+    BRS("H", "T_hl - T_hr", to_the_left, of_upper, true),
+    BRS("H", "T_hr - T_hl", to_the_right, of_upper, true)};
+const struct pp_formula pp_brs_edges_lower[3] = {
+    BRS("S", "T_sl + T_sr", both_sides, of_lower, true),
+    BRS("S", "T_sl - T_sr", to_the_left, of_lower, true),
+    BRS("S", "T_sr - T_sl", to_the_right, of_lower, true)};
+
+static const struct pp_formula_quantity of_rectangle[] = {
+    {"H", PP_UNIT_SHARE, "sum at the upper edge"},
+    {"S", PP_UNIT_SHARE, "sum at the lower edge; 0 where the table begins"},
+    {0},
+};
+static const struct pp_formula_quantity of_hidden[] = {
+    {"e", PP_UNIT_SHARE, "equivalent sky component of the obstruction"},
+    {"f", PP_UNIT_NUMBER, "luminance factor of the obstruction"},
+    {0},
+};
+
+static const char in_words[] = "sky component",
+                  equivalent[] = "equivalent sky component of the obstruction",
+                  external[] = "externally reflected component";
+
+const struct pp_formula pp_brs_edges_sky[2] = {
+    BRS("sc", "H - S", in_words, of_rectangle, false),
+    BRS("sc", "H", "sky component, lower edge where the table begins", of_rectangle,
+        false)};
+const struct pp_formula pp_brs_edges_equivalent[2] = {
+    BRS("e", "H - S", equivalent, of_rectangle, false),
+    BRS("e", "H", "the same, lower edge where the table begins", of_rectangle, false)};
+const struct pp_formula pp_brs_edges_reflected =
+    BRS("erc", "f e", external, of_hidden, false);
+const struct pp_formula pp_brs_edges_across[4] = {
+    BRS("sc", "H + S", "sky component, the point below the glass", of_rectangle, true),
+    BRS("e", "H + S", "the same of an obstruction", of_rectangle, true),
+    BRS("sc", "S - H", "sky component, both edges on the lower side", of_rectangle,
+        true),
+    BRS("e", "S - H", "the same of an obstruction", of_rectangle, true)};
+const struct pp_formula pp_brs_edges_less =
+    BRS("sc", "-e", "what an obstruction takes off the sky component", of_hidden, true);
+
+/* ---- the sum ---- */
+
+/* An edge of a rectangle: what it is called, and its sums by the side of the jambs. */
+static const struct edge {
+    const char *height, *left, *right, *what;
+    const struct pp_formula *sums; /* added, left less, right less */
+} upper = {"h", "T_hl", "T_hr", "upper edge", pp_brs_edges_upper},
+  lower = {"s", "T_sl", "T_sr", "lower edge", pp_brs_edges_lower};
+
+/* Works out an edge: the readings on both sides of the normal added, else the wider less
+ * the narrower. */
+static void work_edge(struct pp_worksheet *sheet, const struct edge *edge,
+                      const struct pp_brs_cells *table, double up,
+                      const struct pp_brs_rectangle *at, const char *measure)
+{
+    double left = fabs(at->left), right = fabs(at->right);
+    bool both = at->left < 0.0 && at->right > 0.0;
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, up, edge->height, "%s over distance, %s",
+                     edge->what, measure);
+    pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_brs_edges_read(table, up, left),
+                     edge->left, "table at that %s and w/d %.3f", measure, left);
+    pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_brs_edges_read(table, up, right),
+                     edge->right, "table at that %s and w/d %.3f", measure, right);
+    pp_worksheet_work(sheet,
+                      &edge->sums[both              ? 0
+                                  : at->right > 0.0 ? 2
+                                                    : 1],
+                      both ? "both sides of the normal added"
+                           : "the wider less the narrower");
+}
+
+/* The sum of both edges, by where the table begins. */
+static const struct pp_formula *sum_of(const struct pp_brs_rectangle *at)
+{
+    if (at->low < 0.0)
+        return &pp_brs_edges_across[(at->high > 0.0 ? 0 : 2) + at->hidden];
+    const struct pp_formula *sums =
+        at->hidden ? pp_brs_edges_equivalent : pp_brs_edges_sky;
+    return &sums[at->low > 0.0 ? 0 : 1];
+}
+
+void pp_brs_edges_work(struct pp_part_steps *terms, struct pp_part *sum,
+                       const struct pp_brs_cells *table,
+                       const struct pp_brs_rectangle *at, const char *measure)
+{
+    struct pp_worksheet *sheet = terms->sheet;
+    pp_part_steps_next(terms);
+    pp_worksheet_note(sheet, PP_UNIT_NUMBER, at->left,
+                      "%s: left jamb over distance, w/d, right is positive",
+                      at->hidden ? "obstruction" : "sky");
+    pp_worksheet_note(sheet, PP_UNIT_NUMBER, at->right, "right jamb");
+    work_edge(sheet, &upper, table, fabs(at->high), at, measure);
+    if (at->low != 0.0)
+        work_edge(sheet, &lower, table, fabs(at->low), at, measure);
+    else
+        pp_worksheet_know(sheet, PP_UNIT_SHARE, 0.0, "S");
+    if (!at->hidden) {
+        sum->sky += pp_part_steps_work(terms, false, sum_of(at), in_words);
+        return;
+    }
+    pp_worksheet_work(sheet, sum_of(at), "%s", equivalent);
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, at->factor, "f",
+                     "luminance factor of the obstruction");
+    sum->external += pp_part_steps_work(terms, true, &pp_brs_edges_reflected, external);
+    if (at->off_sky)
+        sum->sky += pp_part_steps_work(terms, false, &pp_brs_edges_less,
+                                       "taken off the sky component");
+}

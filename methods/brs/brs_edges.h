@@ -1,0 +1,60 @@
+/* brs_edges.h - simplified daylight tables read at the edges of rectangles [HLG58].
+ *
+ * A table T(up, aside) gives the sky component of a rectangle with one corner where the
+ * table begins: `up` to its far edge, `aside` to its far jamb, over the distance d of its
+ * plane. Interpolation is linear between neighbours in both directions, linear in the
+ * reciprocal between the last printed column or row and infinity, and linear to zero
+ * below the first. As published:
+ *
+ *   - jambs on both sides: the two readings added; to one side: the wider less the
+ *     narrower
+ *   - the upper edge less the lower edge; edges on both sides of where the table begins,
+ *     as those of level glass may be: added
+ *   - an obstruction: the same; its externally reflected component is its luminance
+ *     factor times that
+ */
+#ifndef PP_METHODS_BRS_BRS_EDGES_H
+#define PP_METHODS_BRS_BRS_EDGES_H
+
+#include "methods/method.h"
+#include "methods/part_steps.h"
+
+/* A table as csv2c.awk writes it: the first row holds `aside`, each other row `up`, from
+ * infinity down, then per cent. */
+struct pp_brs_cells {
+    int rows, columns;
+    const double *cells;
+};
+
+/* A fraction; 0 unless both are above 0. */
+double pp_brs_edges_read(const struct pp_brs_cells *table, double up, double aside);
+
+/* Edges over d, as the table measures them; right is positive. */
+struct pp_brs_rectangle {
+    double left, right, low, high;
+    bool hidden;   /* shows an obstruction; else the sky */
+    double factor; /* its luminance factor */
+    bool off_sky;  /* what it hides is in the sky's rectangle, too, and taken off */
+};
+
+/* Works the next part out and adds it to *sum. `measure` is what the table calls `up`:
+ * "h/d". */
+void pp_brs_edges_work(struct pp_part_steps *terms, struct pp_part *sum,
+                       const struct pp_brs_cells *table,
+                       const struct pp_brs_rectangle *rectangle, const char *measure);
+
+/* Rows of a method's list of formulae: of all tables, and of those besides whose edges lie
+ * on both sides and whose obstructions are taken off. */
+extern const struct pp_formula pp_brs_edges_upper[3], pp_brs_edges_lower[3],
+    pp_brs_edges_sky[2], pp_brs_edges_equivalent[2], pp_brs_edges_reflected,
+    pp_brs_edges_across[4], pp_brs_edges_less;
+#define PP_BRS_EDGES_FORMULAE                                                          \
+    &pp_brs_edges_upper[0], &pp_brs_edges_upper[1], &pp_brs_edges_upper[2],            \
+        &pp_brs_edges_lower[0], &pp_brs_edges_lower[1], &pp_brs_edges_lower[2],        \
+        &pp_brs_edges_sky[0], &pp_brs_edges_sky[1], &pp_brs_edges_equivalent[0],       \
+        &pp_brs_edges_equivalent[1], &pp_brs_edges_reflected
+#define PP_BRS_EDGES_ACROSS_FORMULAE                                                   \
+    &pp_brs_edges_across[0], &pp_brs_edges_across[1], &pp_brs_edges_across[2],         \
+        &pp_brs_edges_across[3], &pp_brs_edges_less
+
+#endif

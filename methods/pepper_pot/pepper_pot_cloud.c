@@ -1,0 +1,114 @@
+/* pepper_pot_cloud.c - light by rings and cells, and the lattice taken back through both. */
+#include "methods/pepper_pot/pepper_pot_cloud.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { RINGS = 180, CELLS = 240 };
+
+/* Light of the cells up to the end of each, ring by ring; that of the rings up to each. */
+struct cells {
+    double within[RINGS + 1];
+    double up_to[RINGS][CELLS + 1];
+};
+
+static struct pp_vec3 direction(const struct pp_window_axes *axes, double theta,
+                                double psi)
+{
+    struct pp_vec3 u = pp_vec_scale(axes->out, cos(theta));
+    u = pp_vec_along(u, sin(theta) * cos(psi), axes->along);
+    return pp_vec_along(u, sin(theta) * sin(psi), axes->up);
+}
+
+static void fill(struct cells *cells, const struct pp_sky *sky,
+                 const struct pp_glass *glass, const struct pp_window_axes *axes,
+                 struct pp_vec3 normal)
+{
+    double d_theta = PP_PI / 2.0 / RINGS, d_psi = 2.0 * PP_PI / CELLS;
+    cells->within[0] = 0.0;
+    for (int i = 0; i < RINGS; i++) {
+        double theta = (i + 0.5) * d_theta;
+        double weight = 2.0 * sin(theta) * sin(d_theta / 2.0) * d_psi
+                        * pp_glass_transmittance(glass, cos(theta));
+        cells->up_to[i][0] = 0.0;
+        for (int k = 0; k < CELLS; k++) {
+            struct pp_vec3 u = direction(axes, theta, (k + 0.5) * d_psi);
+            double facing = fmax(pp_vec_dot(u, normal), 0.0);
+            double light = u.z > 0.0 && facing > 0.0
+                               ? pp_sky_luminance(sky, u) * facing * weight
+                               : 0.0;
+            cells->up_to[i][k + 1] = cells->up_to[i][k] + light;
+        }
+        cells->within[i + 1] = cells->within[i] + cells->up_to[i][CELLS];
+    }
+}
+
+/* Where an ascending list of `count` + 1 values reaches `value`, from 0 to count. */
+static double place_of(const double *ascending, int count, double value)
+{
+    int low = 0, high = count;
+    while (high - low > 1) {
+        int middle = (low + high) / 2;
+        if (ascending[middle] <= value)
+            low = middle;
+        else
+            high = middle;
+    }
+    double step = ascending[low + 1] - ascending[low];
+    return low + (step > 0.0 ? fmin((value - ascending[low]) / step, 1.0) : 0.5);
+}
+
+static void place_dots(struct pp_pepper_pot_cloud *cloud, const struct cells *cells,
+                       double worth)
+{
+    static const double golden = 0.61803398874989484820; /* (sqrt 5 - 1)/2 */
+    for (int i = 0; i < cloud->count; i++) {
+        double whole, s = modf((i + 0.5) * golden, &whole);
+        double ring = place_of(cells->within, RINGS, (i + 0.5) * worth);
+        const double *up_to = cells->up_to[(int)fmin(ring, RINGS - 1)];
+        double theta = ring / RINGS * PP_PI / 2.0;
+        double psi = place_of(up_to, CELLS, s * up_to[CELLS]) / CELLS * 2.0 * PP_PI;
+        cloud->dots[i][0] = tan(theta) * cos(psi);
+        cloud->dots[i][1] = tan(theta) * sin(psi);
+    }
+}
+
+enum pp_status pp_pepper_pot_cloud_init(struct pp_pepper_pot_cloud *cloud,
+                                        const struct pp_sky *sky,
+                                        const struct pp_glass *glass,
+                                        const struct pp_window_axes *axes,
+                                        struct pp_vec3 normal, double worth,
+                                        struct pp_error *err)
+{
+    *cloud = (struct pp_pepper_pot_cloud){0};
+    struct cells *cells = malloc(sizeof *cells);
+    if (!cells)
+        return pp_fail_memory(err);
+    fill(cells, sky, glass, axes, normal);
+    cloud->whole = cells->within[RINGS];
+    cloud->count = (int)fmax(ceil(cloud->whole / worth - 0.5), 0.0);
+    cloud->dots = malloc(((size_t)cloud->count + 1) * sizeof *cloud->dots);
+    if (cloud->dots)
+        place_dots(cloud, cells, worth);
+    free(cells);
+    if (cloud->dots)
+        return PP_OK;
+    *cloud = (struct pp_pepper_pot_cloud){0};
+    return pp_fail_memory(err);
+}
+
+void pp_pepper_pot_cloud_clear(struct pp_pepper_pot_cloud *cloud)
+{
+    free(cloud->dots);
+    *cloud = (struct pp_pepper_pot_cloud){0};
+}
+
+int pp_pepper_pot_cloud_count(const struct pp_pepper_pot_cloud *cloud,
+                              const struct pp_region *region)
+{
+    int count = 0;
+    for (int i = 0; i < cloud->count; i++)
+        count +=
+            pp_region_contains(region, cloud->dots[i][0], cloud->dots[i][1]) ? 1 : 0;
+    return count;
+}

@@ -1,0 +1,44 @@
+/* pepper_pot_cloud.h - dots on the true perspective of an opening of any slope, each worth
+ * the same share of the light of any sky to any receiver, after [PLE54].
+ *
+ * The drawing is the opening's own plane at unit distance from the point: (a, b) is seen
+ * in the direction a along, b up the slope, 1 out. A dot stands for a piece of the sky that
+ * gives `worth` to the receiver (normal n), u directions above the horizon:
+ *
+ *     dSC = L(u) tau(out.u) (n.u) domega
+ *
+ * L may depend on the azimuth. The half-space before the glass is divided into rings about
+ * its normal, each into cells; t is the share of the light within a ring, s that of the
+ * ring's light up to a cell, and the dots are a Fibonacci lattice of the square of s and t
+ * [SP06]: a sunflower, where the light is even. Between the middles of cells light is
+ * taken to be as there.
+ */
+#ifndef PP_METHODS_PEPPER_POT_PEPPER_POT_CLOUD_H
+#define PP_METHODS_PEPPER_POT_PEPPER_POT_CLOUD_H
+
+#include "methods/view/window_drawing.h"
+#include "model/base/error.h"
+#include "model/geometry/region.h"
+#include "model/light/glass.h"
+#include "model/light/sky.h"
+
+struct pp_pepper_pot_cloud {
+    double whole; /* light of a boundless opening, over Eh */
+    int count;
+    double (*dots)[2]; /* a and b */
+};
+
+/* worth is above 1e-5. To be cleared by the caller; empty on failure. */
+enum pp_status pp_pepper_pot_cloud_init(struct pp_pepper_pot_cloud *cloud,
+                                        const struct pp_sky *sky,
+                                        const struct pp_glass *glass,
+                                        const struct pp_window_axes *axes,
+                                        struct pp_vec3 normal, double worth,
+                                        struct pp_error *err);
+void pp_pepper_pot_cloud_clear(struct pp_pepper_pot_cloud *cloud);
+
+/* The number of dots in a region of the drawing. */
+int pp_pepper_pot_cloud_count(const struct pp_pepper_pot_cloud *cloud,
+                              const struct pp_region *region);
+
+#endif

@@ -1,0 +1,166 @@
+/* pepper_pot_sky.c - `pepper-pot-sky`: direct component by counting dots, for openings of
+ * any slope, receivers of any kind and any sky [PLE54].
+ *
+ * As `pepper-pot`, on diagrams made for the sky at hand, its sun's azimuth too, for the
+ * slope and the direction of the opening and for the receiver (pepper_pot_cloud.h): each
+ * dot within the outline is worth 0.1 %:
+ *
+ *     SC  = dots on the sky x 0.1 %
+ *     ERC = luminance factor x dots on obstructions x 0.1 %
+ *
+ * For clear glass or none. The figures contain clear single glass.
+ */
+#include <stdlib.h>
+
+#include "methods/exact/direct.h"
+#include "methods/method.h"
+#include "methods/pepper_pot/pepper_pot_cloud.h"
+#include "methods/pepper_pot/pepper_pot_dots.h"
+#include "methods/refusals.h"
+#include "methods/view/window_drawing.h"
+
+/* The diagrams of each opening for points that face up. */
+struct pepper_pot_clouds {
+    int count;
+    struct pp_pepper_pot_cloud list[];
+};
+
+static struct pp_glass glass_of(const struct pp_opening *opening)
+{
+    return opening->glass.panes > 0 ? pp_glass_clear_single() : opening->glass;
+}
+
+static void destroy_tools(void *tools)
+{
+    struct pepper_pot_clouds *clouds = tools;
+    for (int i = 0; clouds && i < clouds->count; i++)
+        pp_pepper_pot_cloud_clear(&clouds->list[i]);
+    free(clouds);
+}
+
+static struct pp_window_axes axes_of(const struct pp_opening *opening)
+{
+    return (struct pp_window_axes){opening->along, opening->up,
+                                   pp_vec_scale(opening->inner.normal, -1.0)};
+}
+
+static enum pp_status prepare(void **tools, const struct pp_world *world,
+                              const struct pp_outside_light *light,
+                              struct pp_error *err)
+{
+    size_t openings = (size_t)world->opening_count;
+    struct pepper_pot_clouds *clouds =
+        calloc(1, sizeof *clouds + openings * sizeof *clouds->list);
+    if (!clouds)
+        return pp_fail_memory(err);
+    enum pp_status status = PP_OK;
+    for (; clouds->count < world->opening_count && status == PP_OK; clouds->count++) {
+        const struct pp_opening *opening = &world->openings[clouds->count];
+        struct pp_glass glass = glass_of(opening);
+        struct pp_window_axes axes = axes_of(opening);
+        status = pp_pepper_pot_cloud_init(&clouds->list[clouds->count], &light->sky,
+                                          &glass, &axes, pp_vec(0.0, 0.0, 1.0),
+                                          PP_PEPPER_POT_WORTH, err);
+    }
+    if (status == PP_OK)
+        *tools = clouds;
+    else
+        destroy_tools(clouds);
+    return status;
+}
+
+static const char *refuses_room(const struct pp_world *world,
+                                const struct pp_outside_light *light,
+                                const struct pp_receiver *receiver)
+{
+    (void)light, (void)receiver;
+    return pp_refusals_if_luminous(world);
+}
+
+static const char *refuses(const struct pp_world *world,
+                           const struct pp_outside_light *light,
+                           const struct pp_opening *opening,
+                           const struct pp_receiver *receiver)
+{
+    (void)world, (void)light, (void)receiver;
+    return opening->glass.diffusing
+               ? "has diffusing glass; the diagram holds clear glass only"
+               : NULL;
+}
+
+static void count_dots(struct pp_part *part, const struct pp_pepper_pot_cloud *cloud,
+                       const struct pp_window_drawing *drawing)
+{
+    pp_worksheet_put(&part->sheet, PP_UNIT_SHARE, PP_PEPPER_POT_WORTH, "w",
+                     "a dot of the diagram is worth");
+    struct pp_part_steps terms = pp_part_steps_on(&part->sheet, drawing->count);
+    for (int i = 0; i < drawing->count; i++) {
+        const struct pp_drawn_part *drawn = &drawing->parts[i];
+        int dots = pp_pepper_pot_cloud_count(cloud, &drawn->region);
+        *(drawn->hidden ? &part->external : &part->sky) +=
+            pp_window_drawing_work(&terms, drawn, dots, "dots");
+    }
+    pp_part_steps_end(&terms);
+}
+
+static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
+{
+    const struct pepper_pot_clouds *clouds = tools;
+    struct pp_window_drawing drawing;
+    enum pp_status status = pp_window_drawing_init(&drawing, world, light, opening,
+                                                   receiver->position, err);
+    if (status != PP_OK)
+        return status;
+    if (!pp_refusals_unless_up(receiver)) {
+        count_dots(part, &clouds->list[opening - world->openings], &drawing);
+    } else {
+        struct pp_pepper_pot_cloud own;
+        struct pp_glass glass = glass_of(opening);
+        struct pp_window_axes axes = axes_of(opening);
+        status = pp_pepper_pot_cloud_init(&own, &light->sky, &glass, &axes,
+                                          receiver->normal, PP_PEPPER_POT_WORTH, err);
+        if (status == PP_OK)
+            count_dots(part, &own, &drawing);
+        pp_pepper_pot_cloud_clear(&own);
+    }
+    pp_window_drawing_clear(&drawing);
+    return status;
+}
+
+/* The mean of many counts is the component itself. */
+static enum pp_status average(const struct pp_world *world,
+                              const struct pp_outside_light *light,
+                              const struct pp_opening *opening, const void *tools,
+                              struct pp_part *part, bool *known, struct pp_error *err)
+{
+    (void)tools;
+    struct pp_direct mean = {0};
+    struct pp_glass glass = glass_of(opening);
+    *known = true;
+    enum pp_status status =
+        pp_direct_average(&mean, world, light, opening, &glass, err);
+    part->sky = mean.sky;
+    part->external = mean.external;
+    return status;
+}
+
+const struct pp_method pp_method_pepper_pot_sky = {
+    .name = "pepper-pot-sky",
+    .summary = "dots made for any sky, any slope of the glass and any receiver",
+    .source = "PLE54",
+    .formulae = pp_window_drawing_formulae,
+    .gives = PP_GIVES_DIRECT,
+    .speaks_for = PP_FOR_POINT,
+    .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
+    .counts = true,
+    .prepare = prepare,
+    .destroy_tools = destroy_tools,
+    .refuses_room = refuses_room,
+    .refuses = refuses,
+    .evaluate = evaluate,
+    .average = average,
+};

@@ -1,0 +1,31 @@
+/* point_factor.h - what of the light through a point falls on a level figure straight:
+ * of diffuse light, and of the sky's.
+ */
+#ifndef PP_METHODS_REFLECTED_POINT_FACTOR_H
+#define PP_METHODS_REFLECTED_POINT_FACTOR_H
+
+#include "model/geometry/polygon.h"
+#include "model/geometry/region.h"
+#include "model/geometry/vec.h"
+#include "model/light/sky.h"
+
+/* From a surface at `from`, which sends its light by the cosine about `normal` (unit), the
+ * share that falls on the region in the level plane at the height z, 0 to 1: its
+ * configuration factor [HSM16]. What lies behind the surface counts for nothing. */
+double pp_point_factor(struct pp_vec3 from, struct pp_vec3 normal,
+                       const struct pp_region *region, double z);
+
+/* Of an unglazed opening at `from`, whose normal points in, the sky's light that goes
+ * straight on to the region below, over Eh: 0 to what falls on the opening. The sky has a
+ * gradation and no azimuth dependence. */
+double pp_point_factor_sky(struct pp_vec3 from, struct pp_vec3 normal,
+                           const struct pp_region *region, double z,
+                           const struct pp_sky *sky);
+
+/* Of the sky's light that comes from the point `from` through a convex polygon below it,
+ * the foot, of four edges at most, the share that falls on the region below straight, 0 to 1. */
+double pp_point_factor_through(struct pp_vec3 from, const struct pp_polygon *foot,
+                               const struct pp_region *region, double z,
+                               const struct pp_sky *sky);
+
+#endif

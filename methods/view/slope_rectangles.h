@@ -1,0 +1,52 @@
+/* slope_rectangles.h - an opening that is not vertical, and the obstructions seen through
+ * it, as rectangles in its plane, for protractors and tables.
+ *
+ * Lengths are over the distance d of the plane from the point, and measured from the foot
+ * of the perpendicular: b up the slope, x along the level edges, to the right as seen from
+ * inside. All edges of a level opening are level: its section is square to the longer
+ * ones. The visible part above the point's horizon is the rectangle itself; any other
+ * shape is read as one of equal area, with the same middle and proportions. An obstruction
+ * is the rectangle of equal area with the jambs of the hidden part and its edge nearer to
+ * the zenith; it lies within the opening's.
+ */
+#ifndef PP_METHODS_VIEW_SLOPE_RECTANGLES_H
+#define PP_METHODS_VIEW_SLOPE_RECTANGLES_H
+
+#include "model/light/outside_light.h"
+#include "model/room/world.h"
+
+/* A slope within this angle of a right angle, 0 or a published slope counts as such. */
+#define PP_SLOPE_RECTANGLES_TOLERANCE_RAD 1e-3
+
+struct pp_slope_rectangle {
+    double left, right, low, high;
+    bool hidden;   /* shows an obstruction; else all that is seen */
+    double factor; /* luminance factor of the obstruction; 1 for the sky */
+};
+
+struct pp_slope_rectangles {
+    double slope_rad;
+    int count; /* 0: the point does not see the opening; else the whole is first */
+    struct pp_slope_rectangle *list;
+};
+
+/* Slope of an opening (rad): 0 level, pi/2 vertical, over pi/2 where its outer side faces
+ * down. */
+double pp_slope_rectangles_slope(const struct pp_opening *opening);
+
+/* The direction of x. */
+struct pp_vec3 pp_slope_rectangles_along(const struct pp_opening *opening);
+
+/* Altitude (rad) in section of an edge at b, over pi/2 where the plane leans over the
+ * point; 0 below the horizon. */
+double pp_slope_rectangles_altitude(double b, double slope_rad);
+
+/* As seen from the point. On success *rectangles is to be cleared. */
+enum pp_status pp_slope_rectangles_init(struct pp_slope_rectangles *rectangles,
+                                        const struct pp_world *world,
+                                        const struct pp_outside_light *light,
+                                        const struct pp_opening *opening,
+                                        struct pp_vec3 point, struct pp_error *err);
+void pp_slope_rectangles_clear(struct pp_slope_rectangles *rectangles);
+
+#endif

@@ -1,0 +1,200 @@
+/* waldram_overlay.c - `waldram-overlay`: direct component by counting squares on Waldram's
+ * diagram without glass [WW23], under an overlay of the glass.
+ *
+ * Squares without glass are exact at any slope of the opening. What glass lets through
+ * depends on altitude and azimuth together, so that no diagram has equal squares with its
+ * losses but for level glass. The overlay has the transmittance of the glass, at the slope
+ * and in the direction that it faces, over the diagram, and each square counts with that
+ * at its middle:
+ *
+ *     SC  = sum over the squares of sky, part x tau(i) x 0.1 %
+ *     ERC = luminance factor x the same over the squares of obstruction
+ *
+ * For skies without azimuth dependence, points that face up, and clear glass of any slope
+ * and sort, or none. The figures contain the opening's own glass.
+ */
+#include <stdlib.h>
+
+#include "methods/exact/direct.h"
+#include "methods/method.h"
+#include "methods/interpolate.h"
+#include "methods/refusals.h"
+#include "methods/view/window_drawing.h"
+#include "methods/waldram/waldram_squares.h"
+
+static const struct pp_formula_quantity of_squares[] = {
+    {"n", PP_UNIT_COUNT, "squares counted"},
+    {"tau", PP_UNIT_NUMBER, "mean transmittance of the glass over them"},
+    {"w", PP_UNIT_SHARE, "what one of the diagram is worth"},
+    {"f", PP_UNIT_NUMBER, "luminance factor of the obstruction"},
+    {0},
+};
+static const struct pp_formula sky_component = {.symbol = "sc",
+                                                .sum = "n tau w",
+                                                .unit = PP_UNIT_SHARE,
+                                                .what = "sky component",
+                                                .quantities = of_squares,
+                                                .fixed = true};
+static const struct pp_formula external_component = {
+    .symbol = "erc",
+    .sum = "f n tau w",
+    .unit = PP_UNIT_SHARE,
+    .what = "externally reflected component",
+    .quantities = of_squares,
+    .fixed = true};
+static const struct pp_formula *const formulae[] = {&sky_component, &external_component,
+                                                    NULL};
+
+static enum pp_status prepare(void **tools, const struct pp_world *world,
+                              const struct pp_outside_light *light,
+                              struct pp_error *err)
+{
+    (void)world;
+    struct pp_waldram *waldram = malloc(sizeof *waldram);
+    if (!waldram)
+        return pp_fail_memory(err);
+    enum pp_status status = pp_waldram_scale_init(waldram, &light->sky, false, err);
+    if (status == PP_OK)
+        *tools = waldram;
+    else
+        free(waldram);
+    return status;
+}
+
+static const char *refuses(const struct pp_world *world,
+                           const struct pp_outside_light *light,
+                           const struct pp_opening *opening,
+                           const struct pp_receiver *receiver)
+{
+    (void)world, (void)light, (void)receiver;
+    return opening->glass.diffusing
+               ? "has diffusing glass; the overlay holds clear glass only"
+               : NULL;
+}
+
+/* Transmittance at the middle of a square; `out` is the glass's direction in the diagram's
+ * axes. */
+static double transmittance_at(const struct pp_waldram *waldram,
+                               const struct pp_glass *glass, struct pp_vec3 out,
+                               const struct pp_waldram_square *square)
+{
+    double width, height;
+    pp_waldram_squares_size(waldram, &width, &height);
+    double top = waldram->y[PP_WALDRAM_PANELS];
+    double azimuth = (square->column + 0.5) * width;
+    double altitude =
+        pp_interpolate_inverse(waldram->y, PP_WALDRAM_PANELS + 1, 0.0, PP_PI / 2.0,
+                               fmin((square->row + 0.5) * height, top));
+    double level = cos(altitude);
+    struct pp_vec3 u =
+        pp_vec(level * sin(azimuth), level * cos(azimuth), sin(altitude));
+    double cosine = fmin(pp_vec_dot(u, out), 1.0);
+    return cosine > 0.0 ? pp_glass_transmittance(glass, cosine) : 0.0;
+}
+
+static double mean_transmittance(const struct pp_waldram *waldram,
+                                 const struct pp_glass *glass,
+                                 const struct pp_window_axes *axes,
+                                 const struct pp_waldram_count *count)
+{
+    const double straight[2] = {0.0, 0.0};
+    struct pp_vec3 out = pp_waldram_scale_direction(waldram, axes, straight);
+    double sum = 0.0;
+    if (glass->panes == 0 || !(count->squares > 0.0))
+        return 1.0;
+    for (int i = 0; i < count->count; i++)
+        sum += count->list[i].estimated
+               * transmittance_at(waldram, glass, out, &count->list[i]);
+    return sum / count->squares;
+}
+
+static double work(struct pp_part_steps *terms, const struct pp_drawn_part *part,
+                   double squares, double tau)
+{
+    pp_part_steps_next(terms);
+    pp_worksheet_put(terms->sheet, PP_UNIT_COUNT, squares, "n", "squares on %s",
+                     part->hidden ? "an obstruction" : "the sky");
+    pp_worksheet_put(terms->sheet, PP_UNIT_NUMBER, tau, "tau",
+                     "mean transmittance of the glass over them");
+    pp_worksheet_know(terms->sheet, PP_UNIT_NUMBER, part->factor, "f");
+    if (!part->hidden)
+        return pp_part_steps_work(terms, false, &sky_component, "sky component");
+    pp_worksheet_put(terms->sheet, PP_UNIT_NUMBER, part->factor, "f",
+                     "luminance factor of the obstruction");
+    return pp_part_steps_work(terms, true, &external_component,
+                              "externally reflected component");
+}
+
+static enum pp_status evaluate(const struct pp_world *world,
+                               const struct pp_outside_light *light,
+                               const struct pp_opening *opening,
+                               const struct pp_receiver *receiver, const void *tools,
+                               struct pp_part *part, struct pp_error *err)
+{
+    const struct pp_waldram *waldram = tools;
+    struct pp_window_drawing drawing;
+    enum pp_status status = pp_window_drawing_init(&drawing, world, light, opening,
+                                                   receiver->position, err);
+    if (status != PP_OK)
+        return status;
+    pp_worksheet_put(&part->sheet, PP_UNIT_SHARE, PP_WALDRAM_WORTH, "w",
+                     "a square of the diagram without glass is worth");
+    struct pp_part_steps terms = pp_part_steps_on(&part->sheet, drawing.count);
+    for (int i = 0; i < drawing.count; i++) {
+        const struct pp_drawn_part *drawn = &drawing.parts[i];
+        struct pp_waldram_count count;
+        status = pp_waldram_squares_count(&count, waldram, &drawing.axes,
+                                          &drawn->region, err);
+        if (status != PP_OK)
+            break;
+        double tau =
+            mean_transmittance(waldram, &opening->glass, &drawing.axes, &count);
+        *(drawn->hidden ? &part->external : &part->sky) +=
+            work(&terms, drawn, count.squares, tau);
+        pp_waldram_squares_clear(&count);
+    }
+    pp_part_steps_end(&terms);
+    pp_window_drawing_clear(&drawing);
+    return status;
+}
+
+/* The mean of many counts is the component itself. */
+static enum pp_status average(const struct pp_world *world,
+                              const struct pp_outside_light *light,
+                              const struct pp_opening *opening, const void *tools,
+                              struct pp_part *part, bool *known, struct pp_error *err)
+{
+    (void)tools;
+    struct pp_direct mean = {0};
+    *known = true;
+    enum pp_status status =
+        pp_direct_average(&mean, world, light, opening, &opening->glass, err);
+    part->sky = mean.sky;
+    part->external = mean.external;
+    return status;
+}
+
+static const char *refuses_room(const struct pp_world *world,
+                                const struct pp_outside_light *light,
+                                const struct pp_receiver *receiver)
+{
+    return pp_method_waldram.refuses_room(world, light, receiver);
+}
+
+const struct pp_method pp_method_waldram_overlay = {
+    .name = "waldram-overlay",
+    .summary =
+        "squares of Waldram's diagram without glass, under an overlay of the glass",
+    .source = "WW23",
+    .formulae = formulae,
+    .gives = PP_GIVES_DIRECT,
+    .speaks_for = PP_FOR_POINT,
+    .allowances = PP_ALLOWS_OWN_GLASS,
+    .counts = true,
+    .prepare = prepare,
+    .destroy_tools = free,
+    .refuses_room = refuses_room,
+    .refuses = refuses,
+    .evaluate = evaluate,
+    .average = average,
+};
