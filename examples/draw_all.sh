@@ -59,6 +59,10 @@ for format; do
     "$program" chart nomogram --which rooflight ${CHART_OPTIONS-} \
         "$(dirname "$0")/studio.xml" -o "$out/studio-nomogram.$format"
 done
+for format; do
+    "$program" chart note --points 1.4,1.5 -m bre,average-df ${CHART_OPTIONS-} \
+        "$(dirname "$0")/deep-office.xml" -o "$out/deep-office-note.$format"
+done
 for kind in vertical-sky skylight-indicator; do
     for format; do
         "$program" chart $kind ${CHART_OPTIONS-} \
