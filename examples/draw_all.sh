@@ -39,6 +39,7 @@ for which in average minimum rooflight; do
 done
 blank vertical-sky vertical-sky
 blank skylight-indicator skylight-indicator
+blank brs-table brs-table
 blank protractor-double-45 protractor --glazing clear-double --slope 45
 brussels='--latitude 50.9 --longitude 4.35 --time-zone 1'
 blank availability availability $brussels --hours 6-18,7-17,8-18,7-15,8-16,9-17
@@ -60,6 +61,8 @@ for format; do
         "$(dirname "$0")/studio.xml" -o "$out/studio-nomogram.$format"
 done
 for format; do
+    "$program" chart brs-table --points 1.4,1.5 ${CHART_OPTIONS-} \
+        "$(dirname "$0")/office.xml" -o "$out/office-brs-table.$format"
     "$program" chart note --points 1.4,1.5 -m bre,average-df ${CHART_OPTIONS-} \
         "$(dirname "$0")/deep-office.xml" -o "$out/deep-office-note.$format"
 done

@@ -1,6 +1,6 @@
 /* test_brs_table.c - the BRS simplified daylight table, and openings and obstructions
  * as rectangles. */
-#include "methods/brs_table.h"
+#include "methods/brs/brs_table.h"
 #include "methods/method.h"
 
 #include <stdio.h>

@@ -25,7 +25,7 @@
  * small difference of two cells, can be 20 % off, and nearer than the table's last row
  * twice that.
  */
-#include "methods/brs_table.h"
+#include "methods/brs/brs_table.h"
 
 #include <stddef.h>
 
@@ -50,30 +50,70 @@ static double between(double x, double low, double high)
     return isinf(high) ? 1.0 - low / x : (x - low) / (high - low);
 }
 
-/* The table's row h/d = `row` at w/d, in per cent. */
-static double read_row(const double *row, double w_over_d)
+/* The last of the columns that w/d is read in, from 1, and how far it is from the one
+ * before, which is zero before the first. */
+static int column_of(double w_over_d, double *t)
 {
     const double *head = printed[0];
     int k = 1;
     while (k < COLUMNS - 1 && w_over_d > head[k])
         k++;
-    double low = k > 1 ? head[k - 1] : 0.0, low_value = k > 1 ? row[k - 1] : 0.0;
-    return low_value + between(w_over_d, low, head[k]) * (row[k] - low_value);
+    *t = between(w_over_d, k > 1 ? head[k - 1] : 0.0, head[k]);
+    return k;
+}
+
+/* The upper one of the rows, from 1, and how far h/d is from the lower. */
+static int row_of(double h_over_d, double *t)
+{
+    int i = ROWS - 1;
+    while (i > 1 && h_over_d > printed[i][0])
+        i--;
+    *t = between(h_over_d, i == ROWS - 1 ? 0.0 : printed[i + 1][0], printed[i][0]);
+    return i;
+}
+
+/* A row, in per cent; zero below the last. */
+static double read_row(int row, int column, double t)
+{
+    if (row == ROWS)
+        return 0.0;
+    double low = column > 1 ? printed[row][column - 1] : 0.0;
+    return low + t * (printed[row][column] - low);
 }
 
 double pp_brs_table_read(double h_over_d, double w_over_d)
 {
     if (!(h_over_d > 0.0 && w_over_d > 0.0))
         return 0.0;
-    int i = ROWS - 1;
-    while (i > 1 && h_over_d > printed[i][0])
-        i--;
-    bool first = i == ROWS - 1;
-    double low = first ? 0.0 : printed[i + 1][0];
-    double low_value = first ? 0.0 : read_row(printed[i + 1], w_over_d);
-    double high_value = read_row(printed[i], w_over_d);
-    double t = between(h_over_d, low, printed[i][0]);
-    return (low_value + t * (high_value - low_value)) / 100.0;
+    double down, t;
+    int column = column_of(w_over_d, &t), row = row_of(h_over_d, &down);
+    double low_value = read_row(row + 1, column, t);
+    double high_value = read_row(row, column, t);
+    return (low_value + down * (high_value - low_value)) / 100.0;
+}
+
+void pp_brs_table_place(double h_over_d, double w_over_d, double *row, double *column)
+{
+    double down, t;
+    *column = column_of(w_over_d, &t) - 2.0;
+    *row = row_of(h_over_d, &down);
+    *column += t;
+    *row -= down;
+}
+
+double pp_brs_table_h_over_d(int row)
+{
+    return printed[row + 1][0];
+}
+
+double pp_brs_table_w_over_d(int column)
+{
+    return printed[0][column + 1];
+}
+
+double pp_brs_table_percent(int row, int column)
+{
+    return printed[row + 1][column + 1];
 }
 
 /* ---- the sum ---- */
