@@ -40,6 +40,8 @@ done
 blank vertical-sky vertical-sky
 blank skylight-indicator skylight-indicator
 blank brs-table brs-table
+blank overlay overlay --latitude 51.5
+blank overlay-cells overlay --lens stereographic --show cells,sun --latitude 51.5
 blank protractor-double-45 protractor --glazing clear-double --slope 45
 brussels='--latitude 50.9 --longitude 4.35 --time-zone 1'
 blank availability availability $brussels --hours 6-18,7-17,8-18,7-15,8-16,9-17

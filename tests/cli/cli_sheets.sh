@@ -42,4 +42,33 @@ check "and of a point" refuses 2 "--points" chart brs-table -o "$scratch/x.pdf" 
 check "and of vertical windows" refuses 1 "vertical" chart brs-table -p 3,3 \
     -o "$scratch/x.pdf" "$examples/studio.xml"
 
+check "an overlay in each form" each_form overlay overlay
+check "with the sun, for another lens and sky" \
+    each_form sun overlay --latitude -33.9 --lens equisolid --sky iso-12,40,20 \
+    --show dots,cells,sun
+for latitude in 0 -12 67 90; do
+    check "the sun's paths at $latitude degrees" \
+        quietly chart overlay --show sun --latitude $latitude -o "$scratch/x.svg"
+done
+check "the sun's paths are of a place" \
+    refuses 1 "--latitude" chart overlay --show sun -o "$scratch/x.pdf"
+check "an overlay is of no room" refuses 1 "no room" chart overlay -o "$scratch/x.pdf" "$deep"
+check "nor of a weather file" \
+    refuses 2 "--weather" chart overlay --weather x.epw -o "$scratch/x.pdf"
+check "a lens is one of four" refuses 2 "equisolid" chart overlay --lens wide -o "$scratch/x.pdf"
+check "what is shown is one of three" refuses 2 "cells" chart overlay --show rain -o "$scratch/x.pdf"
+check "only overlays have a lens" refuses 2 "--lens" chart waldram --lens equisolid \
+    -o "$scratch/x.pdf"
+check "a circle fits on its sheet" refuses 1 "larger --paper" chart overlay --diameter 200 \
+    -o "$scratch/x.pdf"
+# The 26th byte of a PNG is its colours: 6 with transparency, 2 without.
+colours() {
+    quietly chart "$@" --dpi 40 -o "$scratch/x.png" &&
+        od -An -tu1 -j25 -N1 "$scratch/x.png" | tr -d ' '
+}
+check "a PNG of it has no ground" test "$(colours overlay)" = 6
+check "and those of others have" test "$(colours brs-table)" = 2
+check "a very large one is refused" refuses 1 "128 MiB" chart overlay --paper a2 --dpi 600 \
+    -o "$scratch/x.png"
+
 tap_done

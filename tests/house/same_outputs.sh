@@ -91,7 +91,7 @@ pictures() {
 
 blanks() {
     for kind in waldram pepper-pot protractor nomogram brs-table vertical-sky skylight-indicator \
-        availability; do
+        overlay availability; do
         for format in pdf svg png; do
             said "blank.$kind.$format" chart $kind -o "blank-$kind.$format" --latitude 51
             said "blank.$kind.$format" chart $kind -o "blank-$kind.$format"
