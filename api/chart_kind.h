@@ -13,6 +13,7 @@
 #include "charts/room/plan_chart.h"
 #include "charts/room/section_chart.h"
 #include "charts/sheet/canvas.h"
+#include "model/geometry/lens.h"
 #include "model/light/glass.h"
 #include "model/light/sky.h"
 #include "model/results/nomogram_sheet.h"
@@ -22,6 +23,14 @@
 
 /* What a diagram shows where there is a choice. */
 enum pp_yes_no { PP_UNSAID, PP_YES, PP_NO };
+
+struct pp_overlay_options {
+    enum pp_lens lens;
+    double diameter_mm;    /* 0: what the sheet holds */
+    bool said;             /* are these: */
+    bool dots, cells, sun; /* what is shown */
+    const char *typed;     /* the last of these options, as typed; NULL: none */
+};
 
 struct pp_board_options {
     enum pp_yes_no glazed;   /* a blank: with clear single glass? unsaid: yes */
@@ -45,6 +54,8 @@ struct pp_board_options {
 
     bool unsolved; /* of kinds from a point: the exercise in place of its solution */
 
+    struct pp_overlay_options overlay;
+
     const char *window; /* of kinds that are of one, by line or wall; NULL: the first
                          * upright one */
 };
@@ -64,6 +75,8 @@ struct pp_chart_kind {
     bool from_point;     /* and is drawn from one point of a room */
     bool of_window;      /* or for one window of a room, under the overcast sky */
     bool outside;        /* of the light outside: can do without a room */
+    bool of_sun;         /* takes a latitude, for the sun's paths */
+    bool transparent;    /* is laid on something: has no white ground */
 
     bool landscape; /* its sheet always lies on its side */
     bool (*landscape_for)(const struct pp_world *world); /* or does so for some rooms;
@@ -81,9 +94,10 @@ struct pp_chart_kind {
                            struct pp_error *err);
 };
 
-extern const struct pp_chart_kind pp_draw_section, pp_draw_plan, pp_draw_waldram,
-    pp_draw_pepper_pot, pp_draw_protractor, pp_draw_nomogram, pp_draw_vertical_sky,
-    pp_draw_skylight_indicator, pp_draw_availability;
+extern const struct pp_chart_kind pp_draw_section, pp_draw_plan, pp_draw_note,
+    pp_draw_waldram, pp_draw_pepper_pot, pp_draw_protractor, pp_draw_nomogram,
+    pp_draw_brs_table, pp_draw_vertical_sky, pp_draw_skylight_indicator,
+    pp_draw_overlay, pp_draw_availability;
 
 /* In order; NULL at the end of the list, one past the last. */
 const struct pp_chart_kind *pp_chart_kind_at(int index);

@@ -86,6 +86,7 @@ static enum pp_status draw(const struct pp_chart_kind *kind, struct pp_study_roo
                      || (request->orientation == PP_AS_FITS
                          && pp_chart_kind_landscape(kind, world)),
         .dpi = request->dpi,
+        .transparent = kind->transparent,
         .title = world && world->name ? world->name : kind->name,
         .description = kind->summary};
     struct pp_canvas *canvas;

@@ -11,7 +11,7 @@
 #define PP_CHARTS_AVAILABILITY_CHART_H
 
 #include "charts/sheet/canvas.h"
-#include "model/results/availability_sheet.h"
+#include "model/results/sheets/availability_sheet.h"
 
 enum pp_status pp_availability_chart_draw(struct pp_canvas *canvas,
                                           const struct pp_availability_sheet *sheet,

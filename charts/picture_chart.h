@@ -3,7 +3,7 @@
 #define PP_CHARTS_PICTURE_CHART_H
 
 #include "charts/sheet/canvas.h"
-#include "model/results/picture_sheet.h"
+#include "model/results/sheets/picture_sheet.h"
 
 enum pp_status pp_picture_chart_draw(struct pp_canvas *canvas,
                                      const struct pp_picture_sheet *sheet,

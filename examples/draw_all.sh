@@ -39,6 +39,9 @@ for which in average minimum rooflight; do
 done
 blank vertical-sky vertical-sky
 blank skylight-indicator skylight-indicator
+blank brs-table brs-table
+blank overlay overlay --latitude 51.5
+blank overlay-cells overlay --lens stereographic --show cells,sun --latitude 51.5
 blank protractor-double-45 protractor --glazing clear-double --slope 45
 brussels='--latitude 50.9 --longitude 4.35 --time-zone 1'
 blank availability availability $brussels --hours 6-18,7-17,8-18,7-15,8-16,9-17
@@ -58,6 +61,12 @@ for format; do
         -o "$out/deep-office-obstructed-nomogram.$format"
     "$program" chart nomogram --which rooflight ${CHART_OPTIONS-} \
         "$(dirname "$0")/studio.xml" -o "$out/studio-nomogram.$format"
+done
+for format; do
+    "$program" chart brs-table --points 1.4,1.5 ${CHART_OPTIONS-} \
+        "$(dirname "$0")/office.xml" -o "$out/office-brs-table.$format"
+    "$program" chart note --points 1.4,1.5 -m bre,average-df ${CHART_OPTIONS-} \
+        "$(dirname "$0")/deep-office.xml" -o "$out/deep-office-note.$format"
 done
 for kind in vertical-sky skylight-indicator; do
     for format; do

@@ -150,3 +150,12 @@ void pp_allowance_words(char *text, size_t room, unsigned allowances)
     snprintf(text, room, "%s", count == 0 ? "nothing of glass, frame or dirt" : "");
     pp_text_append_list(text, room, found, count, " and ");
 }
+
+void pp_allowance_sentence(char *text, size_t room, const char *source,
+                           unsigned allowances)
+{
+    char contents[160];
+    pp_allowance_words(contents, sizeof contents, allowances);
+    snprintf(text, room, "As published [%s], its figures contain %s.", source,
+             contents);
+}

@@ -54,6 +54,11 @@ void pp_allowance_steps(struct pp_steps *steps, unsigned allowances,
  * or dirt". */
 void pp_allowance_words(char *text, size_t room, unsigned allowances);
 
+/* "As published [HLG58], its figures contain clear single glass.", of a method's source
+ * and allowances. */
+void pp_allowance_sentence(char *text, size_t room, const char *source,
+                           unsigned allowances);
+
 /* The diffuse transmittance by the scale on which clear single glass has 0.85: 0.85 G, 1
  * for an unglazed opening. */
 double pp_allowance_reflected_glass(const struct pp_opening *opening);

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "model/results/availability_sheet.h"
+#include "model/results/sheets/availability_sheet.h"
 #include "model/results/report.h"
 #include "studies/study_options.h"
 

@@ -4,7 +4,7 @@
 #define PP_CHARTS_DRAWING_BOARD_SKYLIGHT_INDICATOR_CHART_H
 
 #include "charts/sheet/canvas.h"
-#include "model/results/skylight_indicator_sheet.h"
+#include "model/results/sheets/skylight_indicator_sheet.h"
 
 /* The drawing's radius is a whole number of 5 mm for each unit of distance over height
  * where the sheet has the room, and of 1 mm on small ones; it stands at the foot. */

@@ -9,8 +9,8 @@
 #include "charts/room/room_elevation.h"
 #include "charts/room/room_plan.h"
 #include "charts/room/room_section.h"
+#include "charts/room/room_words.h"
 #include "charts/sheet/page.h"
-#include "model/base/text.h"
 
 enum { ELEVATIONS_MOST = 4, ANSWER_LINES = 3 };
 
@@ -215,37 +215,6 @@ static double elevations_height(const struct exercise_drawing *drawing, double m
     return viewing > 0.0 ? tallest + 1.6 * caption_mm(&drawing->style) : 0.4 * most;
 }
 
-/* What stands outside, which may be off the drawings. */
-static void say_outside(char *foot, size_t room, const struct pp_world *world)
-{
-    enum { TOLD = 6 };
-    for (int i = 0; i < world->skyline_count; i++) {
-        const struct pp_skyline *skyline = &world->skylines[i];
-        const char *wall = world->surfaces[skyline->face].name;
-        pp_page_say(foot, room, "Before wall %s an endless skyline at %.4g\u00b0",
-                    wall ? wall : "", skyline->angle_rad / PP_RAD);
-        if (isfinite(skyline->distance_m))
-            pp_page_say(foot, room,
-                        "above the middle of its windows, %.4g\u00a0m away,",
-                        skyline->distance_m);
-        pp_page_say(foot, room, "reflecting %.3g.", skyline->reflectance);
-    }
-    for (int i = 0; i < world->block_count && i < TOLD; i++) {
-        const struct pp_block *block = &world->blocks[i];
-        pp_page_say(
-            foot, room,
-            "A block of %.4g by %.4g\u00a0m, %.4g\u00a0m high, from x\u00a0%.4g, "
-            "y\u00a0%.4g, z\u00a0%.4g, reflecting %.3g",
-            block->width_m, block->depth_m, block->height_m, block->corner.x,
-            block->corner.y, block->corner.z, block->reflectance);
-        if (block->rotate_rad != 0.0)
-            pp_page_say(foot, room, "turned by %.4g\u00b0", block->rotate_rad / PP_RAD);
-        pp_text_append(foot, room, ".");
-    }
-    if (world->block_count > TOLD)
-        pp_page_say(foot, room, "And %d blocks more.", world->block_count - TOLD);
-}
-
 static enum pp_status draw_body(struct exercise_drawing *drawing, struct pp_box body,
                                 struct pp_error *err)
 {
@@ -308,7 +277,7 @@ enum pp_status pp_exercise_chart_draw(struct pp_canvas *canvas,
         receiver.position.x, receiver.position.y, receiver.position.z, exercise->tool,
         sky);
     pp_page_assumptions(foot, sizeof foot, exercise->world, exercise->light);
-    say_outside(foot, sizeof foot, exercise->world);
+    pp_room_words_outside(foot, sizeof foot, exercise->world);
     pp_page_say(foot, sizeof foot,
                 "On elevations the cross is opposite the point, the dashed line at its "
                 "height.");

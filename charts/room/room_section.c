@@ -122,9 +122,10 @@ double pp_room_section_y(const struct pp_room_section *section, double z)
     return section->y + (high - z) * section->mm_per_m;
 }
 
-static double caption_mm(const struct pp_style *style)
+static double caption_mm(const struct pp_room_section *section,
+                         const struct pp_style *style)
 {
-    return 3.2 * style->text[PP_TEXT_SMALL];
+    return section->no_caption ? 0.0 : 3.2 * style->text[PP_TEXT_SMALL];
 }
 
 void pp_room_section_fit(struct pp_room_section *section, const struct pp_style *style,
@@ -132,12 +133,12 @@ void pp_room_section_fit(struct pp_room_section *section, const struct pp_style 
 {
     double low, high;
     heights_of(section->cut, &low, &high);
-    double free_mm = fmax(height_mm - caption_mm(style), 5.0);
+    double free_mm = fmax(height_mm - caption_mm(section, style), 5.0);
     double least = fmax(1000.0 * section->cut->length_m / length_mm,
                         1000.0 * (high - low) / free_mm);
     double scale = pp_room_plan_usual_scale(fmax(least, section->least_scale));
     section->mm_per_m = 1000.0 / scale;
-    section->height_mm = section->mm_per_m * (high - low) + caption_mm(style);
+    section->height_mm = section->mm_per_m * (high - low) + caption_mm(section, style);
 }
 
 /* ---- drawing ---- */
@@ -437,5 +438,6 @@ void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
     draw_openings_cut(&drawing);
     draw_plane(&drawing);
     cairo_restore(cr);
-    write_caption(&drawing, behind);
+    if (!section->no_caption)
+        write_caption(&drawing, behind);
 }

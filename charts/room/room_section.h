@@ -13,7 +13,8 @@ struct pp_room_section {
     const struct pp_section_cut *cut;
     const struct pp_report *report; /* its receivers are marked */
     double least_scale;             /* not larger than 1 to that; 0: any */
-    bool no_sights;                 /* leave out the obstructions' angles */
+    bool no_sights;                 /* leave out the obstructions' angles, */
+    bool no_caption;                /* or the caption, which is 90 mm wide at least */
 
     /* By pp_room_section_fit. */
     double mm_per_m;  /* a usual scale: 1:20, 1:25, 1:50, 1:75 ... */

@@ -97,10 +97,12 @@ static void open_picture(struct pp_canvas *canvas)
     canvas->height_px = (int)lrint(canvas->height_mm * dots_per_mm);
     canvas->in_bands = canvas->width_px > WHOLE_BYTES_MOST / 4 / canvas->height_px;
     cairo_rectangle_t all = {0.0, 0.0, canvas->width_px, canvas->height_px};
-    canvas->surface = canvas->in_bands
-                          ? cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &all)
-                          : cairo_image_surface_create(
-                              CAIRO_FORMAT_RGB24, canvas->width_px, canvas->height_px);
+    canvas->surface =
+        canvas->in_bands
+            ? cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &all)
+            : cairo_image_surface_create(canvas->sheet.transparent ? CAIRO_FORMAT_ARGB32
+                                                                   : CAIRO_FORMAT_RGB24,
+                                         canvas->width_px, canvas->height_px);
 }
 
 /* Adds the picture as a PNG file to canvas->raw. */
@@ -136,7 +138,8 @@ static void open_surface(struct pp_canvas *canvas)
     canvas->cr = cairo_create(canvas->surface);
     if (canvas->sheet.format == PP_CHART_PNG) {
         cairo_set_source_rgb(canvas->cr, 1, 1, 1);
-        cairo_paint(canvas->cr);
+        if (!canvas->sheet.transparent)
+            cairo_paint(canvas->cr);
         cairo_scale(canvas->cr, dots_per_mm, dots_per_mm);
     } else {
         cairo_scale(canvas->cr, POINTS_PER_MM, POINTS_PER_MM);
@@ -168,6 +171,13 @@ enum pp_status pp_canvas_create(struct pp_canvas **canvas_out,
         g_utf8_make_valid(sheet->description ? sheet->description : "", -1);
     paper_size(sheet, &canvas->width_mm, &canvas->height_mm);
     open_surface(canvas);
+    if (canvas->in_bands && sheet->transparent) {
+        pp_canvas_destroy(canvas);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "a transparent PNG of this size takes more than 128 MiB; expected "
+            "a smaller --dpi or --paper, or an SVG");
+    }
 
     cairo_status_t status = cairo_status(canvas->cr);
     if (status == CAIRO_STATUS_SUCCESS)

@@ -7,7 +7,7 @@
  *   PDF  text is text; title, subject and creator are set
  *   SVG  has <title> and <desc>, its size in mm, and ids with a prefix of its own made
  *        from its title and drawing, so that several can stand in one page
- *   PNG  white ground, its resolution noted in the file; a large one is drawn in bands, so
+ *   PNG  white ground, or none, its resolution noted in the file; a large one is drawn in bands, so
  *        that a sheet of any size and resolution takes some 100 MiB
  *
  * The caller owns the file: a finished canvas is a block of bytes, or is handed to a
@@ -31,6 +31,7 @@ struct pp_sheet {
     double dpi;              /* PNG only, 20 to 1200; 0: 200 */
     const char *title;       /* UTF-8, not owned; NULL: "" */
     const char *description; /* likewise: what is to be seen, for who cannot see it */
+    bool transparent;        /* PNG only: no white ground; of 128 MiB at most */
 };
 
 struct pp_canvas;

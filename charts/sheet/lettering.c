@@ -54,7 +54,10 @@ static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
         pango_layout_set_alignment(layout, PANGO_ALIGN_RIGHT);
     pango_layout_set_auto_dir(layout, FALSE);
     char *valid = g_utf8_make_valid(words, -1);
-    pango_layout_set_text(layout, valid, -1);
+    if (text->markup)
+        pango_layout_set_markup(layout, valid, -1);
+    else
+        pango_layout_set_text(layout, valid, -1);
     g_free(valid);
     return layout;
 }

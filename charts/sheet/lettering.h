@@ -22,6 +22,7 @@ bool pp_lettering_boxes_overlap(struct pp_box a, struct pp_box b);
 struct pp_lettering {
     enum pp_text_size size;
     bool bold, italic;
+    bool markup; /* words are marked up as pango's are: <i>, <b>, <sub>, <sup> */
     double grey;
     double across, down; /* which place of the text's box is put at x, y: 0 left or top,
                           * 0.5 middle, 1 right or bottom */

@@ -140,6 +140,7 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
 {
     bool pepper_pot = strcmp(kind->name, "pepper-pot") == 0;
     bool protractor = strcmp(kind->name, "protractor") == 0;
+    bool overlay = strcmp(kind->name, "overlay") == 0;
     bool nomogram = strcmp(kind->name, "nomogram") == 0;
     const char *needless =
         options->study.simulate  ? "--simulate"
@@ -158,7 +159,9 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
         : !protractor && board->number                                 ? "--number"
         : !protractor && board->glazing                                ? "--glazing"
         : !protractor && board->slope_said                             ? "--slope"
-                                                                       : NULL;
+        : !overlay && board->overlay.typed ? board->overlay.typed
+        : overlay && board->glazed         ? "--glazed"
+                                           : NULL;
     if (needless)
         return pp_fail(err, PP_BAD_INPUT, "%s has no meaning for a %s%s diagram",
                        needless, blank ? "blank " : "", kind->name);

@@ -11,6 +11,7 @@
 #include "api/chart_sheet.h"
 #include "cli/availability/availability_options.h"
 #include "cli/chart/board_options.h"
+#include "cli/chart/overlay_options.h"
 #include "cli/chart/sheet_options.h"
 #include "cli/interrupt.h"
 #include "cli/rooms.h"
@@ -112,6 +113,16 @@ static const struct pp_option board_options[] = {
      "Vertical sky, skylight indicator: the window, by its line in the file, or by its "
      "wall (default: the first upright one).",
      pp_options_read_text, BOARD(window)},
+    {"lens", 0, "NAME",
+     "Overlay: equidistant (default), equisolid, stereographic or orthographic.",
+     pp_overlay_options_read_lens, PLACE(choice.board)},
+    {"diameter", 0, "MM",
+     "Overlay: of the horizon's circle, 20 to 400 mm (default: as the paper holds).",
+     pp_overlay_options_read_diameter, PLACE(choice.board)},
+    {"show", 0, "WHAT,...",
+     "Overlay: dots of 0.1 %, cells of 0.5 %, sun (default: dots, and with --latitude "
+     "sun).",
+     pp_overlay_options_read_show, PLACE(choice.board)},
     {0},
 };
 
@@ -220,6 +231,7 @@ static enum pp_status draw(struct chart_task *drawing, FILE *out, struct pp_erro
                      || (options->orientation == PP_AS_FITS
                          && pp_chart_kind_landscape(drawing->kind, world)),
         .dpi = options->dpi,
+        .transparent = drawing->kind->transparent,
         .title = world ? world->name : drawing->kind->name,
         .description = description};
     struct pp_canvas *canvas;
@@ -359,11 +371,12 @@ static enum pp_status check_light(const struct pp_year_options *light,
 {
     bool said = light->weather || !isnan(light->latitude_deg);
     if (!kind->outside)
-        return said ? pp_fail(err, PP_BAD_INPUT,
-                              "%s is drawn without a year's light; --weather and "
-                              "--latitude are of availability",
-                              kind->name)
-                    : PP_OK;
+        return said && (light->weather || !kind->of_sun)
+                   ? pp_fail(err, PP_BAD_INPUT,
+                             "%s is drawn without a year's light; --weather and "
+                             "--latitude are of availability",
+                             kind->name)
+                   : PP_OK;
     if (!said && file_count == 0)
         return pp_fail(
             err, PP_BAD_INPUT,

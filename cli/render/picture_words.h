@@ -3,7 +3,7 @@
 #define PP_CLI_RENDER_PICTURE_WORDS_H
 
 #include "cli/render/show_picture.h"
-#include "model/results/picture_sheet.h"
+#include "model/results/sheets/picture_sheet.h"
 
 /* Title, subtitle and notes; the scale of lengths. */
 void pp_picture_words(struct pp_picture_sheet *sheet,

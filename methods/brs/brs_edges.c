@@ -12,31 +12,62 @@ static double between(double x, double low, double high)
     return isinf(high) ? 1.0 - low / x : (x - low) / (high - low);
 }
 
-/* The table's row `row` at `aside`, in per cent. */
-static double read_row(const struct pp_brs_cells *table, int row, double aside)
+/* The last of the columns that `aside` is read in, from 1, and how far it is from the
+ * one before, which is zero before the first. */
+static int column_of(const struct pp_brs_cells *table, double aside, double *t)
 {
-    const double *head = table->cells, *cells = table->cells + row * table->columns;
+    const double *head = table->cells;
     int k = 1;
     while (k < table->columns - 1 && aside > head[k])
         k++;
-    double low = k > 1 ? head[k - 1] : 0.0, low_value = k > 1 ? cells[k - 1] : 0.0;
-    return low_value + between(aside, low, head[k]) * (cells[k] - low_value);
+    *t = between(aside, k > 1 ? head[k - 1] : 0.0, head[k]);
+    return k;
+}
+
+static double up_of(const struct pp_brs_cells *table, int row)
+{
+    return table->cells[row * table->columns];
+}
+
+/* The upper one of the rows, from 1, and how far `up` is from the lower. */
+static int row_of(const struct pp_brs_cells *table, double up, double *t)
+{
+    int i = table->rows - 1;
+    while (i > 1 && up > up_of(table, i))
+        i--;
+    *t = between(up, i == table->rows - 1 ? 0.0 : up_of(table, i + 1), up_of(table, i));
+    return i;
+}
+
+/* A row, in per cent; zero below the last. */
+static double read_row(const struct pp_brs_cells *table, int row, int column, double t)
+{
+    if (row == table->rows)
+        return 0.0;
+    const double *cells = table->cells + row * table->columns;
+    double low = column > 1 ? cells[column - 1] : 0.0;
+    return low + t * (cells[column] - low);
 }
 
 double pp_brs_edges_read(const struct pp_brs_cells *table, double up, double aside)
 {
     if (!(up > 0.0 && aside > 0.0))
         return 0.0;
-    const double *cells = table->cells;
-    int columns = table->columns, i = table->rows - 1;
-    while (i > 1 && up > cells[i * columns])
-        i--;
-    bool first = i == table->rows - 1;
-    double low = first ? 0.0 : cells[(i + 1) * columns];
-    double low_value = first ? 0.0 : read_row(table, i + 1, aside);
-    double high_value = read_row(table, i, aside);
-    double t = between(up, low, cells[i * columns]);
-    return (low_value + t * (high_value - low_value)) / 100.0;
+    double down, t;
+    int column = column_of(table, aside, &t), row = row_of(table, up, &down);
+    double low_value = read_row(table, row + 1, column, t);
+    double high_value = read_row(table, row, column, t);
+    return (low_value + down * (high_value - low_value)) / 100.0;
+}
+
+void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double aside,
+                        double *row, double *column)
+{
+    double down, t;
+    *column = column_of(table, aside, &t) - 2.0;
+    *row = row_of(table, up, &down);
+    *column += t;
+    *row -= down;
 }
 
 /* ---- the formulae ---- */

@@ -29,6 +29,12 @@ struct pp_brs_cells {
 /* A fraction; 0 unless both are above 0. */
 double pp_brs_edges_read(const struct pp_brs_cells *table, double up, double aside);
 
+/* Where that reading is taken, both above 0: rows from 0 (infinity), and one more than there
+ * are where the table ends in zero; columns from 0, -1 likewise; the values between are
+ * linear in these. */
+void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double aside,
+                        double *row, double *column);
+
 /* Edges over d, as the table measures them; right is positive. */
 struct pp_brs_rectangle {
     double left, right, low, high;

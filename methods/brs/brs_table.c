@@ -49,6 +49,26 @@ double pp_brs_table_read(double h_over_d, double w_over_d)
     return pp_brs_edges_read(&table, h_over_d, w_over_d);
 }
 
+void pp_brs_table_place(double h_over_d, double w_over_d, double *row, double *column)
+{
+    pp_brs_edges_place(&table, h_over_d, w_over_d, row, column);
+}
+
+double pp_brs_table_h_over_d(int row)
+{
+    return printed[row + 1][0];
+}
+
+double pp_brs_table_w_over_d(int column)
+{
+    return printed[0][column + 1];
+}
+
+double pp_brs_table_percent(int row, int column)
+{
+    return printed[row + 1][column + 1];
+}
+
 /* ---- the method ---- */
 
 static const char *refuses_room(const struct pp_world *world,

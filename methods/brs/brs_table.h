@@ -8,4 +8,14 @@
  * interpolation are in brs_table.c. */
 double pp_brs_table_read(double h_over_d, double w_over_d);
 
+/* Where that reading is taken, h/d and w/d greater than 0: rows from 0 (infinity) to 28
+ * (0.1), and 29 where the table ends in zero; columns from 0 (0.1) to 19 (infinity), -1
+ * likewise; the values between are linear in these. */
+void pp_brs_table_place(double h_over_d, double w_over_d, double *row, double *column);
+
+/* As printed: h/d of a row, w/d of a column, per cent. */
+double pp_brs_table_h_over_d(int row);
+double pp_brs_table_w_over_d(int column);
+double pp_brs_table_percent(int row, int column);
+
 #endif

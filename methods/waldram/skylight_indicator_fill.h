@@ -1,5 +1,5 @@
 /* skylight_indicator_fill.h - fills a skylight indicator
- * (model/results/skylight_indicator_sheet.h): its marks, and the site of a window.
+ * (model/results/sheets/skylight_indicator_sheet.h): its marks, and the site of a window.
  *
  * The upright receiver's Waldram diagram is divided into 8 rows of equal height and 10
  * columns of equal width; a mark stands for the middle of each cell, at
@@ -14,7 +14,7 @@
 #define PP_METHODS_WALDRAM_SKYLIGHT_INDICATOR_FILL_H
 
 #include "model/base/error.h"
-#include "model/results/skylight_indicator_sheet.h"
+#include "model/results/sheets/skylight_indicator_sheet.h"
 #include "model/room/world.h"
 
 /* Without a site. A sky with azimuth dependence is refused. The sheet is to be cleared

@@ -9,7 +9,7 @@
 #define PP_STUDIES_CLIMATE_AVAILABILITY_H
 
 #include "studies/climate/diffuse_curve.h"
-#include "model/results/availability_sheet.h"
+#include "model/results/sheets/availability_sheet.h"
 
 struct pp_availability_question {
     const struct pp_diffuse_light *light;

@@ -4,7 +4,7 @@
 #ifndef PP_STUDIES_CLIMATE_DIFFUSE_LIGHT_H
 #define PP_STUDIES_CLIMATE_DIFFUSE_LIGHT_H
 
-#include "model/results/availability_sheet.h"
+#include "model/results/sheets/availability_sheet.h"
 #include "formats/epw/epw.h"
 
 /* A stretch of time in which the illuminance is taken to be constant. */

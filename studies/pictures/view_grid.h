@@ -5,7 +5,7 @@
 #define PP_STUDIES_PICTURES_VIEW_GRID_H
 
 #include "model/pictures/camera.h"
-#include "model/results/picture_sheet.h"
+#include "model/results/sheets/picture_sheet.h"
 #include "model/room/world.h"
 
 /* Adds to the sheet circles of altitude every 15 degrees with their figures, lines of

@@ -90,8 +90,8 @@ pictures() {
 }
 
 blanks() {
-    for kind in waldram pepper-pot protractor nomogram vertical-sky skylight-indicator \
-        availability; do
+    for kind in waldram pepper-pot protractor nomogram brs-table vertical-sky skylight-indicator \
+        overlay availability; do
         for format in pdf svg png; do
             said "blank.$kind.$format" chart $kind -o "blank-$kind.$format" --latitude 51
             said "blank.$kind.$format" chart $kind -o "blank-$kind.$format"

@@ -14,6 +14,7 @@
 #include "methods/waldram/skylight_indicator_fill.h"
 #include "methods/waldram/waldram_sheet_fill.h"
 #include "tests/lib/room_of.h"
+#include "tests/lib/strokes.h"
 
 /* cairo writes coordinates to 1/1000 of a point or finer; lines to a tenth of a mm are
  * asked for. */
@@ -108,78 +109,6 @@ static struct pp_pepper_pot_sheet blank_pepper_pot(bool upright)
                                                     PP_PEPPER_POT_WORTH, NULL),
                      PP_OK);
     return sheet;
-}
-
-/* --- paths of an SVG, in millimetres -------------------------------------------------
- */
-
-/* A straight stroke from M to L. */
-struct stroke {
-    double x0, y0, x1, y1;
-};
-
-struct strokes {
-    struct stroke *list;
-    int count;
-};
-
-/* Reads "x y" and goes on behind it; false where there is none. */
-static bool read_pair(const char **at, double *x, double *y)
-{
-    int used = 0;
-    if (sscanf(*at, " %lf %lf%n", x, y, &used) != 2)
-        return false;
-    *at += used;
-    return true;
-}
-
-/* Adds the strokes of one path whose data begin at `data`, with the scale and shift of
- * its element. */
-static void add_strokes(struct strokes *strokes, const char *data, const double m[6],
-                        double mm_per_unit)
-{
-    double from[2] = {0.0, 0.0}, x, y;
-    while (*data && *data != '"') {
-        char command = *data++;
-        if (command != 'M' && command != 'L')
-            continue;
-        if (!read_pair(&data, &x, &y))
-            continue;
-        double to[2] = {(m[0] * x + m[4]) * mm_per_unit,
-                        (m[3] * y + m[5]) * mm_per_unit};
-        if (command == 'L') {
-            strokes->list =
-                realloc(strokes->list, (strokes->count + 1) * sizeof *strokes->list);
-            assert_non_null(strokes->list);
-            strokes->list[strokes->count++] =
-                (struct stroke){from[0], from[1], to[0], to[1]};
-        }
-        from[0] = to[0];
-        from[1] = to[1];
-    }
-}
-
-static struct strokes strokes_of(const char *svg)
-{
-    struct strokes strokes = {0};
-    double width_mm, view[4];
-    const char *root = strstr(svg, "<svg");
-    assert_int_equal(sscanf(strstr(root, "width=\""), "width=\"%lfmm", &width_mm), 1);
-    assert_int_equal(sscanf(strstr(root, "viewBox=\""), "viewBox=\"%lf %lf %lf %lf",
-                            &view[0], &view[1], &view[2], &view[3]),
-                     4);
-    for (const char *path = svg; (path = strstr(path, "<path")); path++) {
-        const char *end = strchr(path, '>');
-        const char *data = strstr(path, " d=\""), *matrix = strstr(path, "matrix(");
-        double m[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 0.0};
-        if (matrix && matrix < end)
-            sscanf(matrix, "matrix(%lf,%lf,%lf,%lf,%lf,%lf)", m, m + 1, m + 2, m + 3,
-                   m + 4, m + 5);
-        if (data && data < end)
-            add_strokes(&strokes, data + 4, m, width_mm / view[2]);
-    }
-    assert_true(strokes.count > 0);
-    return strokes;
 }
 
 /* Is there an upright stroke at x with an end at y? */

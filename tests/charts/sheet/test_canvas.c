@@ -13,7 +13,8 @@ static const char title[] = "Caf\xc3\xa9 <north> & \"south\"";
 static struct pp_canvas *canvas_of(enum pp_chart_format format, enum pp_paper paper,
                                    bool landscape)
 {
-    struct pp_sheet sheet = {format, paper, landscape, 0.0, title, "A rule & words"};
+    struct pp_sheet sheet = {format,           paper, landscape, 0.0, title,
+                             "A rule & words", false};
     struct pp_canvas *canvas;
     struct pp_error err;
     if (pp_canvas_create(&canvas, &sheet, &err) != PP_OK)
@@ -328,7 +329,7 @@ static void names_of_files_and_papers_are_understood_or_refused(void **state)
     assert_int_equal(paper, PP_PAPER_A3);
     assert_int_equal(pp_canvas_paper_of(&paper, "letter", &err), PP_BAD_INPUT);
 
-    struct pp_sheet sheet = {PP_CHART_PNG, PP_PAPER_A4, false, 3.0, 0, 0};
+    struct pp_sheet sheet = {PP_CHART_PNG, PP_PAPER_A4, false, 3.0, 0, 0, false};
     struct pp_canvas *canvas;
     assert_int_equal(pp_canvas_create(&canvas, &sheet, &err), PP_BAD_INPUT);
     assert_null(canvas);

@@ -1,7 +1,7 @@
 /* picture_sheet.h - the data of a sheet with a picture on it
  * (charts/picture_chart.h). */
-#ifndef PP_MODEL_RESULTS_PICTURE_SHEET_H
-#define PP_MODEL_RESULTS_PICTURE_SHEET_H
+#ifndef PP_MODEL_RESULTS_SHEETS_PICTURE_SHEET_H
+#define PP_MODEL_RESULTS_SHEETS_PICTURE_SHEET_H
 
 #include "model/geometry/curve.h"
 #include "model/pictures/false_colour.h"

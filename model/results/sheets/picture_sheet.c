@@ -1,5 +1,5 @@
 /* picture_sheet.c - see picture_sheet.h. */
-#include "model/results/picture_sheet.h"
+#include "model/results/sheets/picture_sheet.h"
 
 #include <stdlib.h>
 

@@ -1,5 +1,5 @@
 /* availability_sheet.c - see availability_sheet.h. */
-#include "model/results/availability_sheet.h"
+#include "model/results/sheets/availability_sheet.h"
 
 #include <stdlib.h>
 

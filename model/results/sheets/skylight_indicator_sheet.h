@@ -5,8 +5,8 @@
  * window as one looks out and y ahead of it, a building's edge at its distance over its
  * height. A method fills it (methods/waldram/skylight_indicator_fill.h); a chart draws
  * it (charts/drawing_board/skylight_indicator_chart.h). */
-#ifndef PP_MODEL_RESULTS_SKYLIGHT_INDICATOR_SHEET_H
-#define PP_MODEL_RESULTS_SKYLIGHT_INDICATOR_SHEET_H
+#ifndef PP_MODEL_RESULTS_SHEETS_SKYLIGHT_INDICATOR_SHEET_H
+#define PP_MODEL_RESULTS_SHEETS_SKYLIGHT_INDICATOR_SHEET_H
 
 #include <stdbool.h>
 

@@ -1,5 +1,5 @@
 /* skylight_indicator_sheet.c - frees what a sheet holds. */
-#include "model/results/skylight_indicator_sheet.h"
+#include "model/results/sheets/skylight_indicator_sheet.h"
 
 void pp_skylight_indicator_sheet_clear(struct pp_skylight_indicator_sheet *sheet)
 {

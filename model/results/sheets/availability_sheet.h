@@ -3,8 +3,8 @@
  * studies/climate/availability.h fills it; charts/availability_chart.h draws it.
  * Illuminances are in lx, shares of the working hours 0 to 1.
  */
-#ifndef PP_MODEL_RESULTS_AVAILABILITY_SHEET_H
-#define PP_MODEL_RESULTS_AVAILABILITY_SHEET_H
+#ifndef PP_MODEL_RESULTS_SHEETS_AVAILABILITY_SHEET_H
+#define PP_MODEL_RESULTS_SHEETS_AVAILABILITY_SHEET_H
 
 #include "model/results/report.h"
 

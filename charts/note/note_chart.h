@@ -1,0 +1,26 @@
+/* note_chart.h - a calculation set out as a design note: what is given with the room's plan
+ * and section beside it, each method's formulae as printed, the values put in, results,
+ * and the works that they come from. */
+#ifndef PP_CHARTS_NOTE_NOTE_CHART_H
+#define PP_CHARTS_NOTE_NOTE_CHART_H
+
+#include "charts/sheet/canvas.h"
+#include "model/results/report.h"
+
+struct pp_note_chart {
+    const struct pp_report *report; /* of one point, with steps */
+    const char *const *contents;    /* what a column's figures have in them already, a
+                                     * sentence for each column; "": nothing to say */
+    const char *const *sources;     /* the works, a paragraph each */
+    int source_count;
+    const char *const *notes; /* likewise, what is to be said of the methods */
+    int note_count;
+};
+
+/* Draws on as many sheets as it takes. PP_BAD_INPUT where the format has one sheet only
+ * and the note is longer, or the point is on no section. */
+enum pp_status pp_note_chart_draw(struct pp_canvas *canvas,
+                                  const struct pp_note_chart *note,
+                                  struct pp_error *err);
+
+#endif

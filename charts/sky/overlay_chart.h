@@ -1,0 +1,28 @@
+/* overlay_chart.h - sun paths and the sky in equal parts, to lay on a fisheye photograph that
+ * was taken looking up. */
+#ifndef PP_CHARTS_SKY_OVERLAY_CHART_H
+#define PP_CHARTS_SKY_OVERLAY_CHART_H
+
+#include "charts/sheet/canvas.h"
+#include "model/geometry/lens.h"
+#include "model/light/sky_cells.h"
+
+struct pp_overlay {
+    enum pp_lens lens;
+    double diameter_mm; /* of the horizon; 0: the largest of whole centimetres */
+    struct pp_sky sky;
+    const struct pp_sky_cell *dots; /* a dot in the middle of each; NULL: none */
+    int dot_count;
+    const struct pp_sky_cell *cells; /* their outlines; NULL: none */
+    int cell_count;
+    bool sun; /* the sun's paths, */
+    double latitude_rad;
+};
+
+/* North is up and east on the left, as one sees the sky. PP_BAD_INPUT where the circle is
+ * larger than the sheet holds. */
+enum pp_status pp_overlay_chart_draw(struct pp_canvas *canvas,
+                                     const struct pp_overlay *overlay,
+                                     struct pp_error *err);
+
+#endif

@@ -1,0 +1,22 @@
+/* brs_sheet_fill.h - fills a sheet of the BRS simplified table, blank or with what is read
+ * for a point of a room. */
+#ifndef PP_METHODS_BRS_BRS_SHEET_FILL_H
+#define PP_METHODS_BRS_BRS_SHEET_FILL_H
+
+#include "model/base/error.h"
+#include "model/light/outside_light.h"
+#include "model/results/sheets/brs_sheet.h"
+#include "model/room/world.h"
+
+void pp_brs_sheet_fill_blank(struct pp_brs_sheet *sheet);
+
+/* The readings that pp_method_brs_table takes, and the same sums. PP_BAD_INPUT where it
+ * does not cover the room, an opening or the receiver. On success the sheet is to be
+ * cleared. */
+enum pp_status pp_brs_sheet_fill_room(struct pp_brs_sheet *sheet,
+                                      const struct pp_world *world,
+                                      const struct pp_outside_light *light,
+                                      const struct pp_receiver *receiver,
+                                      struct pp_error *err);
+
+#endif

@@ -1,0 +1,139 @@
+/* sky_cells.c - sums over a fine net of directions, read backwards.
+ *
+ * The light of a patch on a level plane is L sin(a) cos(a) da db for altitude a and bearing
+ * b; cos(a) sin(a) da is d(sin^2 a)/2, so that strips between equal steps of sin^2 a would
+ * be equal under a uniform sky.
+ */
+#include "model/light/sky_cells.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { STRIPS = 2000, BEARINGS = 720 };
+
+/* The net: strips of altitude from the zenith down, and bearings within them. */
+struct net {
+    const struct pp_sky *sky;
+    int bearings;              /* 1 where the sky is the same in all */
+    double above[STRIPS + 1];  /* share of the light above the strip's upper edge */
+    double turn[BEARINGS + 1]; /* of a ring: share of the light before each bearing */
+};
+
+static double altitude_of(double strip)
+{
+    return 0.5 * PP_PI * (1.0 - strip / STRIPS);
+}
+
+/* Light of the part of strips between two places, which need not be whole, at a bearing. */
+static double light_of(const struct net *net, double upper, double lower, int bearing)
+{
+    double high = sin(altitude_of(upper)), low = sin(altitude_of(lower));
+    double altitude = altitude_of(0.5 * (upper + lower));
+    double b = (bearing + 0.5) * 2.0 * PP_PI / net->bearings;
+    struct pp_vec3 u =
+        pp_vec(cos(altitude) * sin(b), cos(altitude) * cos(b), sin(altitude));
+    return 0.5 * (high * high - low * low) * pp_sky_luminance(net->sky, u) * 2.0 * PP_PI
+           / net->bearings;
+}
+
+static void sum_strips(struct net *net)
+{
+    net->above[0] = 0.0;
+    for (int i = 0; i < STRIPS; i++) {
+        net->above[i + 1] = net->above[i];
+        for (int k = 0; k < net->bearings; k++)
+            net->above[i + 1] += light_of(net, i, i + 1.0, k);
+    }
+    for (int i = 1; i <= STRIPS; i++)
+        net->above[i] /= net->above[STRIPS];
+}
+
+/* Where a rising table of count + 1 shares reaches one, in its steps. */
+static double place_of(const double *shares, int count, double share)
+{
+    int low = 0, high = count;
+    while (high - low > 1) {
+        int middle = (low + high) / 2;
+        *(shares[middle] <= share ? &low : &high) = middle;
+    }
+    double step = shares[high] - shares[low];
+    double t = step > 0.0 ? (share - shares[low]) / step : 0.0;
+    return low + fmin(fmax(t, 0.0), 1.0);
+}
+
+/* Bearings of a ring between two places. */
+static void sum_ring(struct net *net, double upper, double lower)
+{
+    net->turn[0] = 0.0;
+    for (int k = 0; k < net->bearings; k++) {
+        net->turn[k + 1] = net->turn[k];
+        for (double at = upper; at < lower;) {
+            double next = fmin(floor(at) + 1.0, lower);
+            net->turn[k + 1] += light_of(net, at, next, k);
+            at = next;
+        }
+    }
+    for (int k = 1; k <= net->bearings; k++)
+        net->turn[k] /= net->turn[net->bearings];
+}
+
+/* How many cells the ring has that begins behind `done` of `count`: those that are nearest
+ * to square, and all that are left where another such ring has no room. */
+static int ring_size(const struct net *net, int done, int count)
+{
+    double top = altitude_of(place_of(net->above, STRIPS, (double)done / count));
+    int best = count - done;
+    double least = INFINITY;
+    for (int size = 1; size <= count - done; size++) {
+        double low =
+            altitude_of(place_of(net->above, STRIPS, (double)(done + size) / count));
+        double wide = 2.0 * PP_PI * cos(0.5 * (top + low)) / size;
+        double off = fabs(log((top - low) / wide));
+        if (off >= least)
+            break;
+        least = off;
+        best = size;
+    }
+    return count - done - best < best / 2 ? count - done : best;
+}
+
+static void fill_ring(struct net *net, struct pp_sky_cell *cells, int done, int size,
+                      int count)
+{
+    double upper = place_of(net->above, STRIPS, (double)done / count);
+    double middle = place_of(net->above, STRIPS, (done + 0.5 * size) / count);
+    double lower = place_of(net->above, STRIPS, (double)(done + size) / count);
+    double turn = 2.0 * PP_PI / net->bearings;
+    sum_ring(net, upper, lower);
+    for (int i = 0; i < size; i++)
+        cells[done + i] = (struct pp_sky_cell){
+            .low = altitude_of(lower),
+            .high = altitude_of(upper),
+            .from = turn * place_of(net->turn, net->bearings, (double)i / size),
+            .to = turn * place_of(net->turn, net->bearings, (i + 1.0) / size),
+            .altitude = size == 1 && done == 0 ? 0.5 * PP_PI : altitude_of(middle),
+            .bearing = turn * place_of(net->turn, net->bearings, (i + 0.5) / size)};
+}
+
+enum pp_status pp_sky_cells(struct pp_sky_cell **cells, const struct pp_sky *sky,
+                            int count, struct pp_error *err)
+{
+    struct net *net = malloc(sizeof *net);
+    *cells = calloc((size_t)count, sizeof **cells);
+    if (!net || !*cells) {
+        free(net);
+        free(*cells);
+        *cells = NULL;
+        return pp_fail_memory(err);
+    }
+    net->sky = sky;
+    net->bearings = pp_sky_has_azimuth(sky) ? BEARINGS : 1;
+    sum_strips(net);
+    for (int done = 0; done < count;) {
+        int size = ring_size(net, done, count);
+        fill_ring(net, *cells, done, size, count);
+        done += size;
+    }
+    free(net);
+    return PP_OK;
+}

@@ -1,0 +1,74 @@
+#!/bin/sh
+# Sheets for print of chart: tables as they were printed, overlays and nets, and what is
+# refused.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+# each_form NAME WORDS: the chart becomes each format, on each paper, twice the same.
+each_form() {
+    sheet=$1
+    shift
+    for format in pdf svg png; do
+        quietly chart "$@" --dpi 50 -o "$scratch/$sheet.$format" || return
+        run chart "$@" --dpi 50 --format $format
+        cmp "$scratch/$sheet.$format" "$scratch/out" || return
+    done
+    for paper in a5 a4 a3 a2; do
+        quietly chart "$@" --dpi 30 --paper $paper -o "$scratch/$sheet.png" || return
+    done
+}
+
+# The BRS table's figures, a row of the file a line of the sheet.
+check "a blank BRS table in each form" each_form table brs-table
+check "one that is read for a point" each_form read brs-table -p 1.5,2 "$examples/office.xml"
+as_printed() {
+    pdftotext -layout "$scratch/table.pdf" - | sed 's/\*//g; s/^ *//; s/  */ /g; s/∞/inf/g' \
+        >"$scratch/lines"
+    grep -v -e '^#' -e h_over "$srcdir/tables/brs_simplified_table.csv" |
+        sed 's/^\([0-9]\),/\1.0,/; y/,/ /' >"$scratch/rows"
+    [ "$(wc -l <"$scratch/rows")" -eq 29 ] && grep -vxF -f "$scratch/lines" "$scratch/rows" |
+        { ! grep . ; }
+}
+if command -v pdftotext >/dev/null; then
+    check "the sheet has the table's figures as printed" as_printed
+    check "the sheet's sum is df's" sh -c "pdftotext '$scratch/read.pdf' - | tr '\n' ' ' |
+        grep -q 'sky component 1.52 %, externally reflected component 0.14 %'"
+else
+    skip "the table's figures and sums" "no pdftotext here"
+fi
+check "the table is of the overcast sky" \
+    refuses 1 "overcast" chart brs-table --sky uniform -o "$scratch/x.pdf"
+check "and of a point" refuses 2 "--points" chart brs-table -o "$scratch/x.pdf" "$deep"
+check "and of vertical windows" refuses 1 "vertical" chart brs-table -p 3,3 \
+    -o "$scratch/x.pdf" "$examples/studio.xml"
+
+check "an overlay in each form" each_form overlay overlay
+check "with the sun, for another lens and sky" \
+    each_form sun overlay --latitude -33.9 --lens equisolid --sky iso-12,40,20 \
+    --show dots,cells,sun
+for latitude in 0 -12 67 90; do
+    check "the sun's paths at $latitude degrees" \
+        quietly chart overlay --show sun --latitude $latitude -o "$scratch/x.svg"
+done
+check "the sun's paths are of a place" \
+    refuses 1 "--latitude" chart overlay --show sun -o "$scratch/x.pdf"
+check "an overlay is of no room" refuses 1 "no room" chart overlay -o "$scratch/x.pdf" "$deep"
+check "nor of a weather file" \
+    refuses 2 "--weather" chart overlay --weather x.epw -o "$scratch/x.pdf"
+check "a lens is one of four" refuses 2 "equisolid" chart overlay --lens wide -o "$scratch/x.pdf"
+check "what is shown is one of three" refuses 2 "cells" chart overlay --show rain -o "$scratch/x.pdf"
+check "only overlays have a lens" refuses 2 "--lens" chart waldram --lens equisolid \
+    -o "$scratch/x.pdf"
+check "a circle fits on its sheet" refuses 1 "larger --paper" chart overlay --diameter 200 \
+    -o "$scratch/x.pdf"
+# The 26th byte of a PNG is its colours: 6 with transparency, 2 without.
+colours() {
+    quietly chart "$@" --dpi 40 -o "$scratch/x.png" &&
+        od -An -tu1 -j25 -N1 "$scratch/x.png" | tr -d ' '
+}
+check "a PNG of it has no ground" test "$(colours overlay)" = 6
+check "and those of others have" test "$(colours brs-table)" = 2
+check "a very large one is refused" refuses 1 "128 MiB" chart overlay --paper a2 --dpi 600 \
+    -o "$scratch/x.png"
+
+tap_done

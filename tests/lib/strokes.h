@@ -1,0 +1,88 @@
+/* strokes.h - the straight strokes of a drawing, in millimetres on paper, read back from its
+ * SVG file. */
+#ifndef PP_TESTS_LIB_STROKES_H
+#define PP_TESTS_LIB_STROKES_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/lib/near.h"
+
+/* A straight stroke from M to L, or to where the path began. */
+struct stroke {
+    double x0, y0, x1, y1;
+};
+
+struct strokes {
+    struct stroke *list;
+    int count;
+};
+
+/* Reads "x y" and goes on behind it; false where there is none. */
+static inline bool read_pair(const char **at, double *x, double *y)
+{
+    int used = 0;
+    if (sscanf(*at, " %lf %lf%n", x, y, &used) != 2)
+        return false;
+    *at += used;
+    return true;
+}
+
+/* Adds the strokes of one path whose data begin at `data`, with the scale and shift of
+ * its element. */
+static inline void add_strokes(struct strokes *strokes, const char *data,
+                               const double m[6], double mm_per_unit)
+{
+    double from[2] = {0.0, 0.0}, first[2] = {0.0, 0.0}, x = 0.0, y = 0.0;
+    while (*data && *data != '"') {
+        char command = *data++;
+        if (command != 'M' && command != 'L' && command != 'Z')
+            continue;
+        if (command != 'Z' && !read_pair(&data, &x, &y))
+            continue;
+        double to[2] = {(m[0] * x + m[4]) * mm_per_unit,
+                        (m[3] * y + m[5]) * mm_per_unit};
+        if (command == 'Z')
+            memcpy(to, first, sizeof to);
+        if (command == 'M')
+            memcpy(first, to, sizeof first);
+        else {
+            strokes->list =
+                realloc(strokes->list, (strokes->count + 1) * sizeof *strokes->list);
+            assert_non_null(strokes->list);
+            strokes->list[strokes->count++] =
+                (struct stroke){from[0], from[1], to[0], to[1]};
+        }
+        from[0] = to[0];
+        from[1] = to[1];
+    }
+}
+
+/* The list is to be freed. */
+static inline struct strokes strokes_of(const char *svg)
+{
+    struct strokes strokes = {0};
+    double width_mm, view[4];
+    const char *root = strstr(svg, "<svg");
+    assert_int_equal(sscanf(strstr(root, "width=\""), "width=\"%lfmm", &width_mm), 1);
+    assert_int_equal(sscanf(strstr(root, "viewBox=\""), "viewBox=\"%lf %lf %lf %lf",
+                            &view[0], &view[1], &view[2], &view[3]),
+                     4);
+    for (const char *path = svg; (path = strstr(path, "<path")); path++) {
+        const char *end = strchr(path, '>');
+        const char *data = strstr(path, " d=\""), *matrix = strstr(path, "matrix(");
+        double m[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 0.0};
+        if (matrix && matrix < end)
+            sscanf(matrix, "matrix(%lf,%lf,%lf,%lf,%lf,%lf)", m, m + 1, m + 2, m + 3,
+                   m + 4, m + 5);
+        if (data && data < end)
+            add_strokes(&strokes, data + 4, m, width_mm / view[2]);
+    }
+    assert_true(strokes.count > 0);
+    return strokes;
+}
+
+#endif
