@@ -68,6 +68,7 @@ static void copy_parts(struct pp_room *room, bool *good)
         copy_text(&room->openings[i].wall, good);
         copy_text(&room->openings[i].name, good);
         copy_vertices(&room->openings[i].vertices, good);
+        COPY_LIST(room->openings[i].shades, room->openings[i].shade_count, good);
     }
     COPY_LIST(room->skylines, room->skyline_count, good);
     for (int i = 0; i < room->skyline_count; i++)
@@ -170,6 +171,7 @@ enum pp_status pp_room_repeat_opening(struct pp_room *room, int index,
     added->name = NULL;
     copy_text(&added->wall, &good);
     copy_vertices(&added->vertices, &good);
+    COPY_LIST(added->shades, added->shade_count, &good);
     put_place(added, place);
     room->opening_count++;
     return good ? PP_OK : pp_fail_memory(err);
@@ -191,6 +193,7 @@ void pp_room_remove_opening(struct pp_room *room, int index)
     struct pp_opening_part *part = &room->openings[index];
     free(part->wall);
     free(part->name);
+    free(part->shades);
     pp_room_parts_clear_vertices(&part->vertices);
     int behind = --room->opening_count - index;
     memmove(part, part + 1, (size_t)behind * sizeof *part);

@@ -38,6 +38,7 @@ void pp_room_parts_clear(struct pp_room *room)
     for (int i = 0; i < room->opening_count; i++) {
         free(room->openings[i].wall);
         free(room->openings[i].name);
+        free(room->openings[i].shades);
         pp_room_parts_clear_vertices(&room->openings[i].vertices);
     }
     for (int i = 0; i < room->skyline_count; i++)

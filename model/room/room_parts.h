@@ -73,6 +73,23 @@ struct pp_glazing_part {
     double reveal_m;
 };
 
+enum pp_shade_kind { PP_OVERHANG, PP_FIN, PP_BALCONY, PP_SHELF };
+
+/* What shades a window and belongs to it; lengths are counted from its edges, left and
+ * right as drawn from outside (build/shades.h). */
+struct pp_shade_part {
+    enum pp_shade_kind kind;
+    double depth_m, inside_m; /* outside the wall; of a shelf, inside it too */
+    double above_m, below_m;  /* beyond head and sill */
+    double left_m, right_m;   /* beyond the jambs */
+    bool is_left, is_right;   /* which fins there are */
+    double height_m;          /* of a shelf, above the sill; of a balcony's floor */
+    double parapet_m;         /* height of a balcony's; 0: none */
+    double reflectance;
+    const struct pp_finish *finish;
+    int line;
+};
+
 struct pp_opening_part {
     char *name; /* NULL where not given */
     enum pp_opening_kind kind;
@@ -81,6 +98,8 @@ struct pp_opening_part {
     double x, y, depth_m;                     /* rooflight, with width_m */
     struct pp_vertices vertices;              /* opening */
     struct pp_glazing_part glazing;
+    struct pp_shade_part *shades; /* of a window */
+    int shade_count;
     int line;
 };
 

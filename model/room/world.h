@@ -78,6 +78,7 @@ struct pp_opening {
     int facade;      /* that it looks out of, -1: there is none */
     double recess_m; /* how far the glass stands back from that facade's plane */
     char *name;      /* NULL where it has none */
+    int part;        /* which of its room's openings it is, as the file has them */
     int line;
 };
 

@@ -116,4 +116,37 @@ check "are there before" gives df --state existing -m exact "$scratch/gone.xml"
 check "a room that is new has nothing before" sh -c "
     sed 's/<room name=\"Study\"/<room state=\"proposed\" name=\"Study\"/' '$site' |
         '$pepperpot' assess --by-hand -c vsc,former-sky --table - | grep -qE 'W3.* - '"
+
+# An overhang is the surface that it stands for, to the byte.
+cat >"$scratch/overhang.xml" <<'EOF'
+<room version="1" name="Shaded">
+  <plan width="4.2" depth="5.3" height="2.7"/>
+  <window wall="south" left="0.9" sill="0.8" width="2.4" height="1.5">
+    <overhang depth="0.8" above="0.1" left="0.3" right="0.2"/>
+  </window>
+</room>
+EOF
+cat >"$scratch/surface.xml" <<'EOF'
+<room version="1" name="Shaded">
+  <plan width="4.2" depth="5.3" height="2.7"/>
+  <window wall="south" left="0.9" sill="0.8" width="2.4" height="1.5"/>
+  <surface> <vertex x="0.6" y="0" z="2.4"/> <vertex x="3.5" y="0" z="2.4"/>
+    <vertex x="3.5" y="-0.8" z="2.4"/> <vertex x="0.6" y="-0.8" z="2.4"/> </surface>
+</room>
+EOF
+check "an overhang" gives df -m exact+bre,brs-table --simulate --error 3% -f json "$scratch/overhang.xml"
+cp "$scratch/out" "$scratch/overhang.json"
+check "is the surface written out" sh -c "
+    '$pepperpot' df -m exact+bre,brs-table --simulate --error 3% -f json '$scratch/surface.xml' |
+        cmp - '$scratch/overhang.json'"
+check "a sized window keeps it" sh -c "
+    '$pepperpot' size --target 2% --by-hand '$scratch/overhang.xml' -w '$scratch/sized.xml' -q >/dev/null &&
+        grep -q '<overhang' '$scratch/sized.xml' &&
+        '$pepperpot' df -m average-df '$scratch/sized.xml' >/dev/null"
+sed 's/width="2.4"/width="0.5"/' "$scratch/overhang.xml" >"$scratch/narrow.xml"
+check "three of them have it each" sh -c "
+    '$pepperpot' size --target 1.6% --change number --by-hand '$scratch/narrow.xml' \
+        -w '$scratch/more.xml' -q >/dev/null &&
+        [ \$(grep -c '<overhang' '$scratch/more.xml') -eq 3 ] &&
+        [ \$(grep -c '</window>' '$scratch/more.xml') -eq 3 ]"
 tap_done

@@ -118,14 +118,13 @@ static const char *room_words(char words[96], const struct pp_resolver *r,
 
 /* Notes a surface that goes through the envelope; *clear if it does not. */
 static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
-                                  const struct pp_surface_part *part,
+                                  const struct pp_surface_part *part, const char *what,
                                   const struct pp_polygon *polygon,
                                   const struct sides_seen *seen, struct pp_error *err)
 {
     const struct pp_world *world = r->world;
     struct pp_vec3 where;
     char words[96];
-    const char *what = part->is_of_block ? "block" : "surface";
     bool cross = false;
     for (int i = 0; i < world->face_count && !cross; i++) {
         const struct pp_surface *face = &world->surfaces[i];
@@ -156,11 +155,10 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
     if (!cross && seen->inside && seen->outside) {
         cross = true;
         struct pp_vec3 in = seen->inside_at, out = seen->outside_at;
-        pp_mistakes_add(
-            r->mistakes, part->line,
-            "surface: is in the room at (%g, %g, %g) and outside at (%g, %g, "
-            "%g); expected it all inside or all outside",
-            in.x, in.y, in.z, out.x, out.y, out.z);
+        pp_mistakes_add(r->mistakes, part->line,
+                        "%s: is in the room at (%g, %g, %g) and outside at (%g, %g, "
+                        "%g); expected it all inside or all outside",
+                        what, in.x, in.y, in.z, out.x, out.y, out.z);
     }
     *clear = !cross;
     return PP_OK;
@@ -218,9 +216,9 @@ static void flatten_and_set_off(const struct pp_world *world,
     }
 }
 
-static enum pp_status resolve_surface(struct pp_resolver *r,
-                                      const struct pp_surface_part *part,
-                                      struct pp_error *err)
+enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
+                                          const struct pp_surface_part *part,
+                                          const char *what, struct pp_error *err)
 {
     struct pp_surface surface = {.role = PP_FREE_SURFACE,
                                  .front = part->reflectance,
@@ -237,7 +235,7 @@ static enum pp_status resolve_surface(struct pp_resolver *r,
     bool clear = true;
     enum pp_status status = look_over(&seen, r, &surface.outline, err);
     if (status == PP_OK)
-        status = check_clear(&clear, r, part, &surface.outline, &seen, err);
+        status = check_clear(&clear, r, part, what, &surface.outline, &seen, err);
     if (status == PP_OK && clear && part->is_room_outside)
         check_openings(r, part, &surface.outline);
     if (status != PP_OK || !clear) {
@@ -261,7 +259,8 @@ enum pp_status pp_build_free_surfaces(struct pp_resolver *r, struct pp_error *er
             || !r->watertight || !isfinite(part->reflectance)
             || !isfinite(part->exitance))
             continue;
-        enum pp_status status = resolve_surface(r, part, err);
+        enum pp_status status = pp_build_free_surfaces_add(
+            r, part, part->is_of_block ? "block" : "surface", err);
         if (status != PP_OK)
             return status;
     }

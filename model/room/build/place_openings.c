@@ -92,6 +92,7 @@ static enum pp_status add_opening(struct pp_resolver *r,
                                  .curtains = part->glazing.curtains,
                                  .reveal_m = part->glazing.reveal_m,
                                  .facade = -1,
+                                 .part = (int)(part - r->room->openings),
                                  .line = part->line};
     struct pp_vec3 normal = frame->face->outline.normal;
     opening.slope_rad = atan2(hypot(normal.x, normal.y), -normal.z);

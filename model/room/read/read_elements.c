@@ -287,10 +287,11 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
         *room = (struct pp_room){.site = common->site, .sky = common->sky};
         read_room(r, room, c, false);
         if (room->placement.given && ++placed == PP_ROOM_PLACED_MOST + 1)
-            pp_mistakes_add(r->mistakes, room->line,
-                            "room: the building has more than %d placed rooms; expected "
-                            "%d at most, and blocks for the others",
-                            PP_ROOM_PLACED_MOST, PP_ROOM_PLACED_MOST);
+            pp_mistakes_add(
+                r->mistakes, room->line,
+                "room: the building has more than %d placed rooms; expected "
+                "%d at most, and blocks for the others",
+                PP_ROOM_PLACED_MOST, PP_ROOM_PLACED_MOST);
         if (room->placement.given && !isnan(room->north_rad))
             pp_mistakes_add(r->mistakes, room->line,
                             "room: has a north of its own, but is placed in the "

@@ -1,9 +1,11 @@
 /* read_opening.c - see read_opening.h. */
 #include "model/room/read/read_opening.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "model/light/glazings.h"
+#include "model/room/read/element_form.h"
 
 static struct pp_glass named_glass(struct pp_reader *r, const char *name)
 {
@@ -62,6 +64,47 @@ static bool glass_of(struct pp_reader *r, struct pp_glass *glass,
     return false;
 }
 
+/* One of the window's children. A mistake in it is noted, and it is left out. */
+static void read_shade(struct pp_reader *r, struct pp_opening_part *part,
+                       const struct pp_xml_element *e, enum pp_shade_kind kind,
+                       const struct pp_element_rule *rule)
+{
+    struct pp_shade_form form = {0};
+    if (!pp_reader_fill_form(r, &form, rule, e)
+        || !PP_READER_RESERVE(r, part->shades, part->shade_count))
+        return;
+    part->shades[part->shade_count++] =
+        (struct pp_shade_part){.kind = kind,
+                               .depth_m = form.depth_m,
+                               .inside_m = form.inside_m,
+                               .above_m = form.above_m,
+                               .below_m = form.below_m,
+                               .left_m = form.left_m,
+                               .right_m = kind == PP_FIN ? form.left_m : form.right_m,
+                               .is_left = form.side != 2,
+                               .is_right = form.side != 1,
+                               .height_m = form.height_m,
+                               .parapet_m = form.parapet_m,
+                               .reflectance = form.finish.reflectance,
+                               .finish = form.finish.finish,
+                               .line = e->line};
+}
+
+static void read_shades(struct pp_reader *r, struct pp_opening_part *part,
+                        const struct pp_xml_element *e)
+{
+    static const struct pp_element_rule *const rules[] = {
+        [PP_OVERHANG] = &pp_rule_overhang,
+        [PP_FIN] = &pp_rule_fin,
+        [PP_BALCONY] = &pp_rule_balcony,
+        [PP_SHELF] = &pp_rule_shelf};
+    for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
+         c = c->next)
+        for (int kind = 0; kind <= PP_SHELF; kind++)
+            if (pp_element_form_matches(c, rules[kind]))
+                read_shade(r, part, c, (enum pp_shade_kind)kind, rules[kind]);
+}
+
 void pp_read_opening(struct pp_reader *r, struct pp_room *room,
                      const struct pp_xml_element *e, enum pp_opening_kind kind,
                      const struct pp_element_rule *rule)
@@ -80,8 +123,11 @@ void pp_read_opening(struct pp_reader *r, struct pp_room *room,
     if (kind == PP_OPENING)
         good = pp_reader_add_vertices(r, &part.vertices, &pp_rule_vertex, e) && good;
     good = good && glass_of(r, &part.glazing.glass, &form, e);
+    if (kind == PP_WINDOW)
+        read_shades(r, &part, e);
     if (!good || !PP_READER_RESERVE(r, room->openings, room->opening_count)) {
         pp_room_parts_clear_vertices(&part.vertices);
+        free(part.shades);
         return;
     }
     part.glazing.frame_factor = form.frame_factor;

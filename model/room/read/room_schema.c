@@ -120,6 +120,10 @@ static const struct pp_value_kind use = {
                 "\"meeting-room\", \"classroom\", \"ward\", \"shop\", \"workshop\", "
                 "\"bathroom\", \"circulation\", \"store\", \"other\" or \"unknown\"",
     .words = pp_room_use_words};
+static const char *const sides[] = {"both", "left", "right", NULL};
+static const struct pp_value_kind side = {.reading = PP_VALUE_CHOICE,
+                                          .expected = "\"both\", \"left\" or \"right\"",
+                                          .words = sides};
 static const char *const roofs[] = {"flat", "mono", "gable", "hip", NULL};
 static const struct pp_value_kind roof = {
     .reading = PP_VALUE_CHOICE,
@@ -239,7 +243,46 @@ static const struct pp_attribute_rule window_rows[] = {
     {"height", &size, REQUIRED, IN(opening, height_m)},
     GLAZING_ROWS,
 };
-LEAF(window, "window", window_rows);
+static const struct pp_attribute_rule overhang_rows[] = {
+    {"depth", &size, REQUIRED, IN(shade, depth_m)},
+    {"above", &depth, OR(0), IN(shade, above_m)},
+    {"left", &depth, OR(0), IN(shade, left_m)},
+    {"right", &depth, OR(0), IN(shade, right_m)},
+    {"reflectance", &reflectance, OR(0.2), IN(shade, finish)},
+};
+LEAF(overhang, "overhang", overhang_rows);
+static const struct pp_attribute_rule fin_rows[] = {
+    {"depth", &size, REQUIRED, IN(shade, depth_m)},
+    {"side", &side, OR(0), IN(shade, side)},
+    {"gap", &depth, OR(0), IN(shade, left_m)},
+    {"above", &depth, OR(0), IN(shade, above_m)},
+    {"below", &depth, OR(0), IN(shade, below_m)},
+    {"reflectance", &reflectance, OR(0.2), IN(shade, finish)},
+};
+LEAF(fin, "fin", fin_rows);
+static const struct pp_attribute_rule balcony_rows[] = {
+    {"depth", &size, REQUIRED, IN(shade, depth_m)},
+    {"left", &depth, OR(0), IN(shade, left_m)},
+    {"right", &depth, OR(0), IN(shade, right_m)},
+    {"level", &coordinate, OR(0), IN(shade, height_m)},
+    {"parapet", &depth, OR(1.1), IN(shade, parapet_m)},
+    {"reflectance", &reflectance, OR(0.2), IN(shade, finish)},
+};
+LEAF(balcony, "balcony", balcony_rows);
+static const struct pp_attribute_rule shelf_rows[] = {
+    {"height", &size, REQUIRED, IN(shade, height_m)},
+    {"depth", &depth, OR(0.5), IN(shade, depth_m)},
+    {"inside", &depth, OR(0), IN(shade, inside_m)},
+    {"left", &depth, OR(0), IN(shade, left_m)},
+    {"right", &depth, OR(0), IN(shade, right_m)},
+    {"reflectance", &reflectance, OR(0.7), IN(shade, finish)},
+};
+LEAF(shelf, "shelf", shelf_rows);
+static const struct pp_child_rule window_children[] = {{&pp_rule_overhang, 0, 0},
+                                                       {&pp_rule_fin, 0, 0},
+                                                       {&pp_rule_balcony, 0, 0},
+                                                       {&pp_rule_shelf, 0, 0}};
+RULE(window, "window", window_rows, window_children);
 static const struct pp_attribute_rule rooflight_rows[] = {
     {"x", &coordinate, REQUIRED, IN(opening, x)},
     {"y", &coordinate, REQUIRED, IN(opening, y)},

@@ -142,6 +142,13 @@ struct pp_opening_form {
     int diffusing; /* 0 no, 1 yes, -1 not given */
 };
 
+/* An overhang, a fin, a balcony or a shelf. */
+struct pp_shade_form {
+    double depth_m, inside_m, above_m, below_m, left_m, right_m, height_m, parapet_m;
+    int side; /* 0 both, 1 left, 2 right */
+    struct pp_finish_value finish;
+};
+
 struct pp_skyline_form {
     const char *wall;
     double angle_rad, distance_m;
@@ -188,6 +195,7 @@ extern const struct pp_element_rule pp_rule_building, pp_rule_building_room,
     pp_rule_envelope, pp_rule_face, pp_rule_vertex, pp_rule_finishes, pp_rule_finish,
     pp_rule_window, pp_rule_rooflight, pp_rule_opening, pp_rule_skyline, pp_rule_facade,
     pp_rule_block, pp_rule_footprint, pp_rule_surface, pp_rule_working_plane,
-    pp_rule_point, pp_rule_line, pp_rule_grid;
+    pp_rule_overhang, pp_rule_fin, pp_rule_balcony, pp_rule_shelf, pp_rule_point,
+    pp_rule_line, pp_rule_grid;
 
 #endif

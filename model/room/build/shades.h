@@ -1,0 +1,23 @@
+/* shades.h - the step that adds what shades windows and belongs to them: overhangs, fins,
+ * balconies and light shelves. Inside model/room/ only.
+ *
+ * Each is one opaque polygon or a few, without thickness, which begin in the plane of the
+ * wall's outside: the facade's, else that of the glass. Lengths are counted from the
+ * window's edges, left and right as drawn from outside:
+ *
+ *   overhang  level, `above` the head, `depth` deep, beyond the jambs by left and right
+ *   fin       upright, `gap` beside a jamb, from `below` the sill to `above` the head
+ *   balcony   a floor at the level of the room's, or `level` above it, and a parapet
+ *             round it
+ *   shelf     level, `height` above the sill, `depth` outside and `inside` the wall
+ */
+#ifndef PP_MODEL_ROOM_BUILD_SHADES_H
+#define PP_MODEL_ROOM_BUILD_SHADES_H
+
+#include "model/room/build/resolve.h"
+
+/* Behind the free-standing surfaces, which keep the file's order. Notes those of windows
+ * in walls that lean, those that go through the room, and shelves above the head. */
+enum pp_status pp_build_shades(struct pp_resolver *r, struct pp_error *err);
+
+#endif
