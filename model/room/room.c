@@ -63,6 +63,9 @@ static void copy_parts(struct pp_room *room, bool *good)
     COPY_LIST(room->finishes, room->finish_count, good);
     for (int i = 0; i < room->finish_count; i++)
         copy_text(&room->finishes[i].wall, good);
+    COPY_LIST(room->wall_kinds, room->wall_kind_count, good);
+    for (int i = 0; i < room->wall_kind_count; i++)
+        copy_text(&room->wall_kinds[i].name, good);
     COPY_LIST(room->openings, room->opening_count, good);
     for (int i = 0; i < room->opening_count; i++) {
         copy_text(&room->openings[i].wall, good);

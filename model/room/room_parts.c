@@ -49,6 +49,9 @@ void pp_room_parts_clear(struct pp_room *room)
         free(room->blocks[i].name);
     for (int i = 0; i < room->surface_count; i++)
         pp_room_parts_clear_surface(&room->surfaces[i]);
+    for (int i = 0; i < room->wall_kind_count; i++)
+        free(room->wall_kinds[i].name);
+    free(room->wall_kinds);
     free(room->finishes);
     free(room->openings);
     free(room->skylines);

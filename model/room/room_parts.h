@@ -65,6 +65,13 @@ struct pp_finish_part {
     int line;
 };
 
+/* A wall that the file says something of. */
+struct pp_wall_part {
+    char *name;
+    bool is_inner; /* behind it is another room, or another's house: no windows there */
+    int line;
+};
+
 struct pp_glazing_part {
     struct pp_glass glass;
     double frame_factor;
@@ -172,6 +179,8 @@ struct pp_room {
     int working_plane_line; /* 0 where not given */
     struct pp_finish_part *finishes;
     int finish_count;
+    struct pp_wall_part *wall_kinds;
+    int wall_kind_count;
     struct pp_opening_part *openings; /* windows, rooflights, openings in file order */
     int opening_count;
     struct pp_skyline_part *skylines;

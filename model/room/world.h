@@ -49,9 +49,10 @@ struct pp_surface {
                                      * sides of blocks and free-standing surfaces; NULL:
                                      * grey and without gloss. The reflectance is that
                                      * of `front` anyhow */
-    int owner; /* reveal: its opening; block: its block; facade: its
+    int owner;     /* reveal: its opening; block: its block; facade: its
                                      * facade; else -1 */
-    int line;  /* in the room file; 0 where none */
+    bool is_inner; /* of a wall: behind it is another room, or another's house */
+    int line;      /* in the room file; 0 where none */
 };
 
 /* When a thing stands there: always, before something is built, or with it. */

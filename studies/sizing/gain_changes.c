@@ -321,7 +321,7 @@ static enum pp_status one_more_window(struct pp_room **changed, struct pp_gain *
     return status;
 }
 
-/* The wall without openings that faces most nearly opposite to the given face, by 120
+/* The outer wall without openings that faces most nearly opposite to the given face, by 120
  * degrees at least; -1 where there is none. */
 static int opposite_wall(const struct pp_world *world, int face)
 {
@@ -334,7 +334,8 @@ static int opposite_wall(const struct pp_world *world, int face)
         for (int k = 0; k < world->opening_count; k++)
             taken = taken || world->openings[k].face == i;
         double against = pp_vec_dot(n, wall->outline.normal);
-        if (wall->role == PP_WALL && wall->name && !taken && against < least) {
+        if (wall->role == PP_WALL && wall->name && !wall->is_inner && !taken
+            && against < least) {
             least = against;
             found = i;
         }

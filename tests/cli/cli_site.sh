@@ -149,4 +149,11 @@ check "three of them have it each" sh -c "
         -w '$scratch/more.xml' -q >/dev/null &&
         [ \$(grep -c '<overhang' '$scratch/more.xml') -eq 3 ] &&
         [ \$(grep -c '</window>' '$scratch/more.xml') -eq 3 ]"
+
+office=$examples/office.xml
+check "a window in the opposite wall is advised" shows "in the opposite wall, north" \
+    assess --by-hand "$office"
+sed 's/<site /<wall name="north" kind="party"\/><site /' "$office" >"$scratch/party.xml"
+check "but not in a party wall" gives assess --by-hand "$scratch/party.xml"
+check "nowhere" nothing "$(grep 'opposite wall' "$scratch/out")"
 tap_done

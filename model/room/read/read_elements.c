@@ -95,6 +95,16 @@ static void read_finish(struct pp_reader *r, struct pp_room *room,
             form.finish.finish, e->line};
 }
 
+static void read_wall(struct pp_reader *r, struct pp_room *room,
+                      const struct pp_xml_element *e)
+{
+    struct pp_wall_form form;
+    if (pp_reader_fill_form(r, &form, &pp_rule_wall, e)
+        && PP_READER_RESERVE(r, room->wall_kinds, room->wall_kind_count))
+        room->wall_kinds[room->wall_kind_count++] = (struct pp_wall_part){
+            pp_reader_copy_text(r, form.name), form.kind != 0, e->line};
+}
+
 static void read_working_plane(struct pp_reader *r, struct pp_room *room,
                                const struct pp_xml_element *e)
 {
@@ -172,6 +182,7 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
         {&pp_rule_envelope, pp_read_shape_envelope},
         {&pp_rule_finishes, read_finishes},
         {&pp_rule_finish, read_finish},
+        {&pp_rule_wall, read_wall},
         {&pp_rule_skyline, pp_read_outside_skyline},
         {&pp_rule_facade, pp_read_outside_facade},
         {&pp_rule_block, pp_read_outside_block},

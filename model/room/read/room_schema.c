@@ -124,6 +124,11 @@ static const char *const sides[] = {"both", "left", "right", NULL};
 static const struct pp_value_kind side = {.reading = PP_VALUE_CHOICE,
                                           .expected = "\"both\", \"left\" or \"right\"",
                                           .words = sides};
+static const char *const wall_kinds[] = {"outer", "inner", "party", NULL};
+static const struct pp_value_kind wall_kind = {.reading = PP_VALUE_CHOICE,
+                                               .expected =
+                                                   "\"outer\", \"inner\" or \"party\"",
+                                               .words = wall_kinds};
 static const char *const roofs[] = {"flat", "mono", "gable", "hip", NULL};
 static const struct pp_value_kind roof = {
     .reading = PP_VALUE_CHOICE,
@@ -223,6 +228,12 @@ static const struct pp_attribute_rule finish_rows[] = {
     {"reflectance", &reflectance, REQUIRED, IN(finish, finish)},
 };
 LEAF(finish, "finish", finish_rows);
+
+static const struct pp_attribute_rule wall_rows[] = {
+    {"name", &wall, REQUIRED, IN(wall, name)},
+    {"kind", &wall_kind, REQUIRED, IN(wall, kind)},
+};
+LEAF(wall, "wall", wall_rows);
 
 #define GLAZING_ROWS                                                                   \
     {"glazing", &glazing, OR(NAN), IN(opening, glazing)},                              \
@@ -393,12 +404,15 @@ static const struct pp_attribute_rule room_rows[] = {
 };
 enum { BUILDING_ROWS = 5 };
 static const struct pp_child_rule room_children[] = {
-    {&pp_rule_site, 0, 1},     {&pp_rule_sky, 0, 1},           {&pp_rule_plan, 0, 1},
-    {&pp_rule_envelope, 0, 1}, {&pp_rule_finishes, 0, 1},      {&pp_rule_finish, 0, 0},
-    {&pp_rule_window, 0, 0},   {&pp_rule_rooflight, 0, 0},     {&pp_rule_opening, 0, 0},
-    {&pp_rule_skyline, 0, 0},  {&pp_rule_facade, 0, 0},        {&pp_rule_block, 0, 0},
-    {&pp_rule_surface, 0, 0},  {&pp_rule_working_plane, 0, 1}, {&pp_rule_point, 0, 0},
-    {&pp_rule_line, 0, 0},     {&pp_rule_grid, 0, 0},
+    {&pp_rule_site, 0, 1},          {&pp_rule_sky, 0, 1},
+    {&pp_rule_plan, 0, 1},          {&pp_rule_envelope, 0, 1},
+    {&pp_rule_finishes, 0, 1},      {&pp_rule_finish, 0, 0},
+    {&pp_rule_wall, 0, 0},          {&pp_rule_window, 0, 0},
+    {&pp_rule_rooflight, 0, 0},     {&pp_rule_opening, 0, 0},
+    {&pp_rule_skyline, 0, 0},       {&pp_rule_facade, 0, 0},
+    {&pp_rule_block, 0, 0},         {&pp_rule_surface, 0, 0},
+    {&pp_rule_working_plane, 0, 1}, {&pp_rule_point, 0, 0},
+    {&pp_rule_line, 0, 0},          {&pp_rule_grid, 0, 0},
 };
 RULE(building_room, "room", room_rows, room_children);
 const struct pp_element_rule pp_rule_room = {

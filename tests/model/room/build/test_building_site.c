@@ -186,6 +186,31 @@ static void a_rectangular_footprint_is_a_box(void **state)
     assert_near(footprint, box, 1e-12);
 }
 
+static bool is_inner(const struct pp_world *world, const char *name)
+{
+    for (int i = 0; i < world->face_count; i++)
+        if (world->surfaces[i].name && strcmp(world->surfaces[i].name, name) == 0)
+            return world->surfaces[i].is_inner;
+    fail_msg("no wall %s", name);
+    return false;
+}
+
+/* 0.2 m of wall to the east, a court of 3 m to the north, a party wall to the west. */
+static void a_wall_before_another_room_is_an_inner_one(void **state)
+{
+    (void)state;
+    struct pp_building *building = building_of(
+        "<room x='0'>" ROOM "<wall name='west' kind='party'/></room><room x='4.4'>" ROOM
+        "</room><room x='0' y='8.3'>" ROOM "</room>");
+    struct pp_world *world = world_of(building, 0);
+    assert_true(is_inner(world, "east"));
+    assert_true(is_inner(world, "west"));
+    assert_false(is_inner(world, "north"));
+    assert_false(is_inner(world, "south"));
+    pp_world_destroy(world);
+    pp_building_destroy(building);
+}
+
 /* Seen from far below, a gable's ridge hides what a flat roof of the ridge's height and
  * no depth hides: the sky above the eaves goes down to the ridge's altitude. */
 static void a_roof_hides_sky_up_to_its_ridge(void **state)
@@ -215,6 +240,7 @@ int main(void)
         cmocka_unit_test(a_room_that_is_not_placed_stands_by_itself),
         cmocka_unit_test(each_state_has_its_own_site),
         cmocka_unit_test(a_skyline_of_the_site_stands_before_walls_of_that_name),
+        cmocka_unit_test(a_wall_before_another_room_is_an_inner_one),
         cmocka_unit_test(a_rectangular_footprint_is_a_box),
         cmocka_unit_test(a_roof_hides_sky_up_to_its_ridge),
     };
