@@ -199,20 +199,13 @@ static struct path_arm choose(const struct path_arm *arms, int count, double u)
     return arm;
 }
 
-/* Arm i of the fan, as it leaves. */
-static struct path_arm arm_of(struct pp_radiance_state *light,
-                              const struct path_fan *fan, int vertex, uint32_t index,
-                              uint32_t i)
+/* A ray of the fan, by two numbers in (0, 1). */
+static struct pp_light_ray ray_of(const struct path_fan *fan, const double u[2])
 {
     const struct pp_frame *frame = &fan->frame;
-    double u[2];
-    light->index = index * fan->lobes + i;
-    pp_sobol_sequence_draw(&light->sequence, light->index, vertex * PP_DRAWS, 2, u);
-    return (struct path_arm){
-        .ray = {fan->from, frame->z,
-                pp_lobe_sample_in_frame(frame->x, frame->y, frame->z, u[0], u[1]),
-                PP_INDOORS},
-        .throughput = fan->throughput / fan->lobes};
+    return (struct pp_light_ray){
+        fan->from, frame->z,
+        pp_lobe_sample_in_frame(frame->x, frame->y, frame->z, u[0], u[1]), PP_INDOORS};
 }
 
 /* K G by the arms of the fan, each of which comes to a surface or ends; one of them goes
@@ -223,24 +216,28 @@ static bool spread(struct pp_path_state *state, const struct path_fan *fan, int 
     struct pp_radiance_state *light = &state->light;
     struct path_arm arms[MOST_LOBES];
     int count = 0;
-    double u = 0.5;
+    double u[2];
     uint32_t index = light->index;
     for (uint32_t i = 0; i < fan->lobes; i++) {
-        struct path_arm to = arm_of(light, fan, vertex, index, i);
-        if (!to_surface(state, &to, pp_path_vertex_branch(vertex, PP_DRAWS), sum)
-            || !(to.throughput > 0.0))
+        struct path_arm *to = &arms[count];
+        light->index = index * fan->lobes + i;
+        pp_sobol_sequence_draw(&light->sequence, light->index, vertex * PP_DRAWS, 2, u);
+        to->ray = ray_of(fan, u);
+        to->throughput = fan->throughput / fan->lobes;
+        if (!to_surface(state, to, pp_path_vertex_branch(vertex, PP_DRAWS), sum)
+            || !(to->throughput > 0.0))
             continue;
-        to.importance = to.throughput * radiosity_at(state, &to.met);
-        if (fan->gathers || !to.at_once)
-            *sum += to.importance;
-        arms[count++] = to;
+        to->importance = to->throughput * radiosity_at(state, &to->met);
+        if (fan->gathers || !to->at_once)
+            *sum += to->importance;
+        count++;
     }
     light->index = index;
     if (count > 1)
         pp_sobol_sequence_draw(&light->sequence, index,
-                               vertex * PP_DRAWS + PP_DRAW_PANES, 1, &u);
+                               vertex * PP_DRAWS + PP_DRAW_PANES, 1, u);
     if (count > 0)
-        *arm = choose(arms, count, u);
+        *arm = choose(arms, count, u[0]);
     return count > 0;
 }
 
