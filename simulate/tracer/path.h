@@ -16,9 +16,14 @@
  *                     B - G = (M - G) + rho (E + K G) + rho K (B - G)              (2)
  *
  *                 followed along a path: at each surface met the first two terms of
- *                 (2), then on to the next surface by Russian roulette
+ *                 (2) by several directions, then on by one of these
  *
  * Their sum is unbiased whatever G; a good G leaves a correction of little variance.
+ * That is the noise of the samples at each surface, and grows with the light there. So
+ * the direction that goes on is drawn in proportion to the G that it has met, as in the
+ * importance resampling of [TCE05], and whether it goes on at all depends, by Russian
+ * roulette, on what G says that it brings.
+ *
  * Without G the correction is plain path tracing. Where receivers share light
  * (shared_density.h) most of the correction is what shared points bring, and a path goes
  * on only with what is left to it.
