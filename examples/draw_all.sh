@@ -65,6 +65,8 @@ done
 for format; do
     "$program" chart brs-table --points 1.4,1.5 ${CHART_OPTIONS-} \
         "$(dirname "$0")/office.xml" -o "$out/office-brs-table.$format"
+    "$program" chart model-net --scale 100 --paper a4 ${CHART_OPTIONS-} \
+        "$(dirname "$0")/office.xml" -o "$out/office-model-net.$format"
     "$program" chart note --points 1.4,1.5 -m bre,average-df ${CHART_OPTIONS-} \
         "$(dirname "$0")/deep-office.xml" -o "$out/deep-office-note.$format"
 done

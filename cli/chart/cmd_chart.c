@@ -11,6 +11,7 @@
 #include "api/chart_sheet.h"
 #include "cli/availability/availability_options.h"
 #include "cli/chart/board_options.h"
+#include "cli/chart/model_options.h"
 #include "cli/chart/overlay_options.h"
 #include "cli/chart/sheet_options.h"
 #include "cli/interrupt.h"
@@ -51,6 +52,9 @@ struct chart_sheet_options {
     struct pp_chart_choice choice;
 };
 
+/* No paper was asked for: the kind's own. */
+#define PAPER_UNSAID ((enum pp_paper) - 1)
+
 #define PLACE(member) offsetof(struct chart_sheet_options, member)
 
 static const struct pp_option sheet_options[] = {
@@ -59,8 +63,8 @@ static const struct pp_option sheet_options[] = {
      PLACE(list)},
     {"format", 'f', "FORMAT", "pdf, svg or png (default: by the ending of -o FILE).",
      read_format, PLACE(format)},
-    {"paper", 0, "SIZE", "a5, a4 (default), a3 or a2.", pp_sheet_options_read_paper,
-     PLACE(paper)},
+    {"paper", 0, "SIZE", "a5, a4 (default), a3 (of model-net the default) or a2.",
+     pp_sheet_options_read_paper, PLACE(paper)},
     {"orientation", 0, "WAY", "portrait or landscape (default: as the room fits best).",
      pp_sheet_options_read_orientation, PLACE(orientation)},
     {"dpi", 0, "N", "Dots per inch of a PNG, 20 to 1200 (default 200).",
@@ -113,16 +117,6 @@ static const struct pp_option board_options[] = {
      "Vertical sky, skylight indicator: the window, by its line in the file, or by its "
      "wall (default: the first upright one).",
      pp_options_read_text, BOARD(window)},
-    {"lens", 0, "NAME",
-     "Overlay: equidistant (default), equisolid, stereographic or orthographic.",
-     pp_overlay_options_read_lens, PLACE(choice.board)},
-    {"diameter", 0, "MM",
-     "Overlay: of the horizon's circle, 20 to 400 mm (default: as the paper holds).",
-     pp_overlay_options_read_diameter, PLACE(choice.board)},
-    {"show", 0, "WHAT,...",
-     "Overlay: dots of 0.1 %, cells of 0.5 %, sun (default: dots, and with --latitude "
-     "sun).",
-     pp_overlay_options_read_show, PLACE(choice.board)},
     {0},
 };
 
@@ -401,6 +395,8 @@ struct chart_command {
 static const struct pp_option_group groups[] = {
     {"The sheet", sheet_options, PLACE(chart)},
     {"Diagrams of the drawing board", board_options, PLACE(chart)},
+    {"Overlay", pp_overlay_options, PLACE(chart.choice.board.overlay)},
+    {"Scale model", pp_model_options, PLACE(chart.choice.model)},
     {"Availability", pp_light_options, PLACE(chart.choice.availability)},
     {"Availability", pp_illuminance_options, PLACE(chart.choice.availability)},
     PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
@@ -413,7 +409,7 @@ static void init(void *values)
 {
     *(struct chart_command *)values = (struct chart_command){
         .room = pp_room_options_none,
-        .chart = {.paper = PP_PAPER_A4,
+        .chart = {.paper = PAPER_UNSAID,
                   .choice.availability = pp_year_options_default}};
 }
 
@@ -434,6 +430,11 @@ static enum pp_status check(void *values, char **words, int word_count,
     if (word_count == 1 && !kind->board && !kind->outside)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
+    if (chart->paper == PAPER_UNSAID)
+        chart->paper = kind->paper;
+    if (chart->choice.model.typed && kind != &pp_draw_model_net)
+        return pp_fail(err, PP_BAD_INPUT, "%s is of a model-net",
+                       chart->choice.model.typed);
     if (chart->logarithmic && chart->linear)
         return pp_fail(err, PP_BAD_INPUT, "a scale is --log or --linear, not both");
     chart->choice.scale = chart->logarithmic ? PP_SCALE_LOG

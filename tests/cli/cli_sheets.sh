@@ -71,4 +71,19 @@ check "and those of others have" test "$(colours brs-table)" = 2
 check "a very large one is refused" refuses 1 "128 MiB" chart overlay --paper a2 --dpi 600 \
     -o "$scratch/x.png"
 
+for room in office l-shaped studio workshop deep-office classroom; do
+    for paper in a3 a2; do
+        check "the net of $room on $paper" quietly chart model-net --paper $paper \
+            -o "$scratch/net.pdf" "$examples/$room.xml"
+    done
+done
+check "a small one in each form" each_form net model-net --scale 150 "$examples/office.xml"
+check "one sheet does not hold all" refuses 1 "only a PDF" chart model-net \
+    -o "$scratch/x.svg" "$examples/office.xml"
+check "a scale is a number" refuses 2 "1:20" chart model-net --scale 1:20 -o "$scratch/x.pdf" "$deep"
+check "a box has two numbers" refuses 2 "0.85,0.5" chart model-net --mirror-box 0.9 \
+    -o "$scratch/x.pdf" "$deep"
+check "only models have a scale" refuses 2 "--scale" chart plan --scale 20 -o "$scratch/x.pdf" "$deep"
+check "a net is of a room" refuses 2 "room file" chart model-net -o "$scratch/x.pdf"
+
 tap_done
