@@ -56,6 +56,8 @@ struct pp_board_options {
     bool unsolved; /* of kinds from a point: the exercise in place of its solution */
 
     struct pp_overlay_options overlay;
+    double inclined_deg; /* Waldram: droop lines of edges at that angle in plan, */
+    bool inclined;       /* if it was said */
 
     const char *window; /* of kinds that are of one, by line or wall; NULL: the first
                          * upright one */

@@ -94,8 +94,7 @@ static const struct pp_option board_options[] = {
      pp_board_options_read_receiver, BOARD(vertical)},
     {"viewing-distance", 0, "MM",
      "Pepper-pot: from the eye to the drawing, 5 to 200 mm (default 30, with --fine "
-     "60, "
-     "or less where a window would leave the sheet).",
+     "60, or less where a window would leave the sheet).",
      pp_board_options_read_viewing_mm, BOARD(viewing_mm)},
     {"number", 0, "N",
      "Blank protractor: 1 to 10 (default 2, vertical glass, overcast).",
@@ -109,8 +108,12 @@ static const struct pp_option board_options[] = {
     {"which", 0, "NAME",
      "Nomogram: average (default) or minimum, for windows, or rooflight.",
      pp_board_options_read_nomogram, PLACE(choice.board)},
+    {"inclined", 0, "DEG",
+     "Waldram, vertical sky: droop lines of edges at an angle to the window in plan.",
+     pp_board_options_read_inclined, PLACE(choice.board)},
     {"unsolved", 0, NULL,
-     "Waldram, pepper-pot, protractor, from a point: the exercise, which is the room's "
+     "Waldram, pepper-pot, protractor, brs-table, of a point: the exercise, which is "
+     "the "
      "section, plan and elevations to scale, and in a PDF the blank diagram.",
      NULL, BOARD(unsolved)},
     {"window", 0, "WHICH",
@@ -126,8 +129,7 @@ static const char about[] =
     "other formats: FILE-1.png, FILE-2.png. FILE is a room file; - is standard input. "
     "The diagrams of the drawing board are blank without FILE, and with it are drawn "
     "from one point, by --points X,Y; a nomogram is for the whole room, and the "
-    "diagrams "
-    "of the vertical sky component are for one window, by --window.";
+    "diagrams of the vertical sky component are for one window, by --window.";
 
 static void print_kinds(FILE *out)
 {
