@@ -15,6 +15,7 @@
 #include "charts/sheet/canvas.h"
 #include "model/geometry/lens.h"
 #include "model/light/glass.h"
+#include "model/light/mirror_box.h"
 #include "model/light/sky.h"
 #include "model/results/nomogram_sheet.h"
 #include "studies/climate/year_light.h"
@@ -55,16 +56,27 @@ struct pp_board_options {
     bool unsolved; /* of kinds from a point: the exercise in place of its solution */
 
     struct pp_overlay_options overlay;
+    double inclined_deg; /* Waldram: droop lines of edges at that angle in plan, */
+    bool inclined;       /* if it was said */
 
     const char *window; /* of kinds that are of one, by line or wall; NULL: the first
                          * upright one */
 };
 
+/* What a scale model is like. */
+struct pp_model_options {
+    double scale; /* 20 for 1:20; 0: not said */
+    struct pp_mirror_box box;
+    bool has_box;
+    const char *typed; /* the last of these options, as typed; NULL: none */
+};
+
 /* What a chart shows where there is a choice. */
 struct pp_chart_choice {
-    enum pp_section_scale scale;         /* section: of the daylight factors */
-    enum pp_plan_fill fill;              /* plan: between the contours */
-    struct pp_board_options board;       /* of kinds worked at the drawing board */
+    enum pp_section_scale scale;   /* section: of the daylight factors */
+    enum pp_plan_fill fill;        /* plan: between the contours */
+    struct pp_board_options board; /* of kinds worked at the drawing board */
+    struct pp_model_options model;
     struct pp_year_options availability; /* of those of the light outside */
 };
 
@@ -75,6 +87,7 @@ struct pp_chart_kind {
     bool from_point;     /* and is drawn from one point of a room */
     bool of_window;      /* or for one window of a room, under the overcast sky */
     bool outside;        /* of the light outside: can do without a room */
+    enum pp_paper paper; /* where none is asked for */
     bool of_sun;         /* takes a latitude, for the sun's paths */
     bool transparent;    /* is laid on something: has no white ground */
 
@@ -97,7 +110,7 @@ struct pp_chart_kind {
 extern const struct pp_chart_kind pp_draw_section, pp_draw_plan, pp_draw_note,
     pp_draw_waldram, pp_draw_pepper_pot, pp_draw_protractor, pp_draw_nomogram,
     pp_draw_brs_table, pp_draw_vertical_sky, pp_draw_skylight_indicator,
-    pp_draw_overlay, pp_draw_availability;
+    pp_draw_overlay, pp_draw_model_net, pp_draw_availability;
 
 /* In order; NULL at the end of the list, one past the last. */
 const struct pp_chart_kind *pp_chart_kind_at(int index);

@@ -1,12 +1,14 @@
 /* draw_board.c - the diagrams that are worked at the drawing board: blank, or with a
  * room's windows seen from its one point. */
 #include "api/chart_kind.h"
+#include "charts/drawing_board/brs_table_chart.h"
 #include "charts/drawing_board/nomogram_chart.h"
 #include "charts/drawing_board/pepper_pot_chart.h"
 #include "charts/drawing_board/protractor_chart.h"
 #include "charts/drawing_board/protractor_worked.h"
 #include "charts/drawing_board/waldram_chart.h"
 #include "charts/room/exercise_chart.h"
+#include "methods/brs/brs_sheet_fill.h"
 #include "methods/nomogram/nomogram_sheet_fill.h"
 #include "methods/pepper_pot/pepper_pot_dots.h"
 #include "methods/pepper_pot/pepper_pot_sheet_fill.h"
@@ -61,6 +63,9 @@ static enum pp_status draw_waldram(struct pp_canvas *canvas, struct pp_study_roo
         status =
             pp_waldram_sheet_fill_blank(&sheet, &room->light.sky, is_glazed(room), err);
     }
+    if (status == PP_OK && options->inclined)
+        status =
+            pp_waldram_sheet_fill_inclined(&sheet, options->inclined_deg * PP_RAD, err);
     if (status == PP_OK)
         status = pp_waldram_chart_draw(canvas, &sheet, err);
     pp_board_sheets_waldram_clear(&sheet);
@@ -166,6 +171,41 @@ static enum pp_status draw_protractor(struct pp_canvas *canvas,
     return status;
 }
 
+static enum pp_status draw_brs_table(struct pp_canvas *canvas,
+                                     struct pp_study_room *room,
+                                     const struct pp_study_options *study,
+                                     const struct pp_chart_choice *choice,
+                                     bool *finished, struct pp_error *err)
+{
+    const struct pp_board_options *options = &choice->board;
+    (void)study, (void)finished;
+    struct pp_brs_sheet sheet = {0};
+    enum pp_status status = PP_OK;
+    if (!room && options->sky.kind != PP_SKY_OVERCAST)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the BRS table is made for the overcast sky; expected no other "
+                       "--sky");
+    if (room)
+        status = pp_brs_sheet_fill_room(&sheet, room->world, &room->light,
+                                        room->receivers, err);
+    else
+        pp_brs_sheet_fill_blank(&sheet);
+    if (status == PP_OK && options->unsolved) {
+        bool blank;
+        pp_brs_sheet_clear(&sheet);
+        status =
+            draw_exercise(&blank, canvas, room, "the BRS simplified daylight table",
+                          "readings", 0.0, err);
+        if (status != PP_OK || !blank)
+            return status;
+        pp_brs_sheet_fill_blank(&sheet);
+    }
+    if (status == PP_OK)
+        status = pp_brs_table_chart_draw(canvas, &sheet, err);
+    pp_brs_sheet_clear(&sheet);
+    return status;
+}
+
 static enum pp_status draw_nomogram(struct pp_canvas *canvas,
                                     struct pp_study_room *room,
                                     const struct pp_study_options *study,
@@ -221,4 +261,12 @@ const struct pp_chart_kind pp_draw_nomogram = {
         "nomogram of the internally reflected component, blank or with a room's lines",
     .board = true,
     .draw = draw_nomogram,
+};
+
+const struct pp_chart_kind pp_draw_brs_table = {
+    .name = "brs-table",
+    .summary = "BRS simplified daylight table, blank or with a room's readings",
+    .board = true,
+    .from_point = true,
+    .draw = draw_brs_table,
 };

@@ -90,6 +90,9 @@ static enum pp_status draw_vertical_sky(struct pp_canvas *canvas,
     if (status == PP_OK)
         status = room ? pp_waldram_sheet_fill_site(&sheet, room->world, window, err)
                       : pp_waldram_sheet_fill_upright(&sheet, &choice->board.sky, err);
+    if (status == PP_OK && choice->board.inclined)
+        status = pp_waldram_sheet_fill_inclined(
+            &sheet, choice->board.inclined_deg * PP_RAD, err);
     if (status == PP_OK)
         status = pp_waldram_chart_draw(canvas, &sheet, err);
     pp_board_sheets_waldram_clear(&sheet);

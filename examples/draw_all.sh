@@ -39,6 +39,7 @@ for which in average minimum rooflight; do
 done
 blank vertical-sky vertical-sky
 blank skylight-indicator skylight-indicator
+blank waldram-inclined waldram --inclined 30
 blank brs-table brs-table
 blank overlay overlay --latitude 51.5
 blank overlay-cells overlay --lens stereographic --show cells,sun --latitude 51.5
@@ -65,6 +66,8 @@ done
 for format; do
     "$program" chart brs-table --points 1.4,1.5 ${CHART_OPTIONS-} \
         "$(dirname "$0")/office.xml" -o "$out/office-brs-table.$format"
+    "$program" chart model-net --scale 100 --paper a4 ${CHART_OPTIONS-} \
+        "$(dirname "$0")/office.xml" -o "$out/office-model-net.$format"
     "$program" chart note --points 1.4,1.5 -m bre,average-df ${CHART_OPTIONS-} \
         "$(dirname "$0")/deep-office.xml" -o "$out/deep-office-note.$format"
 done
@@ -81,6 +84,9 @@ for kind in waldram pepper-pot protractor; do
             "$program" chart $kind ${CHART_OPTIONS-} --points 1.4,1.5 \
                 "$(dirname "$0")/$room.xml" -o "$out/$room-$kind.$format"
         done
+        "$program" chart $kind --unsolved ${CHART_OPTIONS-} --points 1.4,1.5 \
+            "$(dirname "$0")/deep-office-obstructed.xml" \
+            -o "$out/deep-office-obstructed-$kind-exercise.$format"
         "$program" chart $kind ${CHART_OPTIONS-} --points 2,2 \
             "$(dirname "$0")/l-shaped.xml" -o "$out/l-shaped-$kind.$format"
     done

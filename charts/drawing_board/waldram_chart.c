@@ -23,9 +23,19 @@ static void say_foot(char *foot, size_t room, const struct pp_waldram_sheet *she
         pp_page_say(foot, room,
                     "Glass: the losses of one clear pane by altitude times those by "
                     "azimuth, each as though it stood alone, for vertical windows.");
-    pp_page_say(foot, room,
-                "Droop lines start from the altitude of the edge: in the middle for "
-                "edges parallel to the window, at 90\u00b0 for perpendicular ones.");
+    if (sheet->inclined)
+        pp_page_say(
+            foot, room,
+            "Droop lines start from the altitude of the edge: in the middle for "
+            "edges parallel to the window, at %.4g\u00b0 to the %s for inclined "
+            "ones, where these are nearest.",
+            fabs(sheet->incline_rad) / PP_RAD,
+            sheet->incline_rad < 0.0 ? "left" : "right");
+    else
+        pp_page_say(
+            foot, room,
+            "Droop lines start from the altitude of the edge: in the middle for "
+            "edges parallel to the window, at 90\u00b0 for perpendicular ones.");
     if (!sheet->blank)
         pp_page_say(foot, room,
                     "Part squares are estimated to a tenth; the remainder is carried "
@@ -53,6 +63,10 @@ static double draw_below(const struct pp_waldram_drawing *drawing, double x, dou
          .grey = PP_INK,
          .words = "horizontal edges perpendicular to the window"},
     };
+    if (sheet->inclined)
+        snprintf(keys[1].words, sizeof keys[1].words,
+                 "horizontal edges inclined by %.4g\u00b0 in plan",
+                 fabs(sheet->incline_rad) / PP_RAD);
     double column = 0.5 * width, gap = 2.0 * style->scale;
     struct pp_box left = (drawn ? pp_legend_draw : pp_legend_measure)(
         drawing->cr, style, keys, 2, x, y, column - gap);

@@ -128,15 +128,18 @@ void pp_page_assumptions(char *text, size_t room, const struct pp_world *world,
     say_decorations(text, room, world);
 }
 
-struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,
-                           const struct pp_page *page)
+static struct pp_box lay_page(struct pp_canvas *canvas, const struct pp_style *style,
+                              const struct pp_page *page, bool drawn)
 {
+    struct pp_box (*put)(cairo_t *, const struct pp_style *,
+                         const struct pp_lettering *, double, double, const char *) =
+        drawn ? pp_lettering_draw : pp_lettering_measure;
     cairo_t *cr = pp_canvas_cairo(canvas);
     double margin = style->margin;
     double width = pp_canvas_width_mm(canvas) - 2.0 * margin;
     double top = margin, bottom = pp_canvas_height_mm(canvas) - margin;
     const char *imprint = pp_canvas_imprint(canvas);
-    if (*imprint) {
+    if (*imprint && drawn) {
         struct pp_lettering small = {.size = PP_TEXT_SMALL,
                                      .grey = PP_GREY_LINE,
                                      .across = 1.0,
@@ -155,14 +158,13 @@ struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *styl
             title.size = PP_TEXT_HEAD;
             title.lines = 4;
         }
-        top += pp_lettering_draw(cr, style, &title, margin, top, page->title).height;
+        top += put(cr, style, &title, margin, top, page->title).height;
         top += 0.6 * style->scale;
     }
     if (page->subtitle) {
         struct pp_lettering subtitle = {
             .size = PP_TEXT_HEAD, .grey = PP_GREY_TEXT, .width = width, .lines = 3};
-        top +=
-            pp_lettering_draw(cr, style, &subtitle, margin, top, page->subtitle).height;
+        top += put(cr, style, &subtitle, margin, top, page->subtitle).height;
     }
     if (page->foot && *page->foot) {
         int lines = (int)(0.22 * pp_canvas_height_mm(canvas)
@@ -172,14 +174,28 @@ struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *styl
                                     .down = 1.0,
                                     .width = width,
                                     .lines = lines};
-        bottom -=
-            pp_lettering_draw(cr, style, &foot, margin, bottom, page->foot).height;
+        bottom -= put(cr, style, &foot, margin, bottom, page->foot).height;
         bottom -= 1.2 * style->scale;
         pp_style_line(cr, style->hair, PP_GREY_LINE);
         cairo_move_to(cr, margin, bottom);
         cairo_line_to(cr, margin + width, bottom);
-        cairo_stroke(cr);
+        if (drawn)
+            cairo_stroke(cr);
+        else
+            cairo_new_path(cr);
     }
     double gap = 4.0 * style->scale;
     return (struct pp_box){margin, top + gap, width, bottom - top - 2.0 * gap};
+}
+
+struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,
+                           const struct pp_page *page)
+{
+    return lay_page(canvas, style, page, true);
+}
+
+struct pp_box pp_page_measure(struct pp_canvas *canvas, const struct pp_style *style,
+                              const struct pp_page *page)
+{
+    return lay_page(canvas, style, page, false);
 }

@@ -18,6 +18,10 @@ struct pp_page {
 struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,
                            const struct pp_page *page);
 
+/* What pp_page_draw would return; nothing is drawn. */
+struct pp_box pp_page_measure(struct pp_canvas *canvas, const struct pp_style *style,
+                              const struct pp_page *page);
+
 /* Adds a sentence to `text` (of `room` bytes), after a space unless a line begins; what
  * does not fit is cut. */
 void pp_page_say(char *text, size_t room, const char *format, ...)

@@ -65,6 +65,19 @@ enum pp_status pp_board_options_read_slope(const char *text, void *place,
     return PP_OK;
 }
 
+enum pp_status pp_board_options_read_inclined(const char *text, void *place,
+                                              struct pp_error *err)
+{
+    struct pp_board_options *board = place;
+    double degrees;
+    if (!pp_text_parse_number(text, &degrees) || !(degrees >= -90.0 && degrees <= 90.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a number of degrees from -90, nearest on the left, to 90");
+    board->inclined_deg = degrees;
+    board->inclined = true;
+    return PP_OK;
+}
+
 enum pp_status pp_board_options_read_nomogram(const char *text, void *place,
                                               struct pp_error *err)
 {
@@ -140,6 +153,8 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
 {
     bool pepper_pot = strcmp(kind->name, "pepper-pot") == 0;
     bool protractor = strcmp(kind->name, "protractor") == 0;
+    bool waldram =
+        strcmp(kind->name, "waldram") == 0 || strcmp(kind->name, "vertical-sky") == 0;
     bool overlay = strcmp(kind->name, "overlay") == 0;
     bool nomogram = strcmp(kind->name, "nomogram") == 0;
     const char *needless =
@@ -160,6 +175,7 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
         : !protractor && board->glazing                                ? "--glazing"
         : !protractor && board->slope_said                             ? "--slope"
         : !overlay && board->overlay.typed ? board->overlay.typed
+        : !waldram && board->inclined      ? "--inclined"
         : overlay && board->glazed         ? "--glazed"
                                            : NULL;
     if (needless)

@@ -9,7 +9,9 @@ pp_option_reader pp_board_options_read_yes_no; /* enum pp_yes_no, "yes" or "no" 
 pp_option_reader
     pp_board_options_read_receiver; /* the same, "vertical" or "horizontal" */
 pp_option_reader pp_board_options_read_protractor; /* int, 1 to 10 */
-pp_option_reader pp_board_options_read_slope;    /* struct pp_board_options, 0 to 90 */
+pp_option_reader pp_board_options_read_slope; /* struct pp_board_options, 0 to 90 */
+pp_option_reader
+    pp_board_options_read_inclined; /* struct pp_board_options, -90 to 90 */
 pp_option_reader pp_board_options_read_nomogram; /* struct pp_board_options, by name */
 pp_option_reader pp_board_options_read_viewing_mm; /* double, 5 to 200 */
 

@@ -11,6 +11,7 @@
 #include "api/chart_sheet.h"
 #include "cli/availability/availability_options.h"
 #include "cli/chart/board_options.h"
+#include "cli/chart/model_options.h"
 #include "cli/chart/overlay_options.h"
 #include "cli/chart/sheet_options.h"
 #include "cli/interrupt.h"
@@ -51,6 +52,9 @@ struct chart_sheet_options {
     struct pp_chart_choice choice;
 };
 
+/* No paper was asked for: the kind's own. */
+#define PAPER_UNSAID ((enum pp_paper) - 1)
+
 #define PLACE(member) offsetof(struct chart_sheet_options, member)
 
 static const struct pp_option sheet_options[] = {
@@ -59,8 +63,8 @@ static const struct pp_option sheet_options[] = {
      PLACE(list)},
     {"format", 'f', "FORMAT", "pdf, svg or png (default: by the ending of -o FILE).",
      read_format, PLACE(format)},
-    {"paper", 0, "SIZE", "a5, a4 (default), a3 or a2.", pp_sheet_options_read_paper,
-     PLACE(paper)},
+    {"paper", 0, "SIZE", "a5, a4 (default), a3 (of model-net the default) or a2.",
+     pp_sheet_options_read_paper, PLACE(paper)},
     {"orientation", 0, "WAY", "portrait or landscape (default: as the room fits best).",
      pp_sheet_options_read_orientation, PLACE(orientation)},
     {"dpi", 0, "N", "Dots per inch of a PNG, 20 to 1200 (default 200).",
@@ -90,8 +94,7 @@ static const struct pp_option board_options[] = {
      pp_board_options_read_receiver, BOARD(vertical)},
     {"viewing-distance", 0, "MM",
      "Pepper-pot: from the eye to the drawing, 5 to 200 mm (default 30, with --fine "
-     "60, "
-     "or less where a window would leave the sheet).",
+     "60, or less where a window would leave the sheet).",
      pp_board_options_read_viewing_mm, BOARD(viewing_mm)},
     {"number", 0, "N",
      "Blank protractor: 1 to 10 (default 2, vertical glass, overcast).",
@@ -105,24 +108,18 @@ static const struct pp_option board_options[] = {
     {"which", 0, "NAME",
      "Nomogram: average (default) or minimum, for windows, or rooflight.",
      pp_board_options_read_nomogram, PLACE(choice.board)},
+    {"inclined", 0, "DEG",
+     "Waldram, vertical sky: droop lines of edges at an angle to the window in plan.",
+     pp_board_options_read_inclined, PLACE(choice.board)},
     {"unsolved", 0, NULL,
-     "Waldram, pepper-pot, protractor, from a point: the exercise, which is the room's "
+     "Waldram, pepper-pot, protractor, brs-table, of a point: the exercise, which is "
+     "the "
      "section, plan and elevations to scale, and in a PDF the blank diagram.",
      NULL, BOARD(unsolved)},
     {"window", 0, "WHICH",
      "Vertical sky, skylight indicator: the window, by its line in the file, or by its "
      "wall (default: the first upright one).",
      pp_options_read_text, BOARD(window)},
-    {"lens", 0, "NAME",
-     "Overlay: equidistant (default), equisolid, stereographic or orthographic.",
-     pp_overlay_options_read_lens, PLACE(choice.board)},
-    {"diameter", 0, "MM",
-     "Overlay: of the horizon's circle, 20 to 400 mm (default: as the paper holds).",
-     pp_overlay_options_read_diameter, PLACE(choice.board)},
-    {"show", 0, "WHAT,...",
-     "Overlay: dots of 0.1 %, cells of 0.5 %, sun (default: dots, and with --latitude "
-     "sun).",
-     pp_overlay_options_read_show, PLACE(choice.board)},
     {0},
 };
 
@@ -132,8 +129,7 @@ static const char about[] =
     "other formats: FILE-1.png, FILE-2.png. FILE is a room file; - is standard input. "
     "The diagrams of the drawing board are blank without FILE, and with it are drawn "
     "from one point, by --points X,Y; a nomogram is for the whole room, and the "
-    "diagrams "
-    "of the vertical sky component are for one window, by --window.";
+    "diagrams of the vertical sky component are for one window, by --window.";
 
 static void print_kinds(FILE *out)
 {
@@ -401,6 +397,8 @@ struct chart_command {
 static const struct pp_option_group groups[] = {
     {"The sheet", sheet_options, PLACE(chart)},
     {"Diagrams of the drawing board", board_options, PLACE(chart)},
+    {"Overlay", pp_overlay_options, PLACE(chart.choice.board.overlay)},
+    {"Scale model", pp_model_options, PLACE(chart.choice.model)},
     {"Availability", pp_light_options, PLACE(chart.choice.availability)},
     {"Availability", pp_illuminance_options, PLACE(chart.choice.availability)},
     PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
@@ -413,7 +411,7 @@ static void init(void *values)
 {
     *(struct chart_command *)values = (struct chart_command){
         .room = pp_room_options_none,
-        .chart = {.paper = PP_PAPER_A4,
+        .chart = {.paper = PAPER_UNSAID,
                   .choice.availability = pp_year_options_default}};
 }
 
@@ -434,6 +432,11 @@ static enum pp_status check(void *values, char **words, int word_count,
     if (word_count == 1 && !kind->board && !kind->outside)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
+    if (chart->paper == PAPER_UNSAID)
+        chart->paper = kind->paper;
+    if (chart->choice.model.typed && kind != &pp_draw_model_net)
+        return pp_fail(err, PP_BAD_INPUT, "%s is of a model-net",
+                       chart->choice.model.typed);
     if (chart->logarithmic && chart->linear)
         return pp_fail(err, PP_BAD_INPUT, "a scale is --log or --linear, not both");
     chart->choice.scale = chart->logarithmic ? PP_SCALE_LOG

@@ -6,8 +6,7 @@
 #include "api/chart_kind.h"
 #include "model/base/text.h"
 
-enum pp_status pp_overlay_options_read_lens(const char *text, void *place,
-                                            struct pp_error *err)
+static enum pp_status read_lens(const char *text, void *place, struct pp_error *err)
 {
     static const char *const names[PP_LENS_COUNT] = {
         [PP_LENS_EQUIDISTANT] = "equidistant",
@@ -15,7 +14,7 @@ enum pp_status pp_overlay_options_read_lens(const char *text, void *place,
         [PP_LENS_STEREOGRAPHIC] = "stereographic",
         [PP_LENS_ORTHOGRAPHIC] = "orthographic",
     };
-    struct pp_overlay_options *overlay = &((struct pp_board_options *)place)->overlay;
+    struct pp_overlay_options *overlay = place;
     for (int i = 0; i < PP_LENS_COUNT; i++)
         if (strcmp(text, names[i]) == 0) {
             overlay->lens = (enum pp_lens)i;
@@ -26,10 +25,9 @@ enum pp_status pp_overlay_options_read_lens(const char *text, void *place,
                    "equidistant, equisolid, stereographic or orthographic");
 }
 
-enum pp_status pp_overlay_options_read_diameter(const char *text, void *place,
-                                                struct pp_error *err)
+static enum pp_status read_diameter(const char *text, void *place, struct pp_error *err)
 {
-    struct pp_overlay_options *overlay = &((struct pp_board_options *)place)->overlay;
+    struct pp_overlay_options *overlay = place;
     double mm;
     if (!pp_text_parse_number(text, &mm) || !(mm >= 20.0 && mm <= 400.0))
         return pp_fail(err, PP_BAD_INPUT, "a number of millimetres from 20 to 400");
@@ -38,10 +36,9 @@ enum pp_status pp_overlay_options_read_diameter(const char *text, void *place,
     return PP_OK;
 }
 
-enum pp_status pp_overlay_options_read_show(const char *text, void *place,
-                                            struct pp_error *err)
+static enum pp_status read_show(const char *text, void *place, struct pp_error *err)
 {
-    struct pp_overlay_options *overlay = &((struct pp_board_options *)place)->overlay;
+    struct pp_overlay_options *overlay = place;
     overlay->said = true;
     overlay->typed = "--show";
     for (const char *at = text;; at++) {
@@ -59,3 +56,16 @@ enum pp_status pp_overlay_options_read_show(const char *text, void *place,
             return PP_OK;
     }
 }
+
+const struct pp_option pp_overlay_options[] = {
+    {"lens", 0, "NAME",
+     "equidistant (default), equisolid, stereographic or orthographic.", read_lens, 0},
+    {"diameter", 0, "MM",
+     "of the horizon's circle, 20 to 400 mm (default: as the paper holds).",
+     read_diameter, 0},
+    {"show", 0, "WHAT,...",
+     "dots of 0.1 %, cells of 0.5 %, sun (default: dots, and with --latitude "
+     "sun).",
+     read_show, 0},
+    {0},
+};

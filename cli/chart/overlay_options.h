@@ -4,9 +4,6 @@
 
 #include "cli/options.h"
 
-/* All of struct pp_board_options. */
-pp_option_reader pp_overlay_options_read_lens;     /* by name */
-pp_option_reader pp_overlay_options_read_diameter; /* mm, 20 to 400 */
-pp_option_reader pp_overlay_options_read_show;     /* dots, cells, sun, with commas */
+extern const struct pp_option pp_overlay_options[]; /* of struct pp_overlay_options */
 
 #endif

@@ -5,6 +5,7 @@
  *
  *     edges parallel to the window       tan gamma = tan gamma0 cos phi
  *     edges perpendicular to it          tan gamma = tan gamma90 |sin phi|
+ *     edges at an angle delta to it      tan gamma = tan gamma_d cos(phi - delta)
  */
 #include "methods/waldram/waldram_sheet_fill.h"
 
@@ -24,10 +25,10 @@ static double azimuth_of(int point)
     return (point - (DROOP_POINTS - 1) / 2) * PP_RAD;
 }
 
-/* Lines of the levels 10, 20 ... 80 degrees; along: by the cosine of the azimuth, else
- * by its sine. */
+/* Lines of the levels 10, 20 ... 80 degrees, of edges that are nearest at an azimuth; NAN:
+ * of those on both sides that approach the window's plane square to it. */
 static bool fill_droop(struct pp_curve_list *curves, const struct pp_waldram *waldram,
-                       bool along, double width, double height)
+                       double nearest, double width, double height)
 {
     curves->list = calloc(DROOP_LINES, sizeof *curves->list);
     if (!curves->list)
@@ -42,7 +43,7 @@ static bool fill_droop(struct pp_curve_list *curves, const struct pp_waldram *wa
         curve->count = DROOP_POINTS;
         for (int k = 0; k < DROOP_POINTS; k++) {
             double phi = azimuth_of(k);
-            double way = along ? cos(phi) : fabs(sin(phi));
+            double way = isnan(nearest) ? fabs(sin(phi)) : cos(phi - nearest);
             curve->xy[k][0] = pp_waldram_scale_x(waldram, phi) / width;
             curve->xy[k][1] =
                 pp_waldram_scale_y(waldram, atan(tan(curve->level) * fmax(way, 0.0)))
@@ -67,9 +68,33 @@ static enum pp_status fill_scales(struct pp_waldram_panel *panel,
         panel->azimuth[i] = pp_waldram_scale_x(waldram, i * PP_RAD) / width;
     for (int i = 0; i <= 90; i++)
         panel->altitude[i] = pp_waldram_scale_y(waldram, i * PP_RAD) / height;
-    bool good = fill_droop(&panel->parallel, waldram, true, width, height)
-                && fill_droop(&panel->across, waldram, false, width, height);
+    bool good = fill_droop(&panel->parallel, waldram, 0.0, width, height)
+                && fill_droop(&panel->across, waldram, NAN, width, height);
     return good ? PP_OK : pp_fail_memory(err);
+}
+
+enum pp_status pp_waldram_sheet_fill_inclined(struct pp_waldram_sheet *sheet,
+                                              double incline_rad, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    sheet->inclined = true;
+    sheet->incline_rad = incline_rad;
+    for (int i = 0; i < sheet->count && status == PP_OK; i++) {
+        struct pp_waldram_panel *panel = &sheet->panels[i];
+        struct pp_waldram waldram;
+        double width, height;
+        status = sheet->upright
+                     ? pp_waldram_scale_init_upright(&waldram, &sheet->sky,
+                                                     pp_vec(0.0, 1.0, 0.0), err)
+                     : pp_waldram_scale_init(&waldram, &sheet->sky, panel->glazed, err);
+        if (status != PP_OK)
+            return status;
+        pp_waldram_squares_size(&waldram, &width, &height);
+        pp_curve_list_clear(&panel->across);
+        if (!fill_droop(&panel->across, &waldram, incline_rad, width, height))
+            status = pp_fail_memory(err);
+    }
+    return status;
 }
 
 /* Converts X and Y to numbers of squares. */

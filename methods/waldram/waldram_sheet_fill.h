@@ -38,4 +38,11 @@ enum pp_status pp_waldram_sheet_fill_site(struct pp_waldram_sheet *sheet,
                                           const struct pp_world *world, int opening,
                                           struct pp_error *err);
 
+/* Droop lines of horizontal edges that stand at an angle to the window in plan, in place of
+ * those of perpendicular ones, on all panels of a filled sheet. The edge is nearest at
+ * that azimuth, -pi/2 to pi/2, positive to the right; the lines' level is the altitude
+ * there. */
+enum pp_status pp_waldram_sheet_fill_inclined(struct pp_waldram_sheet *sheet,
+                                              double incline_rad, struct pp_error *err);
+
 #endif

@@ -84,7 +84,9 @@ struct pp_waldram_sheet {
     bool upright; /* for a wall's outside, at `point`: the one window's middle there */
     struct pp_vec3 point;
     struct pp_sky sky;
-    double worth; /* of a square, fraction of Eh */
+    double worth;       /* of a square, fraction of Eh */
+    bool inclined;      /* are `across` the lines of edges that are inclined in plan, */
+    double incline_rad; /* by that angle? */
     int count;
     struct pp_waldram_panel *panels;
     double sky_component, external; /* of all windows */

@@ -36,11 +36,30 @@ if command -v pdftotext >/dev/null; then
 else
     skip "the table's figures and sums" "no pdftotext here"
 fi
+check "an exercise for it" each_form exercise brs-table --unsolved -p 1.5,2 "$deep"
+pages() {
+    pdfinfo "$scratch/exercise.pdf" | grep -q "^Pages: *$1\$" &&
+        pdftotext "$scratch/exercise.pdf" - | grep -q "^Sky component: readings" &&
+        ! pdftotext "$scratch/exercise.pdf" - | grep -q "jamb:\|head left"
+}
+if command -v pdfinfo >/dev/null; then
+    check "it has a sheet of the room, without readings, and the blank table" pages 2
+else
+    skip "the exercise has two sheets" "no pdfinfo here"
+fi
 check "the table is of the overcast sky" \
     refuses 1 "overcast" chart brs-table --sky uniform -o "$scratch/x.pdf"
 check "and of a point" refuses 2 "--points" chart brs-table -o "$scratch/x.pdf" "$deep"
 check "and of vertical windows" refuses 1 "vertical" chart brs-table -p 3,3 \
     -o "$scratch/x.pdf" "$examples/studio.xml"
+
+check "droop lines of an inclined facade" \
+    each_form droop waldram --inclined -30 -p 1,1.5 "$deep"
+check "and before a window" quietly chart vertical-sky --inclined 45 -o "$scratch/x.pdf"
+check "are of Waldram diagrams" refuses 2 "--inclined" chart pepper-pot --inclined 30 \
+    -o "$scratch/x.pdf"
+check "an angle is a right one at most" refuses 2 "-90" chart waldram --inclined 100 \
+    -o "$scratch/x.pdf"
 
 check "an overlay in each form" each_form overlay overlay
 check "with the sun, for another lens and sky" \
@@ -70,5 +89,20 @@ check "a PNG of it has no ground" test "$(colours overlay)" = 6
 check "and those of others have" test "$(colours brs-table)" = 2
 check "a very large one is refused" refuses 1 "128 MiB" chart overlay --paper a2 --dpi 600 \
     -o "$scratch/x.png"
+
+for room in office l-shaped studio workshop deep-office classroom; do
+    for paper in a3 a2; do
+        check "the net of $room on $paper" quietly chart model-net --paper $paper \
+            -o "$scratch/net.pdf" "$examples/$room.xml"
+    done
+done
+check "a small one in each form" each_form net model-net --scale 150 "$examples/office.xml"
+check "one sheet does not hold all" refuses 1 "only a PDF" chart model-net \
+    -o "$scratch/x.svg" "$examples/office.xml"
+check "a scale is a number" refuses 2 "1:20" chart model-net --scale 1:20 -o "$scratch/x.pdf" "$deep"
+check "a box has two numbers" refuses 2 "0.85,0.5" chart model-net --mirror-box 0.9 \
+    -o "$scratch/x.pdf" "$deep"
+check "only models have a scale" refuses 2 "--scale" chart plan --scale 20 -o "$scratch/x.pdf" "$deep"
+check "a net is of a room" refuses 2 "room file" chart model-net -o "$scratch/x.pdf"
 
 tap_done

@@ -375,6 +375,46 @@ static void crosses_of_the_indicator_stand_at_the_cotangents_of_their_altitudes(
     pp_skylight_indicator_sheet_clear(&sheet);
 }
 
+/* A facade 8 m off where it is nearest, 25 degrees to the right, and 5.5 m higher than the
+ * eye: its edge's points are at (8 sin 25 + s cos 25, 8 cos 25 - s sin 25, 5.5). */
+static void droop_lines_of_an_inclined_facade_are_its_edge_as_seen(void **state)
+{
+    (void)state;
+    double delta = 25.0 * PP_RAD, top = atan2(5.5, 8.0);
+    for (int upright = 0; upright < 2; upright++) {
+        struct pp_sky sky = pp_sky_overcast();
+        struct pp_waldram_sheet sheet;
+        assert_int_equal(upright
+                             ? pp_waldram_sheet_fill_upright(&sheet, &sky, NULL)
+                             : pp_waldram_sheet_fill_blank(&sheet, &sky, false, NULL),
+                         PP_OK);
+        assert_int_equal(pp_waldram_sheet_fill_inclined(&sheet, delta, NULL), PP_OK);
+        const struct pp_waldram_panel *panel = sheet.panels;
+        assert_int_equal(panel->across.count, 8);
+        for (double s = -20.0; s < 20.0; s += 3.7) {
+            double x = 8.0 * sin(delta) + s * cos(delta);
+            double y = 8.0 * cos(delta) - s * sin(delta);
+            double phi = atan2(x, y), gamma = atan2(5.5, hypot(x, y));
+            /* The same law for the eight levels: tangents in proportion. */
+            double ratio = tan(gamma) / tan(top);
+            int near = 90 + (int)floor(phi / PP_RAD);
+            if (fabs(phi) > 88.0 * PP_RAD)
+                continue;
+            const struct pp_curve *curve = &panel->across.list[2];
+            double t = phi / PP_RAD - floor(phi / PP_RAD);
+            double wanted = atan(tan(30.0 * PP_RAD) * ratio) / PP_RAD;
+            int low = (int)floor(wanted);
+            double height =
+                panel->altitude[low]
+                + (wanted - low) * (panel->altitude[low + 1] - panel->altitude[low]);
+            /* Chords of a degree; squares are some millimetres on paper. */
+            assert_near((1.0 - t) * curve->xy[near][1] + t * curve->xy[near + 1][1],
+                        height, 0.01);
+        }
+        pp_board_sheets_waldram_clear(&sheet);
+    }
+}
+
 static void droop_lines_pass_through_known_directions(void **state)
 {
     (void)state;
@@ -554,6 +594,7 @@ int main(void)
             marks_for_an_upright_receiver_stand_where_the_formula_puts_them),
         cmocka_unit_test(
             crosses_of_the_indicator_stand_at_the_cotangents_of_their_altitudes),
+        cmocka_unit_test(droop_lines_of_an_inclined_facade_are_its_edge_as_seen),
         cmocka_unit_test(droop_lines_pass_through_known_directions),
         cmocka_unit_test(two_drawings_are_the_same_bytes),
         cmocka_unit_test(exercises_have_their_elevations_at_the_diagrams_scale),

@@ -1,0 +1,356 @@
+/* net_chart.c - draws the pieces of a net: full lines are cut, dashed ones folded. */
+#include "charts/net/net_chart.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "charts/drawing_board/board.h"
+#include "charts/net/net_unfold.h"
+#include "charts/sheet/labels.h"
+#include "charts/sheet/page.h"
+
+struct net_drawing {
+    struct pp_canvas *canvas;
+    cairo_t *cr;
+    struct pp_style style;
+    const struct pp_model_net *model;
+    struct pp_net net;
+    struct pp_box area; /* of the sheet */
+    struct pp_labels *labels;
+};
+
+/* ---- panels ---- */
+
+/* From a piece to paper. */
+static void on_paper(const struct net_drawing *drawing,
+                     const struct pp_net_panel *panel, const double xy[2],
+                     double paper[2])
+{
+    const struct pp_net_piece *piece = &drawing->net.pieces[panel->piece];
+    paper[0] = drawing->area.x + piece->place[0] + xy[0] - piece->extent.low[0];
+    paper[1] = drawing->area.y + drawing->area.height - piece->place[1]
+               - (xy[1] - piece->extent.low[1]);
+}
+
+static void go_to(const struct net_drawing *drawing, const struct pp_net_panel *panel,
+                  const double xy[2])
+{
+    double paper[2];
+    on_paper(drawing, panel, xy, paper);
+    cairo_line_to(drawing->cr, paper[0], paper[1]);
+}
+
+static void trace_panel(const struct net_drawing *drawing,
+                        const struct pp_net_panel *panel)
+{
+    cairo_new_path(drawing->cr);
+    for (int i = 0; i < panel->count; i++) {
+        double xy[2];
+        pp_net_panels_corner(panel, i, xy);
+        go_to(drawing, panel, xy);
+    }
+    cairo_close_path(drawing->cr);
+}
+
+/* An edge is cut, or folded: then it is drawn once, by the panel that comes first. */
+static void draw_edge(const struct net_drawing *drawing,
+                      const struct pp_net_panel *panel, int edge, bool first)
+{
+    cairo_t *cr = drawing->cr;
+    const struct pp_style *style = &drawing->style;
+    const double dashes[] = {2.2 * style->scale, 1.1 * style->scale};
+    enum pp_net_join join = panel->edges[edge].join;
+    bool folded = join == PP_NET_FOLD || join == PP_NET_TAB;
+    double tab[PP_NET_TAB_CORNERS][2], a[2], b[2];
+    if (join == PP_NET_TAB) {
+        pp_net_unfold_tab(panel, edge, tab);
+        cairo_new_path(cr);
+        for (int i = 0; i < PP_NET_TAB_CORNERS; i++)
+            go_to(drawing, panel, tab[i]);
+        pp_labels_note_path(drawing->labels, cr, -1);
+        pp_style_line(cr, style->thin, PP_INK);
+        cairo_stroke(cr);
+    }
+    if (join == PP_NET_FOLD && !first)
+        return;
+    cairo_new_path(cr);
+    pp_net_panels_corner(panel, edge, a);
+    pp_net_panels_corner(panel, edge + 1, b);
+    go_to(drawing, panel, a);
+    go_to(drawing, panel, b);
+    pp_labels_note_path(drawing->labels, cr, -1);
+    pp_style_line(cr, folded ? style->thin : style->medium, PP_INK);
+    cairo_set_dash(cr, dashes, folded ? 2 : 0, 0.0);
+    cairo_stroke(cr);
+}
+
+/* Openings are cut out; in a face of several parts each has its share. */
+static void draw_openings(const struct net_drawing *drawing,
+                          const struct pp_net_panel *panel)
+{
+    const struct pp_world *world = drawing->model->world;
+    cairo_t *cr = drawing->cr;
+    cairo_save(cr);
+    if (panel->parts > 1) {
+        trace_panel(drawing, panel);
+        cairo_clip(cr);
+    }
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        if (opening->face != panel->face)
+            continue;
+        cairo_new_path(cr);
+        for (int k = 0; k < opening->inner.count; k++) {
+            double xy[2];
+            pp_net_panels_point(&drawing->net.panels, panel, opening->inner.vertices[k],
+                                xy);
+            go_to(drawing, panel, xy);
+        }
+        cairo_close_path(cr);
+        pp_style_grey(cr, PP_GREY_FILL);
+        cairo_fill_preserve(cr);
+        pp_labels_note_path(drawing->labels, cr, -1);
+        pp_style_line(cr, drawing->style.medium, PP_INK);
+        cairo_stroke(cr);
+    }
+    cairo_restore(cr);
+}
+
+/* ---- words ---- */
+
+static const char *role_of(enum pp_role role)
+{
+    return role == PP_FLOOR ? "Floor" : role == PP_CEILING ? "Ceiling" : "Wall";
+}
+
+/* Name and paint in two lines, in one, or paint alone. */
+enum { WORDINGS = 3 };
+
+static void name_of(char *words, size_t room, const struct net_drawing *drawing,
+                    const struct pp_net_panel *panel, int wording)
+{
+    const struct pp_surface *face = &drawing->model->world->surfaces[panel->face];
+    char part[48] = "";
+    if (panel->parts > 1)
+        snprintf(part, sizeof part, ", part %d of %d", panel->part + 1, panel->parts);
+    if (wording < WORDINGS - 1)
+        snprintf(words, room, "%s%s%.40s%s%spaint %.2f", role_of(face->role),
+                 face->name ? " " : "", face->name ? face->name : "", part,
+                 wording == 0 ? "\n" : ", ", face->front);
+    else
+        snprintf(words, room, "paint %.2f", face->front);
+}
+
+/* Is a place of the panel in it, and in none of its openings? A point of the face's plane
+ * by the panel's own coordinates. */
+static bool is_board(const struct net_drawing *drawing,
+                     const struct pp_net_panel *panel, const double own[2])
+{
+    const struct pp_world *world = drawing->model->world;
+    double mm = drawing->net.panels.mm_per_m;
+    struct pp_vec3 point = pp_vec_along(
+        pp_vec_along(panel->origin, own[0] / mm, panel->along), own[1] / mm, panel->up);
+    if (pp_polygon_ring_side((const double(*)[2])panel->own, panel->count, own[0],
+                             own[1], 0.5)
+        != PP_INSIDE)
+        return false;
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].face == panel->face
+            && pp_polygon_side(&world->openings[i].inner, point, 0.0) != PP_OUTSIDE)
+            return false;
+    return true;
+}
+
+/* Writes a wording where it covers no line, nearest to the middle; false: nowhere. */
+static bool write_words(const struct net_drawing *drawing,
+                        const struct pp_net_panel *panel, const char *words)
+{
+    enum { STEPS = 31 };
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
+    struct pp_bounds2 extent = pp_bounds2_empty();
+    double best = INFINITY, found[2] = {0.0, 0.0};
+    for (int i = 0; i < panel->count; i++)
+        pp_bounds2_add(&extent, panel->own[i][0], panel->own[i][1]);
+    for (int i = 1; i < STEPS * STEPS; i++) {
+        double at[2] = {(double)(i % STEPS) / STEPS, (double)(i / STEPS) / STEPS};
+        double off = hypot(at[0] - 0.5, at[1] - 0.5), own[2], xy[2], paper[2];
+        for (int k = 0; k < 2; k++)
+            own[k] = extent.low[k] + at[k] * (extent.high[k] - extent.low[k]);
+        if (off >= best || !is_board(drawing, panel, own))
+            continue;
+        xy[0] = panel->turn[0] * own[0] - panel->turn[1] * own[1] + panel->shift[0];
+        xy[1] = panel->turn[1] * own[0] + panel->turn[0] * own[1] + panel->shift[1];
+        on_paper(drawing, panel, xy, paper);
+        struct pp_box box = pp_lettering_measure(drawing->cr, &drawing->style, &set,
+                                                 paper[0], paper[1], words);
+        if (!pp_labels_is_free(drawing->labels, box))
+            continue;
+        best = off;
+        found[0] = paper[0];
+        found[1] = paper[1];
+    }
+    if (isfinite(best))
+        pp_labels_note_box(drawing->labels,
+                           pp_lettering_draw(drawing->cr, &drawing->style, &set,
+                                             found[0], found[1], words));
+    return isfinite(best);
+}
+
+static void write_name(const struct net_drawing *drawing,
+                       const struct pp_net_panel *panel)
+{
+    char words[160];
+    for (int i = 0; i < WORDINGS; i++) {
+        name_of(words, sizeof words, drawing, panel, i);
+        if (write_words(drawing, panel, words))
+            return;
+    }
+}
+
+/* Beside its middle, inside the panel; with an asterisk where there is no tab. */
+static void number_edge(const struct net_drawing *drawing,
+                        const struct pp_net_panel *panel, int edge)
+{
+    const struct pp_lettering set = {
+        .size = PP_TEXT_SMALL, .bold = true, .across = 0.5, .down = 0.5};
+    double a[2], b[2], at[2], paper[2], in = 0.8 * drawing->style.text[PP_TEXT_SMALL];
+    char words[16];
+    pp_net_panels_corner(panel, edge, a);
+    pp_net_panels_corner(panel, edge + 1, b);
+    double length = hypot(b[0] - a[0], b[1] - a[1]);
+    if (panel->edges[edge].join == PP_NET_FOLD || length < 3.0 * in)
+        return;
+    at[0] = 0.5 * (a[0] + b[0]) - in * (b[1] - a[1]) / length;
+    at[1] = 0.5 * (a[1] + b[1]) + in * (b[0] - a[0]) / length;
+    on_paper(drawing, panel, at, paper);
+    snprintf(words, sizeof words, "%d%s", panel->edges[edge].number + 1,
+             panel->edges[edge].join == PP_NET_TAPE ? "*" : "");
+    pp_labels_note_box(drawing->labels,
+                       pp_lettering_draw(drawing->cr, &drawing->style, &set, paper[0],
+                                         paper[1], words));
+}
+
+/* "The glass stands 6 mm outside the wall" for rooms with reveals. */
+static void say_reveals(char *foot, size_t room, const struct pp_model_net *model)
+{
+    double deepest = 0.0;
+    for (int i = 0; i < model->world->opening_count; i++)
+        deepest = fmax(deepest, model->world->openings[i].reveal_m);
+    if (deepest > 0.0)
+        pp_page_say(foot, room,
+                    "Reveals are up to %.1f\u00a0mm deep: build them up outside.",
+                    1000.0 * deepest / model->scale);
+}
+
+static void say_foot(char *foot, size_t room, const struct pp_model_net *model)
+{
+    static const int altitudes[] = {10, 20, 30, 45, 60, 90};
+    pp_page_say(
+        foot, room,
+        "Print at 100\u00a0%%; the printed side is inside. Cut along full lines, "
+        "openings (grey) out; fold dashed lines towards you; glue each tab behind "
+        "the edge of its number (*: tape). Paint is the reflectance.");
+    say_reveals(foot, room, model);
+    pp_page_say(
+        foot, room,
+        "Measured under mirrors of reflectance %.2g, %.2g as high as wide, the "
+        "sky component is to be multiplied, by the altitude of the sky that the "
+        "opening shows, by",
+        model->box.rho, model->box.height);
+    for (int i = 0; i < 6; i++)
+        pp_page_say(foot, room, "%.2f at %d\u00b0%s",
+                    pp_mirror_box_correction(&model->box, altitudes[i] * PP_RAD),
+                    altitudes[i], i < 5 ? "," : ".");
+}
+
+/* ---- sheets ---- */
+
+/* Titles, notes, a ruler; sets the area that is left. */
+static void draw_page(struct net_drawing *drawing, int sheet)
+{
+    char subtitle[128], foot[1536] = "";
+    snprintf(subtitle, sizeof subtitle, "Scale model 1:%g, sheet %d of %d",
+             drawing->model->scale, sheet + 1, drawing->net.sheet_count);
+    say_foot(foot, sizeof foot, drawing->model);
+    const struct pp_page page = {drawing->model->world->name, subtitle, foot};
+    struct pp_box body = pp_page_draw(drawing->canvas, &drawing->style, &page);
+    double ruler = pp_board_ruler_height(&drawing->style);
+    pp_board_ruler(drawing->cr, &drawing->style, body.x, body.y + body.height - ruler);
+    body.height -= ruler + 2.0 * drawing->style.scale;
+    drawing->area = body;
+}
+
+static void draw_pieces(struct net_drawing *drawing, int sheet)
+{
+    const struct pp_net *net = &drawing->net;
+    drawing->labels->count = 0;
+    drawing->labels->field = drawing->area;
+    for (int i = 0; i < net->panels.count; i++) {
+        const struct pp_net_panel *panel = &net->panels.list[i];
+        if (net->pieces[panel->piece].sheet != sheet)
+            continue;
+        draw_openings(drawing, panel);
+        for (int k = 0; k < panel->count; k++)
+            draw_edge(drawing, panel, k, panel->edges[k].panel > i);
+    }
+    for (int i = 0; i < net->panels.count; i++) {
+        const struct pp_net_panel *panel = &net->panels.list[i];
+        if (net->pieces[panel->piece].sheet != sheet)
+            continue;
+        for (int k = 0; k < panel->count; k++)
+            number_edge(drawing, panel, k);
+        write_name(drawing, panel);
+    }
+}
+
+static enum pp_status draw_sheets(struct net_drawing *drawing, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    if (drawing->net.sheet_count > 1 && !pp_canvas_has_sheets(drawing->canvas))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the net takes %d sheets, and only a PDF has several; expected "
+                       "-o FILE.pdf, a larger --paper or a smaller model by --scale",
+                       drawing->net.sheet_count);
+    for (int i = 0; i < drawing->net.sheet_count && status == PP_OK; i++) {
+        if (i > 0)
+            status = pp_canvas_next_sheet(drawing->canvas, err);
+        if (status != PP_OK)
+            return status;
+        draw_page(drawing, i);
+        draw_pieces(drawing, i);
+    }
+    return status;
+}
+
+/* The area that draw_page leaves. */
+static struct pp_box measure_area(const struct net_drawing *drawing)
+{
+    char foot[1536] = "";
+    say_foot(foot, sizeof foot, drawing->model);
+    const struct pp_page page = {drawing->model->world->name, "Scale model", foot};
+    struct pp_box body = pp_page_measure(drawing->canvas, &drawing->style, &page);
+    body.height -= pp_board_ruler_height(&drawing->style) + 2.0 * drawing->style.scale;
+    return body;
+}
+
+enum pp_status pp_net_chart_draw(struct pp_canvas *canvas,
+                                 const struct pp_model_net *model, struct pp_error *err)
+{
+    struct net_drawing drawing = {.canvas = canvas,
+                                  .cr = pp_canvas_cairo(canvas),
+                                  .style = pp_page_style(canvas),
+                                  .model = model,
+                                  .labels = calloc(1, sizeof *drawing.labels)};
+    if (!drawing.labels)
+        return pp_fail_memory(err);
+    struct pp_box area = measure_area(&drawing);
+    const double size[2] = {area.width, area.height};
+    enum pp_status status =
+        pp_net_unfold(&drawing.net, model->world, 1000.0 / model->scale, size, err);
+    if (status == PP_OK)
+        status = draw_sheets(&drawing, err);
+    pp_net_unfold_clear(&drawing.net);
+    free(drawing.labels);
+    return status;
+}

@@ -1,0 +1,21 @@
+/* net_chart.h - a room as a scale model to cut out and fold: panels, openings, tabs, numbers
+ * of edges that meet, what to paint; and what an artificial sky of mirrors makes of what
+ * is measured in it. */
+#ifndef PP_CHARTS_NET_NET_CHART_H
+#define PP_CHARTS_NET_NET_CHART_H
+
+#include "charts/sheet/canvas.h"
+#include "model/light/mirror_box.h"
+#include "model/room/world.h"
+
+struct pp_model_net {
+    const struct pp_world *world;
+    double scale;             /* 20 for 1:20 */
+    struct pp_mirror_box box; /* whose corrections are told */
+};
+
+/* On as many sheets as it takes; PP_BAD_INPUT where the format has one only. */
+enum pp_status pp_net_chart_draw(struct pp_canvas *canvas,
+                                 const struct pp_model_net *net, struct pp_error *err);
+
+#endif

@@ -1,0 +1,37 @@
+/* mirror_box.h - the sky of an artificial sky of the mirror-box kind, and how far it is from
+ * the CIE overcast sky.
+ *
+ * A luminous ceiling over a square of upright mirrors, H high and W wide, is seen again
+ * and again in them, without end; each reflection leaves rho. A line of sight at altitude
+ * a goes H cot(a) sideways before it meets the ceiling. Across one pair of mirrors, at
+ * azimuth psi from their normal, that is x = (H/W) cot(a) |cos psi| widths, and so m or
+ * m + 1 reflections for m <= x < m + 1: over all places of the model, on average
+ *
+ *     g(x) = rho^m (1 - (x - m) (1 - rho))                              (1)
+ *
+ *     L(a) = L0 mean over psi of g(k cot a |cos psi|) g(k cot a |sin psi|),  k = H/W  (2)
+ *
+ * for a ceiling of luminance L0 in all directions; light that floor and model send back
+ * to it is left out. It depends on nothing but rho and k, and rises from 0 at the horizon
+ * to L0 at the zenith, where the overcast sky rises from a third.
+ */
+#ifndef PP_MODEL_LIGHT_MIRROR_BOX_H
+#define PP_MODEL_LIGHT_MIRROR_BOX_H
+
+struct pp_mirror_box {
+    double rho;    /* reflectance of the mirrors, 0 to 1 */
+    double height; /* over their width: k, 0 or more */
+};
+
+/* L(a)/L0 by (2); altitude 0 to pi/2. */
+double pp_mirror_box_luminance(const struct pp_mirror_box *box, double altitude_rad);
+
+/* Illuminance of a level plane over L0: pi for perfect mirrors. */
+double pp_mirror_box_horizontal(const struct pp_mirror_box *box);
+
+/* What a sky component that was measured in the box is to be multiplied by where the
+ * opening shows the sky at that altitude: the overcast sky's share of the horizontal
+ * illuminance over the box's. INFINITY where the box is dark. */
+double pp_mirror_box_correction(const struct pp_mirror_box *box, double altitude_rad);
+
+#endif

@@ -1,0 +1,93 @@
+/* test_mirror_box.c - the sky of a box of mirrors against its limits and against rays that
+ * are followed through it. */
+#include "model/light/mirror_box.h"
+
+#include "model/geometry/vec.h"
+#include "tests/lib/near.h"
+
+/* Perfect mirrors show an endless ceiling: a uniform sky, whose horizontal illuminance is
+ * pi L, and over which the overcast sky has 9/7 at the zenith and 3/7 at the horizon. */
+static void perfect_mirrors_make_a_uniform_sky(void **state)
+{
+    (void)state;
+    const struct pp_mirror_box box = {1.0, 0.7};
+    assert_near(pp_mirror_box_luminance(&box, 0.1), 1.0, 1e-12);
+    assert_near(pp_mirror_box_horizontal(&box), PP_PI, 1e-5);
+    assert_near(pp_mirror_box_correction(&box, 0.5 * PP_PI), 9.0 / 7.0, 1e-5);
+    assert_near(pp_mirror_box_correction(&box, 1e-9), 3.0 / 7.0, 1e-5);
+}
+
+/* A ray from a random place is followed from mirror to mirror until it is as high as the
+ * ceiling; fractional parts of multiples of irrational numbers are places spread evenly. */
+static double followed(const struct pp_mirror_box *box, double altitude)
+{
+    enum { RAYS = 40000 };
+    double sum = 0.0;
+    for (int i = 1; i <= RAYS; i++) {
+        double at[2] = {fmod(i * 0.7548776662466927, 1.0),
+                        fmod(i * 0.5698402909980532, 1.0)};
+        double psi = 2.0 * PP_PI * fmod(i * 0.6180339887498949, 1.0), light = 1.0;
+        double way[2] = {cos(psi) / tan(altitude), sin(psi) / tan(altitude)}, up = 0.0;
+        for (;;) {
+            double next = box->height - up;
+            int mirror = -1;
+            for (int k = 0; k < 2; k++) {
+                double far = way[k] > 0.0 ? 1.0 - at[k] : at[k];
+                if (far / fabs(way[k]) < next) {
+                    next = far / fabs(way[k]);
+                    mirror = k;
+                }
+            }
+            if (mirror < 0)
+                break;
+            for (int k = 0; k < 2; k++)
+                at[k] += way[k] * next;
+            at[mirror] = way[mirror] > 0.0 ? 1.0 : 0.0;
+            up += next;
+            way[mirror] = -way[mirror];
+            light *= box->rho;
+        }
+        sum += light;
+    }
+    return sum / RAYS;
+}
+
+/* Some 40,000 places spread evenly are good to three digits. */
+static void luminances_are_those_of_rays_that_are_followed(void **state)
+{
+    (void)state;
+    static const double altitudes[] = {4.0, 13.0, 31.0, 52.0, 77.0};
+    static const struct pp_mirror_box boxes[] = {{0.85, 0.5}, {0.6, 1.3}};
+    for (int b = 0; b < 2; b++)
+        for (int i = 0; i < 5; i++)
+            assert_near(pp_mirror_box_luminance(&boxes[b], altitudes[i] * PP_RAD),
+                        followed(&boxes[b], altitudes[i] * PP_RAD), 1e-3);
+}
+
+static void the_box_is_darker_towards_the_horizon_and_needs_more_correction(
+    void **state)
+{
+    (void)state;
+    const struct pp_mirror_box box = {0.85, 0.5};
+    double before = 0.0;
+    for (int degree = 1; degree <= 90; degree++) {
+        double now = pp_mirror_box_luminance(&box, degree * PP_RAD);
+        assert_true(now >= before && now <= 1.0);
+        before = now;
+    }
+    assert_near(pp_mirror_box_luminance(&box, 0.5 * PP_PI), 1.0, 1e-12);
+    /* Too dark low, too bright half way up: more than 1 at 3 degrees, less at 30. */
+    assert_true(pp_mirror_box_correction(&box, 3.0 * PP_RAD) > 1.5);
+    assert_true(pp_mirror_box_correction(&box, 30.0 * PP_RAD) < 1.0);
+}
+
+int main(void)
+{
+    static const struct CMUnitTest tests[] = {
+        cmocka_unit_test(perfect_mirrors_make_a_uniform_sky),
+        cmocka_unit_test(luminances_are_those_of_rays_that_are_followed),
+        cmocka_unit_test(
+            the_box_is_darker_towards_the_horizon_and_needs_more_correction),
+    };
+    return cmocka_run_group_tests_name("mirror box", tests, 0, 0);
+}
