@@ -115,8 +115,9 @@ static enum pp_status choose_protractor(struct pp_protractor *protractor,
                                         struct pp_error *err)
 {
     if (options->any_protractor) {
-        *protractor =
-            (struct pp_protractor){options->sky, options->glass, options->slope_rad};
+        *protractor = (struct pp_protractor){.sky = options->sky,
+                                             .glass = options->glass,
+                                             .slope_rad = options->slope_rad};
         return PP_OK;
     }
     return pp_protractor_scale_published(protractor,

@@ -14,6 +14,7 @@ const struct pp_method *const pp_methods[] = {
     &pp_method_pepper_pot,
     &pp_method_pepper_pot_sky,
     &pp_method_protractor,
+    &pp_method_protractor_upright,
     &pp_method_bre,
     &pp_method_bre_min,
     &pp_method_bre_table,

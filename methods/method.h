@@ -157,6 +157,7 @@ extern const struct pp_method pp_method_waldram_overlay;
 extern const struct pp_method pp_method_pepper_pot;
 extern const struct pp_method pp_method_pepper_pot_sky;
 extern const struct pp_method pp_method_protractor;
+extern const struct pp_method pp_method_protractor_upright;
 
 /* Internally reflected component: */
 extern const struct pp_method pp_method_bre;

@@ -34,6 +34,8 @@ static bool is_clear_single(const struct pp_glass *glass)
 
 int pp_protractor_scale_number(const struct pp_protractor *protractor)
 {
+    if (protractor->receiver != PP_PROTRACTOR_UP)
+        return 0;
     int even = protractor->sky.kind == PP_SKY_OVERCAST;
     if (!even && protractor->sky.kind != PP_SKY_UNIFORM)
         return 0;
@@ -58,18 +60,24 @@ double pp_protractor_scale_density(const struct pp_protractor *protractor,
 {
     double gamma = gamma_rad, theta = theta_rad;
     double across = cos(theta), up = sin(gamma);
+    if (protractor->receiver != PP_PROTRACTOR_UP)
+        up = fmax(up, 1e-12); /* the horizon's own sky, which counts here */
     double cos_i = across * sin(gamma + protractor->slope_rad);
     /* At grazing incidence the transmittance is 0, and several panes give 0/0. */
     if (protractor->glass.panes > 0 && !(cos_i > 1e-12))
         return 0.0;
     struct pp_vec3 u = pp_vec(across * cos(gamma), sin(theta), across * up);
+    double facing = protractor->receiver == PP_PROTRACTOR_UP      ? u.z
+                    : protractor->receiver == PP_PROTRACTOR_AHEAD ? u.x
+                                                                  : u.y;
     return pp_sky_luminance(&protractor->sky, u)
-           * pp_glass_transmittance(&protractor->glass, cos_i) * up * across * across;
+           * pp_glass_transmittance(&protractor->glass, cos_i) * facing * across;
 }
 
 static bool closed_form(const struct pp_protractor *protractor)
 {
-    return protractor->glass.panes == 0 && protractor->sky.kind != PP_SKY_ISO;
+    return protractor->glass.panes == 0 && protractor->sky.kind != PP_SKY_ISO
+           && protractor->receiver == PP_PROTRACTOR_UP;
 }
 
 /* The context of the integrands below, whose variables are theta, or theta and

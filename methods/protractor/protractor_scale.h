@@ -21,6 +21,13 @@
  *     F = p (1 - cos gamma) + q (gamma - sin gamma cos gamma)
  *
  * The horizontal receiver lies at the protractor's centre. Fractions of Eh.
+ *
+ * For an upright receiver the weight sin gamma cos theta of a direction is replaced by
+ * cos gamma cos theta, of one that faces straight ahead, or by sin theta, of one that faces
+ * square to the section; that one's scales count one side only, as both sides add to
+ * nothing. A receiver at the azimuth psi has cos psi of the first and sin psi of the
+ * second. Straight ahead and without glass F is the light of a vertical plane from below
+ * an endless skyline of the angle gamma, VSC(0) - VSC(gamma).
  */
 #ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
 #define PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
@@ -29,10 +36,18 @@
 #include "model/light/glass.h"
 #include "model/light/sky.h"
 
+/* What the light falls on. */
+enum pp_protractor_receiver {
+    PP_PROTRACTOR_UP,    /* a level plane that faces up */
+    PP_PROTRACTOR_AHEAD, /* an upright one that faces straight ahead, to the glass */
+    PP_PROTRACTOR_ASIDE, /* an upright one square to that; one side, doubled */
+};
+
 struct pp_protractor {
     struct pp_sky sky;     /* without azimuth dependence */
     struct pp_glass glass; /* not diffusing; pp_glass_none(): an unglazed aperture */
     double slope_rad;      /* of the glass: 0 horizontal, pi/2 vertical; to pi/2 */
+    enum pp_protractor_receiver receiver;
 };
 
 /* One of the ten that were published: 1 to 8 with clear single glass (vertical,

@@ -58,8 +58,8 @@ static const struct {
 } greek[] = {
     {"alpha", "\xce\xb1"}, {"beta", "\xce\xb2"}, {"gamma", "\xce\xb3"},
     {"theta", "\xce\xb8"}, {"eta", "\xce\xb7"},  {"omega", "\xcf\x89"},
-    {"phi", "\xcf\x86"},   {"rho", "\xcf\x81"},  {"tau", "\xcf\x84"},
-    {"pi", "\xcf\x80"},
+    {"phi", "\xcf\x86"},   {"psi", "\xcf\x88"},  {"rho", "\xcf\x81"},
+    {"tau", "\xcf\x84"},   {"pi", "\xcf\x80"},
 };
 
 void pp_step_text_add(char *text, size_t room, const char *words, int length, bool utf8)
