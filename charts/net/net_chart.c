@@ -101,16 +101,21 @@ static void draw_openings(const struct net_drawing *drawing,
         if (opening->face != panel->face)
             continue;
         cairo_new_path(cr);
-        for (int k = 0; k < opening->inner.count; k++) {
-            double xy[2];
-            pp_net_panels_point(&drawing->net.panels, panel, opening->inner.vertices[k],
-                                xy);
-            go_to(drawing, panel, xy);
+        /* To the first corner again, for labels to keep off the last side too. */
+        for (int k = 0; k <= opening->inner.count; k++) {
+            double xy[2], paper[2], before[2];
+            pp_net_panels_point(&drawing->net.panels, panel,
+                                opening->inner.vertices[k % opening->inner.count], xy);
+            on_paper(drawing, panel, xy, paper);
+            cairo_get_current_point(cr, &before[0], &before[1]);
+            if (k > 0)
+                pp_labels_note(drawing->labels, -1, before[0], before[1], paper[0],
+                               paper[1]);
+            cairo_line_to(cr, paper[0], paper[1]);
         }
         cairo_close_path(cr);
         pp_style_grey(cr, PP_GREY_FILL);
         cairo_fill_preserve(cr);
-        pp_labels_note_path(drawing->labels, cr, -1);
         pp_style_line(cr, drawing->style.medium, PP_INK);
         cairo_stroke(cr);
     }

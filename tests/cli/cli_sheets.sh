@@ -4,17 +4,18 @@
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# each_form NAME WORDS: the chart becomes each format, on each paper, twice the same.
+# each_form NAME WORDS: the chart becomes each format, an SVG twice the same, on the smallest
+# paper and the largest.
 each_form() {
     sheet=$1
     shift
     for format in pdf svg png; do
-        quietly chart "$@" --dpi 50 -o "$scratch/$sheet.$format" || return
-        run chart "$@" --dpi 50 --format $format
-        cmp "$scratch/$sheet.$format" "$scratch/out" || return
+        quietly chart "$@" --dpi 30 -o "$scratch/$sheet.$format" || return
     done
-    for paper in a5 a4 a3 a2; do
-        quietly chart "$@" --dpi 30 --paper $paper -o "$scratch/$sheet.png" || return
+    run chart "$@" --format svg
+    cmp "$scratch/$sheet.svg" "$scratch/out" || return
+    for paper in a5 a2; do
+        quietly chart "$@" --paper $paper -o "$scratch/other.svg" || return
     done
 }
 
@@ -54,7 +55,7 @@ check "and of vertical windows" refuses 1 "vertical" chart brs-table -p 3,3 \
     -o "$scratch/x.pdf" "$examples/studio.xml"
 
 check "droop lines of an inclined facade" \
-    each_form droop waldram --inclined -30 -p 1,1.5 "$deep"
+    quietly chart waldram --inclined -30 -p 1,1.5 -o "$scratch/x.svg" "$deep"
 check "and before a window" quietly chart vertical-sky --inclined 45 -o "$scratch/x.pdf"
 check "are of Waldram diagrams" refuses 2 "--inclined" chart pepper-pot --inclined 30 \
     -o "$scratch/x.pdf"
@@ -63,9 +64,9 @@ check "an angle is a right one at most" refuses 2 "-90" chart waldram --inclined
 
 check "an overlay in each form" each_form overlay overlay
 check "with the sun, for another lens and sky" \
-    each_form sun overlay --latitude -33.9 --lens equisolid --sky iso-12,40,20 \
-    --show dots,cells,sun
-for latitude in 0 -12 67 90; do
+    quietly chart overlay --latitude -33.9 --lens equisolid --sky iso-3 \
+    --show dots,cells,sun -o "$scratch/x.svg"
+for latitude in 0 67 90; do
     check "the sun's paths at $latitude degrees" \
         quietly chart overlay --show sun --latitude $latitude -o "$scratch/x.svg"
 done
@@ -90,11 +91,8 @@ check "and those of others have" test "$(colours brs-table)" = 2
 check "a very large one is refused" refuses 1 "128 MiB" chart overlay --paper a2 --dpi 600 \
     -o "$scratch/x.png"
 
-for room in office l-shaped studio workshop deep-office classroom; do
-    for paper in a3 a2; do
-        check "the net of $room on $paper" quietly chart model-net --paper $paper \
-            -o "$scratch/net.pdf" "$examples/$room.xml"
-    done
+for room in l-shaped studio deep-office; do
+    check "the net of $room" quietly chart model-net -o "$scratch/net.pdf" "$examples/$room.xml"
 done
 check "a small one in each form" each_form net model-net --scale 150 "$examples/office.xml"
 check "one sheet does not hold all" refuses 1 "only a PDF" chart model-net \
