@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "config.h"
+#include "reports/page/html.h"
 
 /* Bins of difference over limit, from -1.5 to 1.5; what is beyond stands in the last. */
 enum { BINS = 31 };
@@ -24,45 +25,10 @@ struct group {
     int bins[BINS];
 };
 
-/* ---- text ---- */
-
-static void put_text(const char *text, FILE *out)
-{
-    for (; *text; text++)
-        switch (*text) {
-        case '&':
-            fputs("&amp;", out);
-            break;
-        case '<':
-            fputs("&lt;", out);
-            break;
-        case '>':
-            fputs("&gt;", out);
-            break;
-        default:
-            fputc(*text, out);
-        }
-}
-
-static const char style[] =
-    ":root{color-scheme:light dark;--ink:#1b1f24;--soft:#5b6470;--line:#d5dae0;"
-    "--paper:#fff;--good:#2f6fb0;--bad:#c02f2f;--band:#eef3f8}\n"
-    "@media(prefers-color-scheme:dark){:root{--ink:#e6e9ec;--soft:#9aa4af;"
-    "--line:#39424c;--paper:#14181c;--good:#6fa8dc;--bad:#ff7b72;--band:#1d252d}}\n"
-    "body{margin:0 auto;max-width:60rem;padding:1.5rem 1rem "
-    "4rem;background:var(--paper);"
-    "color:var(--ink);font:16px/1.5 system-ui,sans-serif}\n"
-    "h1{font-size:1.6rem;margin:0 0 .2rem}h2{font-size:1.15rem;margin:2.2rem 0 .5rem}\n"
-    "p{margin:.4rem 0}.soft{color:var(--soft)}.bad{color:var(--bad)}\n"
-    ".verdict{font-size:1.15rem;border-left:.3rem solid "
-    "var(--good);background:var(--band);"
-    "padding:.6rem .9rem;margin:1rem 0}.verdict.bad{border-color:var(--bad)}\n"
-    ".wide{overflow-x:auto}table{border-collapse:collapse;width:100%;font-size:.9rem}\n"
-    "th,td{padding:.25rem .6rem;text-align:right;border-bottom:1px solid var(--line);"
-    "font-variant-numeric:tabular-nums;white-space:nowrap}\n"
-    "th{font-weight:600;color:var(--soft)}td:first-child,th:first-child{text-align:"
-    "left;"
-    "white-space:normal}\n"
+/* Beside that of all pages (html.h). */
+static const char more_style[] =
+    ".verdict.bad{border-color:var(--bad)}\n"
+    "td:first-child,th:first-child{text-align:left;white-space:normal}\n"
     "svg{display:block}rect.in{fill:var(--good)}rect.out{fill:var(--bad)}"
     "line{stroke:var(--soft)}text{fill:var(--soft);font:10px system-ui,sans-serif}\n"
     "details{margin:.4rem 0}summary{cursor:pointer}\n"
@@ -159,7 +125,7 @@ static void put_groups(const struct group *groups, int count, FILE *out)
     for (int i = 0; i < count; i++) {
         const struct group *group = &groups[i];
         fputs("<tr><td>", out);
-        put_text(group->name, out);
+        pp_html_text(group->name, out);
         fprintf(out, "<td>%d<td%s>%d<td>%.1e<td>%.2f<td>", group->count,
                 group->wrong > 0 ? " class=\"bad\"" : "", group->wrong,
                 sqrt(group->squares / group->count), group->worst);
@@ -175,9 +141,9 @@ static void put_case(const struct pp_known_case *one, FILE *out)
 {
     bool right = pp_known_case_is_right(one);
     fputs("<tr><td>", out);
-    put_text(one->what, out);
+    pp_html_text(one->what, out);
     fputs("<td>", out);
-    put_text(one->by, out);
+    pp_html_text(one->by, out);
     fprintf(out, "<td>%.6f<td>%.6f<td>%+.1e<td>%.1e<td%s>%s</tr>\n", one->answer,
             one->expected, one->answer - one->expected, one->limit,
             right ? "" : " class=\"bad\"", right ? "right" : "outside");
@@ -208,7 +174,7 @@ static void put_verdict(const struct pp_known_result *result, FILE *out)
         score.passes ? "" : " bad", score.passes ? "Passed" : "Not passed",
         result->cases.count - wrong, result->cases.count);
     fputs("<p>Limits: ", out);
-    put_text(result->suite->limits, out);
+    pp_html_text(result->suite->limits, out);
     fputs(".</p>\n", out);
     if (score.traced == 0)
         return;
@@ -226,16 +192,13 @@ void pp_validate_page(const struct pp_known_result *result, FILE *out)
     struct pp_suite_score score = pp_suite_score(result->suite, cases);
     struct group groups[GROUPS_MOST];
     int count = gather(groups, cases);
-    fprintf(
-        out,
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
-        "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>" PACKAGE_NAME " validate %s</title>\n<style>\n%s</style>\n</head>\n"
-        "<body>\n<h1>" PACKAGE_NAME " against what is known</h1>\n<p class=\"soft\">",
-        result->suite->name, style);
-    put_text(result->suite->name, out);
+    char title[128];
+    snprintf(title, sizeof title, PACKAGE_NAME " validate %s", result->suite->name);
+    pp_html_begin(title, more_style, out);
+    fputs("<h1>" PACKAGE_NAME " against what is known</h1>\n<p class=\"soft\">", out);
+    pp_html_text(result->suite->name, out);
     fputs(": ", out);
-    put_text(result->suite->summary, out);
+    pp_html_text(result->suite->summary, out);
     fputs(". Figures are shares of the open sky's horizontal illuminance, made "
           "by " PACKAGE_NAME " " PACKAGE_VERSION ".</p>\n",
           out);
@@ -248,10 +211,11 @@ void pp_validate_page(const struct pp_known_result *result, FILE *out)
     fputs("<section class=\"cases\"><h2>All cases</h2>\n", out);
     for (int i = 0; i < count; i++) {
         fputs("<details><summary>", out);
-        put_text(groups[i].name, out);
+        pp_html_text(groups[i].name, out);
         fprintf(out, ", %d</summary>\n", groups[i].count);
         put_cases(cases, groups[i].name, false, out);
         fputs("</details>\n", out);
     }
-    fputs("</section>\n</body>\n</html>\n", out);
+    fputs("</section>\n", out);
+    pp_html_end(out);
 }
