@@ -72,7 +72,8 @@ struct pp_method {
     unsigned allowances;  /* what its figures already contain, enum pp_allowance */
     double own_ground;    /* reflectance of the ground that is built into its figures,
                         * whatever the room's; 0: none is */
-    bool counts;          /* counts squares or dots: readings are multiples of one */
+    bool by_name; /* "all" leaves it out: it is made for points that few rooms have */
+    bool counts;  /* counts squares or dots: readings are multiples of one */
     bool has_average; /* of PP_FOR_POINT: evaluate without a receiver gives the average
                        * over the working plane, in place of an integral over points */
 

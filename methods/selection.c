@@ -78,14 +78,15 @@ static enum pp_status add_pair(struct pp_selection *selection, const char *direc
     return add(selection, direct, internal, err);
 }
 
-/* Every direct method with bre, exact with every internal one, all whole ones. */
+/* Every direct method with bre, exact with every internal one, all whole ones; but for
+ * those that are asked for by name. */
 static enum pp_status add_all(struct pp_selection *selection, struct pp_error *err)
 {
     const struct pp_method *exact = pp_method_find("exact");
     const struct pp_method *bre = pp_method_find("bre");
     enum pp_status status = PP_OK;
     for (int i = 0; pp_methods[i] && status == PP_OK; i++)
-        if (pp_methods[i]->gives == PP_GIVES_DIRECT)
+        if (pp_methods[i]->gives == PP_GIVES_DIRECT && !pp_methods[i]->by_name)
             status = add(selection, pp_methods[i], bre, err);
     for (int i = 0; pp_methods[i] && status == PP_OK; i++)
         if (pp_methods[i]->gives == PP_GIVES_INTERNAL)

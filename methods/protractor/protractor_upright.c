@@ -275,6 +275,7 @@ const struct pp_method pp_method_protractor_upright = {
     .formulae = formulae,
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,
+    .by_name = true,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
     .prepare = prepare,
     .destroy_tools = destroy_tools,
