@@ -59,7 +59,8 @@ static void print_model(const struct pp_fit_model *model)
     if (model->sideways)
         printf("  s %.3f", value[PP_FIT_SIDE_S]);
     if (model->source >= PP_FIT_SPHERE_NOW)
-        printf("  b %.3f  g %.3f", value[PP_FIT_SHADE_B], value[PP_FIT_SHADE_G]);
+        printf("  c %.3f  b %.3f  g %.3f", value[PP_FIT_START_C], value[PP_FIT_SHADE_B],
+               value[PP_FIT_SHADE_G]);
     for (int j = 0; j < model->count; j++)
         printf("  %s %.3f", pp_fit_forms_terms[model->terms[j]],
                value[PP_FIT_FIRST_TERM + j]);
@@ -82,7 +83,7 @@ static void search_shapes(const struct pp_fit_rooms *rooms, int *times)
                                              .sideways = sideways,
                                              .count = 1,
                                              .terms = {PP_FIT_ONE},
-                                             .value = {1.3, 0.4, 0.8, 0.4}};
+                                             .value = {1.3, 0.4, 0.8, 0.5, 0.4}};
                 double error = held_out(&model, rooms, times);
                 printf("%.4f  %s, %s%s:", error, pp_fit_forms_sources[source],
                        pp_fit_forms_shapes[shape], sideways ? " and sideways" : "");
@@ -103,6 +104,62 @@ static void search_ranges(const struct pp_fit_rooms *rooms, int *times)
                    pp_fit_forms_ranges[range], powers[k]);
             print_model(&model);
         }
+}
+
+/* Errors at the darkest quarter of rooms left out, over those of printed `bre`: by ratio,
+ * relatively, by daylight factor. */
+static void print_against_bre(struct pp_fit_model *model,
+                              const struct pp_fit_rooms *rooms, int *times)
+{
+    struct pp_fit_model bre = {.source = PP_FIT_BRE};
+    struct pp_fit_error ours = {0}, theirs = {0};
+    for (int fold = 0; fold < FOLDS; fold++) {
+        for (int i = 0; i < rooms->count; i++) {
+            int room = rooms->rows[i].room;
+            times[i] = room % 2 == 0 && room / 2 % FOLDS != fold;
+        }
+        pp_fit_model_fit(model, rooms, times);
+        for (int i = 0; i < rooms->count; i++) {
+            const struct pp_fit_row *row = rooms->rows + i;
+            if (row->room % 2 || times[i] || row->average || !row->dark)
+                continue;
+            pp_fit_model_note(&ours, pp_fit_model_value(model, row), row->irc);
+            pp_fit_model_note(&theirs, pp_fit_model_value(&bre, row), row->irc);
+        }
+    }
+    printf("dark/bre: ln %.3f rel %.3f abs %.3f ", sqrt(ours.log / theirs.log),
+           sqrt(ours.relative / theirs.relative),
+           sqrt(ours.absolute / theirs.absolute));
+}
+
+/* What takes the place of what in `irc-atlas`: the back wall, one shade for all that
+ * stands outside, the depth once more, at six constants and one more. */
+static void search_exchanges(const struct pp_fit_rooms *rooms, int *times)
+{
+    static const struct {
+        int count;
+        enum pp_fit_term terms[3];
+    } sets[] = {{2, {PP_FIT_PARTS, PP_FIT_REVEAL}},
+                {2, {PP_FIT_PARTS, PP_FIT_PLACE_LOST}},
+                {2, {PP_FIT_REVEAL, PP_FIT_PLACE_LOST}},
+                {3, {PP_FIT_PARTS, PP_FIT_REVEAL, PP_FIT_PLACE_LOST}}};
+    for (int shape = PP_FIT_EXPONENTIAL; shape < PP_FIT_SHAPES; shape++)
+        for (int set = 0; set < (int)(sizeof sets / sizeof *sets); set++)
+            for (int one_shade = 0; one_shade < 2; one_shade++) {
+                struct pp_fit_model model = pp_fit_forms_shipped[0].model;
+                model.shape = shape;
+                model.one_shade = one_shade;
+                model.count = sets[set].count;
+                memcpy(model.terms, sets[set].terms, sizeof sets[set].terms);
+                for (int j = 0; j < 3; j++)
+                    model.value[PP_FIT_FIRST_TERM + j] = 0.4;
+                print_against_bre(&model, rooms, times);
+                printf("%d constants, %s%s:",
+                       4 + (shape == PP_FIT_INSIDE) - one_shade + model.count,
+                       pp_fit_forms_shapes[shape], one_shade ? ", one shade" : "");
+                print_model(&model);
+                fflush(stdout);
+            }
 }
 
 static bool has_term(const struct pp_fit_model *model, int term)
@@ -155,6 +212,8 @@ static void search(const struct pp_fit_rooms *rooms, int *times)
     search_shapes(rooms, times);
     puts("\nRanges:");
     search_ranges(rooms, times);
+    puts("\nExchanges:");
+    search_exchanges(rooms, times);
     puts("\nTerms, from the balance of the sphere with the light outside:");
     struct pp_fit_model model = pp_fit_forms_shipped[0].model;
     model.count = 0;
@@ -244,9 +303,9 @@ static void print_constants(const struct pp_fit_form *form,
                             const struct pp_fit_model *model, const double *spread,
                             bool all)
 {
-    static const char *const common[PP_FIT_FIRST_TERM] = {
-        "PP_FITTED_DEPTH", "PP_FITTED_SIDE", "PP_FITTED_OUTSIDE", "PP_FITTED_GROUND"};
-    for (int j = 0; j < PP_FIT_FIRST_TERM && all; j++)
+    static const char *const common[PP_FIT_SHADE_G] = {
+        "PP_FITTED_DEPTH", "PP_FITTED_SIDE", "PP_FITTED_START", "PP_FITTED_SHADE"};
+    for (int j = 0; j < PP_FIT_SHADE_G && all; j++)
         printf("  %s \"%.3f\"  +- %.3f\n", common[j], model->value[j], spread[j]);
     for (int j = 0; j < model->count; j++) {
         double value = model->value[PP_FIT_FIRST_TERM + j],

@@ -18,7 +18,7 @@ static double length_of(enum pp_fit_range range, const struct pp_fit_opening *o)
 
 /* f_d f_s. */
 static double place_of(const struct pp_fit_model *model, const struct pp_fit_opening *o,
-                       double k, double s)
+                       double k, double s, double c)
 {
     double each = pow(1.0 - o->R, model->power) / length_of(model->range, o);
     double q = k * o->d_r * each, u = o->x / o->d_r, f = 1.0;
@@ -26,6 +26,11 @@ static double place_of(const struct pp_fit_model *model, const struct pp_fit_ope
         f = q * exp(-q * u) / (1.0 - exp(-q));
     else if (model->shape == PP_FIT_COSH)
         f = q * (exp(-q * u) + exp(-q * (2.0 - u))) / (1.0 - exp(-2.0 * q));
+    else if (model->shape == PP_FIT_INSIDE) {
+        q -= c * pow(1.0 - o->R, model->power);
+        double m = fmax(fabs(q), 0.001);
+        f = m * exp(-q * u + (q - m) / 2.0) / (1.0 - exp(-m));
+    }
     if (!model->sideways)
         return f;
     double q_s = s * o->w_r * each;
@@ -37,7 +42,8 @@ static double source_of(const struct pp_fit_model *model,
                         const struct pp_fit_opening *o, double b, double g)
 {
     const double *part = o->source[model->source];
-    return part[0] + part[1] * pow(o->v, b) + part[2] * pow(o->v, g);
+    return part[0] + part[1] * pow(o->v, b)
+           + part[2] * pow(o->v, model->one_shade ? b : g);
 }
 
 static double terms_of(const struct pp_fit_model *model, const struct pp_fit_opening *o)
@@ -59,7 +65,7 @@ double pp_fit_model_value(const struct pp_fit_model *model,
                * terms_of(model, o)
                * (row->average ? 1.0
                                : place_of(model, o, value[PP_FIT_DEPTH_K],
-                                          value[PP_FIT_SIDE_S]));
+                                          value[PP_FIT_SIDE_S], value[PP_FIT_START_C]));
     }
     return sum;
 }
@@ -69,17 +75,19 @@ static double derive(const struct pp_fit_model *model, const struct pp_fit_row *
                      double slope[PP_FIT_PARAMETERS])
 {
     const double step = 1e-5, *value = model->value;
-    double k = value[PP_FIT_DEPTH_K], s = value[PP_FIT_SIDE_S];
+    double k = value[PP_FIT_DEPTH_K], s = value[PP_FIT_SIDE_S],
+           c = value[PP_FIT_START_C];
     double b = value[PP_FIT_SHADE_B], g = value[PP_FIT_SHADE_G], sum = 0.0;
     memset(slope, 0, PP_FIT_PARAMETERS * sizeof *slope);
     for (int i = 0; i < row->count; i++) {
         const struct pp_fit_opening *o = row->openings + i;
         double terms = terms_of(model, o), source = source_of(model, o, b, g), f = 1.0;
         if (!row->average) {
-            f = place_of(model, o, k, s);
+            f = place_of(model, o, k, s, c);
             double in_step = source * terms / step;
-            slope[PP_FIT_DEPTH_K] += in_step * (place_of(model, o, k + step, s) - f);
-            slope[PP_FIT_SIDE_S] += in_step * (place_of(model, o, k, s + step) - f);
+            slope[PP_FIT_DEPTH_K] += in_step * (place_of(model, o, k + step, s, c) - f);
+            slope[PP_FIT_SIDE_S] += in_step * (place_of(model, o, k, s + step, c) - f);
+            slope[PP_FIT_START_C] += in_step * (place_of(model, o, k, s, c + step) - f);
         }
         double in_step = terms * f / step;
         slope[PP_FIT_SHADE_B] += in_step * (source_of(model, o, b + step, g) - source);
@@ -178,11 +186,14 @@ static bool step_on(struct pp_fit_model *model, const struct pp_fit_rooms *rooms
     int free_ones[PP_FIT_PARAMETERS], n = 0;
     if (!model->held && model->shape != PP_FIT_EVEN)
         free_ones[n++] = PP_FIT_DEPTH_K;
+    if (!model->held && model->shape == PP_FIT_INSIDE)
+        free_ones[n++] = PP_FIT_START_C;
     if (!model->held && model->sideways)
         free_ones[n++] = PP_FIT_SIDE_S;
     if (!model->held && model->source >= PP_FIT_SPHERE_NOW) {
         free_ones[n++] = PP_FIT_SHADE_B;
-        free_ones[n++] = PP_FIT_SHADE_G;
+        if (!model->one_shade)
+            free_ones[n++] = PP_FIT_SHADE_G;
     }
     for (int j = 0; j < model->count; j++)
         free_ones[n++] = PP_FIT_FIRST_TERM + j;

@@ -4,7 +4,7 @@
  *     irc = sum over openings of (S_V + S_b v^b + S_g v^g) f_d(k) f_s(s)
  *                                times exp(sum over terms of c_j t_j)
  *
- * k, s, b, g and the c_j are fitted, by the method of Levenberg and Marquardt.
+ * k, s, c, b, g and the c_j are fitted, by the method of Levenberg and Marquardt.
  */
 #ifndef PP_BENCH_FIT_MODEL_H
 #define PP_BENCH_FIT_MODEL_H
@@ -16,6 +16,7 @@ enum pp_fit_shape {
     PP_FIT_EVEN,        /* not at all */
     PP_FIT_EXPONENTIAL, /* exp(-q x/d_r), its mean over the depth made 1 */
     PP_FIT_COSH,        /* the same with a back wall that gives all back */
+    PP_FIT_INSIDE,      /* exp(-q x/d_r), q from a start c l/k inside the room */
     PP_FIT_SHAPES
 };
 /* Over which length, and how reflectances stretch it: by a power of 1 - R. */
@@ -24,6 +25,7 @@ enum pp_fit_range { PP_FIT_SECTION, PP_FIT_ROOT, PP_FIT_HEIGHT, PP_FIT_RANGES };
 enum {
     PP_FIT_DEPTH_K, /* the parameters of every model, before those of its terms */
     PP_FIT_SIDE_S,
+    PP_FIT_START_C,
     PP_FIT_SHADE_B,
     PP_FIT_SHADE_G,
     PP_FIT_FIRST_TERM,
@@ -35,13 +37,14 @@ struct pp_fit_model {
     enum pp_fit_source source;
     enum pp_fit_shape shape;
     enum pp_fit_range range;
-    double power;  /* of 1 - R in q: 0, 1/4, 1/2, 1 */
-    bool sideways; /* is there an f_s? */
-    bool of_df;    /* of the average daylight factor, not of the component */
+    double power;   /* of 1 - R in q: 0, 1/4, 1/2, 1 */
+    bool sideways;  /* is there an f_s? */
+    bool one_shade; /* is g b? */
+    bool of_df;     /* of the average daylight factor, not of the component */
     int count;
     enum pp_fit_term terms[PP_FIT_MOST_TERMS];
     double value[PP_FIT_PARAMETERS]; /* where a fit begins and ends */
-    bool held;                       /* k, s, b and g are as they are, not fitted */
+    bool held;                       /* k, s, c, b and g are as they are, not fitted */
 };
 
 /* The model's figure for a row. */

@@ -103,6 +103,8 @@ static void fill_place(struct pp_fit_opening *to, const struct pp_world *world,
     term[PP_FIT_SILL] = sill / h;
     term[PP_FIT_HEAD] = (sill + opening->height_m) / h;
     term[PP_FIT_PLACE] = -place.x / place.d_r;
+    double beyond = receiver ? place.x / place.d_r - 0.5 : 0.0;
+    term[PP_FIT_PLACE_LOST] = -(1.0 - to->R) * beyond;
     term[PP_FIT_SQUARE] = -place.x * place.x / (place.d_r * place.d_r);
     term[PP_FIT_NEAR] = -log1p(place.x * place.x / (h * h));
     term[PP_FIT_ASIDE] = -place.y / place.w_r;

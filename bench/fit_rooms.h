@@ -38,17 +38,18 @@ enum pp_fit_term {
     PP_FIT_CEILING,    /* ln of the reflectances of ceiling, walls, floor */
     PP_FIT_WALLS,
     PP_FIT_FLOOR,
-    PP_FIT_MEAN,   /* ln R */
-    PP_FIT_DEEP,   /* ln(d_r/h_r) */
-    PP_FIT_BROAD,  /* ln(w_r/h_r) */
-    PP_FIT_GLASS,  /* ln(Ag/A) */
-    PP_FIT_SILL,   /* height of the sill above the plane over h_r */
-    PP_FIT_HEAD,   /* of the head */
-    PP_FIT_PLACE,  /* -x/d_r */
-    PP_FIT_SQUARE, /* -(x/d_r)^2 */
-    PP_FIT_NEAR,   /* -ln(1 + (x/h_r)^2) */
-    PP_FIT_ASIDE,  /* -y/w_r */
-    PP_FIT_BESIDE, /* -(distance from the nearer jamb along the wall)/l */
+    PP_FIT_MEAN,       /* ln R */
+    PP_FIT_DEEP,       /* ln(d_r/h_r) */
+    PP_FIT_BROAD,      /* ln(w_r/h_r) */
+    PP_FIT_GLASS,      /* ln(Ag/A) */
+    PP_FIT_SILL,       /* height of the sill above the plane over h_r */
+    PP_FIT_HEAD,       /* of the head */
+    PP_FIT_PLACE,      /* -x/d_r */
+    PP_FIT_PLACE_LOST, /* -(1 - R) (x/d_r - 1/2); 0 of averages */
+    PP_FIT_SQUARE,     /* -(x/d_r)^2 */
+    PP_FIT_NEAR,       /* -ln(1 + (x/h_r)^2) */
+    PP_FIT_ASIDE,      /* -y/w_r */
+    PP_FIT_BESIDE,     /* -(distance from the nearer jamb along the wall)/l */
     PP_FIT_TERMS
 };
 

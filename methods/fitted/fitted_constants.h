@@ -8,31 +8,31 @@
 #ifndef PP_METHODS_FITTED_FITTED_CONSTANTS_H
 #define PP_METHODS_FITTED_FITTED_CONSTANTS_H
 
-/* Of the position (fitted_position.h): depth and side. */
-#define PP_FITTED_DEPTH "1.36"
+/* Of the position (fitted_position.h): depth, start and side. */
+#define PP_FITTED_DEPTH "1.59"
+#define PP_FITTED_START "1.39"
 #define PP_FITTED_SIDE "0.42"
 
 /* Of the light outside (fitted_light.h): the shade on what stands there and on the
  * ground. */
-#define PP_FITTED_OUTSIDE "0.67"
-#define PP_FITTED_GROUND "0.35"
+#define PP_FITTED_SHADE "0.55"
 
 /* Of `irc-atlas`: parts, reveal. */
 #define PP_FITTED_PARTS "0.40"
-#define PP_FITTED_REVEAL "0.46"
+#define PP_FITTED_REVEAL "0.47"
 
 /* Of `bre-atlas`: factor, parts. */
-#define PP_FITTED_BRE "0.875"
-#define PP_FITTED_BRE_PARTS "0.34"
+#define PP_FITTED_BRE "0.885"
+#define PP_FITTED_BRE_PARTS "0.36"
 
 /* Of `split-flux-atlas`: factor, low glass. */
-#define PP_FITTED_FLUX "0.90"
-#define PP_FITTED_FLUX_LOW "0.42"
+#define PP_FITTED_FLUX "0.915"
+#define PP_FITTED_FLUX_LOW "0.43"
 
 /* Of `average-df-atlas`: factor, reveal, floor, light of the ground. */
-#define PP_FITTED_DF "0.72"
-#define PP_FITTED_DF_REVEAL "0.73"
-#define PP_FITTED_DF_FLOOR "0.42"
-#define PP_FITTED_DF_UPWARD "0.36"
+#define PP_FITTED_DF "0.71"
+#define PP_FITTED_DF_REVEAL "0.72"
+#define PP_FITTED_DF_FLOOR "0.41"
+#define PP_FITTED_DF_UPWARD "0.23"
 
 #endif

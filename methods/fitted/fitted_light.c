@@ -18,7 +18,7 @@ static const struct pp_formula_quantity of_shade[] = {
 
 const struct pp_formula pp_fitted_light_E_b = {
     .symbol = "E_b",
-    .sum = "C_b max(V / 39.6, 0.003)^" PP_FITTED_OUTSIDE,
+    .sum = "C_b max(V / 39.6, 0.003)^" PP_FITTED_SHADE,
     .unit = PP_UNIT_SHARE,
     .source = "ATLAS",
     .what = "on the opening's outside from what stands outside",
@@ -27,7 +27,7 @@ const struct pp_formula pp_fitted_light_E_b = {
 
 const struct pp_formula pp_fitted_light_E_g = {
     .symbol = "E_g",
-    .sum = "C_g max(V / 39.6, 0.003)^" PP_FITTED_GROUND,
+    .sum = "C_g max(V / 39.6, 0.003)^" PP_FITTED_SHADE,
     .unit = PP_UNIT_SHARE,
     .source = "ATLAS",
     .what = "on the opening's outside from the ground",

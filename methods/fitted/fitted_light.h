@@ -10,9 +10,9 @@
  *         open sky, 39.6 %; the convention of `exact` has obstructions as bright as the sky
  *         that they hide, times their reflectance
  *
- *     E_b = C_b (V / 39.6)^b,   E_g = C_g (V / 39.6)^g,   V / 39.6 at least 0.003
+ *     E_b = C_b (V / 39.6)^b,   E_g = C_g (V / 39.6)^b,   V / 39.6 at least 0.003
  *
- * with b and g fitted [ATLAS].
+ * with b fitted [ATLAS], one for both.
  *
  * All over Eh, at the middle of the opening's outside and without glass, under the CIE
  * overcast sky. They do not depend on the receiver and are worked out once for a world.

@@ -25,7 +25,9 @@ static const struct pp_formula_quantity of_f_d[] = {
     SECTION,
     DEPTH,
     RANGE,
-    {"q_d", PP_UNIT_NUMBER, "depth of the room in ranges of the light"},
+    {"q_d", PP_UNIT_NUMBER,
+     "depth of the room behind the start of the light, in ranges"},
+    {"m_d", PP_UNIT_NUMBER, "the same without its sign, never 0"},
     {"x", PP_UNIT_METRE, "distance of the point from the opening's wall"},
     {0}};
 static const struct pp_formula_quantity of_f_s[] = {
@@ -46,17 +48,25 @@ const struct pp_formula pp_fitted_position_l = {
 
 const struct pp_formula pp_fitted_position_q_d = {
     .symbol = "q_d",
-    .sum = PP_FITTED_DEPTH " d_r sqrt(1 - R) / l",
+    .sum = "sqrt(1 - R) (" PP_FITTED_DEPTH " d_r / l - " PP_FITTED_START ")",
     .unit = PP_UNIT_NUMBER,
     .source = "ATLAS",
-    .what = "depth of the room in ranges of the light",
+    .what = "depth of the room behind the start of the light, in ranges",
     .quantities = of_q,
 };
 
-/* q cosh(q (1 - x/d)) / sinh(q) without powers above 1, which would overflow. */
+const struct pp_formula pp_fitted_position_m_d = {
+    .symbol = "m_d",
+    .sum = "max(abs(q_d), 0.000001)",
+    .unit = PP_UNIT_NUMBER,
+    .what = "the same without its sign, never 0",
+    .quantities = of_f_d,
+};
+
+/* q exp(-q x/d) / (1 - exp(-q)) without powers that would overflow, and 1 where q is 0. */
 const struct pp_formula pp_fitted_position_f_d = {
     .symbol = "f_d",
-    .sum = "q_d (exp(-q_d x / d_r) + exp(-q_d (2 - x / d_r))) / (1 - exp(-2 q_d))",
+    .sum = "m_d exp((q_d - m_d) / 2 - q_d x / d_r) / (1 - exp(-m_d))",
     .unit = PP_UNIT_NUMBER,
     .what = "factor by the depth of the point",
     .quantities = of_f_d,
@@ -134,7 +144,9 @@ static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world
                      "distance of the point from that wall");
     pp_worksheet_put(sheet, PP_UNIT_METRE, place.y, "y",
                      "from the middle of the opening, along the wall");
-    pp_worksheet_work(sheet, &pp_fitted_position_q_d, "depth of the room in ranges");
+    pp_worksheet_work(sheet, &pp_fitted_position_q_d,
+                      "depth of the room behind the start of the light, in ranges");
+    pp_worksheet_work(sheet, &pp_fitted_position_m_d, "the same without its sign");
     pp_worksheet_work(sheet, &pp_fitted_position_f_d, "by the depth of the point");
     pp_worksheet_work(sheet, &pp_fitted_position_q_s, "half its breadth in ranges");
     pp_worksheet_work(sheet, &pp_fitted_position_f_s, "by its place sideways");

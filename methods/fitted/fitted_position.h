@@ -2,17 +2,19 @@
  * plane: with the distance from the window's wall, and sideways.
  *
  * A room that is deep beside its height and breadth is a pipe for light. What is
- * reflected spreads along it by diffusion, loses the share 1 - R at each reflection, and
- * cannot leave by the back wall: over a range l / sqrt(1 - R) from the window's wall it
- * falls off as cosh does, with l twice the area of the section over half its perimeter:
+ * reflected spreads along it by diffusion and loses the share 1 - R at each reflection:
+ * over a range l / sqrt(1 - R) it falls off exponentially, with l twice the area of the
+ * section over half its perimeter. It starts from where the light from outside falls
+ * first, c l / k behind the window's wall, and a room no deeper than that is as bright at
+ * its back:
  *
  *     l = 2 w_r h_r / (w_r + h_r)
- *     f_d = q_d cosh(q_d (1 - x / d_r)) / sinh(q_d),    q_d = k d_r sqrt(1 - R) / l     (1)
- *     f_s = q_s exp(-2 q_s y / w_r) / (1 - exp(-q_s)),  q_s = s w_r sqrt(1 - R) / l     (2)
+ *     f_d = q_d exp(-q_d x / d_r) / (1 - exp(-q_d)),   q_d = sqrt(1 - R) (k d_r / l - c) (1)
+ *     f_s = q_s exp(-2 q_s y / w_r) / (1 - exp(-q_s)), q_s = s w_r sqrt(1 - R) / l       (2)
  *
  * The mean of (1) over the depth is 1, and that of (2) over the breadth for an opening in
  * the middle of its wall; R to 1 makes both 1 (the light of a furnace is the same
- * everywhere), and a depth without end makes them fall to 0. k and s are fitted [ATLAS].
+ * everywhere), and a depth without end makes them fall to 0. k, c and s are fitted [ATLAS].
  *
  *   x, y      from the opening's wall, and from its middle along the wall
  *   d_r, w_r  the room's depth and breadth, square to that wall and along it
@@ -35,10 +37,11 @@
 
 /* Rows of a method's list of formulae. */
 extern const struct pp_formula pp_fitted_position_l, pp_fitted_position_q_d,
-    pp_fitted_position_f_d, pp_fitted_position_q_s, pp_fitted_position_f_s;
+    pp_fitted_position_m_d, pp_fitted_position_f_d, pp_fitted_position_q_s,
+    pp_fitted_position_f_s;
 #define PP_FITTED_POSITION_FORMULAE                                                    \
-    &pp_fitted_position_l, &pp_fitted_position_q_d, &pp_fitted_position_f_d,           \
-        &pp_fitted_position_q_s, &pp_fitted_position_f_s
+    &pp_fitted_position_l, &pp_fitted_position_q_d, &pp_fitted_position_m_d,           \
+        &pp_fitted_position_f_d, &pp_fitted_position_q_s, &pp_fitted_position_f_s
 
 /* What (1) and (2) are of, for one opening and receiver. */
 struct pp_fitted_place {

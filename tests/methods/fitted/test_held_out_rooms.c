@@ -5,10 +5,10 @@
 #include "methods/method.h"
 #include "tests/lib/traced_rooms.h"
 
-/* Mean squares of ln(figure/traced), at the darkest quarter, elsewhere, of averages. */
+/* Mean squares of ln(figure/traced), of figure/traced - 1 and of their difference, at the darkest quarter, elsewhere, of averages. */
 enum { DARK, ELSEWHERE, AVERAGE, PLACES };
 struct errors {
-    double sum[PLACES];
+    double sum[PLACES], relative[PLACES], absolute[PLACES];
     int count[PLACES];
 };
 
@@ -58,8 +58,11 @@ static void add(struct errors *errors, const struct pp_method *method,
         if (!(point->irc > 2e-5 && point->std_error < 0.3 * point->irc)
             || (whole && place != AVERAGE) || !(figure > 0.0))
             continue;
-        double off = log(figure / (whole ? point->df : point->irc));
+        double truth = whole ? point->df : point->irc;
+        double off = log(figure / truth);
         errors->sum[place] += off * off;
+        errors->relative[place] += (figure / truth - 1.0) * (figure / truth - 1.0);
+        errors->absolute[place] += (figure - truth) * (figure - truth);
         errors->count[place]++;
     }
     if (method->destroy_tools)
@@ -94,7 +97,7 @@ static double rms(void **state, int method, int place)
     return sqrt(errors->sum[place] / errors->count[place]);
 }
 
-/* 0.37 and 0.29 of theirs over all rooms held out. */
+/* 0.35 and 0.28 of theirs by the ratio over all rooms held out. */
 static void by_position_the_dark_quarter_has_half_the_error_of_averages(void **state)
 {
     double error = rms(state, IRC_ATLAS, DARK);
@@ -104,6 +107,21 @@ static void by_position_the_dark_quarter_has_half_the_error_of_averages(void **s
     assert_true(rms(state, FLUX_ATLAS, DARK) < 0.5 * rms(state, FLUX, DARK));
 }
 
+/* Over all rooms held out 0.15 and 0.06 of theirs relatively, 0.47 and 0.25 by daylight
+ * factor. Of the last a few bright rooms are most: from one sample of this size to another
+ * it differs by 0.09, and the bound is two of these above 0.47. */
+static void it_has_less_relatively_and_by_daylight_factor_too(void **state)
+{
+    const struct errors *all = *state;
+    for (int other = BRE; other <= FLUX; other++) {
+        assert_true(all[IRC_ATLAS].relative[DARK] < 0.25 * all[other].relative[DARK]);
+        assert_true(all[IRC_ATLAS].absolute[DARK]
+                    < 0.65 * 0.65 * all[other].absolute[DARK]);
+        assert_true(all[IRC_ATLAS].absolute[ELSEWHERE]
+                    < all[other].absolute[ELSEWHERE]);
+    }
+}
+
 static void and_no_more_elsewhere(void **state)
 {
     double error = rms(state, IRC_ATLAS, ELSEWHERE);
@@ -111,7 +129,7 @@ static void and_no_more_elsewhere(void **state)
     assert_true(error < rms(state, FLUX, ELSEWHERE));
 }
 
-/* 0.52, 0.42 and 0.31 over all rooms held out; the sample has 70 of them. */
+/* 0.55, 0.45 and 0.31 over all rooms held out; the sample has 80 of them. */
 static void corrected_averages_are_nearer_to_the_traced_ones(void **state)
 {
     assert_true(rms(state, BRE_ATLAS, AVERAGE) < 0.67 * rms(state, BRE, AVERAGE));
@@ -119,19 +137,20 @@ static void corrected_averages_are_nearer_to_the_traced_ones(void **state)
     assert_true(rms(state, DF_ATLAS, AVERAGE) < 0.5 * rms(state, DF, AVERAGE));
 }
 
-/* RMS of the ratio's logarithm of all rooms held out: 0.266, 0.241, 0.181; the standard
+/* RMS of the ratio's logarithm of all rooms held out: 0.253, 0.240, 0.178; the standard
  * error of each is about a tenth of it in the sample. */
 static void errors_are_those_of_the_theory(void **state)
 {
-    assert_near(rms(state, IRC_ATLAS, DARK), 0.266, 0.08);
-    assert_near(rms(state, IRC_ATLAS, ELSEWHERE), 0.241, 0.07);
-    assert_near(rms(state, IRC_ATLAS, AVERAGE), 0.181, 0.05);
+    assert_near(rms(state, IRC_ATLAS, DARK), 0.253, 0.08);
+    assert_near(rms(state, IRC_ATLAS, ELSEWHERE), 0.240, 0.07);
+    assert_near(rms(state, IRC_ATLAS, AVERAGE), 0.178, 0.05);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(by_position_the_dark_quarter_has_half_the_error_of_averages),
+        cmocka_unit_test(it_has_less_relatively_and_by_daylight_factor_too),
         cmocka_unit_test(and_no_more_elsewhere),
         cmocka_unit_test(corrected_averages_are_nearer_to_the_traced_ones),
         cmocka_unit_test(errors_are_those_of_the_theory),

@@ -68,9 +68,11 @@ static void worked_room_is_as_on_paper(void **state)
                   * sqrt(0.700516) * pow(A_l / A_u, atof(PP_FITTED_PARTS) * (1 - R));
     assert_relative(value_of(&pp_method_irc_atlas, &box, 0, NULL), mean, 1e-4);
 
-    double l = 2 * 3.7 * 2.9 / 6.6, q_d = atof(PP_FITTED_DEPTH) * 5.3 * sqrt(1 - R) / l,
+    double l = 2 * 3.7 * 2.9 / 6.6,
+           q_d =
+               sqrt(1 - R) * (atof(PP_FITTED_DEPTH) * 5.3 / l - atof(PP_FITTED_START)),
            q_s = atof(PP_FITTED_SIDE) * 3.7 * sqrt(1 - R) / l;
-    double f_d = q_d * cosh(q_d * (1 - 4.1 / 5.3)) / sinh(q_d);
+    double f_d = q_d * exp(-q_d * 4.1 / 5.3) / (1 - exp(-q_d));
     double f_s = q_s * exp(-2 * q_s * 0.45 / 3.7) / (1 - exp(-q_s));
     struct pp_receiver point = at(0.9 + 1.9 / 2 + 0.45, 4.1);
     assert_relative(value_of(&pp_method_irc_atlas, &box, 0, &point), mean * f_d * f_s,
@@ -125,20 +127,38 @@ static void without_light_outside_there_is_none_inside(void **state)
         assert_near(value_of(all[i], &box, 0, &point), 0.0, 1e-6);
 }
 
-/* In a room 200 m deep, 100 m from the window, nothing is left; at 2.1 m as much as if
+/* In a room 1000 m deep, 100 m from the window, nothing is left; at 2.1 m as much as if
  * the room ended much nearer. */
 static void a_depth_without_end_takes_all_light(void **state)
 {
     (void)state;
     struct box_room endless, long_one;
-    build_room(&endless, 200.0, 0.5);
-    build_room(&long_one, 100.0, 0.5);
+    build_room(&endless, 1000.0, 0.5);
+    build_room(&long_one, 500.0, 0.5);
     for (int i = 0; i < BY_POSITION; i++) {
         struct pp_receiver far = at(1.2, 100.0), near = at(1.2, 2.1);
         double here = value_of(by_position[i], &endless, 0, &near);
         assert_true(value_of(by_position[i], &endless, 0, &far) < 1e-9 * here);
         assert_relative(value_of(by_position[i], &long_one, 0, &near), here, 0.02);
     }
+}
+
+/* The light starts c l/k = 2.9 m behind the window: a room of that depth is the same at all
+ * depths, whatever it reflects, a shallower one brighter at its back. */
+static void a_room_that_ends_where_the_light_starts_is_alike_at_all_depths(void **state)
+{
+    (void)state;
+    double start = atof(PP_FITTED_START) / atof(PP_FITTED_DEPTH) * 2 * 3.7 * 2.9 / 6.6;
+    for (double rho = 0.13; rho < 0.9; rho += 0.31)
+        for (int side = -1; side <= 1; side++) {
+            struct box_room box;
+            build_room(&box, start * (1.0 + 0.3 * side), rho);
+            struct pp_receiver front = at(2.3, 0.4), back = at(2.3, 0.6 * start);
+            double ratio = value_of(&pp_method_irc_atlas, &box, 0, &back)
+                           / value_of(&pp_method_irc_atlas, &box, 0, &front);
+            assert_true(side == 0 ? fabs(ratio - 1.0) < 1e-5
+                                  : side * (1.0 - ratio) > 0.02);
+        }
 }
 
 static void the_back_has_less_than_the_front_and_a_white_room_less_so(void **state)
@@ -252,6 +272,8 @@ int main(void)
         cmocka_unit_test(a_dark_room_reflects_nothing),
         cmocka_unit_test(without_light_outside_there_is_none_inside),
         cmocka_unit_test(a_depth_without_end_takes_all_light),
+        cmocka_unit_test(
+            a_room_that_ends_where_the_light_starts_is_alike_at_all_depths),
         cmocka_unit_test(the_back_has_less_than_the_front_and_a_white_room_less_so),
         cmocka_unit_test(the_mean_over_the_plane_is_the_average),
         cmocka_unit_test(ground_and_obstruction_are_the_rooms),
