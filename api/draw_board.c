@@ -91,17 +91,24 @@ static enum pp_status draw_pepper_pot(struct pp_canvas *canvas,
                                               options->vertical == PP_YES, worth, err);
     double viewing_mm = options->viewing_mm;
     if (status == PP_OK && options->unsolved) {
-        bool blank, upright = sheet.upright;
+        bool blank, upright = sheet.upright, any = sheet.any;
         viewing_mm = viewing_mm > 0.0 ? viewing_mm : 30.0;
-        pp_board_sheets_pepper_pot_clear(&sheet);
+        if (!any)
+            pp_board_sheets_pepper_pot_clear(&sheet);
         status = draw_exercise(&blank, canvas, room, "the pepper-pot diagram",
                                options->fine ? "dots \u00d7 0.01\u00a0%"
                                              : "dots \u00d7 0.1\u00a0%",
                                viewing_mm, err);
-        if (status != PP_OK || !blank)
+        if (status != PP_OK || !blank) {
+            if (any)
+                pp_board_sheets_pepper_pot_clear(&sheet);
             return status;
-        status = pp_pepper_pot_sheet_fill_blank(&sheet, &room->light.sky,
-                                                is_glazed(room), upright, worth, err);
+        }
+        if (any)
+            pp_pepper_pot_sheet_fill_unsolved(&sheet);
+        else
+            status = pp_pepper_pot_sheet_fill_blank(
+                &sheet, &room->light.sky, is_glazed(room), upright, worth, err);
     }
     if (status == PP_OK)
         status = pp_pepper_pot_chart_draw(canvas, &sheet, viewing_mm, err);

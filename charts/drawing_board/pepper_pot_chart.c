@@ -39,8 +39,9 @@ static void say_foot(char *foot, size_t room, const struct pp_pepper_pot_sheet *
     if (!sheet->blank)
         pp_page_say(foot, room, "Dots in a window count wherever it reaches.");
     pp_page_say(foot, room,
-                "True perspective of vertical windows; no row of dots runs along an "
-                "edge. After Pleijel, 1954.");
+                "True perspective %s; no row of dots runs along an edge. After "
+                "Pleijel, 1954.",
+                sheet->any ? "on each window's own plane" : "of vertical windows");
 }
 
 static void titles(const struct pp_pepper_pot_drawing *drawing, char *title,
@@ -49,7 +50,9 @@ static void titles(const struct pp_pepper_pot_drawing *drawing, char *title,
     const struct pp_pepper_pot_sheet *sheet = drawing->sheet;
     char sky[96];
     pp_page_sky_words(sky, sizeof sky, &sheet->sky, 0.0);
-    const char *plane = sheet->upright ? "vertical plane" : "horizontal plane";
+    const char *plane = sheet->upright  ? "vertical plane"
+                        : sheet->aslant ? "sloping plane"
+                                        : "horizontal plane";
     if (sheet->blank) {
         snprintf(title, room, "Pepper-pot diagram");
         snprintf(subtitle, room, "Sky component on a %s%s, %s", plane,

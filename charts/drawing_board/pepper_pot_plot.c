@@ -27,7 +27,10 @@ struct pp_bounds2 pp_pepper_pot_plot_extent(const struct pp_pepper_pot_panel *pa
     struct pp_bounds2 extent = {{0.0, 0.0}, {0.0, 0.0}};
     for (int w = 0; w < panel->count; w++)
         pp_board_sheets_window_extent(&panel->windows[w], extent.low, extent.high);
-    extent.low[1] = fmax(extent.low[1], -0.3);
+    if (panel->any_slope)
+        extent.low[1] = fmin(extent.low[1] - 0.2, -1.0); /* dots all round */
+    else
+        extent.low[1] = fmax(extent.low[1], -0.3);
     return extent;
 }
 
@@ -221,5 +224,6 @@ void pp_pepper_pot_plot_draw(const struct pp_pepper_pot_drawing *drawing,
     set.down = 0.0;
     pp_lettering_draw(drawing->cr, style, &set, frame->x - border.left,
                       frame->y + 0.5 * frame->height,
-                      "above the point \u00f7 distance");
+                      panel->any_slope ? "up the slope \u00f7 distance"
+                                       : "above the point \u00f7 distance");
 }

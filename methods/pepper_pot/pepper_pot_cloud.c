@@ -12,30 +12,47 @@ struct cells {
     double up_to[RINGS][CELLS + 1];
 };
 
-static struct pp_vec3 direction(const struct pp_window_axes *axes, double theta,
-                                double psi)
+/* The receiver's normal and two directions square to it; azimuths about it begin on the
+ * far side from the glass. */
+struct frame {
+    struct pp_vec3 normal, first, second;
+};
+
+static struct frame frame_of(struct pp_vec3 normal, const struct pp_window_axes *axes)
 {
-    struct pp_vec3 u = pp_vec_scale(axes->out, cos(theta));
-    u = pp_vec_along(u, sin(theta) * cos(psi), axes->along);
-    return pp_vec_along(u, sin(theta) * sin(psi), axes->up);
+    struct pp_vec3 back =
+        pp_vec_along(axes->out, -pp_vec_dot(axes->out, normal), normal);
+    if (pp_vec_length(back) < 1e-6)
+        back = pp_vec_along(axes->along, -pp_vec_dot(axes->along, normal), normal);
+    struct pp_vec3 first = pp_vec_unit(pp_vec_scale(back, -1.0));
+    return (struct frame){normal, first, pp_vec_cross(normal, first)};
 }
 
+static struct pp_vec3 direction(const struct frame *frame, double theta, double psi)
+{
+    struct pp_vec3 u = pp_vec_scale(frame->normal, cos(theta));
+    u = pp_vec_along(u, sin(theta) * cos(psi), frame->first);
+    return pp_vec_along(u, sin(theta) * sin(psi), frame->second);
+}
+
+/* Rings are as wide in angle; each has its sines times cosines as a whole, which is exact
+ * for an even sky. */
 static void fill(struct cells *cells, const struct pp_sky *sky,
-                 const struct pp_glass *glass, const struct pp_window_axes *axes,
-                 struct pp_vec3 normal)
+                 const struct pp_glass *glass, struct pp_vec3 out,
+                 const struct frame *frame)
 {
     double d_theta = PP_PI / 2.0 / RINGS, d_psi = 2.0 * PP_PI / CELLS;
     cells->within[0] = 0.0;
     for (int i = 0; i < RINGS; i++) {
         double theta = (i + 0.5) * d_theta;
-        double weight = 2.0 * sin(theta) * sin(d_theta / 2.0) * d_psi
-                        * pp_glass_transmittance(glass, cos(theta));
+        double weight = sin(2.0 * theta) * sin(d_theta) / 2.0 * d_psi;
         cells->up_to[i][0] = 0.0;
         for (int k = 0; k < CELLS; k++) {
-            struct pp_vec3 u = direction(axes, theta, (k + 0.5) * d_psi);
-            double facing = fmax(pp_vec_dot(u, normal), 0.0);
-            double light = u.z > 0.0 && facing > 0.0
-                               ? pp_sky_luminance(sky, u) * facing * weight
+            struct pp_vec3 u = direction(frame, theta, (k + 0.5) * d_psi);
+            double cosine = fmin(pp_vec_dot(u, out), 1.0);
+            double light = u.z > 0.0 && cosine > 0.0
+                               ? pp_sky_luminance(sky, u) * weight
+                                     * pp_glass_transmittance(glass, cosine)
                                : 0.0;
             cells->up_to[i][k + 1] = cells->up_to[i][k] + light;
         }
@@ -58,7 +75,11 @@ static double place_of(const double *ascending, int count, double value)
     return low + (step > 0.0 ? fmin((value - ascending[low]) / step, 1.0) : 0.5);
 }
 
+/* Dots of cells that the plane of the glass cuts are taken to lie before it. */
+static const double least_cosine = 1e-3;
+
 static void place_dots(struct pp_pepper_pot_cloud *cloud, const struct cells *cells,
+                       const struct frame *frame, const struct pp_window_axes *axes,
                        double worth)
 {
     static const double golden = 0.61803398874989484820; /* (sqrt 5 - 1)/2 */
@@ -68,8 +89,10 @@ static void place_dots(struct pp_pepper_pot_cloud *cloud, const struct cells *ce
         const double *up_to = cells->up_to[(int)fmin(ring, RINGS - 1)];
         double theta = ring / RINGS * PP_PI / 2.0;
         double psi = place_of(up_to, CELLS, s * up_to[CELLS]) / CELLS * 2.0 * PP_PI;
-        cloud->dots[i][0] = tan(theta) * cos(psi);
-        cloud->dots[i][1] = tan(theta) * sin(psi);
+        struct pp_vec3 u = direction(frame, theta, psi);
+        double out = fmax(pp_vec_dot(u, axes->out), least_cosine);
+        cloud->dots[i][0] = pp_vec_dot(u, axes->along) / out;
+        cloud->dots[i][1] = pp_vec_dot(u, axes->up) / out;
     }
 }
 
@@ -84,12 +107,13 @@ enum pp_status pp_pepper_pot_cloud_init(struct pp_pepper_pot_cloud *cloud,
     struct cells *cells = malloc(sizeof *cells);
     if (!cells)
         return pp_fail_memory(err);
-    fill(cells, sky, glass, axes, normal);
+    const struct frame frame = frame_of(normal, axes);
+    fill(cells, sky, glass, axes->out, &frame);
     cloud->whole = cells->within[RINGS];
     cloud->count = (int)fmax(ceil(cloud->whole / worth - 0.5), 0.0);
     cloud->dots = malloc(((size_t)cloud->count + 1) * sizeof *cloud->dots);
     if (cloud->dots)
-        place_dots(cloud, cells, worth);
+        place_dots(cloud, cells, &frame, axes, worth);
     free(cells);
     if (cloud->dots)
         return PP_OK;

@@ -7,11 +7,11 @@
  *
  *     dSC = L(u) tau(out.u) (n.u) domega
  *
- * L may depend on the azimuth. The half-space before the glass is divided into rings about
- * its normal, each into cells; t is the share of the light within a ring, s that of the
- * ring's light up to a cell, and the dots are a Fibonacci lattice of the square of s and t
- * [SP06]: a sunflower, where the light is even. Between the middles of cells light is
- * taken to be as there.
+ * L may depend on the azimuth. The half-space before the receiver is divided into rings
+ * about its normal, each into cells from the far side of the glass round; t is the share
+ * of the light within a ring, s that of the ring's light up to a cell, and the dots are a
+ * Fibonacci lattice of the square of s and t [SP06], for level glass and an even sky a
+ * sunflower. Within a cell light is taken to be as in its middle.
  */
 #ifndef PP_METHODS_PEPPER_POT_PEPPER_POT_CLOUD_H
 #define PP_METHODS_PEPPER_POT_PEPPER_POT_CLOUD_H

@@ -20,12 +20,16 @@ enum pp_status pp_pepper_pot_sheet_fill_blank(struct pp_pepper_pot_sheet *sheet,
 
 /* With the room's windows as seen from the receiver: a panel for each direction that
  * windows face, with glass and without; one blank panel for a room without openings.
- * PP_BAD_INPUT with the reason where the method `pepper-pot` refuses the room. With a
- * worth of 0.1 % the sums are the components by that method. */
+ * Where `pepper-pot` refuses the room the dots are those of `pepper-pot-sky`; PP_BAD_INPUT
+ * with the former's reason where that refuses it too. With a worth of 0.1 % the sums are
+ * the components by that method. */
 enum pp_status pp_pepper_pot_sheet_fill_room(struct pp_pepper_pot_sheet *sheet,
                                              const struct pp_world *world,
                                              const struct pp_outside_light *light,
                                              const struct pp_receiver *receiver,
                                              double worth, struct pp_error *err);
+
+/* Takes the windows off a sheet again, for whoever is to draw them. */
+void pp_pepper_pot_sheet_fill_unsolved(struct pp_pepper_pot_sheet *sheet);
 
 #endif

@@ -109,7 +109,8 @@ struct pp_pepper_pot_dot {
 /* One diagram, with the windows that face one way. */
 struct pp_pepper_pot_panel {
     const char *wall; /* that the windows are in, or NULL; not owned */
-    bool glazed;      /* with the losses of clear single vertical glass */
+    bool glazed;      /* with the losses of clear single glass */
+    bool any_slope;   /* b is up the slope; else the windows are vertical */
     double whole;     /* all dots' worth together, fraction of Eh */
     int dot_count;
     struct pp_pepper_pot_dot *dots;
@@ -121,6 +122,8 @@ struct pp_pepper_pot_sheet {
     const char *name; /* the room's, or NULL; not owned */
     bool blank;       /* no room, no point */
     bool upright;     /* is the receiver a vertical plane? else horizontal, face up */
+    bool aslant;      /* or neither? */
+    bool any;         /* the dots are those of `pepper-pot-sky` */
     struct pp_vec3 point;
     struct pp_sky sky;
     double worth; /* of a dot, fraction of Eh */

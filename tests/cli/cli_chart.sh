@@ -105,8 +105,18 @@ for kind in waldram pepper-pot; do
     check "$kind of a sky that changes with azimuth" \
         refuses 1 "" chart $kind --sky iso-12,30,180 -o "$file"
     check "$kind from 17 points" refuses 2 "--points" chart $kind -o "$file" "$deep"
-    check "$kind of glass that slopes" \
-        refuses 1 "the opening on line" chart $kind -p 3,3 -o "$file" "$examples/studio.xml"
+    case $kind in
+    waldram)
+        check "$kind of glass that slopes" refuses 1 "the opening on line" \
+            chart $kind -p 3,3 -o "$file" "$examples/studio.xml"
+        ;;
+    pepper-pot)
+        check "$kind of glass that slopes" \
+            quietly chart $kind -p 3,3 -o "$file" "$examples/studio.xml"
+        check "$kind of a clear sky, unsolved" quietly chart $kind --unsolved \
+            --sky iso-12,30,180 -p 3,3 -o "$scratch/x.pdf" "$examples/studio.xml"
+        ;;
+    esac
     check "$kind of a point outside" \
         refuses 1 "free space" chart $kind -p 3,-3 -o "$file" "$deep"
     check "a blank $kind has no points" \

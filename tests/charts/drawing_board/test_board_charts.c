@@ -567,6 +567,7 @@ static void what_the_diagrams_do_not_hold_is_refused_with_why(void **state)
         pp_waldram_sheet_fill_room(&waldram, world, &light, world->receivers, &err),
         PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "opening on line 3 has sloping glass"));
+    world->openings[0].glass = pp_glass_diffusing(0.6);
     assert_int_equal(pp_pepper_pot_sheet_fill_room(&pot, world, &light,
                                                    world->receivers,
                                                    PP_PEPPER_POT_WORTH, &err),
@@ -583,9 +584,42 @@ static void what_the_diagrams_do_not_hold_is_refused_with_why(void **state)
                      PP_BAD_INPUT);
 }
 
+/* Where the published dots end, a rooflight or a clear sky, the sheet has the dots of
+ * `pepper-pot-sky`, and their sums; without its windows it is that of an exercise. */
+static void dots_for_any_sky_and_slope_sum_up_to_their_method(void **state)
+{
+    (void)state;
+    static const char *const rooms[] = {
+        "<room version='1'><plan width='4' depth='5' height='2.7'/>"
+        "<rooflight x='1' y='1' width='1' depth='1'/><point x='1.1' y='1.4'/></room>",
+        "<room version='1'><sky type='iso-12' sun-altitude='35' sun-bearing='160'/>"
+        "<plan width='4' depth='5' height='2.7'/><window wall='south' left='1' "
+        "sill='0.9' width='2' height='1.3'/><point x='1.1' y='1.4'/></room>"};
+    for (int i = 0; i < 2; i++) {
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_lit_world(&light, rooms[i]);
+        struct pp_pepper_pot_sheet pot;
+        assert_int_equal(pp_pepper_pot_sheet_fill_room(&pot, world, &light,
+                                                       world->receivers,
+                                                       PP_PEPPER_POT_WORTH, NULL),
+                         PP_OK);
+        assert_true(pot.any && pot.sky_component > 0.02);
+        assert_int_equal(pot.panels[0].any_slope, i == 0);
+        assert_near(pot.sky_component, value_of(world, &light, PP_SC, "pepper-pot-sky"),
+                    1e-13);
+        pp_pepper_pot_sheet_fill_unsolved(&pot);
+        assert_true(pot.blank && pot.panels[0].count == 0);
+        for (int k = 0; k < pot.panels[0].dot_count; k++)
+            assert_false(pot.panels[0].dots[k].counted);
+        pp_board_sheets_pepper_pot_clear(&pot);
+        pp_world_destroy(world);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(dots_for_any_sky_and_slope_sum_up_to_their_method),
         cmocka_unit_test(sheets_sum_up_to_what_the_methods_give),
         cmocka_unit_test(the_ruler_is_100_mm_long_and_has_its_millimetres),
         cmocka_unit_test(metres_are_drawn_as_the_viewing_distance_over_theirs),
