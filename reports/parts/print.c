@@ -69,8 +69,8 @@ static void tell(const struct listener *listener, const char *label, const char 
     listener->tell(listener->closure, label, text);
 }
 
-static void tell_sky(const struct pp_world *world,
-                      const struct pp_outside_light *light, const struct listener *listener)
+static void tell_sky(const struct pp_world *world, const struct pp_outside_light *light,
+                     const struct listener *listener)
 {
     const struct pp_sky *sky = &light->sky;
     if (sky->kind == PP_SKY_OVERCAST) {
@@ -83,9 +83,9 @@ static void tell_sky(const struct pp_world *world,
         double bearing = atan2(sky->sun.x, sky->sun.y) + world->north_rad;
         bearing = fmod(bearing / PP_RAD + 720.0, 360.0);
         tell(listener, "sky",
-                 "ISO 15469 type %d, sun %.3g deg high, bearing %.4g deg; without its "
-                 "disc",
-                 sky->iso, asin(sky->sun.z) / PP_RAD, bearing);
+             "ISO 15469 type %d, sun %.3g deg high, bearing %.4g deg; without its "
+             "disc",
+             sky->iso, asin(sky->sun.z) / PP_RAD, bearing);
     }
 }
 
@@ -106,8 +106,8 @@ static void tell_size(const struct pp_world *world, const struct listener *liste
             floor_m2 += face->outline.area_m2;
     }
     tell(listener, "room",
-             "%.2f x %.2f m, %.2f m high; floor %.1f m2, surfaces %.1f m2",
-             high.x - low.x, high.y - low.y, high.z - low.z, floor_m2, all_m2);
+         "%.2f x %.2f m, %.2f m high; floor %.1f m2, surfaces %.1f m2", high.x - low.x,
+         high.y - low.y, high.z - low.z, floor_m2, all_m2);
 }
 
 /* "floor 0.20", or "floor 0.20 to 0.35" where its faces differ. */
@@ -127,7 +127,8 @@ static void append_reflectance(const struct pp_world *world, enum pp_role role,
         pp_text_append(text, TEXT_BYTES, " to %.3g", high);
 }
 
-static void tell_reflectances(const struct pp_world *world, const struct listener *listener)
+static void tell_reflectances(const struct pp_world *world,
+                              const struct listener *listener)
 {
     char text[TEXT_BYTES] = "";
     append_reflectance(world, PP_FLOOR, "floor", text);
@@ -212,8 +213,8 @@ static void tell_openings(const struct pp_world *world, const struct listener *l
 }
 
 static void tell_outside(const struct pp_world *world,
-                          const struct pp_outside_light *light,
-                          const struct listener *listener)
+                         const struct pp_outside_light *light,
+                         const struct listener *listener)
 {
     char text[TEXT_BYTES] = "";
     pp_text_append(text, TEXT_BYTES, "ground %.3g", light->ground_reflectance);

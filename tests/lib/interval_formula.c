@@ -151,6 +151,9 @@ static struct interval call(struct parser *parser, const char *name)
     }
     if (strcmp(name, "sqrt") == 0)
         value = (struct interval){sqrt(fmax(a.low, 0.0)), sqrt(a.high)};
+    else if (strcmp(name, "abs") == 0)
+        value = (struct interval){fmax(fmax(a.low, -a.high), 0.0),
+                                  fmax(fabs(a.low), fabs(a.high))};
     else if (strcmp(name, "exp") == 0)
         value = (struct interval){exp(a.low), exp(a.high)};
     else if (strcmp(name, "log") == 0)
@@ -168,7 +171,7 @@ static struct interval call(struct parser *parser, const char *name)
 
 static bool is_function(const char *name)
 {
-    static const char *const names[] = {"sqrt", "exp",  "log", "sin", "cos",
+    static const char *const names[] = {"sqrt", "abs",  "exp", "log", "sin", "cos",
                                         "tan",  "atan", "min", "max", "sum"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
         if (strcmp(name, names[i]) == 0)
