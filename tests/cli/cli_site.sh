@@ -84,6 +84,18 @@ check "who asks for a criterion gets it" shows "living room: 150 lx" \
 check "of a bathroom nothing is judged" shows "nothing bears on a room whose use is bathroom" \
     assess --by-hand --for uk-planning --room Bathroom "$site"
 
+check "planning has the sun, existing and proposed" sh -c "
+    '$pepperpot' assess --by-hand --for uk-planning --room Study '$site' |
+        grep -qE '[0-9.]+ % now, [0-9.]+ % before'"
+check "possible hours are called so" shows "possible, not probable" \
+    assess --by-hand -c apsh -f json --room Study "$site"
+check "no latitude, no sun" sh -c "
+    sed 's/latitude=\"[0-9.]*\"//' '$site' |
+        '$pepperpot' assess --by-hand -c sunlight,sun-exposure - |
+        grep -c 'gives no latitude' | grep -qE '^[2-9]'"
+check "hours of sun in h" shows '"unit": "h"' \
+    assess --by-hand -c sun-exposure -f json --room Study "$site"
+
 check "a profile by its name" refuses 2 "did you mean uk-planning?" \
     assess --for uk-planing "$site"
 check "--for or --criteria" refuses 2 "expected one of them" assess --for en17037 -c vsc "$site"

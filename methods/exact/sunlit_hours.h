@@ -1,0 +1,56 @@
+/* sunlit_hours.h - how long the sun shines on a point, in closed form.
+ *
+ * In a day the sun's declination is that of its noon, and its direction by the hour angle
+ *
+ *     u(h) = p + q cos h + r sin h                  model/light/sun_path.h
+ *
+ * so that it crosses the plane of an edge where n.u = n.p + n.q cos h + n.r sin h = 0: each
+ * half-space of a hidden cone is an arc of hour angles, a cone the arcs' intersection,
+ * and the hours of sun are what the cones leave of the time between sunrise and sunset.
+ * These are possible hours, of a sky without clouds, a flat horizon and a sun that is a
+ * point; refraction is left out.
+ */
+#ifndef PP_METHODS_EXACT_SUNLIT_HOURS_H
+#define PP_METHODS_EXACT_SUNLIT_HOURS_H
+
+#include "methods/exact/hidden_cones.h"
+
+/* Where on the earth: radians; north as pp_world has it. */
+struct pp_sunlit_place {
+    double latitude_rad, north_rad;
+};
+
+/* Times of sun in a day, from and to as hour angles (rad, -pi to pi), in order and apart. */
+struct pp_sunlit_day {
+    double (*times)[2];
+    int count, capacity;
+};
+
+/* Adds the times at which the sun is higher than above_rad (0 or more) and not hidden;
+ * to be made one by pp_sunlit_hours_unite where there were times before. The caller clears
+ * the day, after a failure too. */
+enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
+                                   const struct pp_hidden_cones *cones,
+                                   struct pp_sunlit_place place, double declination_rad,
+                                   double above_rad, struct pp_error *err);
+
+/* Joins times that overlap. */
+void pp_sunlit_hours_unite(struct pp_sunlit_day *day);
+
+/* The length of all times, in hours. */
+double pp_sunlit_hours_sum(const struct pp_sunlit_day *day);
+void pp_sunlit_hours_clear(struct pp_sunlit_day *day);
+
+/* Hours of a year of 365 days (the sun's of 2025), and of those from 21 September to 21
+ * March, both included. */
+struct pp_sunlit_year {
+    double all, winter;
+};
+
+/* cones NULL: of an open level plane. */
+enum pp_status pp_sunlit_hours_of_year(struct pp_sunlit_year *year,
+                                       const struct pp_hidden_cones *cones,
+                                       struct pp_sunlit_place place,
+                                       struct pp_error *err);
+
+#endif

@@ -1,0 +1,24 @@
+/* sun_path.h - the sun's way over the sky of a day, by solar time.
+ *
+ *     sin a = sin phi sin delta + cos phi cos delta cos h
+ *
+ *   a      altitude, phi latitude, delta declination
+ *   h      hour angle: 15 degrees for each hour after solar noon
+ */
+#ifndef PP_MODEL_LIGHT_SUN_PATH_H
+#define PP_MODEL_LIGHT_SUN_PATH_H
+
+#include "model/geometry/vec.h"
+
+/* Towards the sun, unit; x east, y north, z up. All radians. */
+struct pp_vec3 pp_sun_path_direction(double latitude, double declination,
+                                     double hour_angle);
+
+/* The hour angle of sunset, 0 to pi: 0 where the sun does not rise, pi where it does not
+ * set. */
+double pp_sun_path_sunset(double latitude, double declination);
+
+/* The sun's declination at noon of the day in 2025. */
+double pp_sun_path_declination(int month, int day);
+
+#endif
