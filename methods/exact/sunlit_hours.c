@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "model/base/array.h"
+#include "model/light/sun.h"
 #include "model/light/sun_path.h"
 
 /* The sun's direction of a day, in the world's axes: p + q cos h + r sin h. */
@@ -123,42 +124,61 @@ void pp_sunlit_hours_unite(struct pp_sunlit_day *day)
     day->count = count;
 }
 
-/* Adds what hidden times, which are apart, leave of the arc about noon. */
+/* Adds what hidden times, which are apart, leave of the time from `from` to `end`. */
 static enum pp_status add_rest(struct pp_sunlit_day *day,
-                               const struct pp_sunlit_day *hidden, double half,
-                               struct pp_error *err)
+                               const struct pp_sunlit_day *hidden, double from,
+                               double end, struct pp_error *err)
 {
-    double from = -half;
     enum pp_status status = PP_OK;
     for (int i = 0; i < hidden->count && status == PP_OK; i++) {
-        double to = fmin(hidden->times[i][0], half);
+        double to = fmin(hidden->times[i][0], end);
         if (to > from)
             status = append(day, from, to, err);
         from = fmax(from, hidden->times[i][1]);
     }
-    return status == PP_OK && from < half ? append(day, from, half, err) : status;
+    return status == PP_OK && from < end ? append(day, from, end, err) : status;
 }
 
 enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
                                    const struct pp_hidden_cones *cones,
-                                   struct pp_sunlit_place place, double declination_rad,
-                                   double above_rad, struct pp_error *err)
+                                   struct pp_sunlit_place place,
+                                   const struct pp_sunlit_sun *sun,
+                                   struct pp_error *err)
 {
-    struct path path = path_of(place, declination_rad);
+    struct path path = path_of(place, sun->declination_rad);
     /* The sun's height has its greatest value at noon: q.z >= 0 and r.z = 0. */
-    struct arc up = arc_of(fmax(path.q.z, 0.0), 0.0, path.p.z - sin(above_rad));
+    struct arc up = arc_of(fmax(path.q.z, 0.0), 0.0, path.p.z);
+    double from = fmax(sun->from_rad, -up.half), to = fmin(sun->to_rad, up.half);
     struct pp_sunlit_day hidden = {0};
     enum pp_status status = PP_OK;
-    for (int i = 0; cones && up.half > 0.0 && i < cones->count && status == PP_OK;
-         i++) {
+    for (int i = 0; cones && from < to && i < cones->count && status == PP_OK; i++) {
         int first = i > 0 ? cones->ends[i - 1] : 0;
         status = add_cone(&hidden, &path, cones->half_spaces + first,
                           cones->ends[i] - first, err);
     }
     pp_sunlit_hours_unite(&hidden);
     if (status == PP_OK)
-        status = add_rest(day, &hidden, up.half, err);
+        status = add_rest(day, &hidden, from, to, err);
     pp_sunlit_hours_clear(&hidden);
+    return status;
+}
+
+enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
+                                      const struct pp_hidden_cones *cones,
+                                      struct pp_sunlit_place place, int month, int date,
+                                      struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int hour = 0; hour < 24 && status == PP_OK; hour++) {
+        double n = pp_sun_days_since_2000(2025, month, date, hour + 0.5);
+        struct pp_sunlit_sun sun = {
+            .declination_rad = pp_sun_at(n, 0.0, 0.0).declination_rad,
+            .from_rad = (hour - 12) * PP_PI / 12.0,
+            .to_rad = (hour - 11) * PP_PI / 12.0,
+        };
+        status = pp_sunlit_hours_add(day, cones, place, &sun, err);
+    }
+    pp_sunlit_hours_unite(day);
     return status;
 }
 
@@ -193,8 +213,9 @@ enum pp_status pp_sunlit_hours_of_year(struct pp_sunlit_year *year,
     for (int month = 1; month <= 12; month++)
         for (int day = 1; day <= days[month - 1] && status == PP_OK; day++) {
             today.count = 0;
-            status = pp_sunlit_hours_add(&today, cones, place,
-                                         pp_sun_path_declination(month, day), 0.0, err);
+            struct pp_sunlit_sun sun = {pp_sun_path_declination(month, day), -PP_PI,
+                                        PP_PI};
+            status = pp_sunlit_hours_add(&today, cones, place, &sun, err);
             double hours = pp_sunlit_hours_sum(&today);
             year->all += hours;
             year->winter += is_winter(month, day) ? hours : 0.0;

@@ -13,7 +13,6 @@
 #include <math.h>
 
 #include "methods/exact/sunlit_hours.h"
-#include "model/light/sun_path.h"
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
 
@@ -52,7 +51,6 @@ static enum pp_status find_hours(double *hours, const struct pp_world *world,
                                  struct pp_error *err)
 {
     struct pp_sunlit_place place = {world->latitude_rad, world->north_rad};
-    double declination = pp_sun_path_declination(3, 21);
     struct pp_sunlit_day day = {0};
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
@@ -64,10 +62,9 @@ static enum pp_status find_hours(double *hours, const struct pp_world *world,
         status = pp_hidden_cones_init(&cones, world, &view, err);
         if (status != PP_OK)
             break;
-        status = pp_sunlit_hours_add(&day, &cones, place, declination, 0.0, err);
+        status = pp_sunlit_hours_of_day(&day, &cones, place, 3, 21, err);
         pp_hidden_cones_clear(&cones);
     }
-    pp_sunlit_hours_unite(&day);
     *hours = pp_sunlit_hours_sum(&day);
     pp_sunlit_hours_clear(&day);
     return status;

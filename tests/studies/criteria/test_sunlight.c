@@ -191,10 +191,11 @@ static void on_the_equinox_jambs_cut_the_sun(void **state)
     double hours = low * 24.0 / PP_PI;
     const char *body = SITE(51.5) PLAN WINDOW("south");
     assert_near(hours, 3.9, 0.1);
-    /* No more than 4 h; of the lower levels an upper bound says nothing. */
+    /* The declination is not that of noon before and after it, by 0.03 degrees. No more
+     * than 4 h; of the lower levels an upper bound says nothing. */
     const struct pp_criterion *criterion = &pp_criterion_sun_exposure;
-    assert_verdict(finding_in(criterion, 2, body, NULL), hours, 1e-9, PP_NOT_MET);
-    assert_verdict(finding_in(criterion, 0, body, NULL), hours, 1e-9, PP_UNDECIDED);
+    assert_verdict(finding_in(criterion, 2, body, NULL), hours, 1e-4, PP_NOT_MET);
+    assert_verdict(finding_in(criterion, 0, body, NULL), hours, 1e-4, PP_UNDECIDED);
 }
 
 /* Hours through several windows count once where they are the same hours. */
@@ -204,7 +205,7 @@ static void windows_add_up_only_what_is_not_the_same_sun(void **state)
     double south = exposure(SITE(51.5) PLAN WINDOW("south"));
     double east = exposure(SITE(51.5) PLAN WINDOW("east"));
     double west = exposure(SITE(51.5) PLAN WINDOW("west"));
-    assert_near(east, west, 1e-9);
+    assert_near(east, west, 0.05); /* the declination grows from morning to evening */
     assert_true(east > 0.5);
     assert_near(exposure(SITE(51.5) PLAN WINDOW("east") WINDOW("west")), east + west,
                 1e-9);
