@@ -34,6 +34,7 @@ struct assess_options {
     const char *place;   /* a capital of the standard's table; NULL: the room's site */
     double median_lux;   /* instead; 0: not given */
     const char *weather; /* or the weather file that it is taken from; NULL: none */
+    struct pp_sunshine sunshine; /* of that file */
     enum pp_format format;
 };
 
@@ -64,7 +65,9 @@ static const struct pp_option choice_options[] = {
     {"median-diffuse", 0, "LUX",
      "The place's median diffuse illuminance itself, for EN 17037.",
      pp_options_read_lux, PLACE(median_lux)},
-    {"weather", 'w', "FILE.epw", "The same by a weather file in EnergyPlus format.",
+    {"weather", 'w', "FILE.epw",
+     "The same by a weather file in EnergyPlus format, and how likely the sun is to "
+     "shine.",
      pp_options_read_input, PLACE(weather)},
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room.room)},
@@ -130,14 +133,15 @@ static enum pp_status compute(void *data, struct pp_error *err)
     struct pp_assessments *all = &run->all;
     const struct pp_rooms *rooms = run->rooms, *before = run->before;
     const struct pp_study_options *study = &run->options->room.study;
-    const struct pp_assess_options wanted = {.study = study,
-                                             .criteria = run->options->criteria,
-                                             .profile = run->options->profile,
-                                             .before_is_state = !run->options->before,
-                                             .place = run->options->place,
-                                             .median_lux = run->options->median_lux,
-                                             .of_weather =
-                                                 run->options->weather != NULL};
+    const struct pp_assess_options wanted = {
+        .study = study,
+        .criteria = run->options->criteria,
+        .profile = run->options->profile,
+        .before_is_state = !run->options->before,
+        .place = run->options->place,
+        .median_lux = run->options->median_lux,
+        .of_weather = run->options->weather != NULL,
+        .sunshine = run->options->sunshine.known ? &run->options->sunshine : NULL};
     enum pp_status status = PP_OK;
     all->list = calloc((size_t)rooms->count + 1, sizeof *all->list);
     if (!all->list)
@@ -239,8 +243,8 @@ static enum pp_exit run(void *values, char **files, int file_count)
     struct pp_rooms rooms = {0}, before = {0};
     enum pp_exit exit_status = PP_EXIT_DONE;
     if (options->weather)
-        exit_status =
-            pp_availability_options_median(options->weather, &options->median_lux);
+        exit_status = pp_availability_options_median(
+            options->weather, &options->median_lux, &options->sunshine);
     if (exit_status == PP_EXIT_DONE)
         exit_status =
             pp_rooms_load(&rooms, "assess", files, file_count, &options->room);

@@ -196,6 +196,19 @@ void pp_sunlit_hours_clear(struct pp_sunlit_day *day)
     *day = (struct pp_sunlit_day){0};
 }
 
+/* Hours of the times, each hour of solar time times its share. */
+static double weighted_sum(const struct pp_sunlit_day *day, const double share[24])
+{
+    double sum = 0.0;
+    for (int i = 0; i < day->count; i++)
+        for (int hour = 0; hour < 24; hour++) {
+            double from = fmax(day->times[i][0] * 12.0 / PP_PI + 12.0, hour);
+            double to = fmin(day->times[i][1] * 12.0 / PP_PI + 12.0, hour + 1);
+            sum += from < to ? (to - from) * share[hour] : 0.0;
+        }
+    return sum;
+}
+
 static bool is_winter(int month, int day)
 {
     return month > 9 || month < 3 || (month == 9 ? day >= 21 : month == 3 && day <= 21);
@@ -204,7 +217,7 @@ static bool is_winter(int month, int day)
 enum pp_status pp_sunlit_hours_of_year(struct pp_sunlit_year *year,
                                        const struct pp_hidden_cones *cones,
                                        struct pp_sunlit_place place,
-                                       struct pp_error *err)
+                                       const double (*share)[24], struct pp_error *err)
 {
     static const int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
     struct pp_sunlit_day today = {0};
@@ -216,7 +229,8 @@ enum pp_status pp_sunlit_hours_of_year(struct pp_sunlit_year *year,
             struct pp_sunlit_sun sun = {pp_sun_path_declination(month, day), -PP_PI,
                                         PP_PI};
             status = pp_sunlit_hours_add(&today, cones, place, &sun, err);
-            double hours = pp_sunlit_hours_sum(&today);
+            double hours = share ? weighted_sum(&today, share[month - 1])
+                                 : pp_sunlit_hours_sum(&today);
             year->all += hours;
             year->winter += is_winter(month, day) ? hours : 0.0;
         }

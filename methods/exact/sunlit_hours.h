@@ -63,10 +63,12 @@ struct pp_sunlit_year {
     double all, winter;
 };
 
-/* cones NULL: of an open level plane. */
+/* cones NULL: of an open level plane. share: how likely the sun is to shine, by month,
+ * January first, and hour of solar time, the first from midnight, so that the hours are
+ * probable ones; NULL: all possible hours. */
 enum pp_status pp_sunlit_hours_of_year(struct pp_sunlit_year *year,
                                        const struct pp_hidden_cones *cones,
                                        struct pp_sunlit_place place,
-                                       struct pp_error *err);
+                                       const double (*share)[24], struct pp_error *err);
 
 #endif

@@ -8,10 +8,10 @@
  *
  *   S >= 0.8 S before  and  W >= 0.8 W before,  or  S before - S <= 4 %
  *
- * [BR209] counts probable hours: those of a mean year's clouds. No table of these is at
- * hand, so that each hour with the sun above the horizon counts alike here: possible
- * hours (methods/exact/sunlit_hours.h), of which summers, mornings and evenings have a
- * larger share. The sky of the room does not matter.
+ * [BR209] counts probable hours: those that the clouds of many years leave. A weather file
+ * says how likely the sun is to shine (studies/climate/sunshine.h); without one each hour with
+ * the sun above the horizon counts alike: possible hours (methods/exact/sunlit_hours.h), of
+ * which winter has a larger share. The sky of the room does not matter.
  */
 #include <math.h>
 
@@ -25,6 +25,10 @@
 #define FORMER_SHARE 0.8
 #define SMALL_LOSS 0.04
 
+static const char possible[] = "of the hours with the sun above the horizon, each "
+                               "counted alike: possible, not probable ones";
+static const char probable[] = "of probable hours: by month and hour, the weather "
+                               "file's share with direct sun of more than 120 W/m2";
 static const char no_place[] = "the room file gives no latitude (site)";
 static const char other_side[] =
     "it faces more than 90 degrees from due south; none is asked for";
@@ -45,19 +49,21 @@ static bool faces_noon(const struct pp_world *world, const struct pp_opening *op
 static enum pp_status find_shares(struct pp_sunlit_year *shares,
                                   const struct pp_world *world,
                                   const struct pp_opening *opening,
+                                  const struct pp_sunshine *sunshine,
                                   struct pp_error *err)
 {
     struct pp_sunlit_place place = {world->latitude_rad, world->north_rad};
     struct pp_hidden_view view = pp_hidden_cones_outside(opening);
     struct pp_hidden_cones cones;
     struct pp_sunlit_year open;
+    const double(*share)[24] = sunshine ? sunshine->share : NULL;
     enum pp_status status = pp_hidden_cones_init(&cones, world, &view, err);
     if (status != PP_OK)
         return status;
-    status = pp_sunlit_hours_of_year(shares, &cones, place, err);
+    status = pp_sunlit_hours_of_year(shares, &cones, place, share, err);
     pp_hidden_cones_clear(&cones);
     if (status == PP_OK)
-        status = pp_sunlit_hours_of_year(&open, NULL, place, err);
+        status = pp_sunlit_hours_of_year(&open, NULL, place, share, err);
     if (status == PP_OK) {
         shares->all /= open.all;
         shares->winter /= open.all;
@@ -99,10 +105,12 @@ static enum pp_status judge_window(const struct pp_inquiry *inquiry, int index,
 {
     const struct pp_opening *opening = &inquiry->world->openings[index];
     struct pp_sunlit_year now, then = {NAN, NAN};
-    enum pp_status status = find_shares(&now, inquiry->world, opening, err);
+    enum pp_status status =
+        find_shares(&now, inquiry->world, opening, inquiry->sunshine, err);
     if (status == PP_OK && inquiry->before)
         status = find_shares(&then, inquiry->before,
-                             &inquiry->before->openings[inquiry->pairs[index]], err);
+                             &inquiry->before->openings[inquiry->pairs[index]],
+                             inquiry->sunshine, err);
     bool kept = inquiry->before && is_kept(&now, &then);
     if (status == PP_OK)
         status = add_finding(findings, now.all, then.all, YEAR_WANTED, kept, opening,
@@ -124,9 +132,7 @@ static enum pp_status evaluate(const struct pp_inquiry *inquiry,
             place ? "the room has no openings" : no_place, "windows");
         return pp_finding_list_add(findings, &finding, err);
     }
-    pp_finding_list_add_basis(findings,
-                              "of the hours with the sun above the horizon, each "
-                              "counted alike: possible, not probable ones");
+    pp_finding_list_add_basis(findings, "%s", inquiry->sunshine ? probable : possible);
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &world->openings[i];

@@ -235,8 +235,8 @@ static void a_year_is_what_counting_makes_of_it(void **state)
     struct pp_hidden_cones cones;
     struct pp_sunlit_year year, open;
     assert_int_equal(pp_hidden_cones_init(&cones, world, &view, NULL), PP_OK);
-    assert_int_equal(pp_sunlit_hours_of_year(&year, &cones, place, NULL), PP_OK);
-    assert_int_equal(pp_sunlit_hours_of_year(&open, NULL, place, NULL), PP_OK);
+    assert_int_equal(pp_sunlit_hours_of_year(&year, &cones, place, NULL, NULL), PP_OK);
+    assert_int_equal(pp_sunlit_hours_of_year(&open, NULL, place, NULL, NULL), PP_OK);
     pp_hidden_cones_clear(&cones);
     assert_near(year.all, counted_hours(world, latitude), 0.1);
     assert_true(year.all < 0.6 * open.all && year.winter < 0.7 * year.all);
