@@ -15,7 +15,7 @@
 
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
-#include "studies/criteria/opening_words.h"
+#include "studies/criteria/windows/opening_words.h"
 #include "studies/criteria/section_angle.h"
 #include "methods/exact/exterior.h"
 

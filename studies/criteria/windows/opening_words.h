@@ -1,6 +1,6 @@
 /* opening_words.h - what findings call an opening. */
-#ifndef PP_STUDIES_CRITERIA_OPENING_WORDS_H
-#define PP_STUDIES_CRITERIA_OPENING_WORDS_H
+#ifndef PP_STUDIES_CRITERIA_WINDOWS_OPENING_WORDS_H
+#define PP_STUDIES_CRITERIA_WINDOWS_OPENING_WORDS_H
 
 #include "model/room/world.h"
 

@@ -1,5 +1,5 @@
 /* opening_words.c - see opening_words.h. */
-#include "studies/criteria/opening_words.h"
+#include "studies/criteria/windows/opening_words.h"
 
 #include <stdio.h>
 

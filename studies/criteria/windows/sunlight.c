@@ -18,7 +18,7 @@
 #include "methods/exact/sunlit_hours.h"
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
-#include "studies/criteria/opening_words.h"
+#include "studies/criteria/windows/opening_words.h"
 
 #define YEAR_WANTED 0.25
 #define WINTER_WANTED 0.05
