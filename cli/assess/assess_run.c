@@ -37,13 +37,15 @@ static enum pp_status compute(void *data, struct pp_error *err)
     struct pp_assessments *all = &run->all;
     const struct pp_rooms *rooms = run->rooms, *before = run->before;
     const struct pp_study_options *study = &run->words->room.study;
-    const struct pp_assess_options wanted = {.study = study,
-                                             .criteria = run->words->criteria,
-                                             .profile = run->words->profile,
-                                             .before_is_state = !run->words->before,
-                                             .place = run->words->place,
-                                             .median_lux = run->words->median_lux,
-                                             .of_weather = run->words->weather != NULL};
+    const struct pp_assess_options wanted = {
+        .study = study,
+        .criteria = run->words->criteria,
+        .profile = run->words->profile,
+        .before_is_state = !run->words->before,
+        .place = run->words->place,
+        .median_lux = run->words->median_lux,
+        .sunshine = run->words->sunshine.known ? &run->words->sunshine : NULL,
+        .of_weather = run->words->weather != NULL};
     enum pp_status status = PP_OK;
     all->list = calloc((size_t)rooms->count + 1, sizeof *all->list);
     if (!all->list)
@@ -134,8 +136,8 @@ enum pp_exit pp_assess_run(struct pp_assess_words *words, const char *command,
     struct pp_rooms rooms = {0}, before = {0};
     enum pp_exit exit_status = PP_EXIT_DONE;
     if (words->weather)
-        exit_status =
-            pp_availability_options_median(words->weather, &words->median_lux);
+        exit_status = pp_availability_options_median(words->weather, &words->median_lux,
+                                                     &words->sunshine);
     if (exit_status == PP_EXIT_DONE)
         exit_status = pp_rooms_load(&rooms, command, files, file_count, &words->room);
     if (exit_status != PP_EXIT_DONE)

@@ -36,7 +36,9 @@ const struct pp_option pp_assess_words_choice[] = {
     {"median-diffuse", 0, "LUX",
      "The place's median diffuse illuminance itself, for EN 17037.",
      pp_options_read_lux, PLACE(median_lux)},
-    {"weather", 'w', "FILE.epw", "The same by a weather file in EnergyPlus format.",
+    {"weather", 'w', "FILE.epw",
+     "The same by a weather file in EnergyPlus format, and how likely the sun is to "
+     "shine.",
      pp_options_read_input, PLACE(weather)},
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room.room)},

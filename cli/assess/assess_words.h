@@ -7,6 +7,7 @@
 
 #include "cli/room_options.h"
 #include "pepperpot.h"
+#include "studies/climate/sunshine.h"
 #include "studies/criteria/profile.h"
 
 struct pp_assess_words {
@@ -19,6 +20,7 @@ struct pp_assess_words {
     const char *place;   /* a capital of the standard's table; NULL: the room's site */
     double median_lux;   /* instead; 0: not given */
     const char *weather; /* or the weather file that it is taken from; NULL: none */
+    struct pp_sunshine sunshine; /* of that file */
     enum pp_format format;
 };
 

@@ -271,7 +271,8 @@ enum pp_exit pp_availability_options_load(struct pp_year_options *options)
     return result;
 }
 
-enum pp_exit pp_availability_options_median(const char *path, double *median_lx)
+enum pp_exit pp_availability_options_median(const char *path, double *median_lx,
+                                            struct pp_sunshine *sunshine)
 {
     struct pp_year_options options = pp_year_options_default;
     struct pp_diffuse_light light;
@@ -283,6 +284,7 @@ enum pp_exit pp_availability_options_median(const char *path, double *median_lx)
     enum pp_status status =
         pp_diffuse_light_of_epw(&light, options.epw, pp_read_file_title(path), &err);
     *median_lx = NAN;
+    *sunshine = pp_sunshine_of_epw(options.epw);
     if (status == PP_OK)
         status = pp_diffuse_light_median(median_lx, &light, &err);
     if (status == PP_OK && !(*median_lx > 0.0))

@@ -6,6 +6,7 @@
 
 #include "cli/exit_status.h"
 #include "cli/options.h"
+#include "studies/climate/sunshine.h"
 #include "studies/climate/year_light.h"
 #include "model/room/world.h"
 
@@ -22,9 +23,11 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
 /* Reads the weather file, if there is one, and says on standard error what is wrong
  * with it. */
 enum pp_exit pp_availability_options_load(struct pp_year_options *options);
-/* Reads a weather file for the median of its diffuse illuminance over the brightest
- * 4380 hours alone, and says on standard error why it has none. */
-enum pp_exit pp_availability_options_median(const char *path, double *median_lx);
+/* Reads a weather file for the median of its diffuse illuminance over the brightest 4380
+ * hours, and for how likely the sun is to shine; says on standard error why it has no
+ * median. */
+enum pp_exit pp_availability_options_median(const char *path, double *median_lx,
+                                            struct pp_sunshine *sunshine);
 
 void pp_availability_options_clear(struct pp_year_options *options);
 

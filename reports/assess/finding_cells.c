@@ -19,6 +19,8 @@ static const char *unit_of(enum pp_figure kind, bool utf8)
         return utf8 ? "\xc2\xb0" : " deg";
     case PP_FIGURE_AREA:
         return utf8 ? " m\xc2\xb2" : " m2";
+    case PP_FIGURE_HOURS:
+        return " h";
     case PP_FIGURE_RATIO:
         break;
     }

@@ -49,8 +49,9 @@ void pp_html_text(const char *text, FILE *out)
 void pp_html_begin(const char *title, const char *more_style, FILE *out)
 {
     fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-          "<meta name=\"viewport\" "
-          "content=\"width=device-width,initial-scale=1\">\n" out);
+          "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
+          "<title>",
+          out);
     pp_html_text(title, out);
     fprintf(out, "</title>\n<style>\n%s%s</style>\n</head>\n<body>\n", style,
             more_style);

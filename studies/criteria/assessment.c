@@ -122,7 +122,7 @@ static enum pp_status gather(struct pp_assessment *assessment,
 
 static enum pp_status judge(struct pp_assessment *assessment,
                             const bool chosen[PP_CRITERIA_MOST], const char *country,
-                            struct pp_error *err)
+                            const struct pp_sunshine *sunshine, struct pp_error *err)
 {
     const struct pp_inquiry inquiry = {
         .world = assessment->room->world,
@@ -131,6 +131,7 @@ static enum pp_status judge(struct pp_assessment *assessment,
         .pairs = assessment->pairs,
         .factors = assessment->has_factors ? &assessment->report : NULL,
         .median = assessment->median,
+        .sunshine = sunshine,
         .country = country,
     };
     assessment->answers = calloc(PP_CRITERIA_MOST, sizeof *assessment->answers);
@@ -204,7 +205,7 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
                               ? options->profile->country
                               : world->country;
     if (status == PP_OK)
-        status = judge(assessment, chosen, country, err);
+        status = judge(assessment, chosen, country, options->sunshine, err);
     assessment->has_gains =
         !options->criteria && !options->profile && !options->verdicts_only;
     if (status == PP_OK && assessment->has_gains)

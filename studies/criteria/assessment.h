@@ -22,7 +22,8 @@ struct pp_assess_options {
     const char *place;    /* a capital of the standard's table; NULL: the room's site */
     double median_lux;    /* instead; 0: not given */
     bool of_weather;      /* is that median a weather file's? */
-    bool verdicts_only;   /* what would help is not looked for */
+    const struct pp_sunshine *sunshine; /* not owned; NULL: not known */
+    bool verdicts_only;                 /* what would help is not looked for */
 };
 
 /* A criterion that was asked for, and what it found. */

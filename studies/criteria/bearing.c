@@ -27,6 +27,12 @@ bool pp_bearing_is_dwelling(enum pp_room_use use)
     return pp_bearing_dwelling_rooms(use) != 0;
 }
 
+bool pp_bearing_is_lived_in(enum pp_room_use use)
+{
+    return use == PP_USE_UNKNOWN || use == PP_USE_LIVING_ROOM
+           || use == PP_USE_LIVING_KITCHEN || use == PP_USE_STUDIO;
+}
+
 bool pp_bearing_needs_daylight(enum pp_room_use use)
 {
     return use != PP_USE_BATHROOM && use != PP_USE_CIRCULATION && use != PP_USE_STORE;

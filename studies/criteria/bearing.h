@@ -23,6 +23,8 @@ int pp_bearing_dwelling_rooms(enum pp_room_use use);
 /* For bears_on_use of criteria. */
 bool pp_bearing_needs_daylight(enum pp_room_use use); /* no bathroom, hall, store */
 bool pp_bearing_is_dwelling(enum pp_room_use use);
+bool pp_bearing_is_lived_in(
+    enum pp_room_use use); /* a living room is all or part of it */
 
 /* Does the criterion bear on the room? By its use, and, where by_country, by the site's
  * country; what is not known bears. */

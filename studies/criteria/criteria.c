@@ -8,6 +8,8 @@ static const struct pp_criterion *const criteria[] = {
     &pp_criterion_vertical_sky,
     &pp_criterion_former_sky,
     &pp_criterion_obstruction,
+    &pp_criterion_sunlight,
+    &pp_criterion_sun_exposure,
     &pp_criterion_no_sky_line,
     &pp_criterion_sky_line,
     &pp_criterion_limiting_depth,

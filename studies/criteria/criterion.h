@@ -11,6 +11,7 @@
 #include <stdbool.h>
 
 #include "model/light/outside_light.h"
+#include "studies/climate/sunshine.h"
 #include "studies/criteria/capitals.h"
 #include "studies/criteria/finding.h"
 #include "model/results/report.h"
@@ -29,8 +30,9 @@ struct pp_inquiry {
      * report's receivers, and averages over the working plane: columns "traced" where
      * the room was simulated, and the columns that pp_factors_by_hand adds. */
     const struct pp_report *factors;
-    struct pp_median median; /* outside, at the room's site */
-    const char *country;     /* whose rules hold; "": not known */
+    struct pp_median median;            /* outside, at the room's site */
+    const struct pp_sunshine *sunshine; /* at the site; NULL: not known */
+    const char *country;                /* whose rules hold; "": not known */
 };
 
 struct pp_criterion {

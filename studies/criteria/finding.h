@@ -16,6 +16,7 @@ enum pp_figure {
     PP_FIGURE_RATIO,  /* a plain number */
     PP_FIGURE_ANGLE,  /* radians */
     PP_FIGURE_AREA,   /* m2 */
+    PP_FIGURE_HOURS,
 };
 
 struct pp_finding {

@@ -12,10 +12,10 @@
  * where the angle is larger the component decides.
  */
 #include <math.h>
-#include <stdio.h>
 
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
+#include "studies/criteria/windows/opening_words.h"
 #include "studies/criteria/section_angle.h"
 #include "methods/exact/exterior.h"
 
@@ -26,24 +26,6 @@
 
 static const char none[] = "the room has no openings";
 static const char slopes[] = "it is not upright; the rule is for windows in walls";
-
-enum { WORDS_SIZE = 64 };
-
-/* The name of an opening in findings: its own, if it has one, its face and its line in
- * the room file, "W1, south, line 9". */
-static void opening_words(char words[WORDS_SIZE], const struct pp_world *world,
-                          const struct pp_opening *opening)
-{
-    const struct pp_surface *face = &world->surfaces[opening->face];
-    const char *name = face->name                 ? face->name
-                       : face->role == PP_CEILING ? "ceiling"
-                                                  : "opening";
-    if (opening->name)
-        snprintf(words, WORDS_SIZE, "%.20s, %.20s, line %d", opening->name, name,
-                 opening->line);
-    else
-        snprintf(words, WORDS_SIZE, "%.40s, line %d", name, opening->line);
-}
 
 /* Is the glass upright, to a degree? */
 static bool is_upright(const struct pp_opening *opening)
@@ -76,8 +58,8 @@ static enum pp_status for_each_window(
     }
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
-        char words[WORDS_SIZE];
-        opening_words(words, world, opening);
+        char words[PP_OPENING_WORDS];
+        pp_opening_words(words, world, opening);
         struct pp_finding finding = pp_finding_not_judged(slopes, "%s", words);
         enum pp_status status = PP_OK;
         if (is_upright(opening))

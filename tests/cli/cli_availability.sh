@@ -102,6 +102,30 @@ check "no median of four days for assess" \
 check "a place by two options" \
     refuses 2 "--place" assess -w "$days" --place London "$deep"
 
+# Probable sun: a year with sun before the clock's noon only, which is the sun's within minutes.
+{
+    sed -n 1,7p "$days"
+    echo "DATA PERIODS,1,1,Year,Sunday,1/1,12/31"
+    awk 'BEGIN {
+        split("31 28 31 30 31 30 31 31 30 31 30 31", days, " ")
+        for (m = 1; m <= 12; m++) for (d = 1; d <= days[m]; d++) for (h = 1; h <= 24; h++)
+            printf("2017,%d,%d,%d,0,?9,10.0,5.0,71,99000,0,0,300,0,%d,%d,999999,999999,%d\n",
+                m, d, h, h <= 12 ? 700 : 0, h > 6 && h < 19 ? 100 : 0, h > 6 && h < 19 ? 12000 : 0)
+    }'
+} >"$scratch/mornings.epw"
+cat >"$scratch/west.xml" <<'EOF'
+<room version="1" name="West">
+  <site latitude="48.2" longitude="16.4"/>
+  <plan width="4" depth="5" height="2.7"/>
+  <window wall="west" left="1" sill="0.9" width="2" height="1.4"/>
+</room>
+EOF
+check "the sun by a weather file is probable" shows "of probable hours" \
+    assess --by-hand -c sunlight -w "$scratch/mornings.epw" "$scratch/west.xml"
+check "of mornings a west window has minutes" grep -qE "year +0\.[0-9] %.*not met" "$scratch/out"
+check "of all possible hours half" sh -c "
+    '$pepperpot' assess --by-hand -c sunlight '$scratch/west.xml' | grep -qE 'year +50\.0 %.* met'"
+
 # Charts.
 for format in pdf svg png; do
     run chart availability -w "$days" -o "$scratch/room.$format" "$deep"

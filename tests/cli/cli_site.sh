@@ -102,6 +102,17 @@ check "no target with it" refuses 2 "does not go with --obstruction" \
     size --obstruction Tower --target 2% "$site"
 check "no share without it" refuses 2 "is for --obstruction" size --target 2% --keep 80% "$site"
 check "a file without names" refuses 1 "no block in it has a name" size --obstruction Tower "$deep"
+check "planning has the sun, existing and proposed" sh -c "
+    '$pepperpot' assess --by-hand --for uk-planning --room Study '$site' |
+        grep -qE '[0-9.]+ % now, [0-9.]+ % before'"
+check "possible hours are called so" shows "possible, not probable" \
+    assess --by-hand -c apsh -f json --room Study "$site"
+check "no latitude, no sun" sh -c "
+    sed 's/latitude=\"[0-9.]*\"//' '$site' |
+        '$pepperpot' assess --by-hand --room Study -c sunlight,sun-exposure - |
+        grep -c 'gives no latitude' | grep -qx 2"
+check "hours of sun in h" shows '"unit": "h"' \
+    assess --by-hand -c sun-exposure -f json --room Study "$site"
 
 check "a profile by its name" refuses 2 "did you mean uk-planning?" \
     assess --for uk-planing "$site"

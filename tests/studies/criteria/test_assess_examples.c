@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "methods/evaluate.h"
+#include "model/light/sun.h"
 #include "model/room/building.h"
 #include "model/room/room_light.h"
 #include "tests/lib/near.h"
@@ -522,15 +523,127 @@ static void averages_and_uniformity_agree(void **state)
     }
 }
 
-/* 11 rooms; one verdict a window of two criteria, 17 of each room and one of boxes. */
+/* Towards the sun, in the axes of the room. */
+static struct pp_vec3 sun_at(const struct pp_world *world, double days)
+{
+    struct pp_sun sun = pp_sun_at(days, world->latitude_rad, 0.0);
+    double level = cos(sun.altitude_rad), azimuth = sun.bearing_rad - world->north_rad;
+    return pp_vec(level * sin(azimuth), level * cos(azimuth), sin(sun.altitude_rad));
+}
+
+/* Within 90 degrees, due east and west included? */
+static bool faces_south(const struct pp_world *world, const struct pp_opening *opening)
+{
+    struct pp_vec3 n = opening->inner.normal;
+    return n.y * cos(world->north_rad) - n.x * sin(world->north_rad) > -1e-9;
+}
+
+static bool shines_on(const struct pp_world *world, struct pp_vec3 eye,
+                      const struct pp_opening *opening, struct pp_vec3 u)
+{
+    return u.z > 0.0 && pp_vec_dot(u, opening->inner.normal) < 0.0
+           && sight_sees_sky(world, eye, u, opening->face);
+}
+
+/* Per cent of the year's hours, and of those of winter, counted every ten minutes: a
+ * thousand ends of sun, each 3 minutes off, are 1.5 of 4400 hours. */
+static void sunlight_hours_agree(void **state)
+{
+    (void)state;
+    double start = pp_sun_days_since_2000(2025, 1, 1, 0.0);
+    char words[80], of[96];
+    for (int i = 0; i < ROOMS; i++) {
+        const struct pp_world *world = rooms[i].world;
+        for (int k = 0; k < world->opening_count; k++) {
+            const struct pp_opening *opening = &world->openings[k];
+            struct pp_vec3 eye = middle_outside(opening);
+            words_of(words, world, k);
+            if (!faces_south(world, opening)) {
+                assert_not_judged(&rooms[i], "sunlight", words);
+                continue;
+            }
+            int up = 0, year = 0, winter = 0;
+            for (int minute = 0; minute < 365 * 1440; minute += 10) {
+                struct pp_vec3 u = sun_at(world, start + minute / 1440.0);
+                bool shines = shines_on(world, eye, opening, u);
+                up += u.z > 0.0;
+                year += shines;
+                /* Day 0 to 79 end with 21 March, from 263 on begin with 21 September. */
+                winter += shines && (minute / 1440 < 80 || minute / 1440 >= 263);
+            }
+            snprintf(of, sizeof of, "%s, year", words);
+            assert_finding(&rooms[i], "sunlight", of, 100.0 * year / up, 0.1, 25.0,
+                           false);
+            snprintf(of, sizeof of, "%s, winter", words);
+            assert_finding(&rooms[i], "sunlight", of, 100.0 * winter / up, 0.1, 5.0,
+                           false);
+        }
+    }
+}
+
+/* Does the sun come in at the reference point of the opening? */
+static bool comes_in(const struct pp_world *world, int index, struct pp_vec3 u)
+{
+    const struct pp_opening *opening = &world->openings[index];
+    const struct pp_polygon *outline = &opening->inner;
+    struct pp_vec3 eye = {0, 0, 0};
+    double sill = INFINITY;
+    for (int i = 0; i < outline->count; i++) {
+        eye = pp_vec_along(eye, 1.0 / outline->count, outline->vertices[i]);
+        sill = fmin(sill, outline->vertices[i].z);
+    }
+    if (is_upright(opening))
+        eye.z = fmax(1.2, sill + 0.3);
+    for (int i = 0; i < world->surface_count; i++)
+        if (world->surfaces[i].role == PP_REVEAL && world->surfaces[i].owner == index
+            && sight_meets(&world->surfaces[i].outline, eye, u) > 0.0)
+            return false;
+    return shines_on(world, eye, opening, u);
+}
+
+/* Hours on 21 March, counted every 20 seconds: an upper bound, so that a level that is
+ * reached is undecided. */
+static void hours_of_exposure_agree(void **state)
+{
+    (void)state;
+    double start = pp_sun_days_since_2000(2025, 3, 21, 0.0);
+    static const struct {
+        const char *of;
+        double hours;
+    } levels[] = {{"minimum", 1.5}, {"medium", 3.0}, {"high", 4.0}};
+    for (int i = 0; i < ROOMS; i++) {
+        double hours = 0.0;
+        for (int step = 0; step < 4320; step++) {
+            struct pp_vec3 u = sun_at(rooms[i].world, start + step / 4320.0);
+            bool in = false;
+            for (int k = 0; k < rooms[i].world->opening_count && !in; k++)
+                in = comes_in(rooms[i].world, k, u);
+            hours += in / 180.0;
+        }
+        for (int k = 0; k < 3; k++) {
+            struct json_object *found =
+                finding(&rooms[i], "sun-exposure", levels[k].of);
+            assert_non_null(found);
+            assert_near(json_object_get_double(field(found, "figure")), hours, 0.03);
+            assert_string_equal(json_object_get_string(field(found, "verdict")),
+                                hours < levels[k].hours ? "not met" : "undecided");
+            verdicts_held++;
+        }
+    }
+}
+
+/* 11 rooms; one verdict a window of two criteria, two a window to the south, 20 of each
+ * room and one of boxes. */
 static void every_verdict_was_held_against_another_route(void **state)
 {
     (void)state;
-    int windows = 0, boxes = 0, said = 0;
+    int windows = 0, sunny = 0, boxes = 0, said = 0;
     for (int i = 0; i < ROOMS; i++) {
         boxes += facts[i].depth > 0.0;
         for (int k = 0; k < rooms[i].world->opening_count; k++)
             windows += is_upright(&rooms[i].world->openings[k]);
+        for (int k = 0; k < rooms[i].world->opening_count; k++)
+            sunny += faces_south(rooms[i].world, &rooms[i].world->openings[k]);
         struct json_object *criteria = field(rooms[i].said, "criteria");
         for (size_t c = 0; c < json_object_array_length(criteria); c++) {
             struct json_object *list =
@@ -542,7 +655,7 @@ static void every_verdict_was_held_against_another_route(void **state)
             }
         }
     }
-    assert_int_equal(verdicts_held, 2 * windows + 17 * ROOMS + boxes);
+    assert_int_equal(verdicts_held, 2 * windows + 2 * sunny + 20 * ROOMS + boxes);
     assert_int_equal(verdicts_held, said);
 }
 
@@ -556,6 +669,8 @@ int main(void)
         cmocka_unit_test(glazing_over_floor_agrees),
         cmocka_unit_test(daylight_provision_agrees),
         cmocka_unit_test(averages_and_uniformity_agree),
+        cmocka_unit_test(sunlight_hours_agree),
+        cmocka_unit_test(hours_of_exposure_agree),
         cmocka_unit_test(every_verdict_was_held_against_another_route),
     };
     return cmocka_run_group_tests(tests, load, unload);

@@ -1,0 +1,134 @@
+/* hidden_cones.c - a cone for each convex piece that reaches above the eye's level and
+ * before its plane. */
+#include "methods/exact/hidden_cones.h"
+
+#include <stdlib.h>
+
+#include "methods/exact/exterior.h"
+#include "methods/view/occluders.h"
+#include "model/base/array.h"
+
+void pp_hidden_cones_clear(struct pp_hidden_cones *cones)
+{
+    free(cones->half_spaces);
+    free(cones->ends);
+    *cones = (struct pp_hidden_cones){0};
+}
+
+static enum pp_status add_half_space(struct pp_hidden_cones *cones, struct pp_vec3 n,
+                                     struct pp_error *err)
+{
+    enum pp_status status =
+        pp_array_reserve(&cones->half_spaces, &cones->half_space_capacity,
+                         cones->half_space_count + 1, sizeof n, err);
+    if (status == PP_OK)
+        cones->half_spaces[cones->half_space_count++] = n;
+    return status;
+}
+
+/* Makes one cone of the half-spaces added since the last. */
+static enum pp_status end_cone(struct pp_hidden_cones *cones, struct pp_error *err)
+{
+    enum pp_status status = pp_array_reserve(
+        &cones->ends, &cones->capacity, cones->count + 1, sizeof *cones->ends, err);
+    if (status == PP_OK)
+        cones->ends[cones->count++] = cones->half_space_count;
+    return status;
+}
+
+/* Adds a convex piece, by the indices of its vertices (NULL: all in order). */
+static enum pp_status add_convex(struct pp_hidden_cones *cones, struct pp_vec3 eye,
+                                 const struct pp_polygon *polygon, const int *of,
+                                 int count, struct pp_error *err)
+{
+    /* Counter-clockwise from where the normal points to the eye: the edges' normals
+     * then point out of the cone. */
+    double facing = pp_vec_dot(polygon->normal, pp_vec_sub(eye, polygon->vertices[0]));
+    double side = facing > 0.0 ? -1.0 : 1.0;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < count && status == PP_OK; i++) {
+        int next = (i + 1) % count;
+        struct pp_vec3 a = polygon->vertices[of ? of[i] : i];
+        struct pp_vec3 b = polygon->vertices[of ? of[next] : next];
+        struct pp_vec3 n = pp_vec_cross(pp_vec_sub(a, eye), pp_vec_sub(b, eye));
+        status = add_half_space(cones, pp_vec_scale(n, side), err);
+    }
+    return status == PP_OK ? end_cone(cones, err) : status;
+}
+
+/* Does any of it lie before the view's plane and above the eye, and not edge on? */
+static bool may_hide(const struct pp_polygon *polygon,
+                     const struct pp_hidden_view *view)
+{
+    const double hair = PP_OCCLUDERS_COPLANAR_M;
+    bool before = false, above = false;
+    for (int i = 0; i < polygon->count; i++) {
+        struct pp_vec3 off = pp_vec_sub(polygon->vertices[i], view->eye);
+        before |= pp_vec_dot(off, view->out) > hair;
+        above |= off.z > hair;
+    }
+    double height =
+        pp_vec_dot(polygon->normal, pp_vec_sub(view->eye, polygon->vertices[0]));
+    return before && above && fabs(height) > hair;
+}
+
+static enum pp_status add_surface(struct pp_hidden_cones *cones,
+                                  const struct pp_surface *surface,
+                                  const struct pp_hidden_view *view,
+                                  struct pp_error *err)
+{
+    const struct pp_polygon *polygon = &surface->outline;
+    if (!may_hide(polygon, view))
+        return PP_OK;
+    if (!surface->triangles)
+        return add_convex(cones, view->eye, polygon, NULL, polygon->count, err);
+    enum pp_status status = PP_OK;
+    for (int t = 0; t < surface->triangle_count && status == PP_OK; t++)
+        status = add_convex(cones, view->eye, polygon, surface->triangles[t], 3, err);
+    return status;
+}
+
+static enum pp_status add_skyline(struct pp_hidden_cones *cones,
+                                  const struct pp_world *world,
+                                  const struct pp_skyline *skyline, struct pp_vec3 eye,
+                                  struct pp_error *err)
+{
+    struct pp_band band = pp_occluders_band(world, skyline, eye);
+    enum pp_status status = add_half_space(cones, pp_vec_scale(band.above, -1.0), err);
+    if (status == PP_OK)
+        status = add_half_space(cones, pp_vec_scale(band.below, -1.0), err);
+    return status == PP_OK ? end_cone(cones, err) : status;
+}
+
+struct pp_hidden_view pp_hidden_cones_outside(const struct pp_opening *opening)
+{
+    return (struct pp_hidden_view){
+        .eye = pp_exterior_opening_centroid(opening),
+        .out = pp_vec_scale(opening->inner.normal, -1.0),
+        .face = opening->face,
+    };
+}
+
+enum pp_status pp_hidden_cones_init(struct pp_hidden_cones *cones,
+                                    const struct pp_world *world,
+                                    const struct pp_hidden_view *view,
+                                    struct pp_error *err)
+{
+    *cones = (struct pp_hidden_cones){0};
+    enum pp_status status = add_half_space(cones, pp_vec_scale(view->out, -1.0), err);
+    if (status == PP_OK)
+        status = end_cone(cones, err);
+    for (int i = 0; i < world->surface_count && status == PP_OK; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        bool own = view->opening && surface->role == PP_REVEAL
+                   && &world->openings[surface->owner] == view->opening;
+        if (i != view->face && (surface->role != PP_REVEAL || own))
+            status = add_surface(cones, surface, view, err);
+    }
+    for (int i = 0; i < world->skyline_count && status == PP_OK; i++)
+        if (world->skylines[i].face == view->face)
+            status = add_skyline(cones, world, &world->skylines[i], view->eye, err);
+    if (status != PP_OK)
+        pp_hidden_cones_clear(cones);
+    return status;
+}

@@ -1,0 +1,239 @@
+/* sunlit_hours.c - see sunlit_hours.h. */
+#include "methods/exact/sunlit_hours.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "model/base/array.h"
+#include "model/light/sun.h"
+#include "model/light/sun_path.h"
+
+/* The sun's direction of a day, in the world's axes: p + q cos h + r sin h. */
+struct path {
+    struct pp_vec3 p, q, r;
+};
+
+/* From east, north, up to the world's axes. */
+static struct pp_vec3 in_world(struct pp_vec3 v, double north)
+{
+    return pp_vec(v.x * cos(north) - v.y * sin(north),
+                  v.x * sin(north) + v.y * cos(north), v.z);
+}
+
+static struct path path_of(struct pp_sunlit_place place, double declination)
+{
+    double phi = place.latitude_rad;
+    struct pp_vec3 noon = pp_sun_path_direction(phi, declination, 0.0);
+    struct pp_vec3 night = pp_sun_path_direction(phi, declination, PP_PI);
+    struct pp_vec3 west = pp_sun_path_direction(phi, declination, PP_PI / 2.0);
+    struct pp_vec3 p = pp_vec_scale(pp_vec_add(noon, night), 0.5);
+    return (struct path){in_world(p, place.north_rad),
+                         in_world(pp_vec_sub(noon, p), place.north_rad),
+                         in_world(pp_vec_sub(west, p), place.north_rad)};
+}
+
+/* The hour angles at which c + a cos h + b sin h > 0, as an arc about `middle`; half 0:
+ * none; pi: all. */
+struct arc {
+    double middle, half;
+};
+
+static struct arc arc_of(double a, double b, double c)
+{
+    double radius = hypot(a, b);
+    return (struct arc){atan2(b, a), c >= radius    ? PP_PI
+                                     : c <= -radius ? 0.0
+                                                    : acos(-c / radius)};
+}
+
+static enum pp_status append(struct pp_sunlit_day *day, double from, double to,
+                             struct pp_error *err)
+{
+    enum pp_status status = pp_array_reserve(&day->times, &day->capacity,
+                                             day->count + 1, sizeof *day->times, err);
+    if (status != PP_OK)
+        return status;
+    day->times[day->count][0] = from;
+    day->times[day->count++][1] = to;
+    return PP_OK;
+}
+
+/* Keeps of the times from index `first` on what lies in the arc, a turn round the circle
+ * earlier and later included. */
+static enum pp_status keep(struct pp_sunlit_day *day, int first, struct arc arc,
+                           struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    if (arc.half >= PP_PI)
+        return PP_OK;
+    int count = day->count, kept = first;
+    for (int i = first; i < count && status == PP_OK; i++) {
+        double from = day->times[i][0], to = day->times[i][1];
+        for (int turn = -1; turn <= 1 && status == PP_OK; turn++) {
+            double middle = arc.middle + 2.0 * PP_PI * turn;
+            double low = fmax(from, middle - arc.half);
+            double high = fmin(to, middle + arc.half);
+            if (low < high)
+                status = append(day, low, high, err);
+        }
+    }
+    for (int i = count; i < day->count; i++, kept++) {
+        day->times[kept][0] = day->times[i][0];
+        day->times[kept][1] = day->times[i][1];
+    }
+    day->count = kept;
+    return status;
+}
+
+/* Adds the times at which the sun stands in a cone. */
+static enum pp_status add_cone(struct pp_sunlit_day *hidden, const struct path *path,
+                               const struct pp_vec3 *half_spaces, int count,
+                               struct pp_error *err)
+{
+    int first = hidden->count;
+    enum pp_status status = append(hidden, -PP_PI, PP_PI, err);
+    for (int i = 0; i < count && status == PP_OK && hidden->count > first; i++) {
+        struct pp_vec3 n = half_spaces[i];
+        status = keep(hidden, first,
+                      arc_of(pp_vec_dot(n, path->q), pp_vec_dot(n, path->r),
+                             pp_vec_dot(n, path->p)),
+                      err);
+    }
+    return status;
+}
+
+static int by_start(const void *a, const void *b)
+{
+    const double *p = a, *q = b;
+    return (p[0] > q[0]) - (p[0] < q[0]);
+}
+
+void pp_sunlit_hours_unite(struct pp_sunlit_day *day)
+{
+    int count = 0;
+    if (day->count > 0)
+        qsort(day->times, (size_t)day->count, sizeof *day->times, by_start);
+    for (int i = 0; i < day->count; i++) {
+        if (count > 0 && day->times[i][0] <= day->times[count - 1][1]) {
+            day->times[count - 1][1] = fmax(day->times[count - 1][1], day->times[i][1]);
+            continue;
+        }
+        day->times[count][0] = day->times[i][0];
+        day->times[count++][1] = day->times[i][1];
+    }
+    day->count = count;
+}
+
+/* Adds what hidden times, which are apart, leave of the time from `from` to `end`. */
+static enum pp_status add_rest(struct pp_sunlit_day *day,
+                               const struct pp_sunlit_day *hidden, double from,
+                               double end, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < hidden->count && status == PP_OK; i++) {
+        double to = fmin(hidden->times[i][0], end);
+        if (to > from)
+            status = append(day, from, to, err);
+        from = fmax(from, hidden->times[i][1]);
+    }
+    return status == PP_OK && from < end ? append(day, from, end, err) : status;
+}
+
+enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
+                                   const struct pp_hidden_cones *cones,
+                                   struct pp_sunlit_place place,
+                                   const struct pp_sunlit_sun *sun,
+                                   struct pp_error *err)
+{
+    struct path path = path_of(place, sun->declination_rad);
+    /* The sun's height has its greatest value at noon: q.z >= 0 and r.z = 0. */
+    struct arc up = arc_of(fmax(path.q.z, 0.0), 0.0, path.p.z);
+    double from = fmax(sun->from_rad, -up.half), to = fmin(sun->to_rad, up.half);
+    struct pp_sunlit_day hidden = {0};
+    enum pp_status status = PP_OK;
+    for (int i = 0; cones && from < to && i < cones->count && status == PP_OK; i++) {
+        int first = i > 0 ? cones->ends[i - 1] : 0;
+        status = add_cone(&hidden, &path, cones->half_spaces + first,
+                          cones->ends[i] - first, err);
+    }
+    pp_sunlit_hours_unite(&hidden);
+    if (status == PP_OK)
+        status = add_rest(day, &hidden, from, to, err);
+    pp_sunlit_hours_clear(&hidden);
+    return status;
+}
+
+enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
+                                      const struct pp_hidden_cones *cones,
+                                      struct pp_sunlit_place place, int month, int date,
+                                      struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int hour = 0; hour < 24 && status == PP_OK; hour++) {
+        double n = pp_sun_days_since_2000(2025, month, date, hour + 0.5);
+        struct pp_sunlit_sun sun = {
+            .declination_rad = pp_sun_at(n, 0.0, 0.0).declination_rad,
+            .from_rad = (hour - 12) * PP_PI / 12.0,
+            .to_rad = (hour - 11) * PP_PI / 12.0,
+        };
+        status = pp_sunlit_hours_add(day, cones, place, &sun, err);
+    }
+    pp_sunlit_hours_unite(day);
+    return status;
+}
+
+double pp_sunlit_hours_sum(const struct pp_sunlit_day *day)
+{
+    double sum = 0.0;
+    for (int i = 0; i < day->count; i++)
+        sum += day->times[i][1] - day->times[i][0];
+    return sum * 12.0 / PP_PI;
+}
+
+void pp_sunlit_hours_clear(struct pp_sunlit_day *day)
+{
+    free(day->times);
+    *day = (struct pp_sunlit_day){0};
+}
+
+/* Hours of the times, each hour of solar time times its share. */
+static double weighted_sum(const struct pp_sunlit_day *day, const double share[24])
+{
+    double sum = 0.0;
+    for (int i = 0; i < day->count; i++)
+        for (int hour = 0; hour < 24; hour++) {
+            double from = fmax(day->times[i][0] * 12.0 / PP_PI + 12.0, hour);
+            double to = fmin(day->times[i][1] * 12.0 / PP_PI + 12.0, hour + 1);
+            sum += from < to ? (to - from) * share[hour] : 0.0;
+        }
+    return sum;
+}
+
+static bool is_winter(int month, int day)
+{
+    return month > 9 || month < 3 || (month == 9 ? day >= 21 : month == 3 && day <= 21);
+}
+
+enum pp_status pp_sunlit_hours_of_year(struct pp_sunlit_year *year,
+                                       const struct pp_hidden_cones *cones,
+                                       struct pp_sunlit_place place,
+                                       const double (*share)[24], struct pp_error *err)
+{
+    static const int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    struct pp_sunlit_day today = {0};
+    enum pp_status status = PP_OK;
+    *year = (struct pp_sunlit_year){0};
+    for (int month = 1; month <= 12; month++)
+        for (int day = 1; day <= days[month - 1] && status == PP_OK; day++) {
+            today.count = 0;
+            struct pp_sunlit_sun sun = {pp_sun_path_declination(month, day), -PP_PI,
+                                        PP_PI};
+            status = pp_sunlit_hours_add(&today, cones, place, &sun, err);
+            double hours = share ? weighted_sum(&today, share[month - 1])
+                                 : pp_sunlit_hours_sum(&today);
+            year->all += hours;
+            year->winter += is_winter(month, day) ? hours : 0.0;
+        }
+    pp_sunlit_hours_clear(&today);
+    return status;
+}

@@ -1,0 +1,14 @@
+/* opening_words.h - what findings call an opening. */
+#ifndef PP_STUDIES_CRITERIA_WINDOWS_OPENING_WORDS_H
+#define PP_STUDIES_CRITERIA_WINDOWS_OPENING_WORDS_H
+
+#include "model/room/world.h"
+
+enum { PP_OPENING_WORDS = 64 };
+
+/* Its own name, if it has one, its face and its line in the room file: "W1, south,
+ * line 9". */
+void pp_opening_words(char words[PP_OPENING_WORDS], const struct pp_world *world,
+                      const struct pp_opening *opening);
+
+#endif

@@ -1,0 +1,162 @@
+/* sunlight.c - the hours of sun at windows, as [BR209] counts them.
+ *
+ *   S >= 25 %    of the hours of sun in a year on open ground
+ *   W >= 5 %     of the same hours, from 21 September to 21 March
+ *
+ * at the middle of the outside of windows that face within 90 degrees of due south (of
+ * due north, south of the equator). With a room before, what is less is no failure if
+ *
+ *   S >= 0.8 S before  and  W >= 0.8 W before,  or  S before - S <= 4 %
+ *
+ * [BR209] counts probable hours: those that the clouds of many years leave. A weather file
+ * says how likely the sun is to shine (studies/climate/sunshine.h); without one each hour with
+ * the sun above the horizon counts alike: possible hours (methods/exact/sunlit_hours.h), of
+ * which winter has a larger share. The sky of the room does not matter.
+ */
+#include <math.h>
+
+#include "methods/exact/sunlit_hours.h"
+#include "studies/criteria/bearing.h"
+#include "studies/criteria/criteria.h"
+#include "studies/criteria/windows/opening_words.h"
+
+#define YEAR_WANTED 0.25
+#define WINTER_WANTED 0.05
+#define FORMER_SHARE 0.8
+#define SMALL_LOSS 0.04
+
+static const char possible[] = "of the hours with the sun above the horizon, each "
+                               "counted alike: possible, not probable ones";
+static const char probable[] = "of probable hours: by month and hour, the weather "
+                               "file's share with direct sun of more than 120 W/m2";
+static const char no_place[] = "the room file gives no latitude (site)";
+static const char other_side[] =
+    "it faces more than 90 degrees from due south; none is asked for";
+static const char equator_side[] =
+    "it faces more than 90 degrees from due north; none is asked for";
+
+/* Does the opening face the side where the sun is at noon, within 90 degrees? Level glass
+ * faces all sides. */
+static bool faces_noon(const struct pp_world *world, const struct pp_opening *opening)
+{
+    const double slack = 1e-9; /* due east and due west count */
+    struct pp_vec3 n = opening->inner.normal;
+    double south = n.y * cos(world->north_rad) - n.x * sin(world->north_rad);
+    return (world->latitude_rad < 0.0 ? -south : south) >= -slack;
+}
+
+/* Shares of the open ground's hours in a year. */
+static enum pp_status find_shares(struct pp_sunlit_year *shares,
+                                  const struct pp_world *world,
+                                  const struct pp_opening *opening,
+                                  const struct pp_sunshine *sunshine,
+                                  struct pp_error *err)
+{
+    struct pp_sunlit_place place = {world->latitude_rad, world->north_rad};
+    struct pp_hidden_view view = pp_hidden_cones_outside(opening);
+    struct pp_hidden_cones cones;
+    struct pp_sunlit_year open;
+    const double(*share)[24] = sunshine ? sunshine->share : NULL;
+    enum pp_status status = pp_hidden_cones_init(&cones, world, &view, err);
+    if (status != PP_OK)
+        return status;
+    status = pp_sunlit_hours_of_year(shares, &cones, place, share, err);
+    pp_hidden_cones_clear(&cones);
+    if (status == PP_OK)
+        status = pp_sunlit_hours_of_year(&open, NULL, place, share, err);
+    if (status == PP_OK) {
+        shares->all /= open.all;
+        shares->winter /= open.all;
+    }
+    return status;
+}
+
+/* Is what is left enough of what there was? */
+static bool is_kept(const struct pp_sunlit_year *now, const struct pp_sunlit_year *then)
+{
+    return (now->all >= FORMER_SHARE * then->all
+            && now->winter >= FORMER_SHARE * then->winter)
+           || then->all - now->all <= SMALL_LOSS;
+}
+
+static enum pp_status add_finding(struct pp_finding_list *findings, double now,
+                                  double then, double wanted, bool kept,
+                                  const struct pp_opening *opening, const char *window,
+                                  const char *when, struct pp_error *err)
+{
+    struct pp_finding finding =
+        pp_finding_of(PP_FIGURE_SHARE, now, wanted, false, "%s, %s", window, when);
+    finding.line = opening->line;
+    pp_finding_compares(&finding, PP_FIGURE_SHARE, now, then);
+    if (!isnan(then))
+        pp_finding_note(&finding, "%.1f %% now, %.1f %% before", 100.0 * now,
+                        100.0 * then);
+    if (finding.verdict == PP_NOT_MET && kept) {
+        finding.verdict = PP_MET;
+        pp_finding_note(&finding, "; 0.8 of the sun before is left, or no more than "
+                                  "4 %% of the year's hours are lost");
+    }
+    return pp_finding_list_add(findings, &finding, err);
+}
+
+static enum pp_status judge_window(const struct pp_inquiry *inquiry, int index,
+                                   const char *window, struct pp_finding_list *findings,
+                                   struct pp_error *err)
+{
+    const struct pp_opening *opening = &inquiry->world->openings[index];
+    struct pp_sunlit_year now, then = {NAN, NAN};
+    enum pp_status status =
+        find_shares(&now, inquiry->world, opening, inquiry->sunshine, err);
+    if (status == PP_OK && inquiry->before)
+        status = find_shares(&then, inquiry->before,
+                             &inquiry->before->openings[inquiry->pairs[index]],
+                             inquiry->sunshine, err);
+    bool kept = inquiry->before && is_kept(&now, &then);
+    if (status == PP_OK)
+        status = add_finding(findings, now.all, then.all, YEAR_WANTED, kept, opening,
+                             window, "year", err);
+    if (status == PP_OK)
+        status = add_finding(findings, now.winter, then.winter, WINTER_WANTED, kept,
+                             opening, window, "winter", err);
+    return status;
+}
+
+static enum pp_status evaluate(const struct pp_inquiry *inquiry,
+                               struct pp_finding_list *findings, struct pp_error *err)
+{
+    const struct pp_world *world = inquiry->world;
+    bool place = !isnan(world->latitude_rad)
+                 && !(inquiry->before && isnan(inquiry->before->latitude_rad));
+    if (!place || world->opening_count == 0) {
+        struct pp_finding finding = pp_finding_not_judged(
+            place ? "the room has no openings" : no_place, "windows");
+        return pp_finding_list_add(findings, &finding, err);
+    }
+    pp_finding_list_add_basis(findings, "%s", inquiry->sunshine ? probable : possible);
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        char words[PP_OPENING_WORDS];
+        pp_opening_words(words, world, opening);
+        if (faces_noon(world, opening)) {
+            status = judge_window(inquiry, i, words, findings, err);
+            continue;
+        }
+        struct pp_finding finding = pp_finding_not_judged(
+            world->latitude_rad < 0.0 ? equator_side : other_side, "%s", words);
+        finding.line = opening->line;
+        status = pp_finding_list_add(findings, &finding, err);
+    }
+    return status;
+}
+
+const struct pp_criterion pp_criterion_sunlight = {
+    .name = "sunlight",
+    .alias = "apsh",
+    .title = "Sunlight hours",
+    .source = "BR209",
+    .summary =
+        "25 % of the year's hours of sun, 5 % in winter, at windows to the south",
+    .bears_on_use = pp_bearing_is_lived_in,
+    .evaluate = evaluate,
+};

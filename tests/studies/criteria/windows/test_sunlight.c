@@ -1,0 +1,231 @@
+/* Hours of sun as criteria judge them, in rooms whose answer is known on paper. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "model/light/sun_path.h"
+#include "studies/criteria/criteria.h"
+#include "studies/criteria/pair_rooms.h"
+#include "tests/lib/room_of.h"
+
+#define SITE(latitude) "<site latitude=\"" #latitude "\"/>"
+#define PLAN "<plan width=\"4.1\" depth=\"6.3\" height=\"2.9\"/>"
+#define WINDOW(wall)                                                                   \
+    "<window wall=\"" wall                                                             \
+    "\" left=\"0.7\" sill=\"0.95\" width=\"1.0\" height=\"1.3\" reveal=\"0.7\"/>"
+#define SKYLINE(angle) "<skyline wall=\"south\" angle=\"" #angle "\"/>"
+
+static struct pp_world *world_of(const char *body)
+{
+    char text[4096];
+    snprintf(text, sizeof text, "<room version=\"1\" name=\"Test\">%s</room>", body);
+    return pp_test_world(text);
+}
+
+/* The index-th finding of one criterion in a room given by the XML in its element. */
+static struct pp_finding finding_in(const struct pp_criterion *criterion, int index,
+                                    const char *body, const char *before_body)
+{
+    struct pp_world *world = world_of(body);
+    struct pp_world *before = before_body ? world_of(before_body) : NULL;
+    int *pairs = NULL;
+    if (before)
+        assert_int_equal(pp_pair_rooms(&pairs, world, before, NULL), PP_OK);
+    const struct pp_inquiry inquiry = {
+        .world = world, .before = before, .pairs = pairs, .country = ""};
+    struct pp_finding_list findings = {0};
+    assert_int_equal(criterion->evaluate(&inquiry, &findings, NULL), PP_OK);
+    assert_true(index < findings.count);
+    struct pp_finding finding = findings.list[index];
+    pp_finding_list_clear(&findings);
+    pp_world_destroy(world);
+    pp_world_destroy(before);
+    free(pairs);
+    return finding;
+}
+
+static struct pp_finding sun(int index, const char *body, const char *before)
+{
+    return finding_in(&pp_criterion_sunlight, index, body, before);
+}
+
+static double exposure(const char *body)
+{
+    return finding_in(&pp_criterion_sun_exposure, 0, body, NULL).figure;
+}
+
+static void assert_verdict(struct pp_finding finding, double figure, double tolerance,
+                           enum pp_verdict verdict)
+{
+    assert_near(finding.figure, figure, tolerance);
+    assert_int_equal(finding.verdict, verdict);
+}
+
+static void assert_not_judged(struct pp_finding finding, const char *why)
+{
+    assert_int_equal(finding.verdict, PP_NOT_JUDGED);
+    if (!strstr(finding.note, why))
+        fail_msg("\"%s\" does not say \"%s\"", finding.note, why);
+}
+
+static double half_day(double cosine)
+{
+    return acos(fmax(-1.0, fmin(1.0, cosine)));
+}
+
+/* The textbook's half days: the sun is up while cos h > -tan phi tan delta, and before an
+ * open wall that faces due south while cos h > tan delta / tan phi. The year and the
+ * winter, of the year's hours. */
+static void south_shares(double latitude_deg, double shares[2])
+{
+    static const int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    double all = 0.0, phi = latitude_deg * PP_RAD;
+    shares[0] = shares[1] = 0.0;
+    for (int month = 1; month <= 12; month++)
+        for (int day = 1; day <= days[month - 1]; day++) {
+            double t = tan(pp_sun_path_declination(month, day));
+            double up = half_day(-tan(phi) * t), south = half_day(t / tan(phi));
+            int date = 100 * month + day;
+            all += up;
+            shares[0] += fmin(up, south);
+            shares[1] += date <= 321 || date >= 921 ? fmin(up, south) : 0.0;
+        }
+    shares[0] /= all;
+    shares[1] /= all;
+}
+
+static void an_open_south_wall_has_the_textbooks_hours(void **state)
+{
+    (void)state;
+    double shares[2];
+    south_shares(51.5, shares);
+    assert_verdict(sun(0, SITE(51.5) PLAN WINDOW("south"), NULL), shares[0], 1e-9,
+                   PP_MET);
+    assert_verdict(sun(1, SITE(51.5) PLAN WINDOW("south"), NULL), shares[1], 1e-9,
+                   PP_MET);
+    /* Neither the sky nor the glass matters. */
+    assert_verdict(
+        sun(0, SITE(51.5) "<sky type=\"uniform\"/>" PLAN WINDOW("south"), NULL),
+        shares[0], 1e-9, PP_MET);
+}
+
+/* The plane over it rises as steeply as the sun's path at the equinox: all winter the sun
+ * stays below, but for 21 September and 21 March, whose declinations are +0.6 and +0.4
+ * degrees: 24 of 4406 hours at most. */
+static void a_skyline_of_the_equinox_leaves_hardly_any_winter_sun(void **state)
+{
+    (void)state;
+    const char *body = SITE(51.5) PLAN WINDOW("south") SKYLINE(39.3);
+    assert_verdict(sun(1, body, NULL), 0.0, 24.0 / 4406.0, PP_NOT_MET);
+    assert_true(sun(0, body, NULL).figure > 0.05);
+}
+
+/* [BR209]: less than 25 or 5 % is no loss if 0.8 of what there was is left of both, or no
+ * more than 4 % of the year's hours are gone. */
+static void what_is_kept_or_hardly_lost_is_no_failure(void **state)
+{
+    (void)state;
+    const char *deep = SITE(51.5) PLAN WINDOW("south") SKYLINE(39.3);
+    const char *deeper = SITE(51.5) PLAN WINDOW("south") SKYLINE(39.5);
+    const char *open = SITE(51.5) PLAN WINDOW("south");
+    assert_int_equal(sun(1, deep, deep).verdict, PP_MET);
+    assert_int_equal(sun(1, deeper, deep).verdict, PP_MET);
+    assert_int_equal(sun(1, deep, open).verdict, PP_NOT_MET);
+    struct pp_finding loss = sun(0, deep, open);
+    double shares[2];
+    south_shares(51.5, shares);
+    assert_near(loss.before, shares[0], 1e-9);
+    assert_true(loss.now < loss.before - 0.04);
+}
+
+static void only_windows_towards_the_noon_sun_are_asked(void **state)
+{
+    (void)state;
+    assert_not_judged(sun(0, SITE(51.5) PLAN WINDOW("north"), NULL), "due south");
+    assert_not_judged(sun(0, SITE(-33.9) PLAN WINDOW("south"), NULL), "due north");
+    assert_true(sun(0, SITE(-33.9) PLAN WINDOW("north"), NULL).verdict == PP_MET);
+    /* Within 90 degrees: due east and due west as well, which halve the day. */
+    assert_verdict(sun(0, SITE(51.5) PLAN WINDOW("east"), NULL), 0.5, 1e-9, PP_MET);
+    assert_verdict(sun(0, SITE(51.5) PLAN WINDOW("west"), NULL), 0.5, 1e-9, PP_MET);
+}
+
+static void without_a_latitude_there_is_no_sun(void **state)
+{
+    (void)state;
+    assert_not_judged(sun(0, PLAN WINDOW("south"), NULL), "latitude");
+    assert_not_judged(
+        finding_in(&pp_criterion_sun_exposure, 0, PLAN WINDOW("south"), NULL),
+        "latitude");
+    assert_not_judged(sun(0, SITE(51.5) PLAN, NULL), "no openings");
+}
+
+/* At the pole the sun stands half of the summer's time before any wall; beyond the circle
+ * winter has days without sun. */
+static void poles_and_the_equator_have_their_hours(void **state)
+{
+    (void)state;
+    double shares[2];
+    south_shares(0.001, shares);
+    assert_near(sun(0, SITE(0.001) PLAN WINDOW("south"), NULL).figure, shares[0], 1e-6);
+    assert_near(sun(0, SITE(90) PLAN WINDOW("south"), NULL).figure, 0.5, 1e-9);
+    south_shares(78.2, shares);
+    assert_near(sun(1, SITE(78.2) PLAN WINDOW("south"), NULL).figure, shares[1], 1e-9);
+    assert_true(shares[1] < 0.25);
+}
+
+/* 0.5 m beside the point and 0.7 m before it, the jambs let in the sun while its azimuth
+ * from south has a tangent of 0.5 / 0.7 at most: by bisection of the hour angle. Head and
+ * sill do not hide it: the sun's path rises by 38.5 degrees, the head by 54. */
+static void on_the_equinox_jambs_cut_the_sun(void **state)
+{
+    (void)state;
+    double phi = 51.5 * PP_RAD, delta = pp_sun_path_declination(3, 21);
+    double low = 0.0, high = 0.45 * PP_PI;
+    for (int i = 0; i < 60; i++) {
+        double h = 0.5 * (low + high);
+        struct pp_vec3 u = pp_sun_path_direction(phi, delta, h);
+        if (-u.x <= -u.y * 0.5 / 0.7)
+            low = h;
+        else
+            high = h;
+    }
+    double hours = low * 24.0 / PP_PI;
+    const char *body = SITE(51.5) PLAN WINDOW("south");
+    assert_near(hours, 3.9, 0.1);
+    /* The declination is not that of noon before and after it, by 0.03 degrees. No more
+     * than 4 h; of the lower levels an upper bound says nothing. */
+    const struct pp_criterion *criterion = &pp_criterion_sun_exposure;
+    assert_verdict(finding_in(criterion, 2, body, NULL), hours, 1e-4, PP_NOT_MET);
+    assert_verdict(finding_in(criterion, 0, body, NULL), hours, 1e-4, PP_UNDECIDED);
+}
+
+/* Hours through several windows count once where they are the same hours. */
+static void windows_add_up_only_what_is_not_the_same_sun(void **state)
+{
+    (void)state;
+    double south = exposure(SITE(51.5) PLAN WINDOW("south"));
+    double east = exposure(SITE(51.5) PLAN WINDOW("east"));
+    double west = exposure(SITE(51.5) PLAN WINDOW("west"));
+    assert_near(east, west, 0.05); /* the declination grows from morning to evening */
+    assert_true(east > 0.5);
+    assert_near(exposure(SITE(51.5) PLAN WINDOW("east") WINDOW("west")), east + west,
+                1e-9);
+    assert_near(exposure(SITE(51.5) PLAN WINDOW(
+                    "south") "<window wall=\"south\" left=\"2.7\" sill=\"0.95\" "
+                             "width=\"1.0\" height=\"1.3\" reveal=\"0.7\"/>"),
+                south, 1e-9);
+}
+
+int main(void)
+{
+    static const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_open_south_wall_has_the_textbooks_hours),
+        cmocka_unit_test(a_skyline_of_the_equinox_leaves_hardly_any_winter_sun),
+        cmocka_unit_test(what_is_kept_or_hardly_lost_is_no_failure),
+        cmocka_unit_test(only_windows_towards_the_noon_sun_are_asked),
+        cmocka_unit_test(without_a_latitude_there_is_no_sun),
+        cmocka_unit_test(poles_and_the_equator_have_their_hours),
+        cmocka_unit_test(on_the_equinox_jambs_cut_the_sun),
+        cmocka_unit_test(windows_add_up_only_what_is_not_the_same_sun),
+    };
+    return cmocka_run_group_tests_name("sunlight", tests, NULL, NULL);
+}
