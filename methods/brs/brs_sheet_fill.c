@@ -36,11 +36,14 @@ void pp_brs_sheet_fill_blank(struct pp_brs_sheet *sheet)
     }
 }
 
+/* An edge no higher over distance is level with the point: nothing is to be read there. */
+static const double level = 1e-9;
+
 /* Adds a reading and returns it with its sign; 0 where nothing is to be read. */
 static double add_reading(struct pp_brs_sheet *sheet, struct pp_brs_reading reading,
                           struct pp_error *err, enum pp_status *status)
 {
-    if (!(reading.h_over_d > 0.0 && reading.w_over_d > 0.0) || *status != PP_OK)
+    if (!(reading.h_over_d > level && reading.w_over_d > 0.0) || *status != PP_OK)
         return 0.0;
     *status = pp_array_append(&sheet->readings, sheet->reading_count,
                               sizeof *sheet->readings, err);
