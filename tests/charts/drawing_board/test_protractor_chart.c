@@ -154,8 +154,9 @@ static void any_glass_slope_and_even_sky_has_a_protractor(void **state)
     (void)state;
     struct pp_mark_spacing spacing = {0.01, 0.06};
     struct pp_protractor_sheet sheet;
-    struct pp_protractor protractor = {pp_sky_overcast(), pp_glass_panes(2, 1.52, 0.02),
-                                       45.0 * PP_RAD};
+    struct pp_protractor protractor = {.sky = pp_sky_overcast(),
+                                       .glass = pp_glass_panes(2, 1.52, 0.02),
+                                       .slope_rad = 45.0 * PP_RAD};
     assert_int_equal(pp_sky_iso(&protractor.sky, 3, pp_vec(0, 0, 1), NULL), PP_OK);
     bool azimuth = pp_sky_has_azimuth(&protractor.sky);
     struct pp_error err;
