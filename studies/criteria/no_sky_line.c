@@ -1,7 +1,7 @@
 /* no_sky_line.c - the share of the working plane from which sky can be seen.
  *
  * The no-sky line bounds the part of the working plane from which no sky can be seen
- * (methods/daylight_curves.h), through whatever glass.
+ * (studies/lit_area.h), through whatever glass.
  *
  *   no-sky-line  the area behind the line, stated; with the room before, the area that
  *                sees sky is 0.8 of its former size or more      [BR209]
@@ -12,8 +12,7 @@
 
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
-#include "methods/daylight_curves.h"
-#include "model/geometry/region.h"
+#include "studies/lit_area.h"
 
 #define SEEN_WANTED 0.8
 #define FORMER_SHARE_WANTED 0.8
@@ -29,19 +28,11 @@ struct sky_view_area {
 static enum pp_status find_view(struct sky_view_area *view,
                                 const struct pp_world *world, struct pp_error *err)
 {
-    *view = (struct sky_view_area){pp_region_area(&world->plane), 0.0, 0.0};
-    if (!(view->plane_m2 > 0.0))
-        return PP_OK;
-    struct pp_daylight_plan plan;
-    enum pp_status status = pp_daylight_curves_no_sky(&plan, world, err);
-    if (status != PP_OK)
-        return status;
-    view->sky_m2 = plan.sky_share * view->plane_m2;
-    for (int i = 0; i < plan.no_sky.count; i++)
-        view->error_m2 += pp_curve_length(&plan.no_sky.list[i])
-                          * pp_daylight_curves_tolerance(&world->plane);
-    pp_daylight_plan_clear(&plan);
-    return PP_OK;
+    struct pp_lit_area area;
+    enum pp_status status = pp_lit_area_find(&area, world, PP_LIT_NO_SKY, err);
+    *view = (struct sky_view_area){area.plane_m2, area.lit_m2, area.error_m2};
+    pp_lit_area_clear(&area);
+    return status;
 }
 
 /* Adds the finding; not judged where the room has no working plane. */
