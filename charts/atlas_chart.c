@@ -6,6 +6,7 @@
 
 #include "charts/sheet/axis.h"
 #include "charts/sheet/legend.h"
+#include "charts/sheet/hatch.h"
 #include "charts/sheet/page.h"
 
 struct atlas_plot {
@@ -227,29 +228,16 @@ static int look_of(double ratio)
     return k;
 }
 
-/* Lines at 45 degrees over a box. */
-static void hatch(struct atlas_plot *plot, struct pp_box box, double apart_mm)
-{
-    double apart = apart_mm * plot->style.scale * sqrt(2.0);
-    cairo_save(plot->cr);
-    cairo_rectangle(plot->cr, box.x, box.y, box.width, box.height);
-    cairo_clip(plot->cr);
-    pp_style_line(plot->cr, plot->style.thin, PP_GREY_LINE);
-    for (double x = box.x - box.height; x < box.x + box.width; x += apart) {
-        cairo_move_to(plot->cr, x, box.y + box.height);
-        cairo_line_to(plot->cr, x + box.height, box.y);
-    }
-    cairo_stroke(plot->cr);
-    cairo_restore(plot->cr);
-}
-
 static void draw_look(struct atlas_plot *plot, struct pp_box box, int look)
 {
     pp_style_grey(plot->cr, looks[look].grey);
     cairo_rectangle(plot->cr, box.x, box.y, box.width, box.height);
     cairo_fill(plot->cr);
-    if (looks[look].hatch_mm > 0.0)
-        hatch(plot, box, looks[look].hatch_mm);
+    if (looks[look].hatch_mm > 0.0) {
+        cairo_rectangle(plot->cr, box.x, box.y, box.width, box.height);
+        pp_hatch_path(plot->cr, box, looks[look].hatch_mm * plot->style.scale,
+                      plot->style.thin, PP_GREY_LINE);
+    }
     pp_style_line(plot->cr, plot->style.hair, PP_GREY_LINE);
     cairo_rectangle(plot->cr, box.x, box.y, box.width, box.height);
     cairo_stroke(plot->cr);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "charts/sheet/hatch.h"
 #include "charts/sheet/page.h"
 #include "model/base/text.h"
 
@@ -33,19 +34,6 @@ static void trace_region(cairo_t *cr, const struct pp_board_map *map,
     }
 }
 
-/* Lines at 45 degrees, within what cairo is clipped to. */
-static void hatch(cairo_t *cr, const struct pp_style *style, struct pp_box within)
-{
-    double step = 1.6 * style->scale;
-    pp_style_line(cr, style->hair, 0.4);
-    for (double at = within.x - within.height; at < within.x + within.width;
-         at += step) {
-        cairo_move_to(cr, at, within.y + within.height);
-        cairo_line_to(cr, at + within.height, within.y);
-    }
-    cairo_stroke(cr);
-}
-
 static void fill_path(cairo_t *cr, const struct pp_style *style, bool hidden,
                       struct pp_box within)
 {
@@ -56,10 +44,7 @@ static void fill_path(cairo_t *cr, const struct pp_style *style, bool hidden,
         return;
     }
     cairo_fill_preserve(cr);
-    cairo_save(cr);
-    cairo_clip(cr);
-    hatch(cr, style, within);
-    cairo_restore(cr);
+    pp_hatch_path(cr, within, 1.6 / sqrt(2.0) * style->scale, style->hair, 0.4);
 }
 
 void pp_board_tints(cairo_t *cr, const struct pp_style *style,

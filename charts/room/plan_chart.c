@@ -11,6 +11,7 @@
 #include "charts/room/contour_lines.h"
 #include "charts/room/plan_figures.h"
 #include "charts/room/plan_fill.h"
+#include "charts/room/plan_strip.h"
 #include "charts/sheet/legend.h"
 #include "charts/sheet/page.h"
 #include "charts/room/room_plan.h"
@@ -255,40 +256,6 @@ static void say_foot(const struct plan_drawing *drawing, char *foot, size_t room
             "The run was interrupted: sampled values are what was there so far.");
 }
 
-/* Scale bar left, legend in the middle, north right, in a strip at the body's foot. */
-static double strip_height(const struct plan_drawing *drawing)
-{
-    double keys = drawing->key_count * (1.35 * drawing->style.text[PP_TEXT_BODY])
-                  + 0.7 * drawing->style.scale * drawing->key_count;
-    return fmax(keys, 14.0 * drawing->style.scale);
-}
-
-static void draw_strip(struct plan_drawing *drawing, struct pp_box strip)
-{
-    const struct pp_style *style = &drawing->style;
-    struct pp_box bar =
-        pp_room_plan_scale_bar(drawing->cr, style, drawing->plan.mm_per_m,
-                               strip.x + 1.0 * style->scale, strip.y);
-    char words[32];
-    snprintf(words, sizeof words, "1:%.0f", drawing->plan.scale);
-    struct pp_lettering set = {.size = PP_TEXT_BODY, .bold = true};
-    pp_lettering_draw(drawing->cr, style, &set, strip.x,
-                      bar.y + bar.height + style->scale, words);
-    struct pp_lettering note = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
-    pp_lettering_draw(drawing->cr, style, &note, strip.x,
-                      bar.y + bar.height + style->scale
-                          + 1.35 * style->text[PP_TEXT_BODY],
-                      "printed at 100\u00a0%");
-    double radius = 3.8 * style->scale;
-    double north = strip.x + strip.width - radius - 3.5 * style->scale;
-    pp_room_plan_north_arrow(drawing->cr, style, drawing->chart->world->north_rad,
-                             north, strip.y + radius + 2.5 * style->scale, radius);
-    double left =
-        fmax(bar.x + bar.width + 8.0 * style->scale, strip.x + 0.40 * strip.width);
-    pp_legend_draw(drawing->cr, style, drawing->keys, drawing->key_count, left, strip.y,
-                   north - radius - 4.0 * style->scale - left);
-}
-
 static void place_plan(struct plan_drawing *drawing, struct pp_box room)
 {
     struct pp_room_plan *plan = &drawing->plan;
@@ -352,7 +319,7 @@ static void draw_sheet(struct plan_drawing *drawing, struct pp_canvas *canvas)
 
     gather_keys(drawing);
     bool filled = chart->fill != PP_FILL_NONE && chart->plan->contours.count;
-    double strip = strip_height(drawing), gap = 5.0 * style->scale;
+    double strip = pp_plan_strip_height(style, drawing->key_count), gap = 5.0 * style->scale;
     double bar = filled ? pp_plan_fill_bar_mm(style) + 3.0 * style->scale : 0.0;
     double summary = draw_summary(drawing, body, false);
     place_plan(drawing, (struct pp_box){body.x, body.y, body.width,
@@ -370,7 +337,8 @@ static void draw_sheet(struct plan_drawing *drawing, struct pp_canvas *canvas)
         pp_plan_fill_bar(drawing->cr, style, chart->plan, chart->fill, below.x, below.y,
                          below.width - 6.0 * style->scale);
     below.y += bar;
-    draw_strip(drawing, below);
+    pp_plan_strip_draw(drawing->cr, style, below, drawing->plan.scale,
+                       chart->world->north_rad, drawing->keys, drawing->key_count);
 }
 
 enum pp_status pp_plan_chart_draw(struct pp_canvas *canvas,

@@ -18,6 +18,7 @@
 #include "model/room/room_use.h"
 #include "model/room/sky_words.h"
 #include "model/geometry/vec.h"
+#include "model/room/placement.h"
 #include "model/room/world.h"
 
 struct pp_site_part {
@@ -139,13 +140,6 @@ struct pp_surface_part {
                            * in the file: only while that is read */
     enum pp_site_state state;
     int line;
-};
-
-/* Where a room stands in its building: its own origin, and how far it is turned about it,
- * counter-clockwise seen from above. */
-struct pp_placement {
-    bool given; /* any of it; else the room stands by itself */
-    double x, y, z, rotate_rad;
 };
 
 enum pp_receiver_kind { PP_POINT, PP_LINE, PP_GRID };

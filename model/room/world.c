@@ -62,6 +62,7 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_room *room = r->room;
     struct pp_world *world = r->world;
+    world->placement = room->placement;
     world->north_rad = room->north_rad;
     world->latitude_rad = room->site.latitude_rad;
     world->longitude_rad = room->site.longitude_rad;

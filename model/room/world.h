@@ -17,6 +17,7 @@
 #include "model/geometry/region.h"
 #include "model/geometry/vec.h"
 #include "model/light/glass.h"
+#include "model/room/placement.h"
 #include "model/room/room_use.h"
 
 enum pp_role {
@@ -147,6 +148,7 @@ enum pp_dirt { PP_DIRT_BRE309, PP_DIRT_BS8206 };
 struct pp_world {
     char *name, *ref; /* NULL where it has none */
     enum pp_room_use use;
+    struct pp_placement placement;      /* in its building */
     double north_rad;                   /* bearing of +y, clockwise from true north */
     double latitude_rad, longitude_rad; /* NAN where the file has none */
     char country[3];                    /* two letters; empty where the file has none */

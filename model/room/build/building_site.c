@@ -53,26 +53,6 @@ static enum pp_status make_shell(struct shell *shell, const struct pp_room *room
     return status == PP_SYSTEM ? pp_fail(err, status, "%s", fault.message) : PP_OK;
 }
 
-/* ---- From the building's axes to a room's ---- */
-
-static struct pp_vec3 turned(struct pp_vec3 p, double angle_rad)
-{
-    double c = cos(angle_rad), s = sin(angle_rad);
-    return pp_vec(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
-}
-
-static struct pp_vec3 to_building(const struct pp_placement *place, struct pp_vec3 p)
-{
-    return pp_vec_add(turned(p, place->rotate_rad),
-                      pp_vec(place->x, place->y, place->z));
-}
-
-static struct pp_vec3 to_room(const struct pp_placement *place, struct pp_vec3 p)
-{
-    return turned(pp_vec_sub(p, pp_vec(place->x, place->y, place->z)),
-                  -place->rotate_rad);
-}
-
 /* ---- What a room gets ---- */
 
 static bool has_wall(const struct shell *shell, const char *name)
@@ -94,7 +74,7 @@ static enum pp_status add_block(struct pp_room *room, const struct pp_block *blo
     struct pp_block added = *block;
     added.name = block->name ? strdup(block->name) : NULL;
     added.is_of_site = true;
-    added.corner = to_room(&room->placement, block->corner);
+    added.corner = pp_placement_to_room(&room->placement, block->corner);
     added.rotate_rad -= room->placement.rotate_rad;
     if ((block->name && !added.name)
         || pp_array_append(&room->blocks, room->block_count, sizeof *room->blocks, NULL)
@@ -126,7 +106,7 @@ static enum pp_status add_surface(struct pp_room *room,
         return pp_fail_memory(err);
     }
     for (int i = 0; i < count; i++) {
-        added.vertices.list[i] = to_room(&room->placement, vertices[i]);
+        added.vertices.list[i] = pp_placement_to_room(&room->placement, vertices[i]);
         added.vertices.lines[i] = part->line;
     }
     room->surfaces[room->surface_count++] = added;
@@ -187,7 +167,7 @@ static enum pp_status add_neighbour(struct pp_room *room, const struct pp_room *
         if (!vertices)
             return pp_fail_memory(err);
         for (int k = 0; k < face->count; k++)
-            vertices[k] = to_building(&other->placement, face->vertices[k]);
+            vertices[k] = pp_placement_to_building(&other->placement, face->vertices[k]);
         enum pp_status status = add_surface(room, &part, vertices, face->count, err);
         free(vertices);
         if (status != PP_OK)

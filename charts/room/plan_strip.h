@@ -1,0 +1,18 @@
+/* plan_strip.h - what stands below every plan: scale bar on the left, legend in the middle,
+ * north on the right.
+ */
+#ifndef PP_CHARTS_ROOM_PLAN_STRIP_H
+#define PP_CHARTS_ROOM_PLAN_STRIP_H
+
+#include "charts/sheet/legend.h"
+
+/* What so many keys need, mm. */
+double pp_plan_strip_height(const struct pp_style *style, int key_count);
+
+/* Draws it into the box, of pp_plan_strip_height. scale: 50 for 1:50; north_rad: the bearing
+ * of up on paper, NAN: no arrow. */
+void pp_plan_strip_draw(cairo_t *cr, const struct pp_style *style, struct pp_box strip,
+                        double scale, double north_rad, const struct pp_key *keys,
+                        int key_count);
+
+#endif

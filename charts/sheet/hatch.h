@@ -1,0 +1,17 @@
+/* hatch.h - lines at 45 degrees, for what has to be told apart in print. */
+#ifndef PP_CHARTS_SHEET_HATCH_H
+#define PP_CHARTS_SHEET_HATCH_H
+
+#include "charts/sheet/lettering.h"
+
+/* Draws lines over a box, within what cairo is clipped to: apart_mm apart on paper, of
+ * that weight (mm) and grey. */
+void pp_hatch_box(cairo_t *cr, struct pp_box box, double apart_mm, double weight_mm,
+                  double grey);
+
+/* Hatches the path there is, by the fill rule that is set, within the box; the path is
+ * gone. */
+void pp_hatch_path(cairo_t *cr, struct pp_box box, double apart_mm, double weight_mm,
+                   double grey);
+
+#endif

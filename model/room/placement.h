@@ -1,0 +1,41 @@
+/* placement.h - where a room stands in its building: its own origin, and how far it is turned
+ * about it, counter-clockwise seen from above.
+ *
+ *     p_building = (x, y, z) + R(rotate) p_room
+ */
+#ifndef PP_MODEL_ROOM_PLACEMENT_H
+#define PP_MODEL_ROOM_PLACEMENT_H
+
+#include <math.h>
+#include <stdbool.h>
+
+#include "model/geometry/vec.h"
+
+struct pp_placement {
+    bool given; /* any of it; else the room stands by itself, and all else is 0 */
+    double x, y, z, rotate_rad;
+};
+
+/* A direction turned about the vertical. */
+static inline struct pp_vec3 pp_placement_turn(struct pp_vec3 p, double angle_rad)
+{
+    double c = cos(angle_rad), s = sin(angle_rad);
+    return pp_vec(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
+}
+
+/* A position of the room's axes in the building's, and the other way. */
+static inline struct pp_vec3 pp_placement_to_building(const struct pp_placement *place,
+                                                      struct pp_vec3 p)
+{
+    return pp_vec_add(pp_placement_turn(p, place->rotate_rad),
+                      pp_vec(place->x, place->y, place->z));
+}
+
+static inline struct pp_vec3 pp_placement_to_room(const struct pp_placement *place,
+                                                  struct pp_vec3 p)
+{
+    return pp_placement_turn(pp_vec_sub(p, pp_vec(place->x, place->y, place->z)),
+                             -place->rotate_rad);
+}
+
+#endif
