@@ -17,6 +17,7 @@
 #include "model/light/glass.h"
 #include "model/light/mirror_box.h"
 #include "model/light/sky.h"
+#include "model/results/lit_area.h"
 #include "model/results/nomogram_sheet.h"
 #include "studies/climate/year_light.h"
 #include "studies/study_options.h"
@@ -71,8 +72,22 @@ struct pp_model_options {
     const char *typed; /* the last of these options, as typed; NULL: none */
 };
 
+/* The rooms of one file, each with what it was before. */
+struct pp_chart_site {
+    const struct pp_study_room *rooms;
+    const struct pp_study_room *const *before; /* as many; NULL: it was not there, or
+                                                * nothing is known of it */
+    int count;
+};
+
 /* What a chart shows where there is a choice. */
 struct pp_chart_choice {
+    struct pp_chart_site
+        site;              /* of kinds that compare or are of a site: what is drawn is
+                                * its first room, or all of them; set for each sheet */
+    bool line_said;        /* plan: not contours but the part that is lit, by */
+    enum pp_lit_line line; /* this */
+
     enum pp_section_scale scale;   /* section: of the daylight factors */
     enum pp_plan_fill fill;        /* plan: between the contours */
     struct pp_board_options board; /* of kinds worked at the drawing board */
@@ -87,6 +102,8 @@ struct pp_chart_kind {
     bool from_point;     /* and is drawn from one point of a room */
     bool of_window;      /* or for one window of a room, under the overcast sky */
     bool outside;        /* of the light outside: can do without a room */
+    bool compares;       /* can set beside a room what it was before */
+    bool of_site;        /* one sheet for all rooms of a file */
     enum pp_paper paper; /* where none is asked for */
     bool of_sun;         /* takes a latitude, for the sun's paths */
     bool transparent;    /* is laid on something: has no white ground */

@@ -35,7 +35,7 @@ enum pp_status pp_study_judge(struct pp_study *study, const char *criteria,
     if (study->has_assessment)
         pp_assessment_clear(assessment);
     enum pp_status status =
-        pp_assessment_begin(assessment, &study->room, 1, NULL, 0, &options, err);
+        pp_assessment_begin(assessment, &study->room, 1, NULL, &options, err);
     study->has_assessment = true;
     if (status == PP_OK && study->on_grid && assessment->has_factors)
         status = take_simulated(&assessment->report, &study->report, err);

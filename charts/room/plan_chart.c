@@ -319,7 +319,8 @@ static void draw_sheet(struct plan_drawing *drawing, struct pp_canvas *canvas)
 
     gather_keys(drawing);
     bool filled = chart->fill != PP_FILL_NONE && chart->plan->contours.count;
-    double strip = pp_plan_strip_height(style, drawing->key_count), gap = 5.0 * style->scale;
+    double strip = pp_plan_strip_height(style, drawing->key_count),
+           gap = 5.0 * style->scale;
     double bar = filled ? pp_plan_fill_bar_mm(style) + 3.0 * style->scale : 0.0;
     double summary = draw_summary(drawing, body, false);
     place_plan(drawing, (struct pp_box){body.x, body.y, body.width,

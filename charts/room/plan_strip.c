@@ -8,8 +8,8 @@
 
 double pp_plan_strip_height(const struct pp_style *style, int key_count)
 {
-    double keys = key_count * (1.35 * style->text[PP_TEXT_BODY])
-                  + 0.7 * style->scale * key_count;
+    double keys =
+        key_count * (1.35 * style->text[PP_TEXT_BODY]) + 0.7 * style->scale * key_count;
     return fmax(keys, 14.0 * style->scale);
 }
 
@@ -17,8 +17,8 @@ void pp_plan_strip_draw(cairo_t *cr, const struct pp_style *style, struct pp_box
                         double scale, double north_rad, const struct pp_key *keys,
                         int key_count)
 {
-    struct pp_box bar = pp_room_plan_scale_bar(
-        cr, style, 1000.0 / scale, strip.x + 1.0 * style->scale, strip.y);
+    struct pp_box bar = pp_room_plan_scale_bar(cr, style, 1000.0 / scale,
+                                               strip.x + 1.0 * style->scale, strip.y);
     char words[32];
     snprintf(words, sizeof words, "1:%.0f", scale);
     struct pp_lettering set = {.size = PP_TEXT_BODY, .bold = true};

@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "charts/sheet/hatch.h"
+
 static double sample_width(const struct pp_style *style)
 {
     return 7.0 * style->scale;
@@ -52,6 +54,18 @@ static void draw_sample(cairo_t *cr, const struct pp_style *style,
         pp_style_grey(cr, key->grey);
         cairo_rectangle(cr, x, y - half, width, 2.0 * half);
         cairo_fill(cr);
+        break;
+    case PP_KEY_COLOUR:
+        cairo_set_source_rgb(cr, key->colour[0], key->colour[1], key->colour[2]);
+        cairo_rectangle(cr, x, y - half, width, 2.0 * half);
+        cairo_fill_preserve(cr);
+        pp_style_line(cr, style->hair, PP_INK);
+        cairo_stroke(cr);
+        break;
+    case PP_KEY_HATCH:
+        cairo_rectangle(cr, x, y - half, width, 2.0 * half);
+        pp_hatch_path(cr, (struct pp_box){x, y - half, width, 2.0 * half},
+                      key->curve.dashes[0] * style->scale, style->hair, PP_GREY_TEXT);
         break;
     }
 }

@@ -11,12 +11,15 @@ enum pp_legend_kind {
     PP_KEY_SAMPLED, /* a marker with an error bar */
     PP_KEY_MARKER,  /* a marker by itself */
     PP_KEY_TINT,    /* a tinted field */
+    PP_KEY_COLOUR,  /* a field of a colour */
+    PP_KEY_HATCH,   /* a field hatched with lines curve.dashes[0] mm apart on A4 */
 };
 
 struct pp_key {
     enum pp_legend_kind kind;
     struct pp_curve_style curve; /* of lines and markers */
     double grey;                 /* of a tint; else of the line */
+    double colour[3];            /* red, green, blue, 0 to 1 */
     char words[96];
 };
 

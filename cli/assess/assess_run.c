@@ -35,13 +35,14 @@ static enum pp_status compute(void *data, struct pp_error *err)
 {
     struct pp_assess_run *run = data;
     struct pp_assessments *all = &run->all;
-    const struct pp_rooms *rooms = run->rooms, *before = run->before;
+    const struct pp_rooms *rooms = run->rooms;
+    const struct pp_rooms_before then = {run->before->list, run->before->count,
+                                         !run->words->before};
     const struct pp_study_options *study = &run->words->room.study;
     const struct pp_assess_options wanted = {
         .study = study,
         .criteria = run->words->criteria,
         .profile = run->words->profile,
-        .before_is_state = !run->words->before,
         .place = run->words->place,
         .median_lux = run->words->median_lux,
         .sunshine = run->words->sunshine.known ? &run->words->sunshine : NULL,
@@ -53,7 +54,7 @@ static enum pp_status compute(void *data, struct pp_error *err)
     for (int i = 0; i < rooms->count && status == PP_OK; i++)
         status =
             pp_assessment_begin(&all->list[all->count++], &rooms->list[i], rooms->count,
-                                before->list, before->count, &wanted, err);
+                                &then, &wanted, err);
     if (status == PP_OK && study->simulate)
         pp_interrupt_watch();
     if (status == PP_OK)

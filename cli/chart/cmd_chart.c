@@ -3,21 +3,17 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "cli/command.h"
 #include "cli/watch.h"
 #include "api/chart_kind.h"
-#include "api/chart_sheet.h"
 #include "cli/availability/availability_options.h"
 #include "cli/chart/board_options.h"
+#include "cli/chart/chart_run.h"
 #include "cli/chart/model_options.h"
 #include "cli/chart/overlay_options.h"
 #include "cli/chart/sheet_options.h"
-#include "cli/interrupt.h"
-#include "cli/rooms.h"
 #include "cli/message.h"
-#include "cli/output.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
 #include "model/base/text.h"
@@ -43,19 +39,23 @@ static enum pp_status read_fill(const char *text, void *place, struct pp_error *
     return pp_fail(err, PP_BAD_INPUT, "none, colour or grey");
 }
 
-struct chart_sheet_options {
-    const char *format; /* as typed; NULL: by the file's name */
-    enum pp_paper paper;
-    enum pp_orientation orientation;
-    double dpi; /* 0: the canvas's own choice */
-    bool list, logarithmic, linear;
-    struct pp_chart_choice choice;
-};
+static enum pp_status read_line(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_chart_choice *choice = place;
+    choice->line_said = true;
+    if (strcmp(text, "no-sky") == 0)
+        choice->line = PP_LIT_NO_SKY;
+    else if (strcmp(text, "sky-factor") == 0)
+        choice->line = PP_LIT_SKY_FACTOR;
+    else
+        return pp_fail(err, PP_BAD_INPUT, "no-sky or sky-factor");
+    return PP_OK;
+}
 
 /* No paper was asked for: the kind's own. */
 #define PAPER_UNSAID ((enum pp_paper) - 1)
 
-#define PLACE(member) offsetof(struct chart_sheet_options, member)
+#define PLACE(member) offsetof(struct pp_chart_words, member)
 
 static const struct pp_option sheet_options[] = {
     {"list", 'l', NULL,
@@ -74,6 +74,15 @@ static const struct pp_option sheet_options[] = {
      "than 30 to 1).",
      NULL, PLACE(logarithmic)},
     {"linear", 0, NULL, "Section: on a linear scale.", NULL, PLACE(linear)},
+    {"before", 'b', "FILE",
+     "Plan, site, elevation: as it was before something was built outside; or "
+     "existing, "
+     "as the file has it itself.",
+     pp_options_read_input, PLACE(before)},
+    {"line", 0, "NAME",
+     "Plan: the part that sees sky (no-sky), or where the sky factor is over 0.2 % "
+     "(sky-factor), and with --before what of it was lost.",
+     read_line, PLACE(choice)},
     {"fill", 0, "WAY",
      "Plan: between the contours none (default), colour, or grey for printing in "
      "black.",
@@ -159,206 +168,6 @@ static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error 
     return NULL;
 }
 
-/* By --format, or by the file's ending. */
-static enum pp_status choose_format(enum pp_chart_format *format,
-                                    const struct pp_room_options *room_options,
-                                    const struct chart_sheet_options *options,
-                                    struct pp_error *err)
-{
-    const char *output = room_options->output;
-    if (options->format) {
-        char name[16];
-        snprintf(name, sizeof name, "chart.%s", options->format);
-        return pp_canvas_format_of(format, name, err);
-    }
-    if (!output || strcmp(output, "-") == 0)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "expected -o FILE.pdf, FILE.svg or FILE.png, or --format");
-    return pp_canvas_format_of(format, output, err);
-}
-
-/* What is drawn, of which rooms, and how it ended. */
-struct chart_task {
-    const struct pp_chart_kind *kind;
-    enum pp_chart_format format;
-    const struct pp_room_options *room_options;
-    const struct chart_sheet_options *options;
-    struct pp_study_room *rooms;
-    int count;
-    bool finished; /* false: a simulation was interrupted */
-};
-
-/* A sheet for each room, on one canvas. */
-static enum pp_status draw_rooms(struct chart_task *drawing, struct pp_canvas *canvas,
-                                 struct pp_error *err)
-{
-    enum pp_status status = PP_OK;
-    if (drawing->count == 0)
-        return pp_chart_sheet_draw(drawing->kind, canvas, NULL,
-                                   &drawing->room_options->study,
-                                   &drawing->options->choice, &drawing->finished, err);
-    for (int i = 0; i < drawing->count && status == PP_OK; i++) {
-        if (i > 0)
-            status = pp_canvas_next_sheet(canvas, err);
-        if (status == PP_OK)
-            status =
-                pp_chart_sheet_draw(drawing->kind, canvas, &drawing->rooms[i],
-                                    &drawing->room_options->study,
-                                    &drawing->options->choice, &drawing->finished, err);
-    }
-    return status;
-}
-
-static enum pp_status draw(struct chart_task *drawing, FILE *out, struct pp_error *err)
-{
-    const struct pp_world *world = drawing->count ? drawing->rooms[0].world : NULL;
-    const struct chart_sheet_options *options = drawing->options;
-    char description[256];
-    if (drawing->kind->outside && !world)
-        snprintf(description, sizeof description, "%s", drawing->kind->summary);
-    else
-        snprintf(description, sizeof description, "%s; sky: %s", drawing->kind->summary,
-                 pp_sky_name(world ? &drawing->rooms[0].light.sky
-                                   : &options->choice.board.sky));
-    const struct pp_sheet sheet = {
-        .format = drawing->format,
-        .paper = options->paper,
-        .landscape = options->orientation == PP_LANDSCAPE
-                     || (options->orientation == PP_AS_FITS
-                         && pp_chart_kind_landscape(drawing->kind, world)),
-        .dpi = options->dpi,
-        .transparent = drawing->kind->transparent,
-        .title = world ? world->name : drawing->kind->name,
-        .description = description};
-    struct pp_canvas *canvas;
-    enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
-    if (status != PP_OK)
-        return status;
-    status = draw_rooms(drawing, canvas, err);
-    if (status == PP_OK)
-        status = pp_canvas_write(canvas, pp_output_put, out, err);
-    pp_canvas_destroy(canvas);
-    return status;
-}
-
-static enum pp_status draw_to_file(struct chart_task *drawing, const char *path,
-                                   struct pp_error *err)
-{
-    struct pp_output output;
-    enum pp_status status = pp_output_open(&output, path, err);
-    if (status == PP_OK)
-        status = draw(drawing, output.stream, err);
-    return pp_output_close(&output, status, err);
-}
-
-/* "plan.png" with "-3" before its ending; to be freed. NULL when memory is out. */
-static char *numbered(const char *path, int number)
-{
-    const char *name = strrchr(path, '/');
-    const char *dot = strrchr(name ? name : path, '.');
-    if (!dot)
-        dot = path + strlen(path);
-    char *made;
-    int length = asprintf(&made, "%.*s-%d%s", (int)(dot - path), path, number, dot);
-    return length < 0 ? NULL : made;
-}
-
-/* A file for each room, in a format that has no pages. */
-static enum pp_status draw_numbered(struct chart_task *all, struct pp_error *err)
-{
-    enum pp_status status = PP_OK;
-    for (int i = 0; i < all->count && status == PP_OK; i++) {
-        struct chart_task one = *all;
-        one.rooms = &all->rooms[i];
-        one.count = 1;
-        char *path = numbered(all->room_options->output, i + 1);
-        status = path ? draw_to_file(&one, path, err) : pp_fail_memory(err);
-        free(path);
-        all->finished &= one.finished;
-    }
-    return status;
-}
-
-static enum pp_exit draw_all(struct chart_task *drawing, bool to_standard_output)
-{
-    struct pp_error err = {0};
-    bool pages = drawing->format == PP_CHART_PDF || drawing->count <= 1;
-    if (!pages && to_standard_output) {
-        pp_fail(&err, PP_BAD_INPUT,
-                "there are %d rooms, and only a PDF has a page for each; expected -o "
-                "FILE, --format pdf or --room NAME",
-                drawing->count);
-        return pp_message_usage("chart", &err);
-    }
-    if (drawing->room_options->study.simulate)
-        pp_interrupt_watch();
-    enum pp_status status =
-        pages ? draw_to_file(drawing, drawing->room_options->output, &err)
-              : draw_numbered(drawing, &err);
-    if (status != PP_OK)
-        return pp_message_error(&err);
-    if (drawing->finished)
-        return PP_EXIT_DONE;
-    pp_message("interrupted; the chart shows what was reached so far");
-    return PP_EXIT_INTERRUPTED;
-}
-
-/* Most diagrams of the drawing board are drawn from one point. */
-static enum pp_exit check_points(const struct pp_chart_kind *kind,
-                                 const struct pp_rooms *rooms)
-{
-    for (int i = 0; kind->from_point && i < rooms->count; i++) {
-        if (rooms->list[i].receiver_count == 1)
-            continue;
-        struct pp_error err;
-        pp_fail(&err, PP_BAD_INPUT,
-                "%s is drawn from one point, and there are %d; expected one, by "
-                "--points X,Y",
-                kind->name, rooms->list[i].receiver_count);
-        return pp_message_usage("chart", &err);
-    }
-    return PP_EXIT_DONE;
-}
-
-static enum pp_exit run_on(const struct pp_chart_kind *kind,
-                           const struct pp_room_options *room_options,
-                           const struct chart_sheet_options *options, char **files,
-                           int file_count)
-{
-    struct pp_error err = {0};
-    enum pp_chart_format format;
-    if (choose_format(&format, room_options, options, &err) != PP_OK)
-        return pp_message_usage("chart", &err);
-    bool to_standard_output =
-        !room_options->output || strcmp(room_options->output, "-") == 0;
-    if (to_standard_output && isatty(STDOUT_FILENO)) {
-        pp_fail(&err, PP_BAD_INPUT,
-                "a chart is not for the terminal; expected -o FILE");
-        return pp_message_usage("chart", &err);
-    }
-
-    struct pp_rooms rooms = {0};
-    enum pp_exit exit_status = PP_EXIT_DONE;
-    if (file_count > 0)
-        exit_status = pp_rooms_load(&rooms, "chart", files, file_count, room_options);
-    if (exit_status == PP_EXIT_DONE)
-        exit_status = check_points(kind, &rooms);
-    if (exit_status != PP_EXIT_DONE) {
-        pp_rooms_clear(&rooms);
-        return exit_status;
-    }
-    struct chart_task drawing = {.kind = kind,
-                                 .format = format,
-                                 .room_options = room_options,
-                                 .options = options,
-                                 .rooms = rooms.list,
-                                 .count = rooms.count,
-                                 .finished = true};
-    exit_status = draw_all(&drawing, to_standard_output);
-    pp_rooms_clear(&rooms);
-    return exit_status;
-}
-
 /* The light outside is asked for where it is drawn, and known without a room. */
 static enum pp_status check_light(const struct pp_year_options *light,
                                   struct pp_room_options *options,
@@ -387,7 +196,7 @@ static enum pp_status check_light(const struct pp_year_options *light,
 
 struct chart_command {
     struct pp_room_options room;
-    struct chart_sheet_options chart;
+    struct pp_chart_words chart;
     const struct pp_chart_kind *kind; /* by the first word; NULL: none */
 };
 
@@ -420,7 +229,7 @@ static enum pp_status check(void *values, char **words, int word_count,
 {
     struct chart_command *command = values;
     struct pp_room_options *options = &command->room;
-    struct chart_sheet_options *chart = &command->chart;
+    struct pp_chart_words *chart = &command->chart;
     if (chart->list)
         return PP_OK;
     if (word_count == 0)
@@ -437,6 +246,14 @@ static enum pp_status check(void *values, char **words, int word_count,
     if (chart->choice.model.typed && kind != &pp_draw_model_net)
         return pp_fail(err, PP_BAD_INPUT, "%s is of a model-net",
                        chart->choice.model.typed);
+    if (chart->before && !kind->compares)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s shows a room as it is; --before is of a plan, a site or an "
+                       "elevation",
+                       kind->name);
+    if (chart->choice.line_said && kind != &pp_draw_plan)
+        return pp_fail(err, PP_BAD_INPUT, "--line is of a plan");
+    chart->before_is_state = !chart->before || strcmp(chart->before, "existing") == 0;
     if (chart->logarithmic && chart->linear)
         return pp_fail(err, PP_BAD_INPUT, "a scale is --log or --linear, not both");
     chart->choice.scale = chart->logarithmic ? PP_SCALE_LOG
@@ -471,8 +288,8 @@ static enum pp_exit run(void *values, char **words, int word_count)
     enum pp_exit exit_status =
         pp_availability_options_load(&command->chart.choice.availability);
     return exit_status == PP_EXIT_DONE
-               ? run_on(command->kind, &command->room, &command->chart, words + 1,
-                        word_count - 1)
+               ? pp_chart_run(command->kind, &command->room, &command->chart, words + 1,
+                              word_count - 1)
                : exit_status;
 }
 

@@ -12,7 +12,7 @@
 #include "studies/criteria/capitals.h"
 #include "studies/criteria/en17037_grid.h"
 #include "studies/criteria/factors.h"
-#include "studies/criteria/pair_rooms.h"
+#include "studies/criteria/room_before.h"
 
 /* Marks the criteria of a list with commas; NULL is all of them. */
 enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *list,
@@ -38,50 +38,6 @@ enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *l
         list = list ? list + 1 : NULL;
     }
     return PP_OK;
-}
-
-/* The same room of the same file in the other state; NULL: it is not there then. */
-static const struct pp_study_room *find_in_state(const struct pp_study_room *room,
-                                                 const struct pp_study_room *before,
-                                                 int before_count)
-{
-    for (int i = 0; i < before_count; i++)
-        if (strcmp(before[i].file, room->file) == 0
-            && pp_building_place(before[i].building, before[i].index)
-                   == pp_building_place(room->building, room->index))
-            return &before[i];
-    return NULL;
-}
-
-/* The room of the file before that goes with this one: the only one, or that of the
- * same name. */
-static enum pp_status find_before(struct pp_assessment *assessment,
-                                  const struct pp_study_room *before, int before_count,
-                                  int room_count, bool is_state, struct pp_error *err)
-{
-    const struct pp_study_room *room = assessment->room, *found = NULL;
-    for (int i = 0; i < before_count && !found && !is_state; i++) {
-        const char *name = before[i].world->name, *wanted = room->world->name;
-        bool only = before_count == 1 && room_count == 1;
-        if (only || (name && wanted && strcmp(name, wanted) == 0))
-            found = &before[i];
-    }
-    const char *file = before[0].file;
-    if (is_state)
-        found = find_in_state(room, before, before_count);
-    if (!found && is_state)
-        return PP_OK;
-    if (!found)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "%s: it has no room named \"%.100s\" to compare with", file,
-                       room->world->name ? room->world->name : "");
-    assessment->before = found;
-    struct pp_error why;
-    enum pp_status status =
-        pp_pair_rooms(&assessment->pairs, room->world, found->world, &why);
-    return status == PP_BAD_INPUT ? pp_fail(err, status, "%s: %s", file, why.message)
-           : status != PP_OK      ? pp_fail(err, status, "%s", why.message)
-                                  : PP_OK;
 }
 
 static void find_median(struct pp_median *median, const struct pp_world *world,
@@ -178,7 +134,7 @@ static bool any_of_factors(const bool chosen[PP_CRITERIA_MOST])
 
 enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
                                    const struct pp_study_room *room, int room_count,
-                                   const struct pp_study_room *before, int before_count,
+                                   const struct pp_rooms_before *before,
                                    const struct pp_assess_options *options,
                                    struct pp_error *err)
 {
@@ -188,9 +144,9 @@ enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
     if (status != PP_OK)
         return status;
     assessment->has_factors = any_of_factors(chosen);
-    if (before_count > 0)
-        status = find_before(assessment, before, before_count, room_count,
-                             options->before_is_state, err);
+    if (before && before->count > 0)
+        status = pp_room_before_find(&assessment->before, &assessment->pairs, room,
+                                     room_count, before, err);
     return status == PP_OK ? gather(assessment, options, err) : status;
 }
 

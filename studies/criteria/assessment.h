@@ -8,6 +8,7 @@
 
 #include "studies/study_options.h"
 #include "studies/study_room.h"
+#include "studies/criteria/room_before.h"
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/profile.h"
 #include "studies/sizing/gains.h"
@@ -18,10 +19,9 @@ struct pp_assess_options {
         *criteria; /* names with commas between, judged whatever the room's use and
                            * country; NULL: the profile's */
     const struct pp_profile *profile; /* not owned; NULL: all */
-    bool before_is_state; /* the rooms before are those of the same file, existing */
-    const char *place;    /* a capital of the standard's table; NULL: the room's site */
-    double median_lux;    /* instead; 0: not given */
-    bool of_weather;      /* is that median a weather file's? */
+    const char *place; /* a capital of the standard's table; NULL: the room's site */
+    double median_lux; /* instead; 0: not given */
+    bool of_weather;   /* is that median a weather file's? */
     const struct pp_sunshine *sunshine; /* not owned; NULL: not known */
     bool verdicts_only;                 /* what would help is not looked for */
 };
@@ -54,15 +54,13 @@ enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *l
                                     struct pp_error *err);
 
 /* An assessment of a room, of which nothing is judged yet: its grid, the hand methods'
- * daylight factors there, the place's median. before (may be NULL): the rooms as they
- * were, of which the one of the same name, or the only one, goes with this room, where
- * that is one of `room_count`; of the same file's state that which stands at the same
- * place in it, if there is one. Whoever wants to judge by traced factors adds them to
- * assessment->report (study_report.h) before pp_assessment_judge. To be cleared in any
- * case. */
+ * daylight factors there, the place's median, and of the rooms before (may be NULL) the
+ * one that this one is, as pp_room_before_find has it. Whoever wants to judge by traced
+ * factors adds them to assessment->report (study_report.h) before pp_assessment_judge.
+ * To be cleared in any case. */
 enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
                                    const struct pp_study_room *room, int room_count,
-                                   const struct pp_study_room *before, int before_count,
+                                   const struct pp_rooms_before *before,
                                    const struct pp_assess_options *options,
                                    struct pp_error *err);
 

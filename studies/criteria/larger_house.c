@@ -81,7 +81,7 @@ static enum pp_status judge_other(struct pp_assessment *assessment,
     coarser.seconds *= PP_LARGER_HOUSE_SHARE;
     wanted.study = &coarser;
     wanted.verdicts_only = true;
-    enum pp_status status = pp_assessment_begin(&other, room, 1, NULL, 0, &wanted, err);
+    enum pp_status status = pp_assessment_begin(&other, room, 1, NULL, &wanted, err);
     if (status == PP_OK)
         status = pp_study_report_traced(&other.report, &coarser, &other.by_clock, err);
     assessment->report.finished &= other.report.finished;

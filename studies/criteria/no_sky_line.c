@@ -1,7 +1,7 @@
 /* no_sky_line.c - the share of the working plane from which sky can be seen.
  *
  * The no-sky line bounds the part of the working plane from which no sky can be seen
- * (studies/lit_area.h), through whatever glass.
+ * (studies/lit_line.h), through whatever glass.
  *
  *   no-sky-line  the area behind the line, stated; with the room before, the area that
  *                sees sky is 0.8 of its former size or more      [BR209]
@@ -12,7 +12,7 @@
 
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
-#include "studies/lit_area.h"
+#include "studies/lit_line.h"
 
 #define SEEN_WANTED 0.8
 #define FORMER_SHARE_WANTED 0.8
@@ -29,7 +29,7 @@ static enum pp_status find_view(struct sky_view_area *view,
                                 const struct pp_world *world, struct pp_error *err)
 {
     struct pp_lit_area area;
-    enum pp_status status = pp_lit_area_find(&area, world, PP_LIT_NO_SKY, err);
+    enum pp_status status = pp_lit_line_find(&area, world, PP_LIT_NO_SKY, err);
     *view = (struct sky_view_area){area.plane_m2, area.lit_m2, area.error_m2};
     pp_lit_area_clear(&area);
     return status;

@@ -1,5 +1,5 @@
 /* rights_of_light.c - the area of a room that is adequately lit in the English law of
- * easements (studies/lit_area.h), and the part of it that was lost.
+ * easements (studies/lit_line.h), and the part of it that was lost.
  *
  * A room is adequately lit where the 0.2 % contour of the sky factor encloses half of its
  * area or more. What is lost is counted by zones, too.
@@ -7,7 +7,7 @@
 #include <math.h>
 
 #include "studies/criteria/criteria.h"
-#include "studies/lit_area.h"
+#include "studies/lit_line.h"
 
 #define SHARE_WANTED 0.5
 
@@ -39,7 +39,7 @@ static enum pp_status add_loss(const struct pp_lit_area *now,
 {
     struct pp_lit_area then;
     enum pp_status status =
-        pp_lit_area_find(&then, inquiry->before, PP_LIT_SKY_FACTOR, err);
+        pp_lit_line_find(&then, inquiry->before, PP_LIT_SKY_FACTOR, err);
     if (status != PP_OK)
         return status;
     const struct pp_lit_loss loss =
@@ -86,7 +86,7 @@ static enum pp_status evaluate(const struct pp_inquiry *inquiry,
 {
     struct pp_lit_area now;
     enum pp_status status =
-        pp_lit_area_find(&now, inquiry->world, PP_LIT_SKY_FACTOR, err);
+        pp_lit_line_find(&now, inquiry->world, PP_LIT_SKY_FACTOR, err);
     if (status != PP_OK)
         return status;
     status = add_findings(&now, inquiry, findings, err);

@@ -167,7 +167,8 @@ static enum pp_status add_neighbour(struct pp_room *room, const struct pp_room *
         if (!vertices)
             return pp_fail_memory(err);
         for (int k = 0; k < face->count; k++)
-            vertices[k] = pp_placement_to_building(&other->placement, face->vertices[k]);
+            vertices[k] =
+                pp_placement_to_building(&other->placement, face->vertices[k]);
         enum pp_status status = add_surface(room, &part, vertices, face->count, err);
         free(vertices);
         if (status != PP_OK)

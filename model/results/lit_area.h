@@ -1,26 +1,13 @@
 /* lit_area.h - the part of a room that has light enough, by one of the two lines that planners
  * and courts draw across it.
  *
- * The no-sky line bounds the part of the working plane from which some sky is seen, through
- * whatever glass (methods/daylight_curves.h). The contour of a sky factor of 0.2 % bounds what
- * is adequately lit in the English law of easements: the sky factor is the share of a uniform
- * sky's light that reaches a level point directly, without glass, frame or dirt; 0.2 % of
- * 500 foot-candles outside is one foot-candle, the least to read by ("grumble line", [WW23]).
- * It is taken at 0.85 m above the floor, whatever the room's own sky and working plane:
- *
- *   SF = (1/pi) integral of sin(gamma) over the visible sky
- *
- *   gamma  altitude of a point of the sky
- *
- * Both are true curves, to the tolerance of methods/daylight_curves.h.
+ * Which line that is, and how it is traced: studies/lit_line.h.
  */
-#ifndef PP_STUDIES_LIT_AREA_H
-#define PP_STUDIES_LIT_AREA_H
+#ifndef PP_MODEL_RESULTS_LIT_AREA_H
+#define PP_MODEL_RESULTS_LIT_AREA_H
 
-#include "model/base/error.h"
 #include "model/geometry/curve.h"
 #include "model/geometry/region.h"
-#include "model/room/world.h"
 
 enum pp_lit_line { PP_LIT_NO_SKY, PP_LIT_SKY_FACTOR };
 
@@ -34,9 +21,6 @@ struct pp_lit_area {
     double error_m2; /* of lit_m2, by the tolerance of the line */
 };
 
-/* Fills area, which the caller clears; empty on failure. No plane: nothing is lit. */
-enum pp_status pp_lit_area_find(struct pp_lit_area *area, const struct pp_world *world,
-                                enum pp_lit_line line, struct pp_error *err);
 void pp_lit_area_clear(struct pp_lit_area *area);
 
 /* What is lost between two shares of a room that are lit, by the zones in which surveyors of

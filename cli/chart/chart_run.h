@@ -1,0 +1,27 @@
+/* chart_run.h - one chart of each room of a command line, drawn to its files. */
+#ifndef PP_CLI_CHART_CHART_RUN_H
+#define PP_CLI_CHART_CHART_RUN_H
+
+#include "api/chart_kind.h"
+#include "cli/exit_status.h"
+#include "cli/room_options.h"
+
+/* What was asked for of the sheet. */
+struct pp_chart_words {
+    const char *format; /* as typed; NULL: by the file's name */
+    enum pp_paper paper;
+    enum pp_orientation orientation;
+    double dpi; /* 0: the canvas's own choice */
+    bool list, logarithmic, linear;
+    const char *before;   /* a file with the rooms as they were, or "existing"; NULL */
+    bool before_is_state; /* they are those of the same file in its other state */
+    struct pp_chart_choice choice;
+};
+
+/* Reads the files (none: a blank) and draws; what is wrong is said. */
+enum pp_exit pp_chart_run(const struct pp_chart_kind *kind,
+                          const struct pp_room_options *room_options,
+                          const struct pp_chart_words *options, char **files,
+                          int file_count);
+
+#endif
