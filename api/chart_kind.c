@@ -5,6 +5,7 @@
 
 static const struct pp_chart_kind *const kinds[] = {
     &pp_draw_section,      &pp_draw_plan,
+    &pp_draw_site_plan,    &pp_draw_elevation,
     &pp_draw_note,         &pp_draw_waldram,
     &pp_draw_pepper_pot,   &pp_draw_protractor,
     &pp_draw_nomogram,     &pp_draw_brs_table,

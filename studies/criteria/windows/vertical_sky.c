@@ -11,6 +11,8 @@
  * 27.3 %: a window that keeps the 25 degree rule has the vertical sky component too, and
  * where the angle is larger the component decides.
  */
+#include "studies/criteria/windows/vertical_sky.h"
+
 #include <math.h>
 
 #include "studies/criteria/bearing.h"
@@ -27,15 +29,14 @@
 static const char none[] = "the room has no openings";
 static const char slopes[] = "it is not upright; the rule is for windows in walls";
 
-/* Is the glass upright, to a degree? */
-static bool is_upright(const struct pp_opening *opening)
+bool pp_vertical_sky_is_upright(const struct pp_opening *opening)
 {
     return fabs(opening->slope_rad - PP_PI / 2.0) < 1.0 * PP_RAD;
 }
 
-static enum pp_status vertical_sky(double *share, const struct pp_world *world,
-                                   const struct pp_opening *opening,
-                                   struct pp_error *err)
+enum pp_status pp_vertical_sky_component(double *share, const struct pp_world *world,
+                                         const struct pp_opening *opening,
+                                         struct pp_error *err)
 {
     const struct pp_sky overcast = pp_sky_overcast();
     return pp_exterior_sky_on_plane(share, world, opening,
@@ -62,7 +63,7 @@ static enum pp_status for_each_window(
         pp_opening_words(words, world, opening);
         struct pp_finding finding = pp_finding_not_judged(slopes, "%s", words);
         enum pp_status status = PP_OK;
-        if (is_upright(opening))
+        if (pp_vertical_sky_is_upright(opening))
             status = find(&finding, inquiry, i, words, err);
         finding.line = opening->line;
         if (status == PP_OK)
@@ -79,7 +80,7 @@ static enum pp_status find_component(struct pp_finding *finding,
 {
     double share;
     enum pp_status status =
-        vertical_sky(&share, inquiry->world, &inquiry->world->openings[opening], err);
+        pp_vertical_sky_component(&share, inquiry->world, &inquiry->world->openings[opening], err);
     if (status != PP_OK)
         return status;
     *finding = pp_finding_of(PP_FIGURE_FACTOR, share, VSC_WANTED, false, "%s", what);
@@ -100,9 +101,9 @@ static enum pp_status find_loss(struct pp_finding *finding,
 {
     double now, then;
     enum pp_status status =
-        vertical_sky(&now, inquiry->world, &inquiry->world->openings[opening], err);
+        pp_vertical_sky_component(&now, inquiry->world, &inquiry->world->openings[opening], err);
     if (status == PP_OK)
-        status = vertical_sky(&then, inquiry->before,
+        status = pp_vertical_sky_component(&then, inquiry->before,
                               &inquiry->before->openings[inquiry->pairs[opening]], err);
     if (status != PP_OK)
         return status;

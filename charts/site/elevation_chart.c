@@ -1,0 +1,277 @@
+/* elevation_chart.c - see elevation_chart.h. */
+#include "charts/site/elevation_chart.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "charts/room/contour_lines.h"
+#include "charts/room/plan_strip.h"
+#include "charts/room/room_plan.h"
+#include "charts/sheet/page.h"
+#include "charts/site/sky_bands.h"
+
+struct elevation_drawing {
+    cairo_t *cr;
+    struct pp_style style;
+    const struct pp_elevation_sheet *sheet;
+    double scale; /* 200 for 1:200 */
+};
+
+/* ---- where things are on paper ---- */
+
+/* u and v as a plan's x and y, with the low corner at x, y on paper. */
+static struct pp_room_plan frame_of(const struct elevation_drawing *drawing,
+                                    const struct pp_elevation *elevation, double x,
+                                    double y)
+{
+    struct pp_room_plan frame = {
+        .scale = drawing->scale, .mm_per_m = 1000.0 / drawing->scale, .x = x, .y = y};
+    for (int k = 0; k < 2; k++) {
+        frame.extent.low[k] = elevation->low[k];
+        frame.extent.high[k] = elevation->high[k];
+    }
+    return frame;
+}
+
+static double width_mm(const struct elevation_drawing *drawing,
+                       const struct pp_elevation *elevation)
+{
+    return (elevation->high[0] - elevation->low[0]) * 1000.0 / drawing->scale;
+}
+
+static double height_mm(const struct elevation_drawing *drawing,
+                        const struct pp_elevation *elevation)
+{
+    return (elevation->high[1] - elevation->low[1]) * 1000.0 / drawing->scale;
+}
+
+/* ---- one elevation ---- */
+
+static void trace_region(cairo_t *cr, const struct pp_room_plan *frame,
+                         const struct pp_region *region)
+{
+    for (int r = 0; r < region->count; r++) {
+        cairo_new_sub_path(cr);
+        for (int i = 0; i < region->rings[r].count; i++)
+            cairo_line_to(cr, pp_room_plan_x(frame, region->rings[r].xy[i][0]),
+                          pp_room_plan_y(frame, region->rings[r].xy[i][1]));
+        cairo_close_path(cr);
+    }
+}
+
+/* From the most sky to the least, each over what has more. */
+static void fill_wall(struct elevation_drawing *drawing,
+                      const struct pp_room_plan *frame,
+                      const struct pp_elevation_wall *wall)
+{
+    cairo_t *cr = drawing->cr;
+    cairo_save(cr);
+    trace_region(cr, frame, &wall->outline);
+    cairo_clip(cr);
+    pp_sky_bands_colour(cr, PP_SITE_LEVELS, true);
+    cairo_paint(cr);
+    cairo_set_fill_rule(cr, CAIRO_FILL_RULE_WINDING);
+    for (int band = PP_SITE_LEVELS - 1; band >= 0; band--) {
+        for (int i = 0; i < wall->below.count; i++)
+            if (wall->below.list[i].level == pp_site_sheet_levels[band])
+                pp_contour_lines_path(cr, frame, &wall->below.list[i]);
+        pp_sky_bands_colour(cr, band, true);
+        cairo_fill(cr);
+    }
+    cairo_restore(cr);
+}
+
+static void draw_wall(struct elevation_drawing *drawing,
+                      const struct pp_room_plan *frame,
+                      const struct pp_elevation_wall *wall)
+{
+    cairo_t *cr = drawing->cr;
+    fill_wall(drawing, frame, wall);
+    pp_style_line(cr, drawing->style.hair, PP_GREY_TEXT);
+    for (int i = 0; i < wall->lines.count; i++)
+        pp_contour_lines_path(cr, frame, &wall->lines.list[i]);
+    cairo_stroke(cr);
+    pp_style_line(cr, drawing->style.thin, PP_INK);
+    trace_region(cr, frame, &wall->outline);
+    cairo_stroke(cr);
+}
+
+static struct pp_box window_box(const struct pp_room_plan *frame,
+                                const struct pp_elevation *elevation,
+                                const struct pp_site_window *window)
+{
+    double from = pp_room_plan_x(frame, pp_vec_dot(window->from, elevation->right));
+    double to = pp_room_plan_x(frame, pp_vec_dot(window->to, elevation->right));
+    double top = pp_room_plan_y(frame, window->from.z + window->height_m);
+    return (struct pp_box){from, top, to - from,
+                           pp_room_plan_y(frame, window->from.z) - top};
+}
+
+/* The figure in the window, or where it is too small for it on white above its middle. */
+static void say_component(struct elevation_drawing *drawing,
+                          const struct pp_site_window *window, struct pp_box box)
+{
+    char words[48];
+    struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
+    bool compared = isfinite(window->before);
+    snprintf(words, sizeof words, "%.1f", 100.0 * window->component);
+    struct pp_box size =
+        pp_lettering_measure(drawing->cr, &drawing->style, &set, 0.0, 0.0, words);
+    double x = box.x + 0.5 * box.width, y = box.y + 0.5 * box.height;
+    bool two = compared && box.height > 2.1 * size.height;
+    if (size.width > box.width || size.height > box.height) {
+        pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set, x, y, words);
+        return;
+    }
+    if (pp_sky_bands_is_dark(pp_sky_bands_of(window->component)))
+        set.grey = 1.0;
+    set.bold = true;
+    pp_lettering_draw(drawing->cr, &drawing->style, &set, x,
+                      two ? y + 0.5 * size.height : y, words);
+    if (!two)
+        return;
+    set.bold = false;
+    snprintf(words, sizeof words, "%.1f", 100.0 * window->before);
+    pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y - 0.5 * size.height,
+                      words);
+}
+
+static void draw_window(struct elevation_drawing *drawing,
+                        const struct pp_room_plan *frame,
+                        const struct pp_elevation *elevation,
+                        const struct pp_site_window *window)
+{
+    cairo_t *cr = drawing->cr;
+    struct pp_box box = window_box(frame, elevation, window);
+    cairo_rectangle(cr, box.x, box.y, box.width, box.height);
+    pp_sky_bands_colour(cr, pp_sky_bands_of(window->component), false);
+    cairo_fill_preserve(cr);
+    pp_style_line(
+        cr, pp_sky_bands_is_lost(window) ? drawing->style.thick : drawing->style.thin,
+        PP_INK);
+    cairo_stroke(cr);
+    say_component(drawing, window, box);
+}
+
+static void say_title(struct elevation_drawing *drawing,
+                      const struct pp_elevation *elevation, double x, double y)
+{
+    static const char *const ways[] = {"North", "North-east", "East", "South-east",
+                                       "South", "South-west", "West", "North-west"};
+    char words[96];
+    int way = (int)floor(elevation->bearing_rad / (PP_PI / 4.0) + 0.5) % 8;
+    snprintf(words, sizeof words, "%s elevation, %.0f\u00b0", ways[way],
+             elevation->bearing_rad / PP_RAD);
+    struct pp_lettering set = {.size = PP_TEXT_BODY, .bold = true, .down = 1.0};
+    pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, words);
+}
+
+/* x, y: the upper left corner on paper, of the title. */
+static void draw_elevation(struct elevation_drawing *drawing,
+                           const struct pp_elevation *elevation, double x, double y)
+{
+    cairo_t *cr = drawing->cr;
+    const struct pp_style *style = &drawing->style;
+    double head = 1.6 * style->text[PP_TEXT_BODY];
+    struct pp_room_plan frame =
+        frame_of(drawing, elevation, x, y + head + height_mm(drawing, elevation));
+    say_title(drawing, elevation, x, y + head - style->scale);
+    for (int i = 0; i < elevation->wall_count; i++)
+        draw_wall(drawing, &frame, &elevation->walls[i]);
+    for (int i = 0; i < elevation->window_count; i++)
+        draw_window(drawing, &frame, elevation,
+                    &drawing->sheet->site.windows[elevation->windows[i]]);
+    double ground = pp_room_plan_y(&frame, drawing->sheet->site.ground_m);
+    pp_style_line(cr, style->thick, PP_INK);
+    cairo_move_to(cr, x - 2.0 * style->scale, ground);
+    cairo_line_to(cr, x + width_mm(drawing, elevation) + 2.0 * style->scale, ground);
+    cairo_stroke(cr);
+}
+
+/* ---- the sheet ---- */
+
+/* Puts the elevations in rows from the box's top left; draws them if so wanted. Returns
+ * whether they fit. */
+static bool flow(struct elevation_drawing *drawing, struct pp_box box, bool drawn)
+{
+    const struct pp_style *style = &drawing->style;
+    double head = 1.6 * style->text[PP_TEXT_BODY], gap = 9.0 * style->scale;
+    double least = 34.0 * style->scale; /* for a title */
+    double x = box.x + 2.0 * style->scale, y = box.y, row = 0.0;
+    bool fits = true;
+    for (int i = 0; i < drawing->sheet->count; i++) {
+        const struct pp_elevation *elevation = &drawing->sheet->elevations[i];
+        double width = fmax(width_mm(drawing, elevation), least);
+        double height = head + height_mm(drawing, elevation);
+        if (row > 0.0 && x + width > box.x + box.width) {
+            y += row + gap;
+            x = box.x + 2.0 * style->scale;
+            row = 0.0;
+        }
+        fits &= x + width <= box.x + box.width && y + height <= box.y + box.height;
+        if (drawn)
+            draw_elevation(drawing, elevation, x, y);
+        x += width + gap;
+        row = fmax(row, height);
+    }
+    return fits;
+}
+
+static void find_scale(struct elevation_drawing *drawing, struct pp_box box)
+{
+    drawing->scale = 20.0;
+    for (int i = 0; i < 100 && !flow(drawing, box, false); i++)
+        drawing->scale = pp_room_plan_usual_scale(drawing->scale * 1.001);
+}
+
+static void say_foot(const struct elevation_drawing *drawing, char *foot, size_t room)
+{
+    const struct pp_site_sheet *site = &drawing->sheet->site;
+    pp_page_say(
+        foot, room, "Figures in per cent, at the middle of each window's outside%s.",
+        site->has_before ? "; above, in light type, what they were before" : "");
+    if (site->has_before)
+        pp_page_say(foot, room,
+                    "Heavily framed: under 27\u00a0%% and under 0.8 of before.");
+    pp_page_say(
+        foot, room,
+        "Of windows with 27\u00a0%% or more usual design gives reasonable "
+        "daylight; with 15 to 27 larger windows or other rooms are needed; with 5 "
+        "to 15 it is very hard to provide; with less often impossible [BR209].");
+}
+
+static void draw_sheet(struct elevation_drawing *drawing, struct pp_canvas *canvas)
+{
+    const struct pp_style *style = &drawing->style;
+    const struct pp_elevation_sheet *sheet = drawing->sheet;
+    struct pp_key keys[PP_SKY_BANDS];
+    char foot[1024] = "";
+    say_foot(drawing, foot, sizeof foot);
+    struct pp_page page = {sheet->site.title,
+                           "Vertical sky component over outer walls and at their "
+                           "windows, CIE overcast sky",
+                           foot};
+    struct pp_box body = pp_page_draw(canvas, style, &page);
+    pp_sky_bands_keys(keys);
+    double strip = pp_plan_strip_height(style, PP_SKY_BANDS);
+    struct pp_box field = {body.x, body.y, body.width,
+                           body.height - strip - 5.0 * style->scale};
+    find_scale(drawing, field);
+    flow(drawing, field, true);
+    pp_plan_strip_draw(
+        drawing->cr, style,
+        (struct pp_box){body.x, body.y + body.height - strip, body.width, strip},
+        drawing->scale, NAN, keys, PP_SKY_BANDS);
+}
+
+enum pp_status pp_elevation_chart_draw(struct pp_canvas *canvas,
+                                       const struct pp_elevation_sheet *sheet,
+                                       struct pp_error *err)
+{
+    (void)err;
+    struct elevation_drawing drawing = {
+        .cr = pp_canvas_cairo(canvas), .style = pp_page_style(canvas), .sheet = sheet};
+    draw_sheet(&drawing, canvas);
+    return PP_OK;
+}

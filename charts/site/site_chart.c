@@ -1,0 +1,348 @@
+/* site_chart.c - see site_chart.h. */
+#include "charts/site/site_chart.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "charts/room/plan_strip.h"
+#include "charts/room/room_plan.h"
+#include "charts/sheet/hatch.h"
+#include "charts/sheet/labels.h"
+#include "charts/sheet/page.h"
+#include "charts/site/sky_bands.h"
+
+struct site_drawing {
+    cairo_t *cr;
+    struct pp_style style;
+    const struct pp_site_sheet *sheet;
+    struct pp_room_plan frame; /* of the site's x and y */
+    struct pp_labels *labels;
+};
+
+/* ---- extent ---- */
+
+static struct pp_bounds2 room_bounds(const struct pp_site_sheet *sheet)
+{
+    struct pp_bounds2 box = pp_bounds2_empty();
+    for (int i = 0; i < sheet->shape_count; i++)
+        for (int k = 0; sheet->shapes[i].is_room && k < sheet->shapes[i].count; k++)
+            pp_bounds2_add(&box, sheet->shapes[i].corners[k].x,
+                           sheet->shapes[i].corners[k].y);
+    return box;
+}
+
+/* The rooms, and what stands near them. */
+static struct pp_bounds2 extent_of(const struct pp_site_sheet *sheet)
+{
+    const struct pp_bounds2 rooms = room_bounds(sheet);
+    double reach = fmax(
+        1.5 * fmax(rooms.high[0] - rooms.low[0], rooms.high[1] - rooms.low[1]), 30.0);
+    struct pp_bounds2 box = rooms;
+    for (int i = 0; i < sheet->shape_count; i++)
+        for (int k = 0; k < sheet->shapes[i].count; k++) {
+            double xy[2] = {sheet->shapes[i].corners[k].x,
+                            sheet->shapes[i].corners[k].y};
+            for (int d = 0; d < 2; d++)
+                xy[d] = fmin(fmax(xy[d], rooms.low[d] - reach), rooms.high[d] + reach);
+            pp_bounds2_add(&box, xy[0], xy[1]);
+        }
+    return box;
+}
+
+static struct pp_box frame_box(const struct pp_room_plan *frame)
+{
+    double width = (frame->extent.high[0] - frame->extent.low[0]) * frame->mm_per_m;
+    double height = (frame->extent.high[1] - frame->extent.low[1]) * frame->mm_per_m;
+    return (struct pp_box){frame->x, frame->y - height, width, height};
+}
+
+/* The largest usual scale at which the site fits, with a border for windows' figures. */
+static void place(struct site_drawing *drawing, struct pp_box room)
+{
+    struct pp_room_plan *frame = &drawing->frame;
+    double border = 3.0 * drawing->style.scale;
+    frame->extent = extent_of(drawing->sheet);
+    frame->scale = 20.0;
+    for (int i = 0; i < 100; i++) {
+        frame->mm_per_m = 1000.0 / frame->scale;
+        struct pp_box box = frame_box(frame);
+        if (box.width + 2.0 * border <= room.width
+            && box.height + 2.0 * border <= room.height)
+            break;
+        frame->scale = pp_room_plan_usual_scale(frame->scale * 1.001);
+    }
+    struct pp_box box = frame_box(frame);
+    frame->x = room.x + 0.5 * (room.width - box.width);
+    frame->y = room.y + 0.5 * (room.height + box.height);
+    drawing->labels->field = room;
+}
+
+/* ---- what stands there ---- */
+
+static void trace_shape(struct site_drawing *drawing, const struct pp_site_shape *shape)
+{
+    for (int i = 0; i < shape->count; i++)
+        cairo_line_to(drawing->cr, pp_room_plan_x(&drawing->frame, shape->corners[i].x),
+                      pp_room_plan_y(&drawing->frame, shape->corners[i].y));
+    cairo_close_path(drawing->cr);
+}
+
+static void draw_shape(struct site_drawing *drawing, const struct pp_site_shape *shape)
+{
+    cairo_t *cr = drawing->cr;
+    const struct pp_style *style = &drawing->style;
+    static const double gone_dashes[] = {1.4, 0.8};
+    double dashes[2] = {gone_dashes[0] * style->scale, gone_dashes[1] * style->scale};
+    cairo_new_path(cr);
+    trace_shape(drawing, shape);
+    if (shape->is_level && shape->when != PP_SITE_GONE) {
+        pp_style_grey(cr, shape->is_room ? 1.0 : PP_GREY_FILL);
+        cairo_fill_preserve(cr);
+        if (shape->when == PP_SITE_NEW) {
+            cairo_path_t *path = cairo_copy_path(cr);
+            pp_hatch_path(cr, frame_box(&drawing->frame), 1.4 * style->scale,
+                          style->hair, PP_GREY_TEXT);
+            cairo_append_path(cr, path);
+            cairo_path_destroy(path);
+        }
+    }
+    pp_style_line(cr,
+                  shape->is_room                  ? style->medium
+                  : shape->when == PP_SITE_ALWAYS ? style->hair
+                                                  : style->thin,
+                  shape->is_room ? PP_INK : PP_GREY_TEXT);
+    if (shape->when == PP_SITE_GONE)
+        cairo_set_dash(cr, dashes, 2, 0.0);
+    cairo_stroke(cr);
+    cairo_set_dash(cr, NULL, 0, 0.0);
+}
+
+/* Is it the name of a room, as those of other rooms' outsides are? */
+static bool is_room_name(const struct pp_site_sheet *sheet, const char *name)
+{
+    for (int i = 0; i < sheet->shape_count; i++)
+        if (sheet->shapes[i].is_room && sheet->shapes[i].name
+            && strcmp(sheet->shapes[i].name, name) == 0)
+            return true;
+    return false;
+}
+
+/* The area that a shape covers, seen from above, with its middle there. */
+static double covered_m2(const struct pp_site_shape *shape, double middle[2])
+{
+    double area = 0.0;
+    middle[0] = middle[1] = 0.0;
+    for (int i = 0; i < shape->count; i++) {
+        const struct pp_vec3 *p = &shape->corners[i];
+        const struct pp_vec3 *q = &shape->corners[(i + 1) % shape->count];
+        area += 0.5 * (p->x * q->y - q->x * p->y);
+        middle[0] += p->x / shape->count;
+        middle[1] += p->y / shape->count;
+    }
+    return fabs(area);
+}
+
+/* What is known of all shapes of one name together. */
+struct named_thing {
+    double area_m2, middle[2]; /* of the largest of them */
+    double top_m;
+    bool first; /* is the shape asked for the first of them? */
+};
+
+static struct named_thing gather_named(const struct pp_site_sheet *sheet, int index)
+{
+    const struct pp_site_shape *asked = &sheet->shapes[index];
+    struct named_thing thing = {.area_m2 = -1.0, .top_m = -INFINITY, .first = true};
+    for (int i = 0; i < sheet->shape_count; i++) {
+        const struct pp_site_shape *shape = &sheet->shapes[i];
+        double middle[2];
+        if (!shape->name || shape->is_room || shape->when != asked->when
+            || strcmp(shape->name, asked->name) != 0)
+            continue;
+        thing.first &= i >= index;
+        thing.top_m = fmax(thing.top_m, shape->top_m);
+        double area = covered_m2(shape, middle);
+        if (area > thing.area_m2) {
+            thing.area_m2 = area;
+            thing.middle[0] = middle[0];
+            thing.middle[1] = middle[1];
+        }
+    }
+    return thing;
+}
+
+/* Says name and height once of all shapes that have the name. */
+static void name_shape(struct site_drawing *drawing, int index)
+{
+    const struct pp_site_shape *shape = &drawing->sheet->shapes[index];
+    struct pp_box box = frame_box(&drawing->frame);
+    char words[96], height[32];
+    if (!shape->name || shape->is_room || is_room_name(drawing->sheet, shape->name))
+        return;
+    const struct named_thing thing = gather_named(drawing->sheet, index);
+    if (!thing.first)
+        return;
+    pp_style_metres(height, sizeof height, thing.top_m - drawing->sheet->ground_m);
+    snprintf(words, sizeof words, "%.40s%s\n%s", shape->name,
+             shape->when == PP_SITE_NEW    ? ", proposed"
+             : shape->when == PP_SITE_GONE ? ", existing"
+                                           : "",
+             height);
+    struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
+    double x = pp_room_plan_x(&drawing->frame, thing.middle[0]);
+    double y = pp_room_plan_y(&drawing->frame, thing.middle[1]);
+    x = fmin(fmax(x, box.x), box.x + box.width);
+    y = fmin(fmax(y, box.y), box.y + box.height);
+    double line = 1.5 * drawing->style.text[PP_TEXT_SMALL];
+    for (int tries = 0; tries < 6; tries++) {
+        struct pp_box said =
+            pp_lettering_measure(drawing->cr, &drawing->style, &set, x, y, words);
+        if (pp_labels_is_free(drawing->labels, said))
+            break;
+        y += (tries % 2 ? -1.0 : 1.0) * (tries + 1) * line;
+    }
+    struct pp_box said =
+        pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set, x, y, words);
+    pp_labels_note_box(drawing->labels, said);
+}
+
+/* ---- windows ---- */
+
+/* A strip before the window, as long as it: the lowest storey next to the wall. */
+static void draw_window(struct site_drawing *drawing,
+                        const struct pp_site_window *window)
+{
+    cairo_t *cr = drawing->cr;
+    const struct pp_style *style = &drawing->style;
+    double deep = 2.6 * style->scale;
+    double fx = pp_room_plan_x(&drawing->frame, window->from.x);
+    double fy = pp_room_plan_y(&drawing->frame, window->from.y);
+    double tx = pp_room_plan_x(&drawing->frame, window->to.x);
+    double ty = pp_room_plan_y(&drawing->frame, window->to.y);
+    double ox = window->out.x, oy = -window->out.y;
+    double near = 0.5 * style->medium + window->storey * deep;
+    cairo_new_path(cr);
+    cairo_move_to(cr, fx + near * ox, fy + near * oy);
+    cairo_line_to(cr, tx + near * ox, ty + near * oy);
+    cairo_line_to(cr, tx + (near + deep) * ox, ty + (near + deep) * oy);
+    cairo_line_to(cr, fx + (near + deep) * ox, fy + (near + deep) * oy);
+    cairo_close_path(cr);
+    pp_labels_note_path(drawing->labels, cr, -1);
+    int band = pp_sky_bands_of(window->component);
+    pp_sky_bands_colour(cr, band, false);
+    cairo_fill_preserve(cr);
+    pp_style_line(cr, pp_sky_bands_is_lost(window) ? style->thick : style->hair,
+                  PP_INK);
+    cairo_stroke(cr);
+
+    char words[16];
+    double turn = atan2(ty - fy, tx - fx);
+    if (turn > PP_PI / 2.0 + 1e-6)
+        turn -= PP_PI;
+    if (turn <= -PP_PI / 2.0 + 1e-6)
+        turn += PP_PI;
+    struct pp_lettering set = {.size = PP_TEXT_SMALL,
+                               .across = 0.5,
+                               .down = 0.5,
+                               .turn_rad = turn,
+                               .grey = pp_sky_bands_is_dark(band) ? 1.0 : PP_INK};
+    snprintf(words, sizeof words, "%.1f", 100.0 * window->component);
+    struct pp_box size = pp_lettering_measure(cr, style, &set, 0.0, 0.0, words);
+    if (size.width < hypot(tx - fx, ty - fy))
+        pp_lettering_draw(cr, style, &set, 0.5 * (fx + tx) + (near + 0.5 * deep) * ox,
+                          0.5 * (fy + ty) + (near + 0.5 * deep) * oy, words);
+}
+
+/* ---- the sheet ---- */
+
+static bool has_when(const struct pp_site_sheet *sheet, enum pp_site_when when)
+{
+    for (int i = 0; i < sheet->shape_count; i++)
+        if (sheet->shapes[i].when == when && sheet->shapes[i].is_level)
+            return true;
+    return false;
+}
+
+static int gather_keys(const struct pp_site_sheet *sheet, struct pp_key keys[8])
+{
+    int count = PP_SKY_BANDS;
+    pp_sky_bands_keys(keys);
+    if (has_when(sheet, PP_SITE_NEW)) {
+        keys[count] = (struct pp_key){.kind = PP_KEY_HATCH, .curve.dashes = {1.4}};
+        snprintf(keys[count++].words, sizeof keys->words, "proposed");
+    }
+    if (has_when(sheet, PP_SITE_GONE)) {
+        keys[count] = (struct pp_key){
+            .kind = PP_KEY_LINE, .curve = pp_style_curve(1), .grey = PP_GREY_TEXT};
+        snprintf(keys[count++].words, sizeof keys->words, "existing, to go");
+    }
+    return count;
+}
+
+static void draw_site(struct site_drawing *drawing)
+{
+    const struct pp_site_sheet *sheet = drawing->sheet;
+    struct pp_box box = frame_box(&drawing->frame);
+    cairo_t *cr = drawing->cr;
+    cairo_save(cr);
+    cairo_rectangle(cr, box.x, box.y, box.width, box.height);
+    cairo_clip(cr);
+    for (int pass = 0; pass < 2; pass++)
+        for (int i = 0; i < sheet->shape_count; i++)
+            if ((sheet->shapes[i].when == PP_SITE_GONE) == (pass == 1))
+                draw_shape(drawing, &sheet->shapes[i]);
+    cairo_restore(cr);
+    for (int i = 0; i < sheet->window_count; i++)
+        draw_window(drawing, &sheet->windows[i]);
+    for (int pass = 0; pass < 2; pass++)
+        for (int i = 0; i < sheet->shape_count; i++)
+            if ((sheet->shapes[i].when == PP_SITE_GONE) == (pass == 1))
+                name_shape(drawing, i);
+}
+
+static void draw_sheet(struct site_drawing *drawing, struct pp_canvas *canvas)
+{
+    const struct pp_style *style = &drawing->style;
+    const struct pp_site_sheet *sheet = drawing->sheet;
+    struct pp_key keys[8];
+    char foot[512] = "";
+    pp_page_say(
+        foot, sizeof foot,
+        "Before each upright window its vertical sky component in per cent, the "
+        "lowest storey next to the wall. Heights are above the ground.");
+    if (sheet->has_before)
+        pp_page_say(
+            foot, sizeof foot,
+            "Heavily framed: under 27\u00a0%% and under 0.8 of before [BR209].");
+    struct pp_page page = {sheet->title,
+                           "Site plan, with the vertical sky component of windows, CIE "
+                           "overcast sky",
+                           foot};
+    struct pp_box body = pp_page_draw(canvas, style, &page);
+    int key_count = gather_keys(sheet, keys);
+    double strip = pp_plan_strip_height(style, key_count);
+    place(drawing, (struct pp_box){body.x, body.y, body.width,
+                                   body.height - strip - 5.0 * style->scale});
+    draw_site(drawing);
+    pp_plan_strip_draw(
+        drawing->cr, style,
+        (struct pp_box){body.x, body.y + body.height - strip, body.width, strip},
+        drawing->frame.scale, sheet->north_rad, keys, key_count);
+}
+
+enum pp_status pp_site_chart_draw(struct pp_canvas *canvas,
+                                  const struct pp_site_sheet *sheet,
+                                  struct pp_error *err)
+{
+    struct site_drawing drawing = {.cr = pp_canvas_cairo(canvas),
+                                   .style = pp_page_style(canvas),
+                                   .sheet = sheet,
+                                   .labels = calloc(1, sizeof *drawing.labels)};
+    if (!drawing.labels)
+        return pp_fail_memory(err);
+    draw_sheet(&drawing, canvas);
+    free(drawing.labels);
+    return PP_OK;
+}

@@ -1,0 +1,16 @@
+/* site_chart.h - the plan of a site to a true scale: what stands on it, existing and proposed,
+ * its rooms, and before each window its vertical sky component, storey by storey.
+ */
+#ifndef PP_CHARTS_SITE_SITE_CHART_H
+#define PP_CHARTS_SITE_SITE_CHART_H
+
+#include "charts/sheet/canvas.h"
+#include "model/results/sheets/site_sheet.h"
+
+/* What stands farther from the rooms than one and a half times their own extent, and 30 m,
+ * is cut off. */
+enum pp_status pp_site_chart_draw(struct pp_canvas *canvas,
+                                  const struct pp_site_sheet *sheet,
+                                  struct pp_error *err);
+
+#endif

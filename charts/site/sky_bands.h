@@ -1,0 +1,27 @@
+/* sky_bands.h - how drawings show vertical sky components: four classes with a colour each,
+ * darker for less sky, that stay in order in grey.
+ */
+#ifndef PP_CHARTS_SITE_SKY_BANDS_H
+#define PP_CHARTS_SITE_SKY_BANDS_H
+
+#include "charts/sheet/legend.h"
+#include "model/results/sheets/site_sheet.h"
+
+enum { PP_SKY_BANDS = PP_SITE_LEVELS + 1 };
+
+/* The class of a component: 0 for the least sky. */
+int pp_sky_bands_of(double component);
+
+/* Sets the class's colour; pale: for walls, behind their windows. */
+void pp_sky_bands_colour(cairo_t *cr, int band, bool pale);
+
+/* Does ink not show on it? White does, then. */
+bool pp_sky_bands_is_dark(int band);
+
+/* Fills PP_SKY_BANDS keys, from the most sky on: "27 % or more", ... */
+void pp_sky_bands_keys(struct pp_key *keys);
+
+/* Has the window lost too much: less than 27 % and less than 0.8 of before [BR209]? */
+bool pp_sky_bands_is_lost(const struct pp_site_window *window);
+
+#endif

@@ -1,0 +1,32 @@
+/* site_sheet.c - see site_sheet.h. */
+#include "model/results/sheets/site_sheet.h"
+
+#include <stdlib.h>
+
+const double pp_site_sheet_levels[PP_SITE_LEVELS] = {0.05, 0.15, 0.27};
+
+void pp_site_sheet_clear(struct pp_site_sheet *sheet)
+{
+    for (int i = 0; i < sheet->shape_count; i++)
+        free(sheet->shapes[i].corners);
+    free(sheet->shapes);
+    free(sheet->windows);
+    *sheet = (struct pp_site_sheet){0};
+}
+
+void pp_site_sheet_clear_elevations(struct pp_elevation_sheet *sheet)
+{
+    for (int i = 0; i < sheet->count; i++) {
+        struct pp_elevation *elevation = &sheet->elevations[i];
+        for (int k = 0; k < elevation->wall_count; k++) {
+            pp_region_clear(&elevation->walls[k].outline);
+            pp_curve_list_clear(&elevation->walls[k].below);
+            pp_curve_list_clear(&elevation->walls[k].lines);
+        }
+        free(elevation->walls);
+        free(elevation->windows);
+    }
+    free(sheet->elevations);
+    pp_site_sheet_clear(&sheet->site);
+    *sheet = (struct pp_elevation_sheet){0};
+}

@@ -1,0 +1,88 @@
+/* site_sheet.h - what drawings of a site show: what stands on it, and the windows of its rooms
+ * with their vertical sky component, seen from above and square to the walls.
+ *
+ * Lengths are metres of the building's axes (placement.h). Names are not owned; all else is
+ * the sheet's.
+ */
+#ifndef PP_MODEL_RESULTS_SHEETS_SITE_SHEET_H
+#define PP_MODEL_RESULTS_SHEETS_SITE_SHEET_H
+
+#include <stdbool.h>
+
+#include "model/geometry/curve.h"
+#include "model/geometry/region.h"
+#include "model/geometry/vec.h"
+
+/* When something stands there, of what is known before and now. */
+enum pp_site_when { PP_SITE_ALWAYS, PP_SITE_GONE, PP_SITE_NEW };
+
+/* A polygon that stands outside, or a room's own floor. */
+struct pp_site_shape {
+    int count;
+    struct pp_vec3 *corners;
+    double top_m;     /* z of its highest corner */
+    const char *name; /* of the thing that it is a side of; NULL: none */
+    enum pp_site_when when;
+    bool is_room;  /* a floor of a room */
+    bool is_level; /* not upright: it covers something, seen from above */
+};
+
+/* An upright window. */
+struct pp_site_window {
+    struct pp_vec3 from,
+        to; /* its lower corners, left and right as seen from outside */
+    double height_m;
+    struct pp_vec3 out;       /* unit, level, away from the room */
+    double component, before; /* vertical sky component; before NAN: not known */
+    const char *name;         /* NULL: it has none */
+    int line;
+    int storey; /* how many windows stand below it, in the same wall and place */
+};
+
+struct pp_site_sheet {
+    const char *title;
+    double north_rad;             /* bearing of +y */
+    bool has_before;              /* of any window */
+    double ground_m;              /* z of the ground */
+    struct pp_site_shape *shapes; /* from low to high */
+    int shape_count;
+    struct pp_site_window *windows;
+    int window_count;
+};
+
+void pp_site_sheet_clear(struct pp_site_sheet *sheet);
+
+/* The vertical sky components at which the advice on windows changes [BR209]: fractions,
+ * ascending. */
+enum { PP_SITE_LEVELS = 3 };
+extern const double pp_site_sheet_levels[PP_SITE_LEVELS];
+
+/* An outer wall, flattened: u runs to the right as seen from outside, from the sheet's
+ * origin; v up, from z = 0. */
+struct pp_elevation_wall {
+    struct pp_region outline;
+    struct pp_curve_list below; /* the parts below each level, as in pp_daylight_plan;
+                                 * every one has its level */
+    struct pp_curve_list lines; /* of the levels */
+};
+
+/* The walls of a site that look the same way. */
+struct pp_elevation {
+    struct pp_vec3 out, right; /* unit, level */
+    double bearing_rad;        /* in which it looks, clockwise from north, 0 to 2 pi */
+    struct pp_elevation_wall *walls;
+    int wall_count;
+    int *windows; /* of the site's sheet: which are in it */
+    int window_count;
+    double low[2], high[2]; /* u and v: what it takes, with the ground */
+};
+
+struct pp_elevation_sheet {
+    struct pp_site_sheet site;
+    struct pp_elevation *elevations; /* clockwise from north */
+    int count;
+};
+
+void pp_site_sheet_clear_elevations(struct pp_elevation_sheet *sheet);
+
+#endif

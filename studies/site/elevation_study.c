@@ -1,0 +1,241 @@
+/* elevation_study.c - see elevation_study.h. */
+#include "studies/site/elevation_study.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "methods/exact/exterior.h"
+#include "model/base/array.h"
+#include "model/geometry/bounds.h"
+#include "model/geometry/clipper.h"
+#include "model/geometry/contour/contour.h"
+
+#define SAME_WAY_RAD (2.0 * PP_RAD)
+#define TOLERANCE_M 0.01
+#define INSET_M 0.005 /* points on a wall's edge are moved this far inside */
+
+/* ---- a wall's contours ---- */
+
+/* Where points of a flattened wall are in its room. */
+struct wall_frame {
+    const struct pp_world *world;
+    int face;
+    struct pp_vec3 out, right; /* in the room's axes */
+    struct pp_vec3 origin;     /* a point of the wall's outside */
+    double origin_u;           /* its u */
+    double base_z;             /* of the room's floor in the building */
+    struct pp_bounds2 box;     /* of the outline */
+};
+
+static enum pp_status component_at(void *context, double u, double v, double *value,
+                                   struct pp_error *err)
+{
+    const struct wall_frame *frame = context;
+    const struct pp_outside_light light = {.sky = pp_sky_overcast()};
+    u = fmin(fmax(u, frame->box.low[0] + INSET_M), frame->box.high[0] - INSET_M);
+    v = fmin(fmax(v, frame->box.low[1] + INSET_M), frame->box.high[1] - INSET_M);
+    struct pp_vec3 at = pp_vec_along(frame->origin, u - frame->origin_u, frame->right);
+    at.z = v - frame->base_z;
+    struct pp_exterior_light outside;
+    enum pp_status status = pp_exterior_light_on_plane(
+        &outside, frame->world, &light, at, frame->out, frame->face, err);
+    *value = outside.sky;
+    return status;
+}
+
+static enum pp_status trace(struct pp_elevation_wall *wall, struct wall_frame *frame,
+                            struct pp_error *err)
+{
+    struct pp_field *field;
+    enum pp_status status =
+        pp_field_create(&field, &wall->outline, component_at, frame, TOLERANCE_M, err);
+    if (status != PP_OK)
+        return status;
+    for (int i = 0; i < PP_SITE_LEVELS && status == PP_OK; i++) {
+        status = pp_contour_curves(field, pp_site_sheet_levels[i], &wall->lines, err);
+        if (status == PP_OK)
+            status =
+                pp_contour_below(field, pp_site_sheet_levels[i], &wall->below, err);
+    }
+    pp_field_destroy(field);
+    return status;
+}
+
+/* How far the wall's outside is before the face. */
+static double outside_of(const struct pp_world *world, int face)
+{
+    for (int i = 0; i < world->facade_count; i++)
+        if (world->facades[i].face == face)
+            return world->facades[i].depth_m;
+    double depth = 0.0;
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].face == face)
+            depth = fmax(depth, world->openings[i].reveal_m);
+    return depth;
+}
+
+/* The face's outline by u and v. */
+static enum pp_status flatten(struct pp_elevation_wall *wall,
+                              const struct pp_elevation *elevation,
+                              const struct pp_world *world, int face,
+                              struct pp_error *err)
+{
+    const struct pp_polygon *outline = &world->surfaces[face].outline;
+    double(*xy)[2] = malloc(outline->count * sizeof *xy);
+    struct pp_clipper *clipper = NULL;
+    if (!xy)
+        return pp_fail_memory(err);
+    for (int i = 0; i < outline->count; i++) {
+        struct pp_vec3 p =
+            pp_placement_to_building(&world->placement, outline->vertices[i]);
+        xy[i][0] = pp_vec_dot(p, elevation->right);
+        xy[i][1] = p.z;
+    }
+    enum pp_status status = pp_clipper_create(&clipper, err);
+    if (status == PP_OK)
+        status = pp_clipper_of_ring(clipper, &wall->outline, (const double(*)[2])xy,
+                                    outline->count, err);
+    pp_clipper_destroy(clipper);
+    free(xy);
+    return status;
+}
+
+static enum pp_status add_wall(struct pp_elevation *elevation,
+                               const struct pp_world *world, int face,
+                               struct pp_error *err)
+{
+    enum pp_status status = pp_array_append(&elevation->walls, elevation->wall_count,
+                                            sizeof *elevation->walls, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_elevation_wall *wall = &elevation->walls[elevation->wall_count++];
+    *wall = (struct pp_elevation_wall){0};
+    status = flatten(wall, elevation, world, face, err);
+    if (status != PP_OK || wall->outline.count == 0)
+        return status;
+    const struct pp_placement *place = &world->placement;
+    struct wall_frame frame = {
+        .world = world,
+        .face = face,
+        .out = pp_vec_scale(world->surfaces[face].outline.normal, -1.0),
+        .right = pp_placement_turn(elevation->right, -place->rotate_rad),
+        .base_z = place->z,
+        .box = pp_region_bounds(&wall->outline)};
+    struct pp_vec3 corner = world->surfaces[face].outline.vertices[0];
+    frame.origin_u =
+        pp_vec_dot(pp_placement_to_building(place, corner), elevation->right);
+    frame.origin = pp_vec_along(corner, outside_of(world, face), frame.out);
+    return trace(wall, &frame, err);
+}
+
+/* ---- elevations ---- */
+
+static struct pp_elevation *find_elevation(struct pp_elevation_sheet *sheet,
+                                           struct pp_vec3 out)
+{
+    for (int i = 0; i < sheet->count; i++)
+        if (pp_vec_dot(sheet->elevations[i].out, out) > cos(SAME_WAY_RAD))
+            return &sheet->elevations[i];
+    return NULL;
+}
+
+static enum pp_status add_elevation(struct pp_elevation_sheet *sheet,
+                                    struct pp_vec3 out, struct pp_error *err)
+{
+    enum pp_status status = pp_array_append(&sheet->elevations, sheet->count,
+                                            sizeof *sheet->elevations, err);
+    if (status != PP_OK)
+        return status;
+    double bearing = atan2(out.x, out.y) + sheet->site.north_rad;
+    bearing = fmod(bearing, 2.0 * PP_PI);
+    sheet->elevations[sheet->count++] = (struct pp_elevation){
+        .out = out,
+        .right = pp_vec(-out.y, out.x, 0.0),
+        .bearing_rad = bearing < -1e-9 ? bearing + 2.0 * PP_PI : fmax(bearing, 0.0),
+        .low = {INFINITY, sheet->site.ground_m},
+        .high = {-INFINITY, sheet->site.ground_m}};
+    return PP_OK;
+}
+
+static int by_bearing(const void *left, const void *right)
+{
+    const struct pp_elevation *a = left, *b = right;
+    return (a->bearing_rad > b->bearing_rad) - (a->bearing_rad < b->bearing_rad);
+}
+
+static enum pp_status add_windows(struct pp_elevation_sheet *sheet,
+                                  struct pp_elevation *elevation, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < sheet->site.window_count && status == PP_OK; i++) {
+        if (pp_vec_dot(sheet->site.windows[i].out, elevation->out) <= cos(SAME_WAY_RAD))
+            continue;
+        status = pp_array_append(&elevation->windows, elevation->window_count,
+                                 sizeof *elevation->windows, err);
+        if (status == PP_OK)
+            elevation->windows[elevation->window_count++] = i;
+    }
+    return status;
+}
+
+static enum pp_status add_walls(struct pp_elevation_sheet *sheet,
+                                const struct pp_world *world, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < world->face_count && status == PP_OK; i++) {
+        const struct pp_surface *face = &world->surfaces[i];
+        if (face->role != PP_WALL || face->is_inner
+            || fabs(face->outline.normal.z) > 0.02)
+            continue;
+        struct pp_vec3 out = pp_placement_turn(pp_vec_scale(face->outline.normal, -1.0),
+                                               world->placement.rotate_rad);
+        struct pp_elevation *elevation = find_elevation(sheet, out);
+        if (elevation)
+            status = add_wall(elevation, world, i, err);
+    }
+    return status;
+}
+
+static void measure(struct pp_elevation *elevation)
+{
+    for (int i = 0; i < elevation->wall_count; i++) {
+        struct pp_bounds2 box = pp_region_bounds(&elevation->walls[i].outline);
+        for (int k = 0; k < 2; k++) {
+            elevation->low[k] = fmin(elevation->low[k], box.low[k]);
+            elevation->high[k] = fmax(elevation->high[k], box.high[k]);
+        }
+    }
+}
+
+static enum pp_status make(struct pp_elevation_sheet *sheet,
+                           const struct pp_site_rooms *rooms, struct pp_error *err)
+{
+    enum pp_status status = pp_site_study_make(&sheet->site, rooms, err);
+    for (int i = 0; i < sheet->site.window_count && status == PP_OK; i++)
+        if (!find_elevation(sheet, sheet->site.windows[i].out))
+            status = add_elevation(sheet, sheet->site.windows[i].out, err);
+    if (status == PP_OK && sheet->count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "there is no upright window, and an elevation is of walls that "
+                       "have some");
+    if (status == PP_OK)
+        qsort(sheet->elevations, sheet->count, sizeof *sheet->elevations, by_bearing);
+    for (int i = 0; i < rooms->count && status == PP_OK; i++)
+        status = add_walls(sheet, rooms->list[i].world, err);
+    for (int i = 0; i < sheet->count && status == PP_OK; i++) {
+        measure(&sheet->elevations[i]);
+        status = add_windows(sheet, &sheet->elevations[i], err);
+    }
+    return status;
+}
+
+enum pp_status pp_elevation_study_make(struct pp_elevation_sheet *sheet,
+                                       const struct pp_site_rooms *rooms,
+                                       struct pp_error *err)
+{
+    *sheet = (struct pp_elevation_sheet){0};
+    enum pp_status status = make(sheet, rooms, err);
+    if (status != PP_OK)
+        pp_site_sheet_clear_elevations(sheet);
+    return status;
+}

@@ -1,0 +1,270 @@
+/* site_study.c - see site_study.h. */
+#include "studies/site/site_study.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "model/base/array.h"
+#include "model/geometry/bounds.h"
+#include "studies/criteria/pair_rooms.h"
+#include "studies/criteria/windows/vertical_sky.h"
+
+/* Corners nearer together than this are the same, before and now. */
+static const double same_m = 0.01;
+
+/* ---- windows ---- */
+
+static double before_of(const struct pp_study_room *before, const int *pairs,
+                        int opening, enum pp_status *status, struct pp_error *err)
+{
+    double component = NAN;
+    if (before)
+        *status = pp_vertical_sky_component(
+            &component, before->world, &before->world->openings[pairs[opening]], err);
+    return component;
+}
+
+static enum pp_status add_window(struct pp_site_sheet *sheet,
+                                 const struct pp_study_room *room, int index,
+                                 double before, struct pp_error *err)
+{
+    const struct pp_world *world = room->world;
+    const struct pp_opening *opening = &world->openings[index];
+    const struct pp_placement *place = &world->placement;
+    struct pp_site_window window = {.name = opening->name,
+                                    .line = opening->line,
+                                    .before = before,
+                                    .height_m = opening->height_m};
+    window.out =
+        pp_placement_turn(pp_vec_scale(opening->inner.normal, -1.0), place->rotate_rad);
+    struct pp_bounds2 box = pp_bounds2_empty();
+    const struct pp_polygon *outline = &opening->outer;
+    for (int i = 0; i < outline->count; i++)
+        pp_bounds2_add(&box, pp_vec_dot(outline->vertices[i], opening->along),
+                       outline->vertices[i].z);
+    /* Seen from outside, left is where `along` leads to. */
+    struct pp_vec3 middle = pp_polygon_middle(outline);
+    double at = pp_vec_dot(middle, opening->along);
+    middle.z = box.low[1];
+    window.from = pp_placement_to_building(
+        place, pp_vec_along(middle, box.high[0] - at, opening->along));
+    window.to = pp_placement_to_building(
+        place, pp_vec_along(middle, box.low[0] - at, opening->along));
+    enum pp_status status =
+        pp_vertical_sky_component(&window.component, world, opening, err);
+    if (status == PP_OK)
+        status = pp_array_append(&sheet->windows, sheet->window_count,
+                                 sizeof *sheet->windows, err);
+    if (status == PP_OK)
+        sheet->windows[sheet->window_count++] = window;
+    sheet->has_before |= isfinite(before);
+    return status;
+}
+
+static enum pp_status add_windows(struct pp_site_sheet *sheet,
+                                  const struct pp_study_room *room,
+                                  const struct pp_study_room *before,
+                                  struct pp_error *err)
+{
+    int *pairs = NULL;
+    enum pp_status status = PP_OK;
+    if (before)
+        status = pp_pair_rooms(&pairs, room->world, before->world, err);
+    for (int i = 0; i < room->world->opening_count && status == PP_OK; i++) {
+        if (!pp_vertical_sky_is_upright(&room->world->openings[i]))
+            continue;
+        double former = before_of(before, pairs, i, &status, err);
+        if (status == PP_OK)
+            status = add_window(sheet, room, i, former, err);
+    }
+    free(pairs);
+    return status;
+}
+
+/* Do two windows stand in one plane, and one above the other? */
+static bool is_above(const struct pp_site_window *a, const struct pp_site_window *b)
+{
+    struct pp_vec3 along = pp_vec_sub(b->to, b->from);
+    double width = pp_vec_length(along);
+    if (pp_vec_dot(a->out, b->out) < 0.999 || width < same_m
+        || a->from.z < b->from.z + 0.5 * b->height_m)
+        return false;
+    along = pp_vec_scale(along, 1.0 / width);
+    double off = pp_vec_dot(pp_vec_sub(a->from, b->from), b->out);
+    double from = pp_vec_dot(pp_vec_sub(a->from, b->from), along);
+    double to = pp_vec_dot(pp_vec_sub(a->to, b->from), along);
+    return fabs(off) < 1.0 && from < width - same_m && to > same_m;
+}
+
+static void count_storeys(struct pp_site_sheet *sheet)
+{
+    /* From the lowest up: one above the highest that it stands on. */
+    for (int pass = 0, changed = 1; changed && pass < sheet->window_count; pass++) {
+        changed = 0;
+        for (int i = 0; i < sheet->window_count; i++)
+            for (int k = 0; k < sheet->window_count; k++) {
+                struct pp_site_window *upper = &sheet->windows[i];
+                const struct pp_site_window *lower = &sheet->windows[k];
+                if (i != k && upper->storey <= lower->storey
+                    && is_above(upper, lower)) {
+                    upper->storey = lower->storey + 1;
+                    changed = 1;
+                }
+            }
+    }
+}
+
+/* ---- what stands there ---- */
+
+static enum pp_status add_shape(struct pp_site_sheet *sheet,
+                                const struct pp_polygon *outline,
+                                const struct pp_placement *place, const char *name,
+                                bool is_room, struct pp_error *err)
+{
+    struct pp_site_shape shape = {.count = outline->count,
+                                  .corners =
+                                      malloc(outline->count * sizeof *shape.corners),
+                                  .top_m = -INFINITY,
+                                  .name = name,
+                                  .is_room = is_room,
+                                  .is_level = fabs(outline->normal.z) > 1e-6};
+    if (!shape.corners)
+        return pp_fail_memory(err);
+    for (int i = 0; i < shape.count; i++) {
+        shape.corners[i] = pp_placement_to_building(place, outline->vertices[i]);
+        shape.top_m = fmax(shape.top_m, shape.corners[i].z);
+    }
+    enum pp_status status =
+        pp_array_append(&sheet->shapes, sheet->shape_count, sizeof *sheet->shapes, err);
+    if (status != PP_OK) {
+        free(shape.corners);
+        return status;
+    }
+    sheet->shapes[sheet->shape_count++] = shape;
+    return PP_OK;
+}
+
+/* Of a side of a block the block's. */
+static const char *name_of(const struct pp_world *world,
+                           const struct pp_surface *surface)
+{
+    return surface->role == PP_BLOCK ? world->blocks[surface->owner].name
+                                     : surface->name;
+}
+
+static enum pp_status add_shapes(struct pp_site_sheet *sheet,
+                                 const struct pp_world *world, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = world->face_count; i < world->surface_count && status == PP_OK; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        if (!surface->inside && surface->role != PP_FACADE)
+            status = add_shape(sheet, &surface->outline, &world->placement,
+                               name_of(world, surface), false, err);
+    }
+    return status;
+}
+
+static enum pp_status add_floor(struct pp_site_sheet *sheet,
+                                const struct pp_world *world, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < world->face_count && status == PP_OK; i++)
+        if (world->surfaces[i].role == PP_FLOOR)
+            status = add_shape(sheet, &world->surfaces[i].outline, &world->placement,
+                               world->name, true, err);
+    return status;
+}
+
+static bool is_same(const struct pp_site_shape *a, const struct pp_site_shape *b)
+{
+    if (a->count != b->count)
+        return false;
+    for (int shift = 0; shift < a->count; shift++) {
+        int k = 0;
+        while (k < a->count
+               && pp_vec_length(
+                      pp_vec_sub(a->corners[k], b->corners[(k + shift) % b->count]))
+                      < same_m)
+            k++;
+        if (k == a->count)
+            return true;
+    }
+    return false;
+}
+
+/* Marks what is new, and adds what has gone. */
+static enum pp_status compare(struct pp_site_sheet *sheet,
+                              const struct pp_world *before, struct pp_error *err)
+{
+    struct pp_site_sheet former = {0};
+    enum pp_status status = add_shapes(&former, before, err);
+    int now = sheet->shape_count;
+    for (int i = 0; i < now; i++)
+        sheet->shapes[i].when = PP_SITE_NEW;
+    for (int k = 0; k < former.shape_count && status == PP_OK; k++) {
+        bool found = false;
+        for (int i = 0; i < now; i++)
+            if (is_same(&sheet->shapes[i], &former.shapes[k])) {
+                sheet->shapes[i].when = PP_SITE_ALWAYS;
+                found = true;
+            }
+        if (found)
+            continue;
+        status = pp_array_append(&sheet->shapes, sheet->shape_count,
+                                 sizeof *sheet->shapes, err);
+        if (status == PP_OK) {
+            struct pp_site_shape *gone = &sheet->shapes[sheet->shape_count++];
+            *gone = former.shapes[k];
+            gone->when = PP_SITE_GONE;
+            former.shapes[k].corners = NULL;
+        }
+    }
+    pp_site_sheet_clear(&former);
+    return status;
+}
+
+/* Rooms are above what stands outside at their height: theirs are floors. */
+static int by_height(const void *left, const void *right)
+{
+    const struct pp_site_shape *a = left, *b = right;
+    if (a->is_room != b->is_room)
+        return a->is_room - b->is_room;
+    return (a->top_m > b->top_m) - (a->top_m < b->top_m);
+}
+
+static enum pp_status make(struct pp_site_sheet *sheet,
+                           const struct pp_site_rooms *rooms, struct pp_error *err)
+{
+    const struct pp_world *first = rooms->list[0].world;
+    const char *building = pp_building_name(rooms->list[0].building);
+    sheet->title = building ? building : first->name;
+    sheet->north_rad = first->north_rad + first->placement.rotate_rad;
+    sheet->ground_m = first->ground_level_m + first->placement.z;
+    enum pp_status status = add_shapes(sheet, first, err);
+    const struct pp_world *before = rooms->before[0] ? rooms->before[0]->world : NULL;
+    if (status == PP_OK && before)
+        status = compare(sheet, before, err);
+    for (int i = 0; i < rooms->count && status == PP_OK; i++) {
+        status = add_floor(sheet, rooms->list[i].world, err);
+        if (status == PP_OK)
+            status = add_windows(sheet, &rooms->list[i], rooms->before[i], err);
+    }
+    if (status != PP_OK)
+        return status;
+    if (sheet->shape_count)
+        qsort(sheet->shapes, sheet->shape_count, sizeof *sheet->shapes, by_height);
+    count_storeys(sheet);
+    return PP_OK;
+}
+
+enum pp_status pp_site_study_make(struct pp_site_sheet *sheet,
+                                  const struct pp_site_rooms *rooms,
+                                  struct pp_error *err)
+{
+    *sheet = (struct pp_site_sheet){0};
+    enum pp_status status = make(sheet, rooms, err);
+    if (status != PP_OK)
+        pp_site_sheet_clear(sheet);
+    return status;
+}

@@ -1,0 +1,26 @@
+/* site_study.h - the rooms of a site and all that stands round them, in the building's axes,
+ * with the vertical sky component of each upright window, now and before.
+ */
+#ifndef PP_STUDIES_SITE_SITE_STUDY_H
+#define PP_STUDIES_SITE_SITE_STUDY_H
+
+#include "model/base/error.h"
+#include "model/results/sheets/site_sheet.h"
+#include "studies/study_room.h"
+
+/* Rooms of one file, 1 or more, each with what it was before (NULL: it was not there, or
+ * nothing is known of it). */
+struct pp_site_rooms {
+    const struct pp_study_room *list;
+    const struct pp_study_room *const *before;
+    int count;
+};
+
+/* Fills sheet, which the caller clears; empty on failure. What stands outside is taken from
+ * the first room, and from the first that was there before. Windows of rooms above each
+ * other, in one wall's plane, are counted as storeys from below. */
+enum pp_status pp_site_study_make(struct pp_site_sheet *sheet,
+                                  const struct pp_site_rooms *rooms,
+                                  struct pp_error *err);
+
+#endif
