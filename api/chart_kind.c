@@ -4,14 +4,23 @@
 #include <string.h>
 
 static const struct pp_chart_kind *const kinds[] = {
-    &pp_draw_section,      &pp_draw_plan,
-    &pp_draw_site_plan,    &pp_draw_elevation,
-    &pp_draw_note,         &pp_draw_waldram,
-    &pp_draw_pepper_pot,   &pp_draw_protractor,
-    &pp_draw_nomogram,     &pp_draw_brs_table,
-    &pp_draw_vertical_sky, &pp_draw_skylight_indicator,
-    &pp_draw_overlay,      &pp_draw_model_net,
-    &pp_draw_availability, NULL,
+    &pp_draw_section,
+    &pp_draw_plan,
+    &pp_draw_site_plan,
+    &pp_draw_elevation,
+    &pp_draw_note,
+    &pp_draw_waldram,
+    &pp_draw_pepper_pot,
+    &pp_draw_protractor,
+    &pp_draw_nomogram,
+    &pp_draw_brs_table,
+    &pp_draw_vertical_sky,
+    &pp_draw_skylight_indicator,
+    &pp_draw_sun_path,
+    &pp_draw_overlay,
+    &pp_draw_model_net,
+    &pp_draw_availability,
+    NULL,
 };
 
 const struct pp_chart_kind *pp_chart_kind_at(int index)

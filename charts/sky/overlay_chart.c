@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "charts/sheet/hatch.h"
 #include "charts/sheet/labels.h"
 #include "charts/sheet/page.h"
 #include "charts/sky/overlay_plot.h"
@@ -54,7 +55,8 @@ static void draw_bearings(const struct pp_overlay_plot *plot)
     const double tick = 1.5 * plot->style.scale;
     const struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
     for (int degree = 0; degree < 360; degree += 10) {
-        double x = -sin(degree * PP_RAD), y = -cos(degree * PP_RAD);
+        double x = (plot->overlay->title ? 1.0 : -1.0) * sin(degree * PP_RAD),
+               y = -cos(degree * PP_RAD);
         double length = degree % 30 ? tick : 1.6 * tick;
         double out = plot->radius + 1.6 * tick + plot->style.text[PP_TEXT_SMALL];
         char words[16];
@@ -202,6 +204,54 @@ static enum pp_status lay_circle(struct pp_overlay_plot *plot, struct pp_box bod
     return PP_OK;
 }
 
+/* ---- what hides the sky ---- */
+
+static void trace_mask(const struct pp_overlay_plot *plot,
+                       const struct pp_sky_mask *mask)
+{
+    double xy[2];
+    for (int i = 0; i < mask->count; i++) {
+        const struct pp_sky_mask_piece *piece = &mask->pieces[i];
+        cairo_new_sub_path(plot->cr);
+        for (int k = 0; k < piece->count; k++) {
+            pp_overlay_plot_place(plot, piece->edges[k][1], piece->edges[k][0], xy);
+            cairo_line_to(plot->cr, xy[0], xy[1]);
+        }
+        for (int k = piece->count - 1; k >= 0; k--) {
+            pp_overlay_plot_place(plot, piece->edges[k][2], piece->edges[k][0], xy);
+            cairo_line_to(plot->cr, xy[0], xy[1]);
+        }
+        if (piece->count)
+            cairo_close_path(plot->cr);
+    }
+}
+
+/* Now in light grey, and before within it, so that what is new stands out hatched. */
+static void draw_masks(const struct pp_overlay_plot *plot)
+{
+    const struct pp_overlay *overlay = plot->overlay;
+    cairo_t *cr = plot->cr;
+    struct pp_box box = {plot->x0 - plot->radius, plot->y0 - plot->radius,
+                         2.0 * plot->radius, 2.0 * plot->radius};
+    if (!overlay->now)
+        return;
+    cairo_save(cr);
+    cairo_arc(cr, plot->x0, plot->y0, plot->radius, 0.0, 2.0 * PP_PI);
+    cairo_clip(cr);
+    cairo_set_fill_rule(cr, CAIRO_FILL_RULE_WINDING);
+    trace_mask(plot, overlay->now);
+    pp_style_grey(cr, 0.80);
+    cairo_fill(cr);
+    if (overlay->before) {
+        trace_mask(plot, overlay->now);
+        pp_hatch_path(cr, box, 1.3 * plot->style.scale, plot->style.thin, PP_GREY_TEXT);
+        trace_mask(plot, overlay->before);
+        pp_style_grey(cr, 0.80);
+        cairo_fill(cr);
+    }
+    cairo_restore(cr);
+}
+
 enum pp_status pp_overlay_chart_draw(struct pp_canvas *canvas,
                                      const struct pp_overlay *overlay,
                                      struct pp_error *err)
@@ -216,11 +266,14 @@ enum pp_status pp_overlay_chart_draw(struct pp_canvas *canvas,
         return pp_fail_memory(err);
     titles(overlay, title, subtitle, sizeof title);
     say_foot(foot, sizeof foot, overlay);
-    const struct pp_page page = {title, subtitle, foot};
+    const struct pp_page page = {overlay->title ? overlay->title : title,
+                                 overlay->title ? overlay->subtitle : subtitle,
+                                 overlay->title ? overlay->foot : foot};
     struct pp_box body = pp_page_draw(canvas, &plot.style, &page);
     enum pp_status status = lay_circle(&plot, body, err);
     if (status == PP_OK) {
         labels->field = body;
+        draw_masks(&plot);
         draw_rings(&plot);
         draw_bearings(&plot);
         draw_cells(&plot);

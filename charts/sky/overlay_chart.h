@@ -6,6 +6,7 @@
 #include "charts/sheet/canvas.h"
 #include "model/geometry/lens.h"
 #include "model/light/sky_cells.h"
+#include "model/results/sheets/sky_mask.h"
 
 struct pp_overlay {
     enum pp_lens lens;
@@ -17,9 +18,15 @@ struct pp_overlay {
     int cell_count;
     bool sun; /* the sun's paths, */
     double latitude_rad;
+
+    /* A sheet in place of an overlay: seen from above, east on the right, with what hides
+     * the sky from a window. */
+    const char *title, *subtitle, *foot; /* title NULL: an overlay */
+    const struct pp_sky_mask *now;       /* NULL: nothing hides */
+    const struct pp_sky_mask *before;    /* NULL: not known */
 };
 
-/* North is up and east on the left, as one sees the sky. PP_BAD_INPUT where the circle is
+/* North is up and east on the left, as one sees the sky; on a sheet, from above. PP_BAD_INPUT where the circle is
  * larger than the sheet holds. */
 enum pp_status pp_overlay_chart_draw(struct pp_canvas *canvas,
                                      const struct pp_overlay *overlay,

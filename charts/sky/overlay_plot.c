@@ -1,4 +1,4 @@
-/* overlay_plot.c - north up, east on the left. */
+/* overlay_plot.c - north up, east on the left or, on a sheet, on the right. */
 #include "charts/sky/overlay_plot.h"
 
 #include <math.h>
@@ -8,7 +8,8 @@ void pp_overlay_plot_place(const struct pp_overlay_plot *plot, double altitude,
 {
     double r =
         plot->radius * pp_lens_radius(plot->overlay->lens, 0.5 * PP_PI - altitude);
-    xy[0] = plot->x0 - r * sin(bearing);
+    double east = plot->overlay->title ? 1.0 : -1.0;
+    xy[0] = plot->x0 + east * r * sin(bearing);
     xy[1] = plot->y0 - r * cos(bearing);
 }
 

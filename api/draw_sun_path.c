@@ -1,0 +1,153 @@
+/* draw_sun_path.c - the sun's paths over what hides the sky from a window: the stereographic
+ * sheet. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "api/chart_kind.h"
+#include "api/choose_window.h"
+#include "charts/sheet/page.h"
+#include "charts/sky/overlay_chart.h"
+#include "methods/exact/hidden_outline.h"
+#include "methods/exact/sunlit_hours.h"
+#include "studies/criteria/pair_rooms.h"
+#include "studies/criteria/windows/opening_words.h"
+
+/* What is to be said of a window, now or before. */
+struct window_sun {
+    struct pp_sky_mask mask;
+    struct pp_sunlit_year hours;
+    struct pp_sunlit_day march; /* times of sun on 21 March */
+};
+
+static enum pp_status find_sun(struct window_sun *sun, const struct pp_world *world,
+                               int window, struct pp_error *err)
+{
+    const struct pp_hidden_view view =
+        pp_hidden_cones_outside(&world->openings[window]);
+    const struct pp_sunlit_place place = {world->latitude_rad, world->north_rad};
+    struct pp_hidden_cones cones;
+    enum pp_status status = pp_hidden_cones_init(&cones, world, &view, err);
+    if (status != PP_OK)
+        return status;
+    status = pp_hidden_outline_add(&sun->mask, &cones, world->north_rad, err);
+    if (status == PP_OK)
+        status = pp_sunlit_hours_of_year(&sun->hours, &cones, place, NULL, err);
+    if (status == PP_OK)
+        status = pp_sunlit_hours_of_day(&sun->march, &cones, place, 3, 21, err);
+    pp_hidden_cones_clear(&cones);
+    return status;
+}
+
+static void clear_sun(struct window_sun *sun)
+{
+    pp_sky_mask_clear(&sun->mask);
+    pp_sunlit_hours_clear(&sun->march);
+}
+
+static void say_sun(char *foot, size_t room, const char *when,
+                    const struct window_sun *sun, const struct pp_sunlit_year *open)
+{
+    pp_page_say(foot, room,
+                "%s%.1f\u00a0%% of the year's hours of sun on open ground reach it, "
+                "%.1f\u00a0%% in winter, and %.1f\u00a0h on 21 March.",
+                when, 100.0 * sun->hours.all / open->all,
+                100.0 * sun->hours.winter / open->all,
+                pp_sunlit_hours_sum(&sun->march));
+}
+
+static enum pp_status say_foot(char *foot, size_t room, const struct pp_world *world,
+                               const struct window_sun *now,
+                               const struct window_sun *before, struct pp_error *err)
+{
+    const struct pp_sunlit_place place = {world->latitude_rad, world->north_rad};
+    struct pp_sunlit_year open;
+    enum pp_status status = pp_sunlit_hours_of_year(&open, NULL, place, NULL, err);
+    if (status != PP_OK)
+        return status;
+    pp_page_say(foot, room,
+                "Grey: hidden from the middle of the window's outside, by its own wall "
+                "and by what stands outside%s.",
+                before ? "; hatched: hidden now and not before" : "");
+    if (before)
+        say_sun(foot, room, "Before, ", before, &open);
+    say_sun(foot, room, before ? "Now, " : "", now, &open);
+    pp_page_say(foot, room,
+                "Possible hours, each with the sun above the horizon counted alike. "
+                "Stereographic, from above; paths of the 21st of the months, hours of "
+                "solar time.");
+    return PP_OK;
+}
+
+static enum pp_status draw_sheet(struct pp_canvas *canvas, const struct pp_world *world,
+                                 int window, const struct window_sun *now,
+                                 const struct window_sun *before, struct pp_error *err)
+{
+    char words[PP_OPENING_WORDS], subtitle[160], foot[1024] = "";
+    enum pp_status status = say_foot(foot, sizeof foot, world, now, before, err);
+    if (status != PP_OK)
+        return status;
+    pp_opening_words(words, world, &world->openings[window]);
+    snprintf(subtitle, sizeof subtitle,
+             "Sun paths at %.4g\u00b0 %s, and what hides the sky from the window %s",
+             fabs(world->latitude_rad) / PP_RAD, world->latitude_rad < 0.0 ? "S" : "N",
+             words);
+    const struct pp_overlay overlay = {.lens = PP_LENS_STEREOGRAPHIC,
+                                       .sun = true,
+                                       .latitude_rad = world->latitude_rad,
+                                       .title = world->name ? world->name : "Room",
+                                       .subtitle = subtitle,
+                                       .foot = foot,
+                                       .now = &now->mask,
+                                       .before = before ? &before->mask : NULL};
+    return pp_overlay_chart_draw(canvas, &overlay, err);
+}
+
+/* The same window of the room before; PP_BAD_INPUT where the rooms differ. */
+static enum pp_status find_before(struct window_sun *sun, const struct pp_world *world,
+                                  const struct pp_world *before, int window,
+                                  struct pp_error *err)
+{
+    int *pairs;
+    enum pp_status status = pp_pair_rooms(&pairs, world, before, err);
+    if (status == PP_OK)
+        status = find_sun(sun, before, pairs[window], err);
+    free(pairs);
+    return status;
+}
+
+static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
+                           const struct pp_study_options *study,
+                           const struct pp_chart_choice *choice, bool *finished,
+                           struct pp_error *err)
+{
+    (void)study, (void)finished;
+    const struct pp_world *world = room->world;
+    const struct pp_study_room *former =
+        choice->site.before ? choice->site.before[0] : NULL;
+    struct window_sun now = {0}, before = {0};
+    int window;
+    enum pp_status status =
+        pp_choose_window(&window, world, choice->board.window, false, err);
+    if (status == PP_OK && isnan(world->latitude_rad))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "sun paths are of a place; expected a site with a latitude in "
+                       "the room file");
+    if (status == PP_OK)
+        status = find_sun(&now, world, window, err);
+    if (status == PP_OK && former)
+        status = find_before(&before, world, former->world, window, err);
+    if (status == PP_OK)
+        status = draw_sheet(canvas, world, window, &now, former ? &before : NULL, err);
+    clear_sun(&before);
+    clear_sun(&now);
+    return status;
+}
+
+const struct pp_chart_kind pp_draw_sun_path = {
+    .name = "sun-path",
+    .summary = "the sun's paths, over what hides the sky from a window",
+    .of_window = true,
+    .compares = true,
+    .draw = draw,
+};

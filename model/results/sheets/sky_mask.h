@@ -1,0 +1,20 @@
+/* sky_mask.h - what hides parts of the sky from a point, by bearing and altitude. */
+#ifndef PP_MODEL_RESULTS_SHEETS_SKY_MASK_H
+#define PP_MODEL_RESULTS_SHEETS_SKY_MASK_H
+
+/* Neighbouring bearings, clockwise from north, rad, without a gap: each with the lowest and
+ * the highest altitude that is hidden there, rad, 0 to pi/2. */
+struct pp_sky_mask_piece {
+    int count, capacity;
+    double (*edges)[3]; /* bearing, low, high */
+};
+
+/* Pieces may overlap. */
+struct pp_sky_mask {
+    int count;
+    struct pp_sky_mask_piece *pieces;
+};
+
+void pp_sky_mask_clear(struct pp_sky_mask *mask);
+
+#endif
