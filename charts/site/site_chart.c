@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "charts/room/contour_lines.h"
 #include "charts/room/plan_strip.h"
 #include "charts/room/room_plan.h"
 #include "charts/sheet/hatch.h"
@@ -208,6 +209,48 @@ static void name_shape(struct site_drawing *drawing, int index)
     pp_labels_note_box(drawing->labels, said);
 }
 
+/* ---- gardens ---- */
+
+static void draw_garden(struct site_drawing *drawing,
+                        const struct pp_site_garden *garden)
+{
+    cairo_t *cr = drawing->cr;
+    const struct pp_style *style = &drawing->style;
+    cairo_set_fill_rule(cr, CAIRO_FILL_RULE_WINDING);
+    for (int i = 0; i < garden->dark.count; i++)
+        pp_contour_lines_path(cr, &drawing->frame, &garden->dark.list[i]);
+    pp_hatch_path(cr, frame_box(&drawing->frame), 0.8 * style->scale, style->hair,
+                  PP_GREY_LINE);
+    double middle[2] = {0.0, 0.0}, dashes[] = {0.3 * style->scale, 0.9 * style->scale};
+    cairo_new_path(cr);
+    for (int i = 0; i < garden->count; i++) {
+        for (int k = 0; k < 2; k++)
+            middle[k] += garden->corners[i][k] / garden->count;
+        cairo_line_to(cr, pp_room_plan_x(&drawing->frame, garden->corners[i][0]),
+                      pp_room_plan_y(&drawing->frame, garden->corners[i][1]));
+    }
+    cairo_close_path(cr);
+    pp_style_line(cr, style->medium, PP_INK);
+    cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
+    cairo_set_dash(cr, dashes, 2, 0.0);
+    cairo_stroke(cr);
+    cairo_set_dash(cr, NULL, 0, 0.0);
+    cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
+    char words[96] = "";
+    if (garden->name)
+        pp_page_say(words, sizeof words, "%.40s", garden->name);
+    if (isfinite(garden->share))
+        pp_page_say(words, sizeof words, "%s%.0f\u00a0%%", garden->name ? "\n" : "",
+                    100.0 * garden->share);
+    struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
+    if (words[0])
+        pp_labels_note_box(drawing->labels,
+                           pp_lettering_draw_on_white(
+                               cr, style, &set,
+                               pp_room_plan_x(&drawing->frame, middle[0]),
+                               pp_room_plan_y(&drawing->frame, middle[1]), words));
+}
+
 /* ---- windows ---- */
 
 /* A strip before the window, as long as it: the lowest storey next to the wall. */
@@ -233,7 +276,7 @@ static void draw_window(struct site_drawing *drawing,
     int band = pp_sky_bands_of(window->component);
     pp_sky_bands_colour(cr, band, false);
     cairo_fill_preserve(cr);
-    pp_style_line(cr, pp_sky_bands_is_lost(window) ? style->thick : style->hair,
+    pp_style_line(cr, pp_sky_bands_is_lost(window) ? style->medium : style->hair,
                   PP_INK);
     cairo_stroke(cr);
 
@@ -278,6 +321,11 @@ static int gather_keys(const struct pp_site_sheet *sheet, struct pp_key keys[8])
             .kind = PP_KEY_LINE, .curve = pp_style_curve(1), .grey = PP_GREY_TEXT};
         snprintf(keys[count++].words, sizeof keys->words, "existing, to go");
     }
+    if (sheet->garden_count > 0) {
+        keys[count] = (struct pp_key){.kind = PP_KEY_HATCH, .curve.dashes = {0.8}};
+        snprintf(keys[count++].words, sizeof keys->words,
+                 "garden with less than 2 h of sun, 21 March");
+    }
     return count;
 }
 
@@ -293,6 +341,8 @@ static void draw_site(struct site_drawing *drawing)
         for (int i = 0; i < sheet->shape_count; i++)
             if ((sheet->shapes[i].when == PP_SITE_GONE) == (pass == 1))
                 draw_shape(drawing, &sheet->shapes[i]);
+    for (int i = 0; i < sheet->garden_count; i++)
+        draw_garden(drawing, &sheet->gardens[i]);
     cairo_restore(cr);
     for (int i = 0; i < sheet->window_count; i++)
         draw_window(drawing, &sheet->windows[i]);
@@ -312,6 +362,11 @@ static void draw_sheet(struct site_drawing *drawing, struct pp_canvas *canvas)
         foot, sizeof foot,
         "Before each upright window its vertical sky component in per cent, the "
         "lowest storey next to the wall. Heights are above the ground.");
+    if (sheet->garden_count > 0)
+        pp_page_say(
+            foot, sizeof foot,
+            "Gardens: the share of their area that the sun reaches for two hours "
+            "or more on 21 March; half is wanted [BR209].");
     if (sheet->has_before)
         pp_page_say(
             foot, sizeof foot,

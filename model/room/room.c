@@ -82,6 +82,11 @@ static void copy_parts(struct pp_room *room, bool *good)
     COPY_LIST(room->blocks, room->block_count, good);
     for (int i = 0; i < room->block_count; i++)
         copy_text(&room->blocks[i].name, good);
+    COPY_LIST(room->gardens, room->garden_count, good);
+    for (int i = 0; i < room->garden_count; i++) {
+        copy_text(&room->gardens[i].name, good);
+        copy_vertices(&room->gardens[i].vertices, good);
+    }
     COPY_LIST(room->surfaces, room->surface_count, good);
     for (int i = 0; i < room->surface_count; i++) {
         copy_text(&room->surfaces[i].name, good);

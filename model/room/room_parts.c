@@ -10,6 +10,13 @@ void pp_room_parts_clear_vertices(struct pp_vertices *vertices)
     *vertices = (struct pp_vertices){0};
 }
 
+void pp_room_parts_clear_garden(struct pp_garden_part *garden)
+{
+    free(garden->name);
+    pp_room_parts_clear_vertices(&garden->vertices);
+    *garden = (struct pp_garden_part){0};
+}
+
 void pp_room_parts_clear_surface(struct pp_surface_part *surface)
 {
     free(surface->name);
@@ -47,6 +54,8 @@ void pp_room_parts_clear(struct pp_room *room)
         free(room->facades[i].wall);
     for (int i = 0; i < room->block_count; i++)
         free(room->blocks[i].name);
+    for (int i = 0; i < room->garden_count; i++)
+        pp_room_parts_clear_garden(&room->gardens[i]);
     for (int i = 0; i < room->surface_count; i++)
         pp_room_parts_clear_surface(&room->surfaces[i]);
     for (int i = 0; i < room->wall_kind_count; i++)
@@ -57,6 +66,7 @@ void pp_room_parts_clear(struct pp_room *room)
     free(room->skylines);
     free(room->facades);
     free(room->blocks);
+    free(room->gardens);
     free(room->surfaces);
     free(room->receivers);
     *room = (struct pp_room){0};

@@ -154,6 +154,14 @@ struct pp_receiver_part {
     int line;
 };
 
+/* A piece of ground that the sun is to reach. */
+struct pp_garden_part {
+    char *name;                  /* NULL where not given */
+    struct pp_vertices vertices; /* x and y */
+    enum pp_site_state state;
+    int line;
+};
+
 /* All that it points to is its own: see pp_room_parts_clear, and pp_room_copy. */
 struct pp_room {
     char *name, *ref; /* NULL where not given */
@@ -185,6 +193,8 @@ struct pp_room {
     int block_count;
     struct pp_surface_part *surfaces;
     int surface_count;
+    struct pp_garden_part *gardens;
+    int garden_count;
     struct pp_receiver_part *receivers;
     int receiver_count;
     int line;
@@ -194,6 +204,7 @@ struct pp_room {
 void pp_room_parts_clear(struct pp_room *room);
 void pp_room_parts_clear_plan(struct pp_plan_part *plan);
 void pp_room_parts_clear_surface(struct pp_surface_part *surface);
+void pp_room_parts_clear_garden(struct pp_garden_part *garden);
 void pp_room_parts_clear_vertices(struct pp_vertices *vertices);
 
 #endif

@@ -11,6 +11,7 @@
 #include "model/room/build/envelope.h"
 #include "model/room/build/facades.h"
 #include "model/room/build/free_surfaces.h"
+#include "model/room/build/gardens.h"
 #include "model/room/build/inner_walls.h"
 #include "model/room/build/place_openings.h"
 #include "model/room/build/receivers.h"
@@ -39,6 +40,11 @@ void pp_world_destroy(struct pp_world *world)
     free(world->surfaces);
     for (int i = 0; i < world->block_count; i++)
         free(world->blocks[i].name);
+    for (int i = 0; i < world->garden_count; i++) {
+        pp_polygon_clear(&world->gardens[i].outline);
+        free(world->gardens[i].name);
+    }
+    free(world->gardens);
     free(world->openings);
     free(world->skylines);
     free(world->facades);
@@ -133,7 +139,8 @@ static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
         pp_build_watertight,    pp_build_place_openings, pp_build_reveals,
         pp_build_facades,       pp_build_blocks,         pp_build_skylines,
         pp_build_free_surfaces, pp_build_inner_walls,    pp_build_shades,
-        pp_build_working_plane, pp_build_receivers,      find_triangles};
+        pp_build_gardens,       pp_build_working_plane,  pp_build_receivers,
+        find_triangles};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);

@@ -133,6 +133,13 @@ struct pp_facade {
     int line;
 };
 
+/* A piece of ground that the sun is to reach. */
+struct pp_garden {
+    struct pp_polygon outline; /* at the ground's level, normal up */
+    char *name;                /* NULL where it has none */
+    int line;
+};
+
 /* Where light is measured. */
 struct pp_receiver {
     struct pp_vec3 position;
@@ -172,6 +179,8 @@ struct pp_world {
     int facade_count;
     struct pp_block *blocks; /* their sides stand together among the surfaces */
     int block_count;
+    struct pp_garden *gardens;
+    int garden_count;
 
     double height_m;               /* of the highest point of the envelope */
     double working_plane_m;        /* z of the working plane */

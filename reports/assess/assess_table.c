@@ -22,7 +22,7 @@ struct heading {
 };
 
 static const char sky[] = "vertical sky component, %", lit[] = "area that sees sky, m2",
-                  found[] = "found";
+                  found[] = "found", sunlit[] = "sunlit for two hours, %";
 static const struct heading of_windows[] = {
     {NULL, "room", ROOM, false},        {NULL, "ref", REF, false},
     {NULL, "window", OF, false},        {sky, "existing", EXISTING, true},
@@ -33,6 +33,10 @@ static const struct heading of_rooms[] = {
     {NULL, "use", USE, false},          {lit, "existing", EXISTING, true},
     {lit, "proposed", PROPOSED, false}, {lit, "ratio", RATIO, true},
     {lit, "verdict", VERDICT, true},    {0}};
+static const struct heading of_gardens[] = {
+    {NULL, "garden", OF, false},           {sunlit, "existing", EXISTING, true},
+    {sunlit, "proposed", PROPOSED, false}, {sunlit, "ratio", RATIO, true},
+    {sunlit, "verdict", VERDICT, false},   {0}};
 static const struct heading of_others[] = {
     {NULL, "room", ROOM, false},        {NULL, "of", OF, false},
     {found, "figure", FIGURE, false},   {found, "wanted", WANTED, false},
@@ -126,11 +130,13 @@ static enum pp_status print_table(const char *title, const struct heading *headi
  * of the first room that has any. */
 static void print_foot(const struct pp_site_table *table, int width, FILE *out)
 {
-    const struct pp_site_row *lists[] = {table->windows, table->rooms, table->others};
-    const int counts[] = {table->window_count, table->room_count, table->other_count};
+    const struct pp_site_row *lists[] = {table->windows, table->rooms, table->gardens,
+                                         table->others};
+    const int counts[] = {table->window_count, table->room_count, table->garden_count,
+                          table->other_count};
     char text[1024] = "Judged by:";
     const struct pp_criterion *last = NULL;
-    for (int l = 0; l < 3; l++)
+    for (int l = 0; l < 4; l++)
         for (int i = 0; i < counts[l] && lists[l][i].room == lists[l][0].room; i++) {
             const struct pp_criterion *criterion = lists[l][i].criterion;
             if (criterion != last)
@@ -153,6 +159,9 @@ enum pp_status pp_assess_table(const struct pp_assessments *all, int width, FILE
     if (status == PP_OK)
         status = print_table("Rooms", of_rooms, table.rooms, table.room_count, width,
                              out, err);
+    if (status == PP_OK)
+        status = print_table("Gardens, on 21 March", of_gardens, table.gardens,
+                             table.garden_count, width, out, err);
     if (status == PP_OK)
         status = print_table("All else", of_others, table.others, table.other_count,
                              width, out, err);

@@ -63,6 +63,8 @@ enum pp_status pp_assess_table_json(const struct pp_assessments *all, FILE *out,
             object && pp_json_text(object, "format", "pepperpot-site-1")
             && add_rows(object, "windows", table.windows, table.window_count, true)
             && add_rows(object, "rooms", table.rooms, table.room_count, true)
+            && (table.garden_count == 0
+                || add_rows(object, "gardens", table.gardens, table.garden_count, true))
             && add_rows(object, "others", table.others, table.other_count, false);
         status = pp_json_print(out, pp_json_whole(object, good), err);
     }

@@ -88,6 +88,9 @@ static enum pp_status put_site(const struct pp_assessments *all, FILE *out,
         put_rows("Area of the working plane that sees sky [BR209]", NULL, "m²",
                  table.rooms, table.room_count, out);
     }
+    if (status == PP_OK)
+        put_rows("Share of gardens with two hours of sun on 21 March [BR209]", "garden",
+                 "%", table.gardens, table.garden_count, out);
     pp_site_table_clear(&table);
     return status;
 }

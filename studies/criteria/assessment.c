@@ -96,7 +96,8 @@ static enum pp_status judge(struct pp_assessment *assessment,
     enum pp_status status = PP_OK;
     const struct pp_criterion *criterion;
     for (int i = 0; status == PP_OK && (criterion = pp_criteria_at(i)) != NULL; i++) {
-        if (!chosen[i] || (criterion->needs_before && !inquiry.before))
+        if (!chosen[i] || (criterion->needs_before && !inquiry.before)
+            || (criterion->of_gardens && inquiry.world->garden_count == 0))
             continue;
         struct pp_answer *answer = &assessment->answers[assessment->answer_count++];
         answer->criterion = criterion;

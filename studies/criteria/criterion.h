@@ -42,6 +42,7 @@ struct pp_criterion {
     const char *source;  /* keys in docs/SOURCES.md, with ", " between */
     const char *summary; /* one line for the help, without a full stop */
     bool needs_before;   /* is evaluated only where there is a room before */
+    bool of_gardens;     /* is evaluated only with a room that has gardens */
     bool of_factors;     /* judges by the inquiry's factors; else they may be NULL */
     bool (*bears_on_use)(enum pp_room_use use); /* NULL: on rooms of any use */
     const char *countries; /* whose it is, "GB IE"; NULL: anybody's */

@@ -1,4 +1,4 @@
-/* site_table.c - sorts findings into windows, rooms and others.
+/* site_table.c - sorts findings into windows, rooms, gardens and others.
  *
  * Where a room has been judged with the room as it was, its windows stand with the
  * criterion that compares (former-sky), else with the one that does not (vertical-sky).
@@ -54,6 +54,13 @@ static enum pp_status add_answer(struct pp_site_table *table,
                    : add(&table->rooms, &table->room_count, room, answer,
                          &findings->list[findings->count - 1], err);
     for (int i = 0; i < findings->count; i++) {
+        if (criterion == &pp_criterion_gardens) {
+            if (add(&table->gardens, &table->garden_count, room, answer,
+                    &findings->list[i], err)
+                != PP_OK)
+                return PP_SYSTEM;
+            continue;
+        }
         enum pp_status status = of_sky ? add(&table->windows, &table->window_count,
                                              room, answer, &findings->list[i], err)
                                        : add(&table->others, &table->other_count, room,
@@ -80,6 +87,7 @@ void pp_site_table_clear(struct pp_site_table *table)
 {
     free(table->windows);
     free(table->rooms);
+    free(table->gardens);
     free(table->others);
     *table = (struct pp_site_table){0};
 }

@@ -21,6 +21,8 @@ struct pp_site_table {
     int window_count;
     struct pp_site_row *rooms; /* area that sees sky, a line a room */
     int room_count;
+    struct pp_site_row *gardens; /* sunlit share, a line a garden */
+    int garden_count;
     struct pp_site_row *others; /* every other finding */
     int other_count;
 };

@@ -8,6 +8,7 @@
 #include "model/geometry/bounds.h"
 #include "studies/criteria/pair_rooms.h"
 #include "studies/criteria/windows/vertical_sky.h"
+#include "studies/site/garden_sun.h"
 
 /* Corners nearer together than this are the same, before and now. */
 static const double same_m = 0.01;
@@ -233,6 +234,49 @@ static int by_height(const void *left, const void *right)
     return (a->top_m > b->top_m) - (a->top_m < b->top_m);
 }
 
+/* ---- gardens ---- */
+
+static enum pp_status add_garden(struct pp_site_sheet *sheet,
+                                 const struct pp_world *world,
+                                 const struct pp_garden *garden, struct pp_error *err)
+{
+    enum pp_status status = pp_array_append(&sheet->gardens, sheet->garden_count,
+                                            sizeof *sheet->gardens, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_site_garden *added = &sheet->gardens[sheet->garden_count++];
+    int count = garden->outline.count;
+    *added = (struct pp_site_garden){.count = count,
+                                     .corners = malloc(count * sizeof *added->corners),
+                                     .share = NAN,
+                                     .name = garden->name};
+    if (!added->corners)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++) {
+        struct pp_vec3 p =
+            pp_placement_to_building(&world->placement, garden->outline.vertices[i]);
+        added->corners[i][0] = p.x;
+        added->corners[i][1] = p.y;
+    }
+    if (isnan(world->latitude_rad))
+        return PP_OK;
+    struct pp_garden_sun sun;
+    status = pp_garden_sun_find(&sun, world, garden, err);
+    if (status != PP_OK)
+        return status;
+    added->share = sun.sunlit_m2 / sun.area_m2;
+    added->dark = sun.dark;
+    for (int i = 0; i < added->dark.count; i++)
+        for (int k = 0; k < added->dark.list[i].count; k++) {
+            double *xy = added->dark.list[i].xy[k];
+            struct pp_vec3 p =
+                pp_placement_to_building(&world->placement, pp_vec(xy[0], xy[1], 0.0));
+            xy[0] = p.x;
+            xy[1] = p.y;
+        }
+    return PP_OK;
+}
+
 static enum pp_status make(struct pp_site_sheet *sheet,
                            const struct pp_site_rooms *rooms, struct pp_error *err)
 {
@@ -246,7 +290,10 @@ static enum pp_status make(struct pp_site_sheet *sheet,
     if (status == PP_OK && before)
         status = compare(sheet, before, err);
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
-        status = add_floor(sheet, rooms->list[i].world, err);
+        const struct pp_world *world = rooms->list[i].world;
+        status = add_floor(sheet, world, err);
+        for (int k = 0; k < world->garden_count && status == PP_OK; k++)
+            status = add_garden(sheet, world, &world->gardens[k], err);
         if (status == PP_OK)
             status = add_windows(sheet, &rooms->list[i], rooms->before[i], err);
     }

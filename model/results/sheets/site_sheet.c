@@ -9,6 +9,11 @@ void pp_site_sheet_clear(struct pp_site_sheet *sheet)
 {
     for (int i = 0; i < sheet->shape_count; i++)
         free(sheet->shapes[i].corners);
+    for (int i = 0; i < sheet->garden_count; i++) {
+        free(sheet->gardens[i].corners);
+        pp_curve_list_clear(&sheet->gardens[i].dark);
+    }
+    free(sheet->gardens);
     free(sheet->shapes);
     free(sheet->windows);
     *sheet = (struct pp_site_sheet){0};

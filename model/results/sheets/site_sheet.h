@@ -39,6 +39,15 @@ struct pp_site_window {
     int storey; /* how many windows stand below it, in the same wall and place */
 };
 
+/* A garden, and the part of it that has less than two hours of sun on 21 March. */
+struct pp_site_garden {
+    int count;
+    double (*corners)[2];
+    struct pp_curve_list dark;
+    double share;     /* that has two hours or more; NAN: no latitude is known */
+    const char *name; /* NULL: it has none */
+};
+
 struct pp_site_sheet {
     const char *title;
     double north_rad;             /* bearing of +y */
@@ -48,6 +57,8 @@ struct pp_site_sheet {
     int shape_count;
     struct pp_site_window *windows;
     int window_count;
+    struct pp_site_garden *gardens;
+    int garden_count;
 };
 
 void pp_site_sheet_clear(struct pp_site_sheet *sheet);

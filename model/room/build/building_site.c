@@ -113,6 +113,46 @@ static enum pp_status add_surface(struct pp_room *room,
     return PP_OK;
 }
 
+static enum pp_status add_garden(struct pp_room *room,
+                                 const struct pp_garden_part *part,
+                                 struct pp_error *err)
+{
+    int count = part->vertices.count;
+    struct pp_garden_part added = *part;
+    added.name = part->name ? strdup(part->name) : NULL;
+    added.vertices = (struct pp_vertices){malloc(count * sizeof *part->vertices.list),
+                                          malloc(count * sizeof(int)), count};
+    if (!added.vertices.list || !added.vertices.lines || (part->name && !added.name)
+        || pp_array_append(&room->gardens, room->garden_count, sizeof *room->gardens,
+                           NULL)
+               != PP_OK) {
+        pp_room_parts_clear_garden(&added);
+        return pp_fail_memory(err);
+    }
+    for (int i = 0; i < count; i++) {
+        added.vertices.list[i] =
+            pp_placement_to_room(&room->placement, part->vertices.list[i]);
+        added.vertices.lines[i] = part->vertices.lines[i];
+    }
+    room->gardens[room->garden_count++] = added;
+    return PP_OK;
+}
+
+/* A building's gardens are those of one of its rooms, so that they are judged once: of the
+ * first that stands in every state, or else of the first. */
+static bool has_gardens(const struct pp_building *building, int index,
+                        enum pp_site_state state)
+{
+    int first = -1;
+    for (int i = 0; i < building->read_count; i++) {
+        if (building->read[i].state == PP_STATE_BOTH)
+            return i == index;
+        if (first < 0 && stands_in(building->read[i].state, state))
+            first = i;
+    }
+    return first == index;
+}
+
 static enum pp_status add_skyline(struct pp_room *room,
                                   const struct pp_skyline_part *part,
                                   struct pp_error *err)
@@ -203,6 +243,13 @@ static void keep_state(struct pp_room *room, enum pp_site_state state)
         else
             pp_room_parts_clear_surface(&room->surfaces[i]);
     room->surface_count = kept;
+    kept = 0;
+    for (int i = 0; i < room->garden_count; i++)
+        if (stands_in(room->gardens[i].state, state))
+            room->gardens[kept++] = room->gardens[i];
+        else
+            pp_room_parts_clear_garden(&room->gardens[i]);
+    room->garden_count = kept;
 }
 
 static bool has_states(const struct pp_room *room)
@@ -214,13 +261,17 @@ static bool has_states(const struct pp_room *room)
         some |= room->blocks[i].state != PP_STATE_BOTH;
     for (int i = 0; i < room->surface_count; i++)
         some |= room->surfaces[i].state != PP_STATE_BOTH;
+    for (int i = 0; i < room->garden_count; i++)
+        some |= room->gardens[i].state != PP_STATE_BOTH;
     return some;
 }
 
 /* Does the building hold anything that goes to its rooms? */
 static bool holds(const struct pp_room *common)
 {
-    return common->skyline_count + common->block_count + common->surface_count > 0;
+    return common->skyline_count + common->block_count + common->surface_count
+               + common->garden_count
+           > 0;
 }
 
 /* More placed rooms than can stand before each other? That is a mistake, noted where the
@@ -262,6 +313,11 @@ static enum pp_status settle_room(struct pp_building *building, int index,
         return PP_OK;
     keep_state(room, state);
     status = add_common(room, &shells[index], common, state, err);
+    for (int i = 0; i < common->garden_count && status == PP_OK
+                    && has_gardens(building, index, state);
+         i++)
+        if (stands_in(common->gardens[i].state, state))
+            status = add_garden(room, &common->gardens[i], err);
     bool neighbours = room->placement.given && !has_too_many(building);
     for (int i = 0; i < building->read_count && status == PP_OK; i++) {
         const struct pp_room *other = &building->read[i];

@@ -187,6 +187,7 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
         {&pp_rule_facade, pp_read_outside_facade},
         {&pp_rule_block, pp_read_outside_block},
         {&pp_rule_surface, pp_read_outside_surface},
+        {&pp_rule_garden, pp_read_outside_garden},
         {&pp_rule_working_plane, read_working_plane},
     };
     for (size_t i = 0; i < sizeof plain / sizeof *plain; i++)

@@ -22,6 +22,22 @@ void pp_read_outside_skyline(struct pp_reader *r, struct pp_room *room,
                                      e->line};
 }
 
+void pp_read_outside_garden(struct pp_reader *r, struct pp_room *room,
+                            const struct pp_xml_element *e)
+{
+    struct pp_garden_form form;
+    struct pp_garden_part part = {.line = e->line};
+    bool good = pp_reader_fill_form(r, &form, &pp_rule_garden, e);
+    good = pp_reader_add_vertices(r, &part.vertices, &pp_rule_plan_vertex, e) && good;
+    if (!good || !PP_READER_RESERVE(r, room->gardens, room->garden_count)) {
+        pp_room_parts_clear_vertices(&part.vertices);
+        return;
+    }
+    part.name = pp_reader_copy_text(r, form.name);
+    part.state = (enum pp_site_state)form.state;
+    room->gardens[room->garden_count++] = part;
+}
+
 void pp_read_outside_facade(struct pp_reader *r, struct pp_room *room,
                             const struct pp_xml_element *e)
 {

@@ -5,6 +5,8 @@
 
 #include "model/room/read/reader.h"
 
+void pp_read_outside_garden(struct pp_reader *r, struct pp_room *room,
+                            const struct pp_xml_element *e);
 void pp_read_outside_skyline(struct pp_reader *r, struct pp_room *room,
                              const struct pp_xml_element *e);
 void pp_read_outside_facade(struct pp_reader *r, struct pp_room *room,

@@ -363,6 +363,14 @@ static const struct pp_attribute_rule surface_rows[] = {
 };
 RULE(surface, "surface", surface_rows, polygon);
 
+static const struct pp_attribute_rule garden_rows[] = {
+    {"name", &text, OR(NAN), IN(garden, name)},
+    {"state", &state, OR(0), IN(garden, state)},
+};
+static const struct pp_child_rule garden_children[] = {
+    {&pp_rule_plan_vertex, 3, PP_ROOM_VERTICES_MOST}};
+RULE(garden, "garden", garden_rows, garden_children);
+
 static const struct pp_attribute_rule plane_rows[] = {
     {"height", &coordinate, OR(0.85), IN(plane, height_m)},
 };
@@ -404,15 +412,16 @@ static const struct pp_attribute_rule room_rows[] = {
 };
 enum { BUILDING_ROWS = 5 };
 static const struct pp_child_rule room_children[] = {
-    {&pp_rule_site, 0, 1},          {&pp_rule_sky, 0, 1},
-    {&pp_rule_plan, 0, 1},          {&pp_rule_envelope, 0, 1},
-    {&pp_rule_finishes, 0, 1},      {&pp_rule_finish, 0, 0},
-    {&pp_rule_wall, 0, 0},          {&pp_rule_window, 0, 0},
-    {&pp_rule_rooflight, 0, 0},     {&pp_rule_opening, 0, 0},
-    {&pp_rule_skyline, 0, 0},       {&pp_rule_facade, 0, 0},
-    {&pp_rule_block, 0, 0},         {&pp_rule_surface, 0, 0},
-    {&pp_rule_working_plane, 0, 1}, {&pp_rule_point, 0, 0},
-    {&pp_rule_line, 0, 0},          {&pp_rule_grid, 0, 0},
+    {&pp_rule_site, 0, 1},      {&pp_rule_sky, 0, 1},
+    {&pp_rule_plan, 0, 1},      {&pp_rule_envelope, 0, 1},
+    {&pp_rule_finishes, 0, 1},  {&pp_rule_finish, 0, 0},
+    {&pp_rule_wall, 0, 0},      {&pp_rule_window, 0, 0},
+    {&pp_rule_rooflight, 0, 0}, {&pp_rule_opening, 0, 0},
+    {&pp_rule_skyline, 0, 0},   {&pp_rule_facade, 0, 0},
+    {&pp_rule_block, 0, 0},     {&pp_rule_surface, 0, 0},
+    {&pp_rule_garden, 0, 0},    {&pp_rule_working_plane, 0, 1},
+    {&pp_rule_point, 0, 0},     {&pp_rule_line, 0, 0},
+    {&pp_rule_grid, 0, 0},
 };
 RULE(building_room, "room", room_rows, room_children);
 const struct pp_element_rule pp_rule_room = {
@@ -425,6 +434,7 @@ static const struct pp_attribute_rule building_rows[] = {
     {"north", &bearing, OR(NAN), IN(building, north_rad)},
 };
 static const struct pp_child_rule building_children[] = {
-    {&pp_rule_site, 0, 1},  {&pp_rule_sky, 0, 1},     {&pp_rule_skyline, 0, 0},
-    {&pp_rule_block, 0, 0}, {&pp_rule_surface, 0, 0}, {&pp_rule_building_room, 1, 0}};
+    {&pp_rule_site, 0, 1},         {&pp_rule_sky, 0, 1},     {&pp_rule_skyline, 0, 0},
+    {&pp_rule_block, 0, 0},        {&pp_rule_surface, 0, 0}, {&pp_rule_garden, 0, 0},
+    {&pp_rule_building_room, 1, 0}};
 RULE(building, "building", building_rows, building_children);

@@ -154,6 +154,11 @@ struct pp_shade_form {
     struct pp_finish_value finish;
 };
 
+struct pp_garden_form {
+    const char *name;
+    int state;
+};
+
 struct pp_skyline_form {
     const char *wall;
     double angle_rad, distance_m;
@@ -199,8 +204,8 @@ extern const struct pp_element_rule pp_rule_building, pp_rule_building_room,
     pp_rule_room, pp_rule_site, pp_rule_sky, pp_rule_plan, pp_rule_plan_vertex,
     pp_rule_envelope, pp_rule_face, pp_rule_vertex, pp_rule_finishes, pp_rule_finish,
     pp_rule_window, pp_rule_rooflight, pp_rule_opening, pp_rule_skyline, pp_rule_facade,
-    pp_rule_block, pp_rule_footprint, pp_rule_surface, pp_rule_working_plane,
-    pp_rule_wall, pp_rule_overhang, pp_rule_fin, pp_rule_balcony, pp_rule_shelf,
-    pp_rule_point, pp_rule_line, pp_rule_grid;
+    pp_rule_garden, pp_rule_block, pp_rule_footprint, pp_rule_surface,
+    pp_rule_working_plane, pp_rule_wall, pp_rule_overhang, pp_rule_fin, pp_rule_balcony,
+    pp_rule_shelf, pp_rule_point, pp_rule_line, pp_rule_grid;
 
 #endif

@@ -79,8 +79,8 @@ static enum pp_status find_component(struct pp_finding *finding,
                                      const char *what, struct pp_error *err)
 {
     double share;
-    enum pp_status status =
-        pp_vertical_sky_component(&share, inquiry->world, &inquiry->world->openings[opening], err);
+    enum pp_status status = pp_vertical_sky_component(
+        &share, inquiry->world, &inquiry->world->openings[opening], err);
     if (status != PP_OK)
         return status;
     *finding = pp_finding_of(PP_FIGURE_FACTOR, share, VSC_WANTED, false, "%s", what);
@@ -100,11 +100,12 @@ static enum pp_status find_loss(struct pp_finding *finding,
                                 const char *what, struct pp_error *err)
 {
     double now, then;
-    enum pp_status status =
-        pp_vertical_sky_component(&now, inquiry->world, &inquiry->world->openings[opening], err);
+    enum pp_status status = pp_vertical_sky_component(
+        &now, inquiry->world, &inquiry->world->openings[opening], err);
     if (status == PP_OK)
-        status = pp_vertical_sky_component(&then, inquiry->before,
-                              &inquiry->before->openings[inquiry->pairs[opening]], err);
+        status = pp_vertical_sky_component(
+            &then, inquiry->before, &inquiry->before->openings[inquiry->pairs[opening]],
+            err);
     if (status != PP_OK)
         return status;
     if (!(then > NO_SKY)) {

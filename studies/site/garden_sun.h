@@ -1,0 +1,26 @@
+/* garden_sun.h - how much of a garden the sun reaches for two hours on 21 March. */
+#ifndef PP_STUDIES_SITE_GARDEN_SUN_H
+#define PP_STUDIES_SITE_GARDEN_SUN_H
+
+#include "model/base/error.h"
+#include "model/geometry/curve.h"
+#include "model/room/world.h"
+
+struct pp_garden_sun {
+    double area_m2, sunlit_m2; /* sunlit: two hours or more */
+    double error_m2;           /* of sunlit_m2, by the tolerance of the line */
+    struct pp_curve_list
+        dark; /* outlines of the rest, in the room's x and y; outer ones
+                                * counter-clockwise, holes clockwise */
+};
+
+/* By hours in closed form (methods/exact/sunlit_hours.h), possible ones, at the level of the
+ * ground; all that stands hides the sun, the rooms too. The line of two hours is accurate to
+ * a two-thousandth of the garden's diagonal, and to 10 mm. The caller clears sun; empty on
+ * failure. The world has a latitude. */
+enum pp_status pp_garden_sun_find(struct pp_garden_sun *sun,
+                                  const struct pp_world *world,
+                                  const struct pp_garden *garden, struct pp_error *err);
+void pp_garden_sun_clear(struct pp_garden_sun *sun);
+
+#endif
