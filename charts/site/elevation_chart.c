@@ -22,7 +22,7 @@ struct elevation_drawing {
 
 /* u and v as a plan's x and y, with the low corner at x, y on paper. */
 static struct pp_room_plan frame_of(const struct elevation_drawing *drawing,
-                                    const struct pp_elevation *elevation, double x,
+                                    const struct pp_site_elevation *elevation, double x,
                                     double y)
 {
     struct pp_room_plan frame = {
@@ -35,13 +35,13 @@ static struct pp_room_plan frame_of(const struct elevation_drawing *drawing,
 }
 
 static double width_mm(const struct elevation_drawing *drawing,
-                       const struct pp_elevation *elevation)
+                       const struct pp_site_elevation *elevation)
 {
     return (elevation->high[0] - elevation->low[0]) * 1000.0 / drawing->scale;
 }
 
 static double height_mm(const struct elevation_drawing *drawing,
-                        const struct pp_elevation *elevation)
+                        const struct pp_site_elevation *elevation)
 {
     return (elevation->high[1] - elevation->low[1]) * 1000.0 / drawing->scale;
 }
@@ -98,7 +98,7 @@ static void draw_wall(struct elevation_drawing *drawing,
 }
 
 static struct pp_box window_box(const struct pp_room_plan *frame,
-                                const struct pp_elevation *elevation,
+                                const struct pp_site_elevation *elevation,
                                 const struct pp_site_window *window)
 {
     double from = pp_room_plan_x(frame, pp_vec_dot(window->from, elevation->right));
@@ -139,7 +139,7 @@ static void say_component(struct elevation_drawing *drawing,
 
 static void draw_window(struct elevation_drawing *drawing,
                         const struct pp_room_plan *frame,
-                        const struct pp_elevation *elevation,
+                        const struct pp_site_elevation *elevation,
                         const struct pp_site_window *window)
 {
     cairo_t *cr = drawing->cr;
@@ -155,7 +155,7 @@ static void draw_window(struct elevation_drawing *drawing,
 }
 
 static void say_title(struct elevation_drawing *drawing,
-                      const struct pp_elevation *elevation, double x, double y)
+                      const struct pp_site_elevation *elevation, double x, double y)
 {
     static const char *const ways[] = {"North", "North-east", "East", "South-east",
                                        "South", "South-west", "West", "North-west"};
@@ -169,7 +169,7 @@ static void say_title(struct elevation_drawing *drawing,
 
 /* x, y: the upper left corner on paper, of the title. */
 static void draw_elevation(struct elevation_drawing *drawing,
-                           const struct pp_elevation *elevation, double x, double y)
+                           const struct pp_site_elevation *elevation, double x, double y)
 {
     cairo_t *cr = drawing->cr;
     const struct pp_style *style = &drawing->style;
@@ -201,7 +201,7 @@ static bool flow(struct elevation_drawing *drawing, struct pp_box box, bool draw
     double x = box.x + 2.0 * style->scale, y = box.y, row = 0.0;
     bool fits = true;
     for (int i = 0; i < drawing->sheet->count; i++) {
-        const struct pp_elevation *elevation = &drawing->sheet->elevations[i];
+        const struct pp_site_elevation *elevation = &drawing->sheet->elevations[i];
         double width = fmax(width_mm(drawing, elevation), least);
         double height = head + height_mm(drawing, elevation);
         if (row > 0.0 && x + width > box.x + box.width) {

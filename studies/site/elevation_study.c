@@ -76,7 +76,7 @@ static double outside_of(const struct pp_world *world, int face)
 
 /* The face's outline by u and v. */
 static enum pp_status flatten(struct pp_elevation_wall *wall,
-                              const struct pp_elevation *elevation,
+                              const struct pp_site_elevation *elevation,
                               const struct pp_world *world, int face,
                               struct pp_error *err)
 {
@@ -100,7 +100,7 @@ static enum pp_status flatten(struct pp_elevation_wall *wall,
     return status;
 }
 
-static enum pp_status add_wall(struct pp_elevation *elevation,
+static enum pp_status add_wall(struct pp_site_elevation *elevation,
                                const struct pp_world *world, int face,
                                struct pp_error *err)
 {
@@ -130,7 +130,7 @@ static enum pp_status add_wall(struct pp_elevation *elevation,
 
 /* ---- elevations ---- */
 
-static struct pp_elevation *find_elevation(struct pp_elevation_sheet *sheet,
+static struct pp_site_elevation *find_elevation(struct pp_elevation_sheet *sheet,
                                            struct pp_vec3 out)
 {
     for (int i = 0; i < sheet->count; i++)
@@ -148,7 +148,7 @@ static enum pp_status add_elevation(struct pp_elevation_sheet *sheet,
         return status;
     double bearing = atan2(out.x, out.y) + sheet->site.north_rad;
     bearing = fmod(bearing, 2.0 * PP_PI);
-    sheet->elevations[sheet->count++] = (struct pp_elevation){
+    sheet->elevations[sheet->count++] = (struct pp_site_elevation){
         .out = out,
         .right = pp_vec(-out.y, out.x, 0.0),
         .bearing_rad = bearing < -1e-9 ? bearing + 2.0 * PP_PI : fmax(bearing, 0.0),
@@ -159,12 +159,12 @@ static enum pp_status add_elevation(struct pp_elevation_sheet *sheet,
 
 static int by_bearing(const void *left, const void *right)
 {
-    const struct pp_elevation *a = left, *b = right;
+    const struct pp_site_elevation *a = left, *b = right;
     return (a->bearing_rad > b->bearing_rad) - (a->bearing_rad < b->bearing_rad);
 }
 
 static enum pp_status add_windows(struct pp_elevation_sheet *sheet,
-                                  struct pp_elevation *elevation, struct pp_error *err)
+                                  struct pp_site_elevation *elevation, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < sheet->site.window_count && status == PP_OK; i++) {
@@ -189,14 +189,14 @@ static enum pp_status add_walls(struct pp_elevation_sheet *sheet,
             continue;
         struct pp_vec3 out = pp_placement_turn(pp_vec_scale(face->outline.normal, -1.0),
                                                world->placement.rotate_rad);
-        struct pp_elevation *elevation = find_elevation(sheet, out);
+        struct pp_site_elevation *elevation = find_elevation(sheet, out);
         if (elevation)
             status = add_wall(elevation, world, i, err);
     }
     return status;
 }
 
-static void measure(struct pp_elevation *elevation)
+static void measure(struct pp_site_elevation *elevation)
 {
     for (int i = 0; i < elevation->wall_count; i++) {
         struct pp_bounds2 box = pp_region_bounds(&elevation->walls[i].outline);

@@ -22,7 +22,7 @@ void pp_site_sheet_clear(struct pp_site_sheet *sheet)
 void pp_site_sheet_clear_elevations(struct pp_elevation_sheet *sheet)
 {
     for (int i = 0; i < sheet->count; i++) {
-        struct pp_elevation *elevation = &sheet->elevations[i];
+        struct pp_site_elevation *elevation = &sheet->elevations[i];
         for (int k = 0; k < elevation->wall_count; k++) {
             pp_region_clear(&elevation->walls[k].outline);
             pp_curve_list_clear(&elevation->walls[k].below);

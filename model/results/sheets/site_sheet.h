@@ -78,7 +78,7 @@ struct pp_elevation_wall {
 };
 
 /* The walls of a site that look the same way. */
-struct pp_elevation {
+struct pp_site_elevation {
     struct pp_vec3 out, right; /* unit, level */
     double bearing_rad;        /* in which it looks, clockwise from north, 0 to 2 pi */
     struct pp_elevation_wall *walls;
@@ -90,7 +90,7 @@ struct pp_elevation {
 
 struct pp_elevation_sheet {
     struct pp_site_sheet site;
-    struct pp_elevation *elevations; /* clockwise from north */
+    struct pp_site_elevation *elevations; /* clockwise from north */
     int count;
 };
 

@@ -1,0 +1,95 @@
+#!/bin/sh
+# Drawings of a site: what is lit now and before, its plan, its elevations, sun paths.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+LC_ALL=C
+export LC_ALL
+site=$(cd "$srcdir/examples/sites" && pwd)/corner-house.xml
+
+# words FILE.pdf: what is written on its pages.
+if command -v pdftotext >/dev/null; then
+    words() { pdftotext -layout "$1" - | tr '\302\240' '  ' | tr -s ' '; }
+else
+    words() { :; }
+fi
+# says FILE.pdf TEXT: it is written there, where that can be read.
+says() {
+    ! command -v pdftotext >/dev/null || words "$1" | tr '\n' ' ' | tr -s ' ' | grep -qF -- "$2" ||
+        { words "$1" | head -n 30; return 1; }
+}
+
+check "what is lit now and before" quietly chart plan --before existing --room Study "$site" \
+    -o "$scratch/lit.pdf"
+check "says the area that assess finds" says "$scratch/lit.pdf" "12.52 m"
+check "and that before" says "$scratch/lit.pdf" "Before: 14.62 m"
+check "the sky factor's line too" quietly chart plan --before existing --line sky-factor \
+    --room Study "$site" -o "$scratch/factor.pdf"
+check "with its zones" says "$scratch/factor.pdf" "equivalent first zone 1.50 m"
+check "the zones are in the criterion" shows "lost, as equivalent first zone" \
+    assess --by-hand -c rights-of-light --room Study "$site"
+check "a line without anything before" quietly chart plan --line sky-factor "$deep" \
+    -o "$scratch/alone.pdf"
+check "says no loss" sh -c "! command -v pdftotext >/dev/null ||
+    ! pdftotext '$scratch/alone.pdf' - | grep -q -i 'before'"
+sed '/name="Tower"/d; s/ state="existing"//' "$site" >"$scratch/old.xml"
+check "before from another file the same" sh -c '
+    "$1" chart plan --before "$3" --room Study "$2" -f svg >"$4/a" &&
+    "$1" chart plan --before existing --room Study "$2" -f svg | cmp - "$4/a"' sh \
+    "$pepperpot" "$site" "$scratch/old.xml" "$scratch"
+
+for kind in site elevation; do
+    for format in svg png pdf; do
+        check "chart $kind as $format" quietly chart $kind "$site" -o "$scratch/$kind.$format"
+    done
+    check "$kind: one sheet for all rooms" test ! -e "$scratch/$kind-1.svg"
+    check "of one room by itself" quietly chart $kind "$deep" -o "$scratch/one-$kind.svg"
+done
+check "each window's component" says "$scratch/elevation.pdf" "17.2"
+check "and what it was" says "$scratch/elevation.pdf" "27.1"
+check "what stands there, with its height" says "$scratch/site.pdf" "Tower, proposed"
+check "elevations have names" says "$scratch/elevation.pdf" "South elevation, 190"
+check "two files have two sheets" sh -c '"$1" chart site "$2" "$3" -o "$4/two.svg" &&
+    test -s "$4/two-1.svg" && test -s "$4/two-2.svg"' sh "$pepperpot" "$site" "$deep" "$scratch"
+
+check "sun paths of a window" quietly chart sun-path --room Study --before existing "$site" \
+    -o "$scratch/sun.pdf"
+check "with its hours" says "$scratch/sun.pdf" "Now, 36.9 % of the year"
+check "by assess" gives assess --by-hand -c sunlight --room Study "$site"
+check "the same" grep -qE 'W3, south, line 29, year +36.9 %' "$scratch/out"
+
+sed 's|<room name="Living room"|<garden name="Lawn"><vertex x="0" y="-9"/><vertex x="8" y="-9"/>\
+<vertex x="8" y="-1"/><vertex x="0" y="-1"/></garden>&|' "$site" >"$scratch/lawn.xml"
+check "a garden in the table" gives assess --by-hand --for uk-planning --table "$scratch/lawn.xml"
+check "once" test "$(grep -c '^ *Lawn ' "$scratch/out")" -eq 1
+check "with its verdict" grep -qE '^ *Lawn +[0-9.]+ +[0-9.]+ +[0-9.]+ +met' "$scratch/out"
+check "in its JSON" shows '"gardens": [' assess --by-hand -c gardens --table -f json \
+    "$scratch/lawn.xml"
+check "on the plan" quietly chart site "$scratch/lawn.xml" -o "$scratch/lawn.pdf"
+check "with its share" says "$scratch/lawn.pdf" "Lawn"
+check "a room without one has no such criterion" nothing \
+    "$("$pepperpot" assess --by-hand "$deep" | grep -i garden)"
+
+check "--before of a chart that compares nothing" refuses 2 "shows a room as it is" \
+    chart section --before existing "$site" -o "$scratch/no.svg"
+check "--line of another chart" refuses 2 "--line is of a plan" \
+    chart section --line no-sky "$deep" -o "$scratch/no.svg"
+check "an unknown line" refuses 2 "no-sky or sky-factor" \
+    chart plan --line grumble "$deep" -o "$scratch/no.svg"
+check "before of a file without states" refuses 2 "nothing in" \
+    chart plan --before existing "$deep" -o "$scratch/no.svg"
+check "another room before" refuses 1 "expected the same room" \
+    chart plan --before "$examples/l-shaped.xml" "$deep" -o "$scratch/no.svg"
+cat >"$scratch/top.xml" <<'EOF'
+<room version="1"><plan width="4" depth="5" height="3"/>
+  <rooflight x="1" y="1" width="1" depth="1"/></room>
+EOF
+check "no upright window, no elevation" refuses 1 "there is no upright window" \
+    chart elevation "$scratch/top.xml" -o "$scratch/no.svg"
+check "a site all the same" quietly chart site "$scratch/top.xml" -o "$scratch/top.svg"
+sed 's/ latitude="[0-9.]*" longitude="[-0-9.]*"//' "$site" >"$scratch/nowhere.xml"
+check "sun paths of no place" refuses 1 "expected a site with a latitude" \
+    chart sun-path --room Study "$scratch/nowhere.xml" -o "$scratch/no.svg"
+check "a window that is not there" refuses 1 "expected the line of a window" \
+    chart sun-path --room Study --window attic "$site" -o "$scratch/no.svg"
+check "nothing was written" test ! -e "$scratch/no.svg"
+tap_done

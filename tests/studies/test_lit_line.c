@@ -1,0 +1,120 @@
+/* test_lit_line.c - the no-sky line by similar triangles, the sky factor by its closed form,
+ * and what surveyors make of a loss. */
+#include "studies/lit_line.h"
+
+#include "tests/lib/room_of.h"
+
+/* An endless house of 30 degrees at 10 m from the middle of a window as wide as the room:
+ * from the line the window's head hides the top of the house, in the section and, since all
+ * edges are parallel, everywhere along the room. The head is 1.65 m above the plane, the top
+ * 1.7 + 10 tan 30 - 0.85 m: d / 1.65 = (d + 10) / 6.6235. */
+static void the_no_sky_line_lies_where_head_and_house_are_in_line(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan width='4' depth='6' height='3'/>"
+        "<window wall='south' left='0' sill='0.9' width='4' height='1.6'/>"
+        "<skyline wall='south' angle='30' distance='10'/></room>");
+    double top = 1.7 + 10.0 * tan(30.0 * PP_RAD) - 0.85, head = 2.5 - 0.85;
+    double depth = 10.0 * head / (top - head);
+    struct pp_lit_area area;
+    assert_int_equal(pp_lit_line_find(&area, world, PP_LIT_NO_SKY, NULL), PP_OK);
+    assert_near(area.plane_m2, 24.0, 1e-9);
+    assert_near(area.lit_m2, 4.0 * depth, 0.01);
+    assert_true(fabs(area.lit_m2 - 4.0 * depth) < area.error_m2 + 0.01);
+    assert_int_equal(area.line.count, 1);
+    for (int i = 0; i < area.line.list[0].count; i++)
+        assert_near(area.line.list[0].xy[i][1], depth, 2e-3);
+    pp_lit_area_clear(&area);
+    pp_world_destroy(world);
+}
+
+/* The sky factor of an upright rectangle that stands on the plane, from a point d before one
+ * of its lower corners [WW23]: by the angle subtended below less the one above. */
+static double corner_factor(double width, double height, double d)
+{
+    double slant = hypot(d, height);
+    return (atan(width / d) - d / slant * atan(width / slant)) / (2.0 * PP_PI);
+}
+
+/* From x, of a window from `left` to `right` and from the plane up to `head`. */
+static double sky_factor(double x, double d, double left, double right, double head)
+{
+    return (right > x ? 1.0 : -1.0) * corner_factor(fabs(right - x), head, d)
+           - (left > x ? 1.0 : -1.0) * corner_factor(fabs(left - x), head, d);
+}
+
+/* Neither the room's overcast sky, its glass, its frame nor its working plane of 0.7 m enter:
+ * the factor is the uniform sky's through the bare hole, at 0.85 m. */
+static void along_the_legal_line_the_sky_factor_is_a_fifth_of_a_per_cent(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan width='4' depth='14' height='3'/>"
+        "<window wall='south' left='1.2' sill='0.85' width='1.1' height='0.9' "
+        "glazing='clear-double' frame-factor='0.7'/>"
+        "<working-plane height='0.7'/></room>");
+    struct pp_lit_area area;
+    int seen = 0;
+    assert_int_equal(pp_lit_line_find(&area, world, PP_LIT_SKY_FACTOR, NULL), PP_OK);
+    assert_near(area.plane_m, 0.85, 1e-12);
+    for (int i = 0; i < area.line.count; i++)
+        for (int k = 0; k < area.line.list[i].count; k++) {
+            const double *at = area.line.list[i].xy[k];
+            if (at[1] < 0.5 || at[0] < 0.01 || at[0] > 3.99)
+                continue;
+            assert_near(sky_factor(at[0], at[1], 1.2, 2.3, 0.9), 0.002, 1e-5);
+            seen++;
+        }
+    assert_true(seen > 20);
+    pp_lit_area_clear(&area);
+    pp_world_destroy(world);
+}
+
+/* Of 20 m2 from 14 lit to 4: one of the front quarter, all of the first, four of the second;
+ * 3/2 + 5 + 4/2 of first zone. */
+static void a_loss_is_counted_by_quarters_of_the_room(void **state)
+{
+    (void)state;
+    struct pp_lit_loss loss = pp_lit_area_loss(20.0, 14.0, 4.0);
+    assert_near(loss.zones_m2[PP_ZONE_FRONT], 1.0, 1e-12);
+    assert_near(loss.zones_m2[PP_ZONE_FIRST], 5.0, 1e-12);
+    assert_near(loss.zones_m2[PP_ZONE_SECOND], 4.0, 1e-12);
+    assert_near(loss.zones_m2[PP_ZONE_MAKEWEIGHT], 0.0, 1e-12);
+    assert_near(loss.equivalent_m2, 8.5, 1e-12);
+    loss = pp_lit_area_loss(20.0, 20.0, 16.0);
+    assert_near(loss.zones_m2[PP_ZONE_MAKEWEIGHT], 4.0, 1e-12);
+    assert_near(loss.equivalent_m2, 1.0, 1e-12);
+    loss = pp_lit_area_loss(20.0, 4.0, 14.0);
+    assert_near(loss.equivalent_m2, 0.0, 0.0);
+}
+
+/* A room of 0.6 m has no plane at 0.85 m, and a cellar sees no sky. */
+static void no_plane_and_no_window_are_no_lit_area(void **state)
+{
+    (void)state;
+    struct pp_world *low =
+        pp_test_world("<room version='1'><plan width='4' depth='6' height='0.6'/>"
+                      "<working-plane height='0.3'/></room>");
+    struct pp_lit_area area;
+    assert_int_equal(pp_lit_line_find(&area, low, PP_LIT_SKY_FACTOR, NULL), PP_OK);
+    assert_near(area.plane_m2, 0.0, 0.0);
+    assert_near(area.lit_m2, 0.0, 0.0);
+    pp_lit_area_clear(&area);
+    assert_int_equal(pp_lit_line_find(&area, low, PP_LIT_NO_SKY, NULL), PP_OK);
+    assert_near(area.plane_m2, 24.0, 1e-9);
+    assert_near(area.lit_m2, 0.0, 1e-9);
+    pp_lit_area_clear(&area);
+    pp_world_destroy(low);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_no_sky_line_lies_where_head_and_house_are_in_line),
+        cmocka_unit_test(along_the_legal_line_the_sky_factor_is_a_fifth_of_a_per_cent),
+        cmocka_unit_test(a_loss_is_counted_by_quarters_of_the_room),
+        cmocka_unit_test(no_plane_and_no_window_are_no_lit_area),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
