@@ -75,9 +75,8 @@ static const struct pp_option sheet_options[] = {
      NULL, PLACE(logarithmic)},
     {"linear", 0, NULL, "Section: on a linear scale.", NULL, PLACE(linear)},
     {"before", 'b', "FILE",
-     "Plan, site, elevation: as it was before something was built outside; or "
-     "existing, "
-     "as the file has it itself.",
+     "Plan, site, elevation, sun path: as it was before something was built outside; "
+     "or existing, as the file has it itself.",
      pp_options_read_input, PLACE(before)},
     {"line", 0, "NAME",
      "Plan: the part that sees sky (no-sky), or where the sky factor is over 0.2 % "
@@ -126,7 +125,8 @@ static const struct pp_option board_options[] = {
      "section, plan and elevations to scale, and in a PDF the blank diagram.",
      NULL, BOARD(unsolved)},
     {"window", 0, "WHICH",
-     "Vertical sky, skylight indicator: the window, by its line in the file, or by its "
+     "Vertical sky, skylight indicator, sun path: the window, by its line in the file, "
+     "or by its "
      "wall (default: the first upright one).",
      pp_options_read_text, BOARD(window)},
     {0},
@@ -248,8 +248,8 @@ static enum pp_status check(void *values, char **words, int word_count,
                        chart->choice.model.typed);
     if (chart->before && !kind->compares)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s shows a room as it is; --before is of a plan, a site or an "
-                       "elevation",
+                       "%s shows a room as it is; --before is of a plan, a site, an "
+                       "elevation or sun paths",
                        kind->name);
     if (chart->choice.line_said && kind != &pp_draw_plan)
         return pp_fail(err, PP_BAD_INPUT, "--line is of a plan");

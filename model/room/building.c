@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "model/base/read_file.h"
-#include "model/room/build/building_site.h"
+#include "model/room/outside/building_site.h"
 #include "model/room/read/read_elements.h"
 #include "model/room/read/xml.h"
 #include "model/room/room_parts.h"

@@ -1,5 +1,5 @@
 /* blocks.c - see blocks.h. */
-#include "model/room/build/blocks.h"
+#include "model/room/outside/blocks.h"
 
 #include <stdlib.h>
 #include <string.h>

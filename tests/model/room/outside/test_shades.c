@@ -1,5 +1,5 @@
 /* test_shades.c - overhangs, fins, balconies and shelves of windows. */
-#include "model/room/build/shades.h"
+#include "model/room/outside/shades.h"
 
 #include <math.h>
 

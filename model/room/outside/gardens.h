@@ -1,8 +1,8 @@
 /* gardens.h - the step that lays out the pieces of ground that the sun is to reach. Inside
  * model/room/ only.
  */
-#ifndef PP_MODEL_ROOM_BUILD_GARDENS_H
-#define PP_MODEL_ROOM_BUILD_GARDENS_H
+#ifndef PP_MODEL_ROOM_OUTSIDE_GARDENS_H
+#define PP_MODEL_ROOM_OUTSIDE_GARDENS_H
 
 #include "model/room/build/resolve.h"
 

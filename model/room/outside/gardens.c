@@ -1,5 +1,5 @@
 /* gardens.c - see gardens.h. */
-#include "model/room/build/gardens.h"
+#include "model/room/outside/gardens.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* blocks.h - the step that adds buildings outside: boxes that stand clear of the
  * room. Inside model/room/ only. */
-#ifndef PP_MODEL_ROOM_BUILD_BLOCKS_H
-#define PP_MODEL_ROOM_BUILD_BLOCKS_H
+#ifndef PP_MODEL_ROOM_OUTSIDE_BLOCKS_H
+#define PP_MODEL_ROOM_OUTSIDE_BLOCKS_H
 
 #include "model/room/build/resolve.h"
 

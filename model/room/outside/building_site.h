@@ -11,8 +11,8 @@
  * rooms stand before the others as opaque outside walls. A room that is not placed
  * stands by itself, at the building's origin, and before no other.
  */
-#ifndef PP_MODEL_ROOM_BUILD_BUILDING_SITE_H
-#define PP_MODEL_ROOM_BUILD_BUILDING_SITE_H
+#ifndef PP_MODEL_ROOM_OUTSIDE_BUILDING_SITE_H
+#define PP_MODEL_ROOM_OUTSIDE_BUILDING_SITE_H
 
 #include "model/room/read/read_elements.h"
 

@@ -1,5 +1,5 @@
 /* building_site.c - see building_site.h. */
-#include "model/room/build/building_site.h"
+#include "model/room/outside/building_site.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -11,8 +11,8 @@
  *             round it
  *   shelf     level, `height` above the sill, `depth` outside and `inside` the wall
  */
-#ifndef PP_MODEL_ROOM_BUILD_SHADES_H
-#define PP_MODEL_ROOM_BUILD_SHADES_H
+#ifndef PP_MODEL_ROOM_OUTSIDE_SHADES_H
+#define PP_MODEL_ROOM_OUTSIDE_SHADES_H
 
 #include "model/room/build/resolve.h"
 

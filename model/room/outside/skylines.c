@@ -1,5 +1,5 @@
 /* skylines.c - see skylines.h. */
-#include "model/room/build/skylines.h"
+#include "model/room/outside/skylines.h"
 
 #include <stdlib.h>
 

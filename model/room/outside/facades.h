@@ -1,7 +1,7 @@
 /* facades.h - the step that makes the outside of a wall and of its continuation beyond
  * the room. Inside model/room/ only. */
-#ifndef PP_MODEL_ROOM_BUILD_FACADES_H
-#define PP_MODEL_ROOM_BUILD_FACADES_H
+#ifndef PP_MODEL_ROOM_OUTSIDE_FACADES_H
+#define PP_MODEL_ROOM_OUTSIDE_FACADES_H
 
 #include "model/room/build/resolve.h"
 

@@ -1,5 +1,5 @@
 /* shades.c - see shades.h. */
-#include "model/room/build/shades.h"
+#include "model/room/outside/shades.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* skylines.h - the step that adds endless obstructions parallel to a wall. Inside
  * model/room/ only. */
-#ifndef PP_MODEL_ROOM_BUILD_SKYLINES_H
-#define PP_MODEL_ROOM_BUILD_SKYLINES_H
+#ifndef PP_MODEL_ROOM_OUTSIDE_SKYLINES_H
+#define PP_MODEL_ROOM_OUTSIDE_SKYLINES_H
 
 #include "model/room/build/resolve.h"
 

@@ -9,7 +9,7 @@
  * is the facade. Ends of `down` below the ground are left out. Light may get in between
  * wall and sheet from the side; it meets nothing there but their backs.
  */
-#include "model/room/build/facades.h"
+#include "model/room/outside/facades.h"
 
 #include <stdlib.h>
 
