@@ -86,8 +86,9 @@ static enum pp_status cross_triangles(struct pp_field *field, double least_m,
     return status;
 }
 
-/* Triangles that the curve leaves and comes back to are halved, down to an eighth of the
- * coarse size. */
+/* Triangles that the curve leaves and comes back to are halved, down to a
+ * sixty-fourth of the coarse size: of a function with a crease, whose curve turns a corner
+ * there, an eighth left it 0.05 m off in a room of 15 m. */
 static enum pp_status find_crossings(struct pp_field *field, double level,
                                      struct pp_error *err)
 {
@@ -95,7 +96,8 @@ static enum pp_status find_crossings(struct pp_field *field, double level,
     field->stamp++;
     enum pp_status status = halve_near(field, err);
     for (bool again = true; again && status == PP_OK;)
-        status = cross_triangles(field, field->coarse / 8.0, &again, err);
+        status = cross_triangles(
+            field, fmax(field->coarse / 64.0, 4.0 * field->tolerance), &again, err);
     return status;
 }
 
