@@ -6,9 +6,17 @@
 
 # contours_of SVG JSON: the contours' places in metres, with the line's number and the place
 # on either side of it: "line x1 y1 x2 y2". The walls' outline in the drawing and the plane's
-# corners in the JSON give the scale.
+# corners in the JSON give the scale. off_y: the y of planes of upright lights over the room.
 contours_of() {
-    awk -v most="${places:-200}" '
+    awk -v most="${places:-200}" -v off="${off_y:-}" '
+    # Nearer than 0.03 m to the plane of an upright light over the room, under which the plan
+    # has the light of 20 mm before it (methods/direct_plane.h)?
+    function is_under(y,    w, n, i) {
+        n = split(off, w, / /)
+        for (i = 1; i <= n; i++)
+            if (y > w[i] - 0.03 && y < w[i] + 0.03) return 1
+        return 0
+    }
     # Nearer than `least` to an edge of the plane, or outside it?
     function is_off(x, y, least,    r, i, j, within, dx, dy, t, gap) {
         for (r = 1; r <= rings; r++)
@@ -31,7 +39,7 @@ contours_of() {
         x = (vx[k] + vx[k + 1]) / 2; y = (vy[k] + vy[k + 1]) / 2
         dx = vx[k + 1] - vx[k]; dy = vy[k + 1] - vy[k]
         l = sqrt(dx * dx + dy * dy)
-        if (l < 0.02 || is_off(lx + (x - left) / scale, hy - (y - top) / scale, 0.15))
+        if (l < 0.02 || is_under(hy - (y - top) / scale) || is_off(lx + (x - left) / scale, hy - (y - top) / scale, 0.15))
             return
         for (a = k; a > 1 && (vx[a] - x) ^ 2 + (vy[a] - y) ^ 2 < 16 * wide ^ 2; a--);
         for (b = k + 1; b < m && (vx[b] - x) ^ 2 + (vy[b] - y) ^ 2 < 16 * wide ^ 2; b++);

@@ -8,6 +8,8 @@
 for room in "$examples"/*.xml ${ROOMS:+"$ROOMS"/*.xml}; do
     # A building's rooms need an option each; of one the first is enough.
     set --
+    off_y=
+    case $room in */workshop.xml) off_y="4 8" ;; esac
     first=$(sed -n 's/.*<room name="\([^"]*\)".*/\1/p' "$room" | head -n 1)
     ! grep -q "<building" "$room" || set -- --room "$first"
     for by in exact exact+bre exact+split-flux exact+sphere brs-table+bre \

@@ -87,8 +87,7 @@ static enum pp_status cross_triangles(struct pp_field *field, double least_m,
 }
 
 /* Triangles that the curve leaves and comes back to are halved, down to a
- * sixty-fourth of the coarse size: of a function with a crease, whose curve turns a corner
- * there, an eighth left it 0.05 m off in a room of 15 m. */
+ * sixty-fourth of the coarse size: of a function with a crease the curve turns corners. */
 static enum pp_status find_crossings(struct pp_field *field, double level,
                                      struct pp_error *err)
 {

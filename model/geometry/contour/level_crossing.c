@@ -102,7 +102,7 @@ static double chord_on_ray(const struct fan *fan, const double r[2], const doubl
 /* The curve's place on the ray from A to r, near `guess` (a share of the ray, where the
  * chord is); *strays tells whether that is further from the chord than the tolerance,
  * *leaves becomes true where the ray has no such place: there the curve runs outside the
- * triangle. Evaluates on the chord, a tolerance beside it, then ever further away until the level
+ * triangle, or along the ray. Evaluates on the chord, a tolerance beside it, then ever further away until the level
  * lies between. */
 static enum pp_status find_on_ray(struct pp_field *field, const struct fan *fan,
                                   const double r[2], double guess, double found[2],
@@ -161,6 +161,11 @@ static enum pp_status add_between(struct pp_field *field, const double xy[2],
     return status;
 }
 
+/* Where along a chord the curve is looked for: in its middle and, on one that crosses the
+ * whole triangle, aside of it, since a curve that is bent both ways passes the middle. */
+static const double asides[] = {0.5, 0.27};
+enum { ASIDES = sizeof asides / sizeof *asides };
+
 /* Adds the points that the curve needs between p, on the ray to BC at p_share, and q,
  * at q_share. */
 static enum pp_status follow(struct pp_field *field, const struct fan *fan,
@@ -168,14 +173,23 @@ static enum pp_status follow(struct pp_field *field, const struct fan *fan,
                              double q_share, int depth, bool *leaves,
                              struct pp_error *err)
 {
-    if (depth == 0 || hypot(q[0] - p[0], q[1] - p[1]) < 2.0 * field->tolerance)
+    if (hypot(q[0] - p[0], q[1] - p[1]) < 2.0 * field->tolerance)
         return PP_OK;
-    double share = 0.5 * (p_share + q_share);
-    double r[2], m[2];
-    between_of(fan->b, fan->c, share, r);
-    bool strays;
-    enum pp_status status =
-        find_on_ray(field, fan, r, chord_on_ray(fan, r, p, q), m, &strays, leaves, err);
+    if (depth == 0) { /* it runs along a ray, where none meets it but at one end */
+        *leaves = true;
+        return PP_OK;
+    }
+    double share = 0.5, m[2];
+    bool strays = false;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < (depth == DEEPEST ? ASIDES : 1) && status == PP_OK && !strays;
+         i++) {
+        double r[2];
+        share = p_share + asides[i] * (q_share - p_share);
+        between_of(fan->b, fan->c, share, r);
+        status = find_on_ray(field, fan, r, chord_on_ray(fan, r, p, q), m, &strays,
+                             leaves, err);
+    }
     if (status != PP_OK || !strays)
         return status;
     status = follow(field, fan, p, p_share, m, share, depth - 1, leaves, err);

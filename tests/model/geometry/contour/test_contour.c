@@ -184,6 +184,65 @@ static void a_straight_level_line_is_cut_by_the_edges_of_an_l_shape(void **state
     pp_region_clear(&region);
 }
 
+/* Two slopes that meet in a crease: the lower of them is a wedge at level 0. One of them is
+ * nearly level, as tables read between their rows are. */
+struct wedge {
+    double at[2], turn; /* its point, and which way it opens */
+    double half;        /* angle to its sides */
+};
+
+static enum pp_status lower_of_two(void *context, double x, double y, double *value,
+                                   struct pp_error *err)
+{
+    (void)err;
+    const struct wedge *wedge = context;
+    double left = wedge->turn + wedge->half, right = wedge->turn - wedge->half;
+    double dx = x - wedge->at[0], dy = y - wedge->at[1];
+    *value = fmin(0.02 * (dx * sin(left) - dy * cos(left)),
+                  dy * cos(right) - dx * sin(right));
+    return PP_OK;
+}
+
+/* Chords and all: no piece of the curve is farther from the wedge's sides than the corner
+ * itself may be cut, in forty wedges that lie anyhow to the mesh. */
+static void the_curve_of_a_crease_turns_its_corner(void **state)
+{
+    (void)state;
+    struct pp_region region = region_of(oblong, 4);
+    for (int k = 0; k < 40; k++) {
+        struct wedge wedge = {{2.0 + 0.05 * k, 1.2 + 0.031 * k},
+                              0.7 + 2.4 * k,
+                              (12.0 + 1.5 * k) * PP_RAD};
+        struct pp_field *field;
+        struct pp_curve_list curves = {0};
+        double worst = 0.0, nearest = INFINITY;
+        assert_int_equal(
+            pp_field_create(&field, &region, lower_of_two, &wedge, TOLERANCE, NULL),
+            PP_OK);
+        assert_int_equal(pp_contour_curves(field, 0.0, &curves, NULL), PP_OK);
+        assert_int_equal(curves.count, 1);
+        const struct pp_curve *curve = &curves.list[0];
+        for (int i = 1; i < curve->count; i++) {
+            const double *a = curve->xy[i - 1], *b = curve->xy[i];
+            double x = 0.5 * (a[0] + b[0]) - wedge.at[0];
+            double y = 0.5 * (a[1] + b[1]) - wedge.at[1];
+            double off = INFINITY;
+            for (int side = -1; side <= 1; side += 2) {
+                double angle = wedge.turn + side * wedge.half;
+                if (x * cos(angle) + y * sin(angle) > 0.0)
+                    off = fmin(off, fabs(x * sin(angle) - y * cos(angle)));
+            }
+            worst = fmax(worst, fmin(off, hypot(x, y)));
+            nearest = fmin(nearest, hypot(b[0] - wedge.at[0], b[1] - wedge.at[1]));
+        }
+        assert_true(worst < 0.02);
+        assert_true(nearest < 0.05);
+        pp_curve_list_clear(&curves);
+        pp_field_destroy(field);
+    }
+    pp_region_clear(&region);
+}
+
 /* 0 or 1, without anything between, round a slanting line. */
 static enum pp_status step(void *context, double x, double y, double *value,
                            struct pp_error *err)
@@ -365,6 +424,7 @@ int main(void)
         cmocka_unit_test(a_straight_level_line_is_cut_by_the_edges_of_an_l_shape),
         cmocka_unit_test(a_step_is_followed_where_it_jumps),
         cmocka_unit_test(a_level_that_leaves_triangles_and_comes_back_is_followed),
+        cmocka_unit_test(the_curve_of_a_crease_turns_its_corner),
         cmocka_unit_test(what_lies_below_a_level_has_the_area_that_geometry_gives),
         cmocka_unit_test(a_hole_in_the_figure_is_kept_out),
         cmocka_unit_test(no_function_value_is_asked_for_twice_as_often_as_needed),
