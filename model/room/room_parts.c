@@ -54,6 +54,8 @@ void pp_room_parts_clear(struct pp_room *room)
         free(room->facades[i].wall);
     for (int i = 0; i < room->block_count; i++)
         free(room->blocks[i].name);
+    for (int i = 0; i < room->fitting_count; i++)
+        free(room->fittings[i].name);
     for (int i = 0; i < room->garden_count; i++)
         pp_room_parts_clear_garden(&room->gardens[i]);
     for (int i = 0; i < room->surface_count; i++)
@@ -66,6 +68,7 @@ void pp_room_parts_clear(struct pp_room *room)
     free(room->skylines);
     free(room->facades);
     free(room->blocks);
+    free(room->fittings);
     free(room->gardens);
     free(room->surfaces);
     free(room->receivers);

@@ -134,6 +134,7 @@ struct pp_surface_part {
     const struct pp_finish *finish;
     char *name; /* NULL where not given; of a room that stands outside: that room's */
     bool is_room_outside; /* a face of another room of the building */
+    bool is_of_room;      /* a side of what stands in it: nothing of it is outside */
     bool is_of_site;      /* given by the building, for all of its rooms */
     bool is_of_block;     /* of its roof, or of its walls over a footprint */
     bool is_on_ground; /* its z is above the ground's level, which may stand behind it
@@ -151,6 +152,23 @@ struct pp_receiver_part {
     double from[2], to[2]; /* line, on the working plane */
     int points;            /* line */
     double spacing_m, margin_m; /* grid */
+    int line;
+};
+
+enum pp_fitting_kind { PP_FURNITURE, PP_COLUMN, PP_PARTITION };
+
+/* What stands in a room: a box, or a round column (build/fittings.h). */
+struct pp_fitting_part {
+    enum pp_fitting_kind kind;
+    struct pp_vec3 corner; /* of furniture its lower corner, of columns the middle, of
+                            * partitions the middle of their beginning */
+    double width_m, depth_m;
+    double height_m;   /* NAN: up to the highest ceiling */
+    double rotate_rad; /* about the corner, counter-clockwise seen from above */
+    bool is_round;
+    double reflectance; /* NAN: the walls' */
+    const struct pp_finish *finish;
+    char *name; /* NULL where not given */
     int line;
 };
 
@@ -193,6 +211,8 @@ struct pp_room {
     int block_count;
     struct pp_surface_part *surfaces;
     int surface_count;
+    struct pp_fitting_part *fittings;
+    int fitting_count;
     struct pp_garden_part *gardens;
     int garden_count;
     struct pp_receiver_part *receivers;

@@ -10,6 +10,7 @@
 #include "model/room/build/corners.h"
 #include "model/room/build/envelope.h"
 #include "model/room/outside/facades.h"
+#include "model/room/build/fittings.h"
 #include "model/room/build/free_surfaces.h"
 #include "model/room/outside/gardens.h"
 #include "model/room/build/inner_walls.h"
@@ -138,9 +139,9 @@ static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
         resolve_site,           pp_build_envelope,       pp_build_corners,
         pp_build_watertight,    pp_build_place_openings, pp_build_reveals,
         pp_build_facades,       pp_build_blocks,         pp_build_skylines,
-        pp_build_free_surfaces, pp_build_inner_walls,    pp_build_shades,
-        pp_build_gardens,       pp_build_working_plane,  pp_build_receivers,
-        find_triangles};
+        pp_build_free_surfaces, pp_build_fittings,       pp_build_inner_walls,
+        pp_build_shades,        pp_build_gardens,        pp_build_working_plane,
+        pp_build_receivers,     find_triangles};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);

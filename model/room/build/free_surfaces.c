@@ -136,10 +136,12 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         else if (cross && !part->is_room_outside)
             pp_mistakes_add(r->mistakes, part->line,
                             "%s: goes through a %s of the room%s at (%g, %g, %g); "
-                            "expected it all %soutside",
+                            "expected it all %s",
                             what, role_word(face->role), room_words(words, r, part),
                             where.x, where.y, where.z,
-                            part->is_of_block ? "" : "inside or all ");
+                            part->is_of_block  ? "outside"
+                            : part->is_of_room ? "inside"
+                                               : "inside or all outside");
     }
     if (!cross && seen->inside && part->is_room_outside) {
         cross = true;
@@ -159,6 +161,14 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
                         "%s: is in the room at (%g, %g, %g) and outside at (%g, %g, "
                         "%g); expected it all inside or all outside",
                         what, in.x, in.y, in.z, out.x, out.y, out.z);
+    }
+    if (!cross && part->is_of_room && seen->outside) {
+        cross = true;
+        where = seen->outside_at;
+        pp_mistakes_add(
+            r->mistakes, part->line,
+            "%s: stands outside the room at (%g, %g, %g); expected it inside", what,
+            where.x, where.y, where.z);
     }
     *clear = !cross;
     return PP_OK;

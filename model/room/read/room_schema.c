@@ -376,6 +376,40 @@ static const struct pp_attribute_rule plane_rows[] = {
 };
 LEAF(working_plane, "working-plane", plane_rows);
 
+static const struct pp_attribute_rule furniture_rows[] = {
+    {"x", &coordinate, REQUIRED, IN(fitting, x)},
+    {"y", &coordinate, REQUIRED, IN(fitting, y)},
+    {"z", &coordinate, OR(0), IN(fitting, z)},
+    {"width", &size, REQUIRED, IN(fitting, width_m)},
+    {"depth", &size, REQUIRED, IN(fitting, depth_m)},
+    {"height", &size, REQUIRED, IN(fitting, height_m)},
+    {"rotate", &bearing, OR(0), IN(fitting, rotate_rad)},
+    {"reflectance", &reflectance, OR(0.3), IN(fitting, finish)},
+    {"name", &text, OR(NAN), IN(fitting, name)},
+};
+LEAF(furniture, "furniture", furniture_rows);
+static const struct pp_attribute_rule column_rows[] = {
+    {"x", &coordinate, REQUIRED, IN(fitting, x)},
+    {"y", &coordinate, REQUIRED, IN(fitting, y)},
+    {"width", &size, OR(NAN), IN(fitting, width_m)},
+    {"depth", &size, OR(NAN), IN(fitting, depth_m)},
+    {"diameter", &size, OR(NAN), IN(fitting, diameter_m)},
+    {"height", &size, OR(NAN), IN(fitting, height_m)},
+    {"rotate", &bearing, OR(0), IN(fitting, rotate_rad)},
+    {"reflectance", &reflectance, OR(NAN), IN(fitting, finish)},
+    {"name", &text, OR(NAN), IN(fitting, name)},
+};
+LEAF(column, "column", column_rows);
+static const struct pp_attribute_rule partition_rows[] = {
+    {"from", &position, REQUIRED, IN(fitting, from)},
+    {"to", &position, REQUIRED, IN(fitting, to)},
+    {"thickness", &size, OR(0.1), IN(fitting, thickness_m)},
+    {"height", &size, OR(NAN), IN(fitting, height_m)},
+    {"reflectance", &reflectance, OR(NAN), IN(fitting, finish)},
+    {"name", &text, OR(NAN), IN(fitting, name)},
+};
+LEAF(partition, "partition", partition_rows);
+
 static const struct pp_attribute_rule point_rows[] = {
     {"x", &coordinate, REQUIRED, IN(receiver, x)},
     {"y", &coordinate, REQUIRED, IN(receiver, y)},
@@ -412,16 +446,17 @@ static const struct pp_attribute_rule room_rows[] = {
 };
 enum { BUILDING_ROWS = 5 };
 static const struct pp_child_rule room_children[] = {
-    {&pp_rule_site, 0, 1},      {&pp_rule_sky, 0, 1},
-    {&pp_rule_plan, 0, 1},      {&pp_rule_envelope, 0, 1},
-    {&pp_rule_finishes, 0, 1},  {&pp_rule_finish, 0, 0},
-    {&pp_rule_wall, 0, 0},      {&pp_rule_window, 0, 0},
-    {&pp_rule_rooflight, 0, 0}, {&pp_rule_opening, 0, 0},
-    {&pp_rule_skyline, 0, 0},   {&pp_rule_facade, 0, 0},
-    {&pp_rule_block, 0, 0},     {&pp_rule_surface, 0, 0},
-    {&pp_rule_garden, 0, 0},    {&pp_rule_working_plane, 0, 1},
-    {&pp_rule_point, 0, 0},     {&pp_rule_line, 0, 0},
-    {&pp_rule_grid, 0, 0},
+    {&pp_rule_site, 0, 1},          {&pp_rule_sky, 0, 1},
+    {&pp_rule_plan, 0, 1},          {&pp_rule_envelope, 0, 1},
+    {&pp_rule_finishes, 0, 1},      {&pp_rule_finish, 0, 0},
+    {&pp_rule_wall, 0, 0},          {&pp_rule_window, 0, 0},
+    {&pp_rule_rooflight, 0, 0},     {&pp_rule_opening, 0, 0},
+    {&pp_rule_skyline, 0, 0},       {&pp_rule_facade, 0, 0},
+    {&pp_rule_block, 0, 0},         {&pp_rule_surface, 0, 0},
+    {&pp_rule_garden, 0, 0},        {&pp_rule_furniture, 0, 0},
+    {&pp_rule_column, 0, 0},        {&pp_rule_partition, 0, 0},
+    {&pp_rule_working_plane, 0, 1}, {&pp_rule_point, 0, 0},
+    {&pp_rule_line, 0, 0},          {&pp_rule_grid, 0, 0},
 };
 RULE(building_room, "room", room_rows, room_children);
 const struct pp_element_rule pp_rule_room = {

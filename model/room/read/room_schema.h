@@ -192,6 +192,15 @@ struct pp_plane_form {
     double height_m;
 };
 
+/* A piece of furniture, a column or a partition. */
+struct pp_fitting_form {
+    const char *name;
+    double x, y, z, width_m, depth_m, height_m, rotate_rad; /* NAN: not given */
+    double diameter_m, thickness_m;
+    double from[2], to[2];
+    struct pp_finish_value finish;
+};
+
 /* A point, a line or a grid. */
 struct pp_receiver_form {
     double x, y, z, nx, ny, nz;
@@ -203,7 +212,8 @@ struct pp_receiver_form {
 extern const struct pp_element_rule pp_rule_building, pp_rule_building_room,
     pp_rule_room, pp_rule_site, pp_rule_sky, pp_rule_plan, pp_rule_plan_vertex,
     pp_rule_envelope, pp_rule_face, pp_rule_vertex, pp_rule_finishes, pp_rule_finish,
-    pp_rule_window, pp_rule_rooflight, pp_rule_opening, pp_rule_skyline, pp_rule_facade,
+    pp_rule_window, pp_rule_rooflight, pp_rule_opening, pp_rule_skyline,
+    pp_rule_furniture, pp_rule_column, pp_rule_partition, pp_rule_facade,
     pp_rule_garden, pp_rule_block, pp_rule_footprint, pp_rule_surface,
     pp_rule_working_plane, pp_rule_wall, pp_rule_overhang, pp_rule_fin, pp_rule_balcony,
     pp_rule_shelf, pp_rule_point, pp_rule_line, pp_rule_grid;

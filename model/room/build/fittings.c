@@ -1,0 +1,102 @@
+/* fittings.c - see fittings.h. */
+#include "model/room/build/fittings.h"
+
+#include <math.h>
+
+#include "model/geometry/tolerance.h"
+#include "model/room/build/free_surfaces.h"
+
+enum { SIDES_ROUND = 12, CORNERS_MOST = SIDES_ROUND };
+
+static const char *const words[] = {
+    [PP_FURNITURE] = "furniture", [PP_COLUMN] = "column", [PP_PARTITION] = "partition"};
+
+/* Twelve corners round the corner; the polygon's area is that of the circle. */
+static int round_outline(double xy[CORNERS_MOST][2], const struct pp_fitting_part *part)
+{
+    double step = 2.0 * PP_PI / SIDES_ROUND;
+    double radius = 0.5 * part->width_m * sqrt(step / sin(step));
+    for (int i = 0; i < SIDES_ROUND; i++) {
+        xy[i][0] = part->corner.x + radius * cos(step * i);
+        xy[i][1] = part->corner.y + radius * sin(step * i);
+    }
+    return SIDES_ROUND;
+}
+
+/* The outline seen from above, counter-clockwise; returns the number of corners. */
+static int outline_of(double xy[CORNERS_MOST][2], const struct pp_fitting_part *part)
+{
+    if (part->is_round)
+        return round_outline(xy, part);
+    double w = part->width_m, d = part->depth_m;
+    double c = cos(part->rotate_rad), s = sin(part->rotate_rad);
+    double left = part->kind == PP_COLUMN ? -0.5 * w : 0.0;
+    double front = part->kind == PP_FURNITURE ? 0.0 : -0.5 * d;
+    const double corners[4][2] = {
+        {left, front}, {left + w, front}, {left + w, front + d}, {left, front + d}};
+    for (int i = 0; i < 4; i++) {
+        xy[i][0] = part->corner.x + c * corners[i][0] - s * corners[i][1];
+        xy[i][1] = part->corner.y + s * corners[i][0] + c * corners[i][1];
+    }
+    return 4;
+}
+
+/* Adds a side; *good becomes false where it is a mistake, so that of several sides one is
+ * named. */
+static enum pp_status add(struct pp_resolver *r, const struct pp_fitting_part *part,
+                          struct pp_vec3 *corners, int count, bool *good,
+                          struct pp_error *err)
+{
+    int lines[CORNERS_MOST], faults = r->mistakes->count;
+    bool own = isfinite(part->reflectance);
+    for (int i = 0; i < count; i++)
+        lines[i] = part->line;
+    const struct pp_surface_part face = {
+        .vertices = {.list = corners, .lines = lines, .count = count},
+        .reflectance = own ? part->reflectance : r->room->walls,
+        .finish = own ? part->finish : r->room->walls_finish,
+        .name = part->name,
+        .is_of_room = true,
+        .line = part->line};
+    enum pp_status status =
+        pp_build_free_surfaces_add(r, &face, words[part->kind], err);
+    *good = r->mistakes->count == faults;
+    return status;
+}
+
+static enum pp_status add_fitting(struct pp_resolver *r,
+                                  const struct pp_fitting_part *part,
+                                  struct pp_error *err)
+{
+    double xy[CORNERS_MOST][2], low = part->corner.z;
+    double high = isnan(part->height_m) ? r->world->height_m : low + part->height_m;
+    int count = outline_of(xy, part);
+    struct pp_vec3 ring[CORNERS_MOST];
+    enum pp_status status = PP_OK;
+    bool good = true;
+    for (int i = 0; i < count && good && status == PP_OK; i++) {
+        const double *a = xy[i], *b = xy[(i + 1) % count];
+        struct pp_vec3 side[4] = {pp_vec(a[0], a[1], low), pp_vec(b[0], b[1], low),
+                                  pp_vec(b[0], b[1], high), pp_vec(a[0], a[1], high)};
+        status = add(r, part, side, 4, &good, err);
+    }
+    for (int top = 0; top < 2 && good && status == PP_OK; top++) {
+        double z = top ? high : low;
+        if (fabs(z) < PP_SAME_M || z > r->world->height_m - PP_SAME_M)
+            continue;
+        for (int i = 0; i < count; i++) {
+            int k = top ? i : count - 1 - i;
+            ring[i] = pp_vec(xy[k][0], xy[k][1], z);
+        }
+        status = add(r, part, ring, count, &good, err);
+    }
+    return status;
+}
+
+enum pp_status pp_build_fittings(struct pp_resolver *r, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < r->room->fitting_count && r->watertight && status == PP_OK; i++)
+        status = add_fitting(r, &r->room->fittings[i], err);
+    return status;
+}

@@ -1,0 +1,141 @@
+/* test_fittings.c - furniture, columns and partitions as the surfaces that they are. */
+#include "methods/exact/exterior.h"
+#include "model/geometry/polygon.h"
+#include "tests/lib/room_of.h"
+
+#define ROOM                                                                           \
+    "<room version='1'><plan width='6' depth='5' height='2.8'/>"                       \
+    "<finishes floor='0.2' walls='0.45' ceiling='0.7'/>"                               \
+    "<window wall='south' left='1' sill='0.9' width='3' height='1.5'/>"
+
+/* The inside surfaces behind the faces and reveals. */
+static int first_of(const struct pp_world *world)
+{
+    int i = world->face_count;
+    while (i < world->surface_count && world->surfaces[i].role != PP_FREE_SURFACE)
+        i++;
+    return i;
+}
+
+static double area_of(const struct pp_world *world)
+{
+    double sum = 0.0;
+    for (int i = first_of(world); i < world->surface_count; i++) {
+        assert_true(world->surfaces[i].inside);
+        sum += world->surfaces[i].outline.area_m2;
+    }
+    return sum;
+}
+
+/* A desk of 1.6 x 0.8 x 0.75 m, turned: four sides and a top; what is on the floor is no
+ * surface. On legs of 0.1 m the underside is one, too. Sides look outwards. */
+static void furniture_is_a_box_without_what_stands_on_the_floor(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        ROOM "<furniture x='2' y='2' width='1.6' depth='0.8' height='0.75' rotate='30' "
+             "name='Desk'/></room>");
+    assert_int_equal(world->surface_count - first_of(world), 5);
+    assert_near(area_of(world), 2.0 * (1.6 + 0.8) * 0.75 + 1.6 * 0.8, 1e-9);
+    struct pp_vec3 middle = {2.0 + 0.8 * cos(30 * PP_RAD) - 0.4 * sin(30 * PP_RAD),
+                             2.0 + 0.8 * sin(30 * PP_RAD) + 0.4 * cos(30 * PP_RAD),
+                             0.375};
+    for (int i = first_of(world); i < world->surface_count; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        assert_true(pp_polygon_height(&surface->outline, middle) < 0.0);
+        assert_string_equal(surface->name, "Desk");
+        assert_near(surface->front, 0.3, 1e-12);
+    }
+    pp_world_destroy(world);
+    world = pp_test_world(ROOM "<furniture x='2' y='2' z='0.1' width='1.6' depth='0.8' "
+                               "height='0.65'/></room>");
+    assert_int_equal(world->surface_count - first_of(world), 6);
+    pp_world_destroy(world);
+}
+
+/* To the ceiling, of the walls' reflectance; a round one has the area of its circle and
+ * stands about its middle. */
+static void columns_reach_the_ceiling_and_keep_their_area(void **state)
+{
+    (void)state;
+    struct pp_world *world =
+        pp_test_world(ROOM "<column x='3' y='2.5' diameter='0.4'/></room>");
+    int first = first_of(world);
+    assert_int_equal(world->surface_count - first, 12);
+    double plan = 0.0;
+    for (int i = first; i < world->surface_count; i++) {
+        const struct pp_vec3 *v = world->surfaces[i].outline.vertices;
+        plan +=
+            0.5 * ((v[0].x - 3.0) * (v[1].y - 2.5) - (v[1].x - 3.0) * (v[0].y - 2.5));
+        assert_near(world->surfaces[i].front, 0.45, 1e-12);
+    }
+    assert_near(plan, PP_PI * 0.2 * 0.2, 1e-12);
+    pp_world_destroy(world);
+    world = pp_test_world(ROOM "<column x='3' y='2.5' width='0.3' height='1'/></room>");
+    assert_int_equal(world->surface_count - first_of(world), 5);
+    assert_near(area_of(world), 4 * 0.3 + 0.09, 1e-9);
+    pp_world_destroy(world);
+}
+
+static double sky_seen(const char *partition, double x, double y)
+{
+    char xml[1024];
+    double solid_angle;
+    snprintf(xml, sizeof xml, ROOM "%s</room>", partition);
+    struct pp_world *world = pp_test_world(xml);
+    assert_int_equal(
+        pp_exterior_sky_solid_angle(&solid_angle, world, pp_vec(x, y, 0.85), NULL),
+        PP_OK);
+    pp_world_destroy(world);
+    return solid_angle;
+}
+
+/* Across the whole room no sky is seen behind it; of 2 m one sees over it what is above the
+ * line from the eye over its edge: none of a head at 2.4 m from 0.3 m behind. */
+static void a_partition_hides_the_sky_behind_it(void **state)
+{
+    (void)state;
+    const char *whole = "<partition from='0 2.5' to='6 2.5'/>";
+    const char *low = "<partition from='0 2.5' to='6 2.5' height='1'/>";
+    assert_true(sky_seen("", 3.0, 4.0) > 0.01);
+    assert_near(sky_seen(whole, 3.0, 4.0), 0.0, 0.0);
+    assert_near(sky_seen(whole, 3.0, 1.0), sky_seen("", 3.0, 1.0), 1e-12);
+    assert_true(sky_seen(low, 3.0, 4.0) < sky_seen("", 3.0, 4.0));
+    assert_true(sky_seen(low, 3.0, 4.0) > 0.0);
+}
+
+static void check_wrong(const char *fitting, const char *says)
+{
+    char xml[1024];
+    struct pp_mistakes mistakes;
+    snprintf(xml, sizeof xml, ROOM "%s</room>", fitting);
+    struct pp_world *world = pp_test_resolve(xml, &mistakes);
+    assert_null(world);
+    assert_int_equal(mistakes.count, 1);
+    if (!strstr(mistakes.list[0].text, says))
+        fail_msg("\"%s\" does not say \"%s\"", mistakes.list[0].text, says);
+    pp_mistakes_clear(&mistakes);
+}
+
+/* Said once, whatever number of sides is wrong. */
+static void what_stands_in_a_room_is_all_inside(void **state)
+{
+    (void)state;
+    check_wrong("<furniture x='8' y='2' width='1' depth='1' height='1'/>",
+                "stands outside the room");
+    check_wrong("<furniture x='5.5' y='2' width='1' depth='1' height='1'/>",
+                "expected it all inside");
+    check_wrong("<column x='3' y='2' width='0.3' height='4'/>",
+                "expected it all inside");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(furniture_is_a_box_without_what_stands_on_the_floor),
+        cmocka_unit_test(columns_reach_the_ceiling_and_keep_their_area),
+        cmocka_unit_test(a_partition_hides_the_sky_behind_it),
+        cmocka_unit_test(what_stands_in_a_room_is_all_inside),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
