@@ -186,7 +186,7 @@ int pp_opening_outline_face(struct pp_resolver *r, const struct pp_opening_part 
 {
     const struct pp_world *world = r->world;
     if (part->kind == PP_WINDOW)
-        return pp_resolve_wall(r, part->wall, "window", part->line);
+        return pp_resolve_window_face(r, part->wall, part->line);
     if (world->face_count == 0 || r->faces_missing)
         return -1;
     if (part->kind == PP_ROOFLIGHT) {

@@ -1,11 +1,13 @@
 /* resolve.c - see resolve.h. */
 #include "model/room/build/resolve.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "model/base/array.h"
 #include "model/base/text.h"
+#include "model/geometry/tolerance.h"
 
 int pp_resolve_wall_index(struct pp_resolver *r, const char *name, const char *what,
                           int line)
@@ -34,6 +36,18 @@ int pp_resolve_wall(struct pp_resolver *r, const char *name, const char *what, i
 {
     int index = pp_resolve_wall_index(r, name, what, line);
     return index < 0 ? -1 : r->wall_faces[index];
+}
+
+int pp_resolve_window_face(struct pp_resolver *r, const char *name, int line)
+{
+    const struct pp_world *world = r->world;
+    for (int i = 0; name && i < world->face_count; i++) {
+        const struct pp_surface *face = &world->surfaces[i];
+        if (face->role == PP_CEILING && face->name && strcmp(face->name, name) == 0
+            && hypot(face->outline.normal.x, face->outline.normal.y) > PP_SAME_M)
+            return i;
+    }
+    return pp_resolve_wall(r, name, "window", line);
 }
 
 enum pp_status pp_resolve_add_surface(struct pp_resolver *r, struct pp_surface *surface,

@@ -43,6 +43,9 @@ int pp_resolve_wall_index(struct pp_resolver *r, const char *name, const char *w
 int pp_resolve_wall(struct pp_resolver *r, const char *name, const char *what,
                     int line);
 
+/* The same of a window, which may stand in a sloping face of the roof, too. */
+int pp_resolve_window_face(struct pp_resolver *r, const char *name, int line);
+
 /* Puts the surface at the end of the world's, which then owns its outline and a copy
  * of its name; on failure the outline is cleared. */
 enum pp_status pp_resolve_add_surface(struct pp_resolver *r, struct pp_surface *surface,

@@ -12,9 +12,10 @@
 
 enum pp_roof {
     PP_ROOF_FLAT,
-    PP_ROOF_MONO,  /* rises from one side to the one opposite */
-    PP_ROOF_GABLE, /* two slopes that meet in a ridge, upright at its ends */
-    PP_ROOF_HIP    /* four slopes of one pitch */
+    PP_ROOF_MONO,     /* rises from one side to the one opposite */
+    PP_ROOF_GABLE,    /* two slopes that meet in a ridge, upright at its ends */
+    PP_ROOF_HIP,      /* four slopes of one pitch */
+    PP_ROOF_SAW_TOOTH /* mono-pitch roofs in a row; of rooms only */
 };
 enum pp_ridge {
     PP_RIDGE_LONGER, /* along the longer sides; along the width where they are alike */

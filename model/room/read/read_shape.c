@@ -1,11 +1,13 @@
 /* read_shape.c - see read_shape.h. */
 #include "model/room/read/read_shape.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "model/base/text.h"
 #include "model/room/read/element_form.h"
+#include "model/room/read/plan_roof.h"
 
 /* What is wrong with the way a plan's outline is given, or NULL. */
 static const char *plan_fault(const struct pp_plan_form *form, int vertices)
@@ -25,6 +27,43 @@ static const char *plan_fault(const struct pp_plan_form *form, int vertices)
                      "vertices";
 }
 
+/* What is wrong with the way its roof is given, or NULL. */
+static const char *roof_fault(const struct pp_plan_form *form, int vertices)
+{
+    bool is_flat = form->roof == PP_ROOF_FLAT;
+    if (is_flat && !isnan(form->pitch_rad))
+        return "has a pitch, but a flat roof; expected a roof that is \"mono\", "
+               "\"gable\", \"hip\" or \"saw-tooth\"";
+    if (is_flat)
+        return NULL;
+    if (vertices > 0)
+        return "has a roof, and vertices; roofs are of rectangles by width and depth";
+    if (isnan(form->pitch_rad))
+        return "pitch is missing; expected a number of degrees above 0, up to 85";
+    return form->teeth && form->roof != PP_ROOF_SAW_TOOTH
+               ? "has teeth; they are of a \"saw-tooth\" roof"
+               : NULL;
+}
+
+/* Teeth of 4 m or a little more where their number is not given. */
+static void raise_roof(struct pp_reader *r, struct pp_plan_part *plan,
+                       const struct pp_plan_form *form, int line)
+{
+    bool turned = form->ridge == PP_RIDGE_DEPTH
+                  || (form->ridge == PP_RIDGE_LONGER && form->depth_m > form->width_m);
+    double across = turned ? form->width_m : form->depth_m;
+    int usual = (int)fmin(fmax(floor(across / 4.0), 1.0), PP_PLAN_ROOF_TEETH_MOST);
+    pp_plan_roof_add(r, plan,
+                     &(struct pp_plan_roof){.width_m = form->width_m,
+                                            .depth_m = form->depth_m,
+                                            .height_m = form->height_m,
+                                            .pitch_rad = form->pitch_rad,
+                                            .roof = (enum pp_roof)form->roof,
+                                            .ridge = (enum pp_ridge)form->ridge,
+                                            .teeth = form->teeth ? form->teeth : usual,
+                                            .line = line});
+}
+
 void pp_read_shape_plan(struct pp_reader *r, struct pp_room *room,
                         const struct pp_xml_element *e)
 {
@@ -34,12 +73,19 @@ void pp_read_shape_plan(struct pp_reader *r, struct pp_room *room,
     good = pp_reader_add_vertices(r, &plan.vertices, &pp_rule_plan_vertex, e) && good;
     if (good) {
         const char *fault = plan_fault(&form, plan.vertices.count);
+        if (!fault)
+            fault = roof_fault(&form, plan.vertices.count);
         if (fault)
             pp_mistakes_add(r->mistakes, e->line, "plan: %s", fault);
         good = !fault;
     }
     if (!good || room->plan.line) {
         pp_room_parts_clear_plan(&plan);
+        return;
+    }
+    if (form.roof != PP_ROOF_FLAT) {
+        raise_roof(r, &plan, &form, e->line);
+        room->plan = plan;
         return;
     }
     plan.rectangle = plan.vertices.count == 0;

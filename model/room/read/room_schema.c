@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "model/room/read/plan_roof.h"
 #include "model/geometry/vec.h"
 #include "model/room/room_use.h"
 #include "model/room/sky_words.h"
@@ -134,6 +135,15 @@ static const struct pp_value_kind roof = {
     .reading = PP_VALUE_CHOICE,
     .expected = "\"flat\", \"mono\", \"gable\" or \"hip\"",
     .words = roofs};
+static const char *const plan_roofs[] = {"flat", "mono",      "gable",
+                                         "hip",  "saw-tooth", NULL};
+static const struct pp_value_kind plan_roof = {
+    .reading = PP_VALUE_CHOICE,
+    .expected = "\"flat\", \"mono\", \"gable\", \"hip\" or \"saw-tooth\"",
+    .words = plan_roofs};
+static const struct pp_value_kind teeth = {PP_VALUE_COUNT,
+                                           "a whole number from 1 to 50", 1.0,
+                                           PP_PLAN_ROOF_TEETH_MOST, .unit = 1.0};
 static const char *const ridges[] = {"longer", "width", "depth", NULL};
 static const struct pp_value_kind ridge = {.reading = PP_VALUE_CHOICE,
                                            .expected =
@@ -199,6 +209,10 @@ static const struct pp_attribute_rule plan_rows[] = {
     {"width", &size, OR(NAN), IN(plan, width_m)},
     {"depth", &size, OR(NAN), IN(plan, depth_m)},
     {"height", &size, REQUIRED, IN(plan, height_m)},
+    {"roof", &plan_roof, OR(0), IN(plan, roof)},
+    {"pitch", &pitch, OR(NAN), IN(plan, pitch_rad)},
+    {"ridge", &ridge, OR(0), IN(plan, ridge)},
+    {"teeth", &teeth, OR(0), IN(plan, teeth)},
 };
 static const struct pp_child_rule plan_children[] = {
     {&pp_rule_plan_vertex, 0, PP_ROOM_VERTICES_MOST}};

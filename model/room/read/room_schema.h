@@ -111,6 +111,9 @@ struct pp_sky_form {
 
 struct pp_plan_form {
     double width_m, depth_m, height_m;
+    int roof, ridge;  /* enum pp_roof, enum pp_ridge */
+    double pitch_rad; /* NAN: not given */
+    int teeth;        /* 0: not given */
 };
 
 struct pp_face_form {

@@ -1,0 +1,30 @@
+/* plan_roof.h - the envelope of a rectangular room under a pitched roof. Inside
+ * model/room/read/ only.
+ */
+#ifndef PP_MODEL_ROOM_READ_PLAN_ROOF_H
+#define PP_MODEL_ROOM_READ_PLAN_ROOF_H
+
+#include "model/room/read/block_shape.h"
+#include "model/room/read/reader.h"
+#include "model/room/room_parts.h"
+
+enum { PP_PLAN_ROOF_TEETH_MOST = 50 };
+
+/* How the roof of a plan is given: lengths in metres, the eaves' height, pitch in rad. */
+struct pp_plan_roof {
+    double width_m, depth_m, height_m, pitch_rad;
+    enum pp_roof roof; /* not flat */
+    enum pp_ridge ridge;
+    int teeth; /* of a saw-tooth roof, 1 to PP_PLAN_ROOF_TEETH_MOST */
+    int line;
+};
+
+/* Adds the faces to the plan, which is then an envelope: the floor; walls south, east, north
+ * and west; roof-south, ... by the way they look, of a saw-tooth roof roof-1, ... from the
+ * eaves on, with the upright walls light-1, ... between them. Roofs are shaped as those of
+ * blocks (block_shape.h); that of saw teeth looks away from the ridge of a mono-pitch one.
+ * Memory that runs out is noted by the reader. */
+void pp_plan_roof_add(struct pp_reader *r, struct pp_plan_part *plan,
+                      const struct pp_plan_roof *roof);
+
+#endif

@@ -1,0 +1,75 @@
+#!/bin/sh
+# A room by short forms is the room that its long form is: roofs against envelopes, furniture
+# against surfaces, to the byte.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+cat >"$scratch/short.xml" <<'EOF'
+<room version="1" name="Attic">
+  <plan width="6" depth="8" height="2" roof="gable" ridge="width" pitch="45"/>
+  <window wall="roof-south" left="1" sill="1" width="1.2" height="1.5"/>
+  <furniture x="1" y="6" width="2" depth="0.75" height="0.75" reflectance="0.4"/>
+</room>
+EOF
+cat >"$scratch/long.xml" <<'EOF'
+<room version="1" name="Attic">
+  <envelope>
+    <face role="floor" name="floor"><vertex x="0" y="0" z="0"/><vertex x="6" y="0" z="0"/>
+      <vertex x="6" y="8" z="0"/><vertex x="0" y="8" z="0"/></face>
+    <face role="wall" name="south"><vertex x="6" y="0" z="0"/><vertex x="0" y="0" z="0"/>
+      <vertex x="0" y="0" z="2"/><vertex x="6" y="0" z="2"/></face>
+    <face role="wall" name="north"><vertex x="0" y="8" z="0"/><vertex x="6" y="8" z="0"/>
+      <vertex x="6" y="8" z="2"/><vertex x="0" y="8" z="2"/></face>
+    <face role="wall" name="east"><vertex x="6" y="8" z="0"/><vertex x="6" y="0" z="0"/>
+      <vertex x="6" y="0" z="2"/><vertex x="6" y="4" z="6"/><vertex x="6" y="8" z="2"/></face>
+    <face role="wall" name="west"><vertex x="0" y="0" z="0"/><vertex x="0" y="8" z="0"/>
+      <vertex x="0" y="8" z="2"/><vertex x="0" y="4" z="6"/><vertex x="0" y="0" z="2"/></face>
+    <face role="ceiling" name="roof-south"><vertex x="6" y="0" z="2"/><vertex x="0" y="0" z="2"/>
+      <vertex x="0" y="4" z="6"/><vertex x="6" y="4" z="6"/></face>
+    <face role="ceiling" name="roof-north"><vertex x="0" y="8" z="2"/><vertex x="6" y="8" z="2"/>
+      <vertex x="6" y="4" z="6"/><vertex x="0" y="4" z="6"/></face>
+  </envelope>
+  <window wall="roof-south" left="1" sill="1" width="1.2" height="1.5"/>
+  <surface reflectance="0.4"><vertex x="1" y="6" z="0"/><vertex x="3" y="6" z="0"/>
+    <vertex x="3" y="6" z="0.75"/><vertex x="1" y="6" z="0.75"/></surface>
+  <surface reflectance="0.4"><vertex x="3" y="6" z="0"/><vertex x="3" y="6.75" z="0"/>
+    <vertex x="3" y="6.75" z="0.75"/><vertex x="3" y="6" z="0.75"/></surface>
+  <surface reflectance="0.4"><vertex x="3" y="6.75" z="0"/><vertex x="1" y="6.75" z="0"/>
+    <vertex x="1" y="6.75" z="0.75"/><vertex x="3" y="6.75" z="0.75"/></surface>
+  <surface reflectance="0.4"><vertex x="1" y="6.75" z="0"/><vertex x="1" y="6" z="0"/>
+    <vertex x="1" y="6" z="0.75"/><vertex x="1" y="6.75" z="0.75"/></surface>
+  <surface reflectance="0.4"><vertex x="1" y="6" z="0.75"/><vertex x="3" y="6" z="0.75"/>
+    <vertex x="3" y="6.75" z="0.75"/><vertex x="1" y="6.75" z="0.75"/></surface>
+</room>
+EOF
+# figures FILE: all figures, without the file's name and lines of it.
+figures() {
+    "$pepperpot" df --simulate --error 5% -m exact,split-flux,average-df,arndt -f csv \
+        -p "1,1 3,4 5,7,0.8" "$1" | cut -d, -f2- | sed 's/line [0-9]*/line/g; s/\(point,\)[0-9]*,/\1/'
+}
+figures "$scratch/short.xml" >"$scratch/a"
+figures "$scratch/long.xml" >"$scratch/b"
+check "there are figures" test "$(wc -l <"$scratch/a")" -gt 15
+check "a roof and furniture have the bytes of envelope and surfaces" cmp "$scratch/a" "$scratch/b"
+
+check "a window in the slope as an opening" sh -c '
+    sed "s|<window.*|<opening><vertex x=\"2.2\" y=\"0.70710678118654757\" z=\"2.7071067811865475\"/>\
+<vertex x=\"1\" y=\"0.70710678118654757\" z=\"2.7071067811865475\"/>\
+<vertex x=\"1\" y=\"1.7677669529663689\" z=\"3.7677669529663689\"/>\
+<vertex x=\"2.2\" y=\"1.7677669529663689\" z=\"3.7677669529663689\"/></opening>|" "$1/short.xml" >"$1/opening.xml"
+    for room in short opening; do
+        "$2" df -m exact -f csv -p "1,1 3,4" "$1/$room.xml" |
+            awk -F, "\$3 == \"point\" { print \$12 }" >"$1/$room.values"
+    done
+    paste "$1/short.values" "$1/opening.values" |
+        awk "{ d = \$1 - \$2; if (d > 1e-8 || d < -1e-8) bad = 1; n++ } END { exit bad || n < 4 }"' sh "$scratch" "$pepperpot"
+
+for roof in mono gable hip saw-tooth; do
+    sed "s/roof=\"gable\" ridge=\"width\" pitch=\"45\"/roof=\"$roof\" pitch=\"30\"/; /window/d" \
+        "$scratch/short.xml" >"$scratch/$roof.xml"
+    check "$roof: a section" quietly chart section "$scratch/$roof.xml" -o "$scratch/$roof.svg"
+    check "$roof: exported" sh -c '"$1" export -q --to radiance -o "$2/$3" "$2/$3.xml"' sh "$pepperpot" "$scratch" $roof
+done
+sed 's/wall="roof-south"/wall="roof-east"/' "$scratch/short.xml" >"$scratch/no.xml"
+check "a slope that is not there" refuses 1 'there is no wall "roof-east"' df "$scratch/no.xml"
+tap_done
