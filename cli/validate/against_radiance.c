@@ -15,10 +15,12 @@
 #include "reports/parts/json.h"
 #include "cli/message.h"
 #include "cli/job.h"
+#include "cli/validate/run_suite.h"
 #include "reports/parts/print.h"
 #include "cli/radiance/radiance_export.h"
 #include "model/base/read_file.h"
 #include "model/base/text.h"
+#include "studies/validation/room_cases.h"
 
 /* Each point is asked so often: rtrace has no standard error, their spread gives one.
  */
@@ -345,21 +347,65 @@ static enum pp_status print_rooms(const void *data, FILE *out, struct pp_error *
     return print(run->rooms, run->lists, run->format, out, err);
 }
 
+static bool is_there(void)
+{
+    if (on_path("rtrace") && on_path("oconv"))
+        return true;
+    pp_message("to compare with Radiance takes its oconv and rtrace, and they are not "
+               "on PATH: nothing was compared");
+    return false;
+}
+
+static void clear(struct against_run *run)
+{
+    for (int i = 0; run->lists && i < run->rooms->count; i++)
+        free(run->lists[i]);
+    free(run->lists);
+}
+
 enum pp_exit pp_against_radiance(const struct pp_rooms *rooms,
                                  const struct pp_room_options *options,
                                  enum pp_format format)
 {
-    if (!on_path("rtrace") || !on_path("oconv")) {
-        pp_message(
-            "--against radiance needs Radiance's oconv and rtrace, and they are not "
-            "on PATH: nothing was compared");
+    if (!is_there())
         return PP_EXIT_MACHINE;
-    }
     struct against_run run = {.options = options, .format = format, .rooms = rooms};
     enum pp_exit exit_status = pp_job_run(
         &(struct pp_job){options->output, compare_rooms, print_rooms, NULL, &run});
-    for (int i = 0; run.lists && i < rooms->count; i++)
-        free(run.lists[i]);
-    free(run.lists);
+    clear(&run);
+    return exit_status;
+}
+
+static enum pp_status find_cases(void *data, struct pp_known_cases *cases,
+                                 struct pp_error *err)
+{
+    struct against_run *run = data;
+    enum pp_status status = compare_rooms(run, err);
+    for (int i = 0; i < run->rooms->count && status == PP_OK; i++) {
+        const struct pp_study_room *room = &run->rooms->list[i];
+        for (int k = 0; k < room->receiver_count; k++) {
+            const struct beside *one = &run->lists[i][k];
+            pp_room_cases_of_radiance(
+                cases, room->file, room->world, one->at.position,
+                (struct pp_reading){.value = one->traced,
+                                    .std_error = one->traced_error},
+                (struct pp_reading){.value = one->radiance,
+                                    .std_error = one->radiance_error});
+        }
+    }
+    return status;
+}
+
+enum pp_exit pp_against_radiance_suite(const struct pp_rooms *rooms,
+                                       const struct pp_room_options *options,
+                                       enum pp_format format, const char *page)
+{
+    if (!is_there())
+        return PP_EXIT_MACHINE;
+    struct against_run run = {.options = options, .format = format, .rooms = rooms};
+    enum pp_exit exit_status = pp_run_suite(
+        &(struct pp_suite_source){&pp_suite_radiance, find_cases, NULL, &run}, options,
+        format, page);
+    clear(&run);
     return exit_status;
 }

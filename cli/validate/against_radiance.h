@@ -13,4 +13,10 @@ enum pp_exit pp_against_radiance(const struct pp_rooms *rooms,
                                  const struct pp_room_options *options,
                                  enum pp_format format);
 
+/* The same as a suite. page: a file for the page, or NULL. PP_EXIT_INPUT where more lies
+ * outside than may. */
+enum pp_exit pp_against_radiance_suite(const struct pp_rooms *rooms,
+                                       const struct pp_room_options *options,
+                                       enum pp_format format, const char *page);
+
 #endif

@@ -1,7 +1,7 @@
 /* cmd_validate.c - the command validate: formulae against simulation, and the
  * program against analytic answers. */
-#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "cli/terminal.h"
 #include "cli/validate/against_radiance.h"
@@ -10,13 +10,7 @@
 #include "cli/watch.h"
 #include "cli/format_option.h"
 #include "cli/df/formula_option.h"
-#include "studies/study_report.h"
-#include "studies/validation/own_world.h"
-#include "cli/interrupt.h"
-#include "cli/message.h"
-#include "cli/job.h"
-#include "reports/df_result.h"
-#include "reports/validate/validate_report.h"
+#include "cli/validate/validate_rooms.h"
 #include "cli/rooms.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
@@ -25,132 +19,14 @@
 static const char about[] =
     "Without FILE: the program's answers beside those that are known on paper (open "
     "skies, closed forms of windows, light in a closed room, worked examples). With "
-    "the "
-    "name of a suite in its place: analytic, published or cie171, each case with what "
-    "was expected, the difference and its limit. With room files, or rooms FILE: each "
-    "method against the simulation, at the reference points and for the average over "
-    "the working plane: bias, spread and the worst point, and how much of it comes of "
-    "what the method assumes of ground and surroundings, how much of its formula. With "
-    "radiance FILE: the simulation against Radiance's. FILE is a room file; - is "
-    "standard input.";
-
-/* ---- rooms ---- */
-
-struct comparison_run {
-    const struct pp_room_options *options;
-    enum pp_format format;
-    const struct pp_rooms *rooms;
-    struct pp_results results;
-    struct pp_validation validation;
-};
-
-/* Traces a room and the worlds that its methods have in mind, and compares. What time
- * there is, each world gets a share of. */
-static enum pp_status compare_room(struct comparison_run *run, int index,
-                                   struct pp_error *err)
-{
-    struct pp_result *result = &run->results.list[index];
-    struct pp_report *report = &result->report;
-    struct pp_validation *validation = &run->validation;
-    struct pp_study_options options = *run->results.options;
-    struct pp_own_worlds *worlds;
-    enum pp_status status =
-        pp_own_world_list(&worlds, run->rooms->list[index].room, report, err);
-    if (status != PP_OK)
-        return status;
-    options.seconds /= 1 + pp_own_world_count(worlds);
-    status = pp_study_report_traced(report, &options, &result->by_clock, err);
-    if (status == PP_OK)
-        status = pp_own_world_trace(worlds, &options, &report->finished,
-                                    &result->by_clock, err);
-    if (status == PP_OK)
-        status = pp_comparison_of_report(
-            &validation->rooms[index], &validation->counts[index], report, worlds, err);
-    pp_own_world_destroy(worlds);
-    return status;
-}
-
-/* Reports of all rooms, hand methods first, and how far they are from the simulation. */
-static enum pp_status compute(void *data, struct pp_error *err)
-{
-    struct comparison_run *run = data;
-    struct pp_results *results = &run->results;
-    struct pp_validation *validation = &run->validation;
-    const struct pp_rooms *rooms = run->rooms;
-    size_t count = (size_t)rooms->count + 1;
-    enum pp_status status = PP_OK;
-    results->list = calloc(count, sizeof *results->list);
-    validation->rooms = calloc(count, sizeof *validation->rooms);
-    validation->counts = calloc(count, sizeof *validation->counts);
-    if (!results->list || !validation->rooms || !validation->counts)
-        return pp_fail_memory(err);
-    for (int i = 0; i < rooms->count && status == PP_OK; i++) {
-        struct pp_result *result = &results->list[results->count++];
-        result->file = rooms->list[i].file;
-        status = pp_study_report_methods(&result->report, &rooms->list[i],
-                                         results->options, err);
-    }
-    pp_interrupt_watch();
-    for (int i = 0; i < results->count && status == PP_OK; i++)
-        status = compare_room(run, i, err);
-    if (status == PP_OK)
-        status = pp_comparison_overall(&validation->overall, &validation->overall_count,
-                                       validation->rooms, validation->counts,
-                                       results->count, err);
-    return status;
-}
-
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
-{
-    const struct comparison_run *run = data;
-    if (run->format == PP_FORMAT_JSON)
-        return pp_validate_report_rooms_json(&run->validation, out, err);
-    if (run->format == PP_FORMAT_CSV)
-        pp_validate_report_rooms_csv(&run->validation, out);
-    else
-        pp_validate_report_rooms(&run->validation,
-                                 pp_terminal_width(run->options->output), out);
-    return PP_OK;
-}
-
-static bool is_finished(const void *data)
-{
-    const struct comparison_run *run = data;
-    for (int i = 0; i < run->results.count; i++)
-        if (!run->results.list[i].report.finished)
-            return false;
-    return true;
-}
-
-static enum pp_exit compare(const struct pp_room_options *options,
-                            enum pp_format format, char **files, int file_count)
-{
-    struct pp_rooms rooms;
-    enum pp_exit exit_status =
-        pp_rooms_load(&rooms, "validate", files, file_count, options);
-    if (exit_status != PP_EXIT_DONE)
-        return exit_status;
-    struct comparison_run run = {
-        .options = options,
-        .format = format,
-        .rooms = &rooms,
-        .results = {.several = rooms.several,
-                    .more_than_one_file = rooms.more_than_one_file,
-                    .options = &options->study}};
-    run.validation.results = &run.results;
-    exit_status = pp_job_run(
-        &(struct pp_job){options->output, compute, print, is_finished, &run});
-    for (int i = 0; i < run.results.count; i++) {
-        pp_report_clear(&run.results.list[i].report);
-        free(run.validation.rooms[i]);
-    }
-    free(run.validation.rooms);
-    free(run.validation.counts);
-    free(run.validation.overall);
-    free(run.results.list);
-    pp_rooms_clear(&rooms);
-    return exit_status;
-}
+    "the name of a suite in its place: analytic, published or cie171, each case with "
+    "what was expected, the difference, its limit and the verdict; so do rooms FILE, "
+    "each method against the simulation within the bands of the atlas, and radiance "
+    "FILE, the simulation against Radiance's. With room files alone: each method "
+    "against the simulation, at the reference points and for the average over the "
+    "working plane: bias, spread and the worst point, and how much of it comes of what "
+    "the method assumes of ground and surroundings, how much of its formula. FILE is a "
+    "room file; - is standard input.";
 
 /* ---- another program ---- */
 
@@ -191,17 +67,28 @@ static const struct pp_option page_option[] = {
     {0},
 };
 
-static enum pp_exit compare_with_radiance(struct pp_room_options *options,
-                                          enum pp_format format, char **files,
-                                          int file_count)
+/* Loads the rooms and compares them with what they are to be compared with. */
+static enum pp_exit compare(struct validate_options *options, char **files,
+                            int file_count)
 {
     struct pp_rooms rooms;
+    struct pp_room_options *of_rooms = &options->room;
     enum pp_exit exit_status =
-        pp_rooms_load(&rooms, "validate", files, file_count, options);
+        pp_rooms_load(&rooms, "validate", files, file_count, of_rooms);
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
-    options->study.methods = "exact";
-    exit_status = pp_against_radiance(&rooms, options, format);
+    if (options->against)
+        of_rooms->study.methods = "exact";
+    if (options->against && options->suite)
+        exit_status =
+            pp_against_radiance_suite(&rooms, of_rooms, options->format, options->page);
+    else if (options->against)
+        exit_status = pp_against_radiance(&rooms, of_rooms, options->format);
+    else if (options->suite)
+        exit_status =
+            pp_validate_rooms_suite(&rooms, of_rooms, options->format, options->page);
+    else
+        exit_status = pp_validate_rooms(&rooms, of_rooms, options->format);
     pp_rooms_clear(&rooms);
     return exit_status;
 }
@@ -245,27 +132,39 @@ static const char *said_of_rooms(const struct validate_options *options)
 static void take_word(struct validate_options *options, char **operands, int count)
 {
     options->suite = count == 0 ? &pp_suite_quick : pp_suite_find(operands[0]);
-    if (count == 0 || options->suite)
-        options->words = count > 0;
-    else if (strcmp(operands[0], "rooms") == 0)
-        options->words = 1;
-    else if (strcmp(operands[0], "radiance") == 0) {
-        options->words = 1;
+    options->words = count > 0 && options->suite;
+    if (options->suite == &pp_suite_radiance)
         options->against = operands[0];
+}
+
+enum { SUITES_MOST = 16 };
+
+static int list_suites(const char *names[SUITES_MOST])
+{
+    int count = 0;
+    while (count < SUITES_MOST && pp_suite_at(count)) {
+        names[count] = pp_suite_at(count)->name;
+        count++;
     }
+    return count;
+}
+
+/* A suite's name that is mistyped: no file, and like one of them. */
+static enum pp_status check_word(const char *word, struct pp_error *err)
+{
+    const char *names[SUITES_MOST];
+    int count = list_suites(names);
+    if (access(word, F_OK) == 0 || !pp_text_nearest(word, names, count))
+        return PP_OK;
+    return pp_text_unknown(err, word, names, count, NULL,
+                           "there is no suite and no file %s", word);
 }
 
 static enum pp_status fail_page(struct pp_error *err)
 {
-    enum { MOST = 16 };
-    const char *names[MOST];
+    const char *names[SUITES_MOST];
     char text[200] = "";
-    int count = 0;
-    while (count < MOST && pp_suite_at(count)) {
-        names[count] = pp_suite_at(count)->name;
-        count++;
-    }
-    pp_text_append_list(text, sizeof text, names, count, " or ");
+    pp_text_append_list(text, sizeof text, names, list_suites(names), " or ");
     return pp_fail(err, PP_BAD_INPUT, "--page is of a suite; expected %s", text);
 }
 
@@ -273,18 +172,20 @@ static enum pp_status check_suite(const struct validate_options *options,
                                   int file_count, struct pp_error *err)
 {
     const char *of_rooms = said_of_rooms(options);
-    if (options->suite && file_count > 0)
+    bool own_rooms = options->suite && !options->suite->of_rooms;
+    if (own_rooms && file_count > 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "the suite %s has its own rooms; expected no file behind it",
                        options->suite->name);
-    if (options->suite && of_rooms)
+    if (own_rooms && of_rooms)
         return pp_fail(err, PP_BAD_INPUT,
                        "%s is about a room; expected a room file, or - for standard "
                        "input",
                        of_rooms);
-    if (!options->suite && file_count == 0)
+    if (!own_rooms && file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "expected room files, or - for standard input");
+                       "expected room files, or - for standard input, behind %s",
+                       options->suite->name);
     if (!options->suite && options->page)
         return fail_page(err);
     return PP_OK;
@@ -309,7 +210,9 @@ static enum pp_status check(void *values, char **operands, int count,
     struct validate_options *options = values;
     struct pp_study_options *study = &options->room.study;
     take_word(options, operands, count);
-    enum pp_status status = check_suite(options, count - options->words, err);
+    enum pp_status status = options->suite ? PP_OK : check_word(operands[0], err);
+    if (status == PP_OK)
+        status = check_suite(options, count - options->words, err);
     if (status == PP_OK)
         status = check_against(options, err);
     if (status != PP_OK)
@@ -331,14 +234,14 @@ static enum pp_exit run(void *values, char **operands, int count)
     struct pp_terminal_watch watch;
     char **files = operands + options->words;
     int file_count = count - options->words;
+    bool deals = !options->against && (!options->suite || options->suite->of_rooms);
+    if (options->room.ranks && options->room.ranks->rank > 0 && !deals)
+        return PP_EXIT_DONE;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
-    if (options->suite)
-        return pp_run_suite(options->suite, &options->room, options->format,
-                            options->page);
-    return options->against
-               ? compare_with_radiance(&options->room, options->format, files,
-                                       file_count)
-               : compare(&options->room, options->format, files, file_count);
+    return options->suite && !options->suite->of_rooms
+               ? pp_run_suite_known(options->suite, &options->room, options->format,
+                                    options->page)
+               : compare(options, files, file_count);
 }
 
 static void clear(void *values)
@@ -359,4 +262,6 @@ const struct pp_command pp_command_validate = {
     .check = check,
     .run = run,
     .clear = clear,
+    .deals = true,
+    .ranks_place = PLACE(room.ranks),
 };

@@ -9,6 +9,7 @@
 #include "reports/validate/validate_page.h"
 
 struct suite_run {
+    const struct pp_suite_source *source;
     const struct pp_room_options *options;
     enum pp_format format;
     struct pp_known_result result;
@@ -17,12 +18,8 @@ struct suite_run {
 static enum pp_status compute(void *data, struct pp_error *err)
 {
     struct suite_run *run = data;
-    const struct pp_study_options *study = &run->options->study;
-    const struct pp_known_trace how = {.seed = study->seed,
-                                       .threads = study->threads,
-                                       .samples = run->result.suite->samples};
     struct pp_known_cases *cases = &run->result.cases;
-    enum pp_status status = run->result.suite->run(cases, &how, err);
+    enum pp_status status = run->source->find(run->source->data, cases, err);
     return status == PP_OK && !cases->whole ? pp_fail_memory(err) : status;
 }
 
@@ -37,6 +34,12 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
         pp_validate_known_text(&run->result, pp_terminal_width(run->options->output),
                                out);
     return PP_OK;
+}
+
+static bool is_finished(const void *data)
+{
+    const struct pp_suite_source *source = ((const struct suite_run *)data)->source;
+    return !source->is_finished || source->is_finished(source->data);
 }
 
 static enum pp_exit write_page(const struct pp_known_result *result, const char *path)
@@ -57,27 +60,55 @@ static enum pp_exit judge(const struct pp_known_result *result)
     if (score.passes)
         return PP_EXIT_DONE;
     pp_message("%d of %d answers are outside their limits%s",
-               score.wrong + score.traced_wrong, result->cases.count,
+               score.wrong + score.traced_wrong, score.count + score.traced,
                result->suite == &pp_suite_quick ? "; this build is not to be trusted"
                                                 : "");
     return result->suite == &pp_suite_quick ? PP_EXIT_MACHINE : PP_EXIT_INPUT;
 }
 
-enum pp_exit pp_run_suite(const struct pp_suite *suite,
+enum pp_exit pp_run_suite(const struct pp_suite_source *source,
                           const struct pp_room_options *options, enum pp_format format,
                           const char *page)
 {
-    struct suite_run run = {
-        .options = options, .format = format, .result = {suite, pp_known_case_none()}};
+    struct suite_run run = {.source = source,
+                            .options = options,
+                            .format = format,
+                            .result = {source->suite, pp_known_case_none()}};
     struct pp_error err = {0};
     if (page && pp_output_try(page, &err) != PP_OK)
         return pp_message_error(&err);
-    enum pp_exit result =
-        pp_job_run(&(struct pp_job){options->output, compute, print, NULL, &run});
+    enum pp_exit result = pp_job_run(
+        &(struct pp_job){options->output, compute, print, is_finished, &run});
     if (result == PP_EXIT_DONE && page)
         result = write_page(&run.result, page);
     if (result == PP_EXIT_DONE)
         result = judge(&run.result);
     pp_known_case_clear(&run.result.cases);
     return result;
+}
+
+/* ---- suites that have their own rooms ---- */
+
+struct known_suite {
+    const struct pp_suite *suite;
+    const struct pp_study_options *study;
+};
+
+static enum pp_status find_known(void *data, struct pp_known_cases *cases,
+                                 struct pp_error *err)
+{
+    const struct known_suite *known = data;
+    const struct pp_known_trace how = {.seed = known->study->seed,
+                                       .threads = known->study->threads,
+                                       .samples = known->suite->samples};
+    return known->suite->run(cases, &how, err);
+}
+
+enum pp_exit pp_run_suite_known(const struct pp_suite *suite,
+                                const struct pp_room_options *options,
+                                enum pp_format format, const char *page)
+{
+    struct known_suite known = {suite, &options->study};
+    return pp_run_suite(&(struct pp_suite_source){suite, find_known, NULL, &known},
+                        options, format, page);
 }

@@ -7,8 +7,9 @@
 
 #include "config.h"
 #include "reports/page/html.h"
+#include "reports/validate/validate_dots.h"
 
-/* Bins of difference over limit, from -1.5 to 1.5; what is beyond stands in the last. */
+/* Bins of difference over limit (pp_known_case_share), from -1.5 to 1.5; what is beyond stands in the last. */
 enum { BINS = 31 };
 
 static const double BIN_MOST = 1.5;
@@ -19,7 +20,7 @@ enum { BIN_WIDTH = 6, BAR_HEIGHT = 40, AXIS_HEIGHT = 14 };
 /* The cases of one group, which need not stand together. */
 struct group {
     const char *name;
-    int count, wrong;
+    int count, wrong, unjudged;
     double worst;   /* |difference| over limit */
     double squares; /* of differences */
     int bins[BINS];
@@ -31,9 +32,13 @@ static const char more_style[] =
     "td:first-child,th:first-child{text-align:left;white-space:normal}\n"
     "svg{display:block}rect.in{fill:var(--good)}rect.out{fill:var(--bad)}"
     "line{stroke:var(--soft)}text{fill:var(--soft);font:10px system-ui,sans-serif}\n"
+    ".groups th{white-space:normal}.cases-of td:first-child{min-width:9rem}\n"
+    "@media(max-width:600px){.groups "
+    ":is(td,th):is(:nth-child(4),:nth-child(5)){display:"
+    "none}.groups svg{width:110px;height:auto}}\n"
     "details{margin:.4rem 0}summary{cursor:pointer}\n"
     "@media print{body{max-width:none;padding:0}.cases{display:none}tr{break-inside:"
-    "avoid}}\n";
+    "avoid}table{font-size:.7rem}}\n";
 
 /* ---- groups ---- */
 
@@ -48,19 +53,24 @@ static int find_group(struct group *groups, int count, const char *name)
 static void count_case(struct group *group, const struct pp_known_case *one)
 {
     double difference = one->answer - one->expected;
-    double share = one->limit > 0.0 ? difference / one->limit : 0.0;
+    double share = pp_known_case_share(one);
     double place = floor((share / BIN_MOST + 1.0) / 2.0 * BINS);
     group->count++;
-    group->wrong += !pp_known_case_is_right(one);
     group->squares += difference * difference;
+    if (!pp_known_case_is_judged(one)) {
+        group->unjudged++;
+        return;
+    }
+    group->wrong += !pp_known_case_is_right(one);
     if (isfinite(place)) {
         group->worst = fmax(group->worst, fabs(share));
         group->bins[(int)fmin(fmax(place, 0.0), BINS - 1.0)]++;
     }
 }
 
-/* The first groups, up to GROUPS_MOST, which is more than any suite has; their number. */
-enum { GROUPS_MOST = 64 };
+/* The first groups, up to GROUPS_MOST, which is more than any suite has, and than there are
+ * methods; their number. */
+enum { GROUPS_MOST = 256 };
 
 static int gather(struct group groups[GROUPS_MOST], const struct pp_known_cases *cases)
 {
@@ -83,9 +93,10 @@ static void put_histogram(const struct group *group, FILE *out)
     for (int i = 0; i < BINS; i++)
         most = group->bins[i] > most ? group->bins[i] : most;
     fprintf(out,
-            "<svg width=\"%d\" height=\"%d\" role=\"img\" aria-label=\"histogram of "
+            "<svg width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" role=\"img\" "
+            "aria-label=\"histogram of "
             "difference over limit\">",
-            width, BAR_HEIGHT + AXIS_HEIGHT);
+            width, BAR_HEIGHT + AXIS_HEIGHT, width, BAR_HEIGHT + AXIS_HEIGHT);
     for (int i = 0; i < BINS; i++) {
         double middle = ((i + 0.5) / BINS * 2.0 - 1.0) * BIN_MOST;
         double height = (double)BAR_HEIGHT * group->bins[i] / most;
@@ -115,53 +126,115 @@ static void put_histogram(const struct group *group, FILE *out)
 
 static void put_groups(const struct group *groups, int count, FILE *out)
 {
-    fputs(
-        "<h2>How far off</h2>\n<p class=\"soft\">Differences over their limits: what "
-        "lies between &minus;1 and +1 is right.</p>\n<div "
-        "class=\"wide\"><table><thead><tr><th>group<th>cases<th>outside<th>RMS, share "
-        "of the open sky<th>worst over limit<th>difference over limit"
-        "</tr></thead>\n<tbody>\n",
-        out);
+    fputs("<h2>How far off</h2>\n<p class=\"soft\">Differences over their limits: what "
+          "lies between &minus;1 and +1 is right.</p>\n<div "
+          "class=\"wide\"><table "
+          "class=\"groups\"><thead><tr><th>group<th>cases<th>outside<th>RMS, share "
+          "of the open sky<th>worst over limit<th>difference over limit"
+          "</tr></thead>\n<tbody>\n",
+          out);
     for (int i = 0; i < count; i++) {
         const struct group *group = &groups[i];
         fputs("<tr><td>", out);
         pp_html_text(group->name, out);
-        fprintf(out, "<td>%d<td%s>%d<td>%.1e<td>%.2f<td>", group->count,
+        fprintf(out, "<td>%d<td%s>%d<td>%.1e<td>", group->count,
                 group->wrong > 0 ? " class=\"bad\"" : "", group->wrong,
-                sqrt(group->squares / group->count), group->worst);
-        put_histogram(group, out);
+                sqrt(group->squares / group->count));
+        if (group->unjudged == group->count) {
+            fputs("<td class=\"w soft\">no verdict", out);
+        } else {
+            fprintf(out, "%.2f<td>", group->worst);
+            put_histogram(group, out);
+        }
         fputs("</tr>\n", out);
     }
     fputs("</tbody></table></div>\n", out);
 }
 
+/* The errors of methods, in their two parts. */
+static void put_parts(const struct group *groups, int count,
+                      const struct pp_known_cases *cases, FILE *out)
+{
+    fputs(
+        "<h2>Where it comes from</h2>\n<p class=\"soft\">Each dot is a figure: its "
+        "difference from the simulation, in per cent of that, and the two parts which "
+        "add up to it. Assumption: from the room to the world that the method has in "
+        "mind, both simulated. Formula: from there to the method. Bars are medians; "
+        "rings stand for more than 100 %; figures under 0.01 % daylight factor are "
+        "left out.</p>\n<div class=\"dots\">\n",
+        out);
+    for (int i = 0; i < count; i++)
+        pp_validate_dots(cases, groups[i].name, out);
+    fputs("</div>\n", out);
+}
+
 /* ---- cases ---- */
 
-static void put_case(const struct pp_known_case *one, FILE *out)
+static const char *verdict_of(const struct pp_known_case *one)
 {
-    bool right = pp_known_case_is_right(one);
+    return !pp_known_case_is_judged(one) ? "none"
+           : pp_known_case_is_right(one) ? "right"
+                                         : "outside";
+}
+
+static void put_case(const struct pp_known_case *one, bool parts, FILE *out)
+{
+    bool right = pp_known_case_is_right(one) || !pp_known_case_is_judged(one);
     fputs("<tr><td>", out);
     pp_html_text(one->what, out);
+    if (one->room) {
+        fputs(", ", out);
+        pp_html_text(one->room, out);
+    }
     fputs("<td>", out);
     pp_html_text(one->by, out);
-    fprintf(out, "<td>%.6f<td>%.6f<td>%+.1e<td>%.1e<td%s>%s</tr>\n", one->answer,
-            one->expected, one->answer - one->expected, one->limit,
-            right ? "" : " class=\"bad\"", right ? "right" : "outside");
+    fprintf(out, "<td>%.6f<td>%.6f<td>%+.1e<td>", one->answer, one->expected,
+            one->answer - one->expected);
+    if (!pp_known_case_is_judged(one))
+        fputs("&ndash;", out);
+    else if (one->least == -one->limit)
+        fprintf(out, "%.1e", one->limit);
+    else
+        fprintf(out, "%+.1e to %+.1e", one->least, one->limit);
+    if (parts)
+        fprintf(out, "<td>%+.1e<td>%+.1e", one->assumption, one->formula);
+    fprintf(out, "<td%s>%s</tr>\n", right ? "" : " class=\"bad\"", verdict_of(one));
 }
 
 static void put_cases(const struct pp_known_cases *cases, const char *group,
                       bool wrong_only, FILE *out)
 {
-    fputs("<div class=\"wide\"><table><thead><tr><th>case<th>by<th>answer<th>expected"
-          "<th>difference<th>limit<th></tr></thead>\n<tbody>\n",
-          out);
+    bool parts = pp_known_case_has_parts(cases);
+    fprintf(out,
+            "<div class=\"wide\"><table "
+            "class=\"cases-of\"><thead><tr><th>case<th>by<th>answer<th>expected"
+            "<th>difference<th>limit%s<th></tr></thead>\n<tbody>\n",
+            parts ? "<th>assumption<th>formula" : "");
     for (int i = 0; i < cases->count; i++) {
         const struct pp_known_case *one = &cases->list[i];
         if ((!group || strcmp(group, one->group) == 0)
-            && !(wrong_only && pp_known_case_is_right(one)))
-            put_case(one, out);
+            && !(wrong_only
+                 && (pp_known_case_is_right(one) || !pp_known_case_is_judged(one))))
+            put_case(one, parts, out);
     }
     fputs("</tbody></table></div>\n", out);
+}
+
+/* Why there are cases without a verdict, each reason once. */
+static void put_reasons(const struct pp_known_cases *cases,
+                        const struct pp_suite_score *score, FILE *out)
+{
+    const char *why;
+    int count;
+    if (score->unjudged == 0)
+        return;
+    fprintf(out, "<p>%d more have no verdict:</p>\n<ul>\n", score->unjudged);
+    for (int i = 0; (why = pp_known_case_reason(cases, i, &count)); i++) {
+        fprintf(out, "<li>%d: ", count);
+        pp_html_text(why, out);
+        fputs("</li>\n", out);
+    }
+    fputs("</ul>\n", out);
 }
 
 static void put_verdict(const struct pp_known_result *result, FILE *out)
@@ -172,10 +245,11 @@ static void put_verdict(const struct pp_known_result *result, FILE *out)
         out,
         "<p class=\"verdict%s\">%s: %d of %d answers are within their limits.</p>\n",
         score.passes ? "" : " bad", score.passes ? "Passed" : "Not passed",
-        result->cases.count - wrong, result->cases.count);
+        score.count + score.traced - wrong, score.count + score.traced);
     fputs("<p>Limits: ", out);
     pp_html_text(result->suite->limits, out);
     fputs(".</p>\n", out);
+    put_reasons(&result->cases, &score, out);
     if (score.traced == 0)
         return;
     fprintf(out, "<p>%d answers are simulated, %d of them outside", score.traced,
@@ -192,18 +266,26 @@ void pp_validate_page(const struct pp_known_result *result, FILE *out)
     struct pp_suite_score score = pp_suite_score(result->suite, cases);
     struct group groups[GROUPS_MOST];
     int count = gather(groups, cases);
-    char title[128];
+    char title[128], style[2000];
     snprintf(title, sizeof title, PACKAGE_NAME " validate %s", result->suite->name);
-    pp_html_begin(title, more_style, out);
-    fputs("<h1>" PACKAGE_NAME " against what is known</h1>\n<p class=\"soft\">", out);
-    pp_html_text(result->suite->name, out);
-    fputs(": ", out);
+    snprintf(style, sizeof style, "%s%s", more_style, pp_validate_dots_style);
+    pp_html_begin(title, style, out);
+    if (result->suite->of_rooms) {
+        fputs("<h1>Daylight factors, two ways</h1>\n<p class=\"soft\">", out);
+    } else {
+        fputs("<h1>" PACKAGE_NAME " against what is known</h1>\n<p class=\"soft\">",
+              out);
+        pp_html_text(result->suite->name, out);
+        fputs(": ", out);
+    }
     pp_html_text(result->suite->summary, out);
     fputs(". Figures are shares of the open sky's horizontal illuminance, made "
           "by " PACKAGE_NAME " " PACKAGE_VERSION ".</p>\n",
           out);
     put_verdict(result, out);
     put_groups(groups, count, out);
+    if (pp_known_case_has_parts(cases))
+        put_parts(groups, count, cases, out);
     if (score.wrong + score.traced_wrong > 0) {
         fputs("<h2>Outside their limits</h2>\n", out);
         put_cases(cases, NULL, true, out);

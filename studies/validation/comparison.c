@@ -97,6 +97,17 @@ static void take_mean(struct pp_error_parts *sum, int n)
     sum->formula_error = isfinite(sum->formula) ? sqrt(sum->formula_error) / n : NAN;
 }
 
+struct pp_error_parts pp_comparison_parts(const struct pp_report *report,
+                                          const struct pp_column *column,
+                                          const struct pp_own_worlds *worlds, int point)
+{
+    const struct own_value own = own_value_of(report, column, worlds);
+    double method = point < 0 ? column->average.value : column->points[point].value;
+    struct pp_error_parts parts = parts_of(&own, method, point);
+    take_mean(&parts, 1);
+    return parts;
+}
+
 static void add_parts(struct pp_error_parts *sum, struct pp_error_parts parts)
 {
     sum->assumption += parts.assumption;

@@ -52,6 +52,13 @@ enum pp_status pp_comparison_of_report(struct pp_comparison **list, int *count,
                                        const struct pp_own_worlds *worlds,
                                        struct pp_error *err);
 
+/* The two parts of a column's difference at one point of the report, or, for -1, of the
+ * average. */
+struct pp_error_parts pp_comparison_parts(const struct pp_report *report,
+                                          const struct pp_column *column,
+                                          const struct pp_own_worlds *worlds,
+                                          int point);
+
 /* One method over several rooms; differences are shares of the rooms' mean traced
  * values. */
 struct pp_overall {

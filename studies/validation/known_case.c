@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "model/base/array.h"
 
@@ -31,7 +32,10 @@ void pp_known_case_add(struct pp_known_cases *cases, const char *what, const cha
                                   .answer = answer,
                                   .expected = expected,
                                   .limit = limit,
-                                  .std_error = NAN};
+                                  .least = -limit,
+                                  .std_error = NAN,
+                                  .assumption = NAN,
+                                  .formula = NAN};
     snprintf(one->group, sizeof one->group, "%s", cases->group ? cases->group : by);
     snprintf(one->what, sizeof one->what, "%s", what);
 }
@@ -75,5 +79,55 @@ void pp_known_case_add_traced_printed(struct pp_known_cases *cases, const char *
 
 bool pp_known_case_is_right(const struct pp_known_case *one)
 {
-    return fabs(one->answer - one->expected) <= one->limit;
+    double difference = one->answer - one->expected;
+    return difference >= one->least && difference <= one->limit;
+}
+
+bool pp_known_case_is_judged(const struct pp_known_case *one)
+{
+    return !isnan(one->limit);
+}
+
+/* Is there a case before this one with its reason? */
+static bool is_repeated(const struct pp_known_cases *cases, int at)
+{
+    for (int i = 0; i < at; i++)
+        if (cases->list[i].why && strcmp(cases->list[i].why, cases->list[at].why) == 0)
+            return true;
+    return false;
+}
+
+const char *pp_known_case_reason(const struct pp_known_cases *cases, int index,
+                                 int *count)
+{
+    const char *why = NULL;
+    *count = 0;
+    for (int i = 0; i < cases->count; i++) {
+        if (!cases->list[i].why)
+            continue;
+        if (!why && !is_repeated(cases, i) && index-- == 0)
+            why = cases->list[i].why;
+        *count += why && strcmp(cases->list[i].why, why) == 0;
+    }
+    return why;
+}
+
+bool pp_known_case_has_parts(const struct pp_known_cases *cases)
+{
+    for (int i = 0; i < cases->count; i++)
+        if (isfinite(cases->list[i].assumption))
+            return true;
+    return false;
+}
+
+double pp_known_case_share(const struct pp_known_case *one)
+{
+    double difference = one->answer - one->expected;
+    double middle = (one->least + one->limit) / 2.0;
+    double half = (one->limit - one->least) / 2.0;
+    if (one->least <= 0.0 && one->limit >= 0.0)
+        return difference == 0.0  ? 0.0
+               : difference > 0.0 ? difference / one->limit
+                                  : difference / -one->least;
+    return (difference - middle) / half;
 }

@@ -16,8 +16,14 @@ struct pp_known_case {
     const char *by; /* the method, or "traced" */
     double answer, expected;
     double limit;     /* the largest difference allowed: the rounding of `expected`, or
-                       * standard errors of the answer */
-    double std_error; /* of the answer; NAN: not sampled */
+                       * standard errors of the answer; NAN: there is no verdict */
+    double least;     /* the smallest, -limit unless a band says otherwise */
+    double std_error; /* of what was sampled; NAN: nothing */
+    double assumption,
+        formula;             /* the parts of the difference (own_world.h); NAN: it has
+                                 * none */
+    const char *room, *file; /* of a user's room; NULL: it is no user's. Not owned */
+    const char *why; /* why there is no verdict; NULL: there is one. Not owned */
 };
 
 struct pp_known_cases {
@@ -51,7 +57,22 @@ void pp_known_case_add_traced_printed(struct pp_known_cases *cases, const char *
                                       struct pp_reading reading, double per_cent,
                                       int decimals);
 
-/* Is the answer within its limit? */
+/* Is the answer within its limits? Without a verdict it is not. */
 bool pp_known_case_is_right(const struct pp_known_case *one);
+
+/* Has it limits? One that has none is neither right nor wrong. */
+bool pp_known_case_is_judged(const struct pp_known_case *one);
+
+/* Reason `index` of those why cases have no verdict, each but once, and of how many; NULL at
+ * the end. */
+const char *pp_known_case_reason(const struct pp_known_cases *cases, int index,
+                                 int *count);
+
+/* Has any the two parts of its difference? */
+bool pp_known_case_has_parts(const struct pp_known_cases *cases);
+
+/* The difference over its limit on that side: -1 and 1 at the limits, 0 where there is none;
+ * where none at all would be outside, 0 is in the middle between the limits. */
+double pp_known_case_share(const struct pp_known_case *one);
 
 #endif

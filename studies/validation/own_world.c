@@ -235,6 +235,11 @@ int pp_own_world_count(const struct pp_own_worlds *worlds)
     return worlds->count;
 }
 
+struct pp_report *pp_own_world_report(struct pp_own_worlds *worlds, int index)
+{
+    return &worlds->list[index].report;
+}
+
 enum pp_status pp_own_world_trace(struct pp_own_worlds *worlds,
                                   const struct pp_study_options *options,
                                   bool *finished, bool *by_clock, struct pp_error *err)

@@ -46,6 +46,9 @@ enum pp_status pp_own_world_trace(struct pp_own_worlds *worlds,
                                   const struct pp_study_options *options,
                                   bool *finished, bool *by_clock, struct pp_error *err);
 
+/* The report of world `index`, to which "traced" is added by other ways. */
+struct pp_report *pp_own_world_report(struct pp_own_worlds *worlds, int index);
+
 /* The report in whose world a column of the room's report has the component PP_SC, PP_ERC
  * or PP_IRC: with "traced" alone, or the room's own. */
 const struct pp_report *pp_own_world_of(const struct pp_own_worlds *worlds,

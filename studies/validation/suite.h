@@ -12,7 +12,8 @@ struct pp_suite {
     /* Of those outside their limits as many may be by chance, a share of the traced cases;
      * 0: none. */
     double chance;
-    long samples; /* that traced cases want: paths a point in each randomisation */
+    bool of_rooms; /* of a user's rooms: there is no `run` */
+    long samples;  /* that traced cases want: paths a point in each randomisation */
     enum pp_status (*run)(struct pp_known_cases *cases,
                           const struct pp_known_trace *how, struct pp_error *err);
 };
@@ -23,6 +24,9 @@ const struct pp_suite *pp_suite_at(int index);
 /* The suite of that name, or NULL. */
 const struct pp_suite *pp_suite_find(const char *name);
 
+/* The suites of a user's rooms. */
+extern const struct pp_suite pp_suite_rooms, pp_suite_radiance;
+
 /* What takes a second or two: closed forms and worked examples. */
 extern const struct pp_suite pp_suite_quick;
 
@@ -30,6 +34,7 @@ extern const struct pp_suite pp_suite_quick;
 struct pp_suite_score {
     int count, wrong; /* of cases that are not traced */
     int traced, traced_wrong;
+    int unjudged; /* without a verdict, in none of the above */
     bool passes;
 };
 struct pp_suite_score pp_suite_score(const struct pp_suite *suite,

@@ -255,6 +255,14 @@ check "with rooms and both values" awk '
     /"room":/ { rooms++ }
     /"x": 1.5, "y": 2, .*"traced": { "value": .*"rtrace": { "value": 1.79, "se": [^ ]* }, "off-by": / { points++ }
     END { exit !(format && against && rooms == 5 && points == 5) }' "$scratch/out"
+suite_of() {
+    (PATH=$scratch/bin:$PATH TMPDIR=$scratch/tmp && export TMPDIR && run validate radiance --samples 64 "$@"; [ $status -eq 1 ] && grep -q "outside their limits" "$scratch/err" || told)
+}
+check "as a suite, whose limits 1.79 % everywhere does not keep" suite_of --points 1.5,2 \
+    --page "$scratch/radiance.html" "$deep"
+check "as it says of the point" grep -qE \
+    'df at 1.500, 2.000, 0.850 +0\.0[0-9]+ 0.017900 \+[0-9]e-02 [0-9]e-0[34] WRONG' "$scratch/out"
+check "and on its page" grep -q 'class="verdict bad">Not passed: 0 of 1' "$scratch/radiance.html"
 check "methods have no part in it" refuses 2 "--methods" \
     validate --against radiance --methods bre "$deep"
 printf '#!/bin/sh\necho 1 1 1\n' >"$scratch/bin/rtrace"

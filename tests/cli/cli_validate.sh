@@ -4,6 +4,14 @@
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
+# fails_by STATUS TEXT WORDS: prints what it found, and ends with that status and text.
+fails_by() {
+    wanted=$1 text=$2
+    shift 2
+    run "$@"
+    [ $status -eq "$wanted" ] && [ -s "$scratch/out" ] && grep -q "$text" "$scratch/err" || told
+}
+
 check "what is known on paper is asked" shows "The program against answers" validate
 check "and all of it is right" grep -qE '^  ([0-9]+) of \1 right' "$scratch/out"
 check "none is wrong" nothing "$(grep WRONG "$scratch/out")"
@@ -38,19 +46,51 @@ check "a suite has its own rooms" refuses 2 "no file behind it" validate analyti
 check "and no options of rooms" refuses 2 "--sky is about a room" \
     validate published --sky uniform
 check "rooms want files" refuses 2 "expected room files" validate rooms
-check "and have no page" refuses 2 "--page is of a suite" \
-    validate rooms --page "$scratch/x.html" "$deep"
+check "a page is of a suite" refuses 2 "cie171, rooms or radiance" \
+    validate --page "$scratch/x.html" "$deep"
 check "radiance wants one" refuses 2 "expected room files" validate radiance
 check "a page in the report's file is refused" refuses 2 "are one file" \
     validate analytic -o "$scratch/x.html" --page "$scratch/x.html"
 check "a page where none can be written" refuses 3 "nowhere" \
     validate analytic --page "$scratch/nowhere/x.html"
-check "an unknown suite is a file that is not there" refuses 1 "analytics" \
+check "a mistyped suite is asked after" refuses 2 "did you mean analytic?" \
     validate analytics
-gives validate --samples 8 "$deep" >/dev/null
-cp "$scratch/out" "$scratch/without"
-check "rooms FILE is FILE" gives validate rooms --samples 8 "$deep"
-check "to the byte" cmp -s "$scratch/out" "$scratch/without"
+check "what is like none is a file that is not there" refuses 1 "xylophone" \
+    validate xylophone
+cp "$deep" "$scratch/analytics"
+check "and a file of such a name is a file" gives validate --samples 8 --methods bre \
+    "$scratch/analytics"
+
+# ---- the suite of rooms ----
+
+few="--samples 16 --methods exact+bre,average-df"
+check "rooms gives each figure, what is traced, and the verdict" gives \
+    validate rooms $few --page "$scratch/rooms.html" "$deep" "$examples/l-shaped.xml"
+check "tidy in 80 columns" nothing "$(untidy)"
+check "by the limits of the bands" grep -qE \
+    '^  df at 1.50, 1.50 +[0-9.]+ +[0-9.]+ +-[0-9.]+ +-[0-9.]+ +\+[0-9.]+ +-[0-9.]+ +-[0-9.]+ right$' \
+    "$scratch/out"
+check "and says why there is none" grep -q 'without a verdict: no bands: ' "$scratch/out"
+check "its page says what passes" grep -q 'class="verdict">Passed' "$scratch/rooms.html"
+check "has the reason" grep -q '<li>.*the plan has a recess' "$scratch/rooms.html"
+check "draws dots for both parts of the errors" test \
+    "$(grep -c '^</figcaption><svg\|</figcaption><svg' "$scratch/rooms.html")" -eq 4
+check "and asks nothing of a network" nothing \
+    "$(grep -iE 'https?:|<script|<link|src=|@import' "$scratch/rooms.html")"
+check "the same in CSV" gives validate rooms $few --format csv "$deep"
+tr -d '\r' <"$scratch/out" | sed 's/"\([^",]*\),\([^"]*\)"/\1;\2/' >"$scratch/suite"
+check "with 15 fields a line" nothing "$(awk -F, 'NF != 15' "$scratch/suite")"
+check "differences, parts and verdicts agree" nothing "$(awk -F, '
+    function off(a, b) { return (a - b)^2 > 1e-16 }
+    NR > 1 && (off($3 - $4, $5) || off($13 + $14, $5) \
+               || ($5 >= $12 && $5 <= $6) != ($8 == "yes")) { print }' "$scratch/suite")"
+check "in JSON, too" shows '"suite": "rooms"' validate rooms $few --format json "$deep"
+check "with the limits on both sides" grep -q \
+    '"tolerance": .*"right": .*"tolerance-below": -.*"assumption": .*"formula": ' "$scratch/out"
+# One reflected component for the whole deep room is outside its band near the window.
+check "the exit status is 1 where more is outside than may" fails_by 1 "outside their limits" \
+    validate rooms --samples 64 --methods bre --page "$scratch/bre.html" "$deep"
+check "and the page says so" grep -q 'class="verdict bad">Not passed' "$scratch/bre.html"
 
 # A room: bias, spread and worst once more from df's own figures, with the same paths.
 methods=exact+bre,brs-table+bre,average-df

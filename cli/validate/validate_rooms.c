@@ -1,0 +1,242 @@
+/* validate_rooms.c - all that is traced, room by room and world by world, is one list of
+ * reports, which is dealt out; what is compared stays with rank 0. */
+#include "cli/validate/validate_rooms.h"
+
+#include <stdlib.h>
+
+#include "cli/interrupt.h"
+#include "cli/job.h"
+#include "cli/ranks/deal_rooms.h"
+#include "cli/terminal.h"
+#include "cli/validate/run_suite.h"
+#include "reports/df_result.h"
+#include "reports/validate/validate_report.h"
+#include "studies/bands/report_bands.h"
+#include "studies/study_report.h"
+#include "studies/validation/own_world.h"
+#include "studies/validation/room_cases.h"
+
+/* One report that is traced: of a room, or of a world of its methods. */
+struct traced_report {
+    struct pp_report *report;
+    int room;
+};
+
+struct rooms_run {
+    const struct pp_room_options *options;
+    enum pp_format format;
+    const struct pp_rooms *rooms;
+    struct pp_results results;
+    struct pp_validation validation;
+    struct pp_own_worlds **worlds; /* one list a room */
+    struct traced_report *traced;  /* each room and its worlds behind it */
+    int traced_count;
+};
+
+static enum pp_status begin(struct rooms_run *run, struct pp_error *err)
+{
+    size_t count = (size_t)run->rooms->count + 1;
+    run->results.list = calloc(count, sizeof *run->results.list);
+    run->validation.rooms = calloc(count, sizeof *run->validation.rooms);
+    run->validation.counts = calloc(count, sizeof *run->validation.counts);
+    run->worlds = calloc(count, sizeof *run->worlds);
+    return run->results.list && run->validation.rooms && run->validation.counts
+                   && run->worlds
+               ? PP_OK
+               : pp_fail_memory(err);
+}
+
+/* Hand methods first: they take milliseconds. */
+static enum pp_status work_by_hand(struct rooms_run *run, struct pp_error *err)
+{
+    struct pp_results *results = &run->results;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < run->rooms->count && status == PP_OK; i++) {
+        const struct pp_study_room *room = &run->rooms->list[i];
+        struct pp_result *result = &results->list[results->count++];
+        result->file = room->file;
+        status = pp_study_report_methods(&result->report, room, results->options, err);
+        if (status == PP_OK)
+            status =
+                pp_own_world_list(&run->worlds[i], room->room, &result->report, err);
+    }
+    return status;
+}
+
+static enum pp_status list_traced(struct rooms_run *run, struct pp_error *err)
+{
+    int count = run->rooms->count;
+    for (int i = 0; i < run->rooms->count; i++)
+        count += pp_own_world_count(run->worlds[i]);
+    run->traced = calloc((size_t)count + 1, sizeof *run->traced);
+    if (!run->traced)
+        return pp_fail_memory(err);
+    for (int i = 0; i < run->rooms->count; i++) {
+        run->traced[run->traced_count++] =
+            (struct traced_report){&run->results.list[i].report, i};
+        for (int k = 0; k < pp_own_world_count(run->worlds[i]); k++)
+            run->traced[run->traced_count++] =
+                (struct traced_report){pp_own_world_report(run->worlds[i], k), i};
+    }
+    return PP_OK;
+}
+
+static struct pp_room_figures figures(void *data, int index)
+{
+    struct rooms_run *run = data;
+    const struct traced_report *traced = &run->traced[index];
+    return (struct pp_room_figures){traced->report,
+                                    &run->results.list[traced->room].by_clock};
+}
+
+/* After a stop a room has what there is so far, and the worlds behind it have nothing. */
+static enum pp_status simulate(const void *data, int index, struct pp_report *report,
+                               bool *by_clock, struct pp_error *err)
+{
+    const struct rooms_run *run = data;
+    int room = run->traced[index].room;
+    struct pp_study_options options = *run->results.options;
+    bool of_room = index == 0 || run->traced[index - 1].room != room;
+    if (!of_room && pp_interrupt_came()) {
+        report->finished = false;
+        return PP_OK;
+    }
+    options.seconds /= 1 + pp_own_world_count(run->worlds[room]);
+    return pp_study_report_traced(report, &options, by_clock, err);
+}
+
+static enum pp_status compare(struct rooms_run *run, struct pp_error *err)
+{
+    struct pp_validation *validation = &run->validation;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < run->traced_count; i++)
+        run->results.list[run->traced[i].room].report.finished &=
+            run->traced[i].report->finished;
+    for (int i = 0; i < run->results.count && status == PP_OK; i++)
+        status =
+            pp_comparison_of_report(&validation->rooms[i], &validation->counts[i],
+                                    &run->results.list[i].report, run->worlds[i], err);
+    return status == PP_OK
+               ? pp_comparison_overall(&validation->overall, &validation->overall_count,
+                                       validation->rooms, validation->counts,
+                                       run->results.count, err)
+               : status;
+}
+
+static enum pp_status trace(struct rooms_run *run, struct pp_error *err)
+{
+    enum pp_status status = begin(run, err);
+    if (status == PP_OK)
+        status = work_by_hand(run, err);
+    if (status == PP_OK)
+        status = list_traced(run, err);
+    if (status != PP_OK)
+        return status;
+    pp_interrupt_watch();
+    return pp_deal_rooms(&(struct pp_room_dealing){run->traced_count,
+                                                   run->options->ranks, figures,
+                                                   simulate, run},
+                         err);
+}
+
+static bool is_finished(const void *data)
+{
+    const struct rooms_run *run = data;
+    for (int i = 0; i < run->results.count; i++)
+        if (!run->results.list[i].report.finished)
+            return false;
+    return true;
+}
+
+static struct rooms_run run_of(const struct pp_rooms *rooms,
+                               const struct pp_room_options *options,
+                               enum pp_format format)
+{
+    return (struct rooms_run){
+        .options = options,
+        .format = format,
+        .rooms = rooms,
+        .results = {.several = rooms->several,
+                    .more_than_one_file = rooms->more_than_one_file,
+                    .options = &options->study}};
+}
+
+static void clear(struct rooms_run *run)
+{
+    for (int i = 0; i < run->results.count; i++) {
+        pp_report_clear(&run->results.list[i].report);
+        pp_own_world_destroy(run->worlds[i]);
+        free(run->validation.rooms[i]);
+    }
+    free(run->validation.rooms);
+    free(run->validation.counts);
+    free(run->validation.overall);
+    free(run->worlds);
+    free(run->traced);
+    free(run->results.list);
+}
+
+/* ---- the table ---- */
+
+static enum pp_status compute(void *data, struct pp_error *err)
+{
+    enum pp_status status = trace(data, err);
+    return status == PP_OK ? compare(data, err) : status;
+}
+
+static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+{
+    const struct rooms_run *run = data;
+    struct pp_validation validation = run->validation;
+    validation.results = &run->results;
+    if (run->format == PP_FORMAT_JSON)
+        return pp_validate_report_rooms_json(&validation, out, err);
+    if (run->format == PP_FORMAT_CSV)
+        pp_validate_report_rooms_csv(&validation, out);
+    else
+        pp_validate_report_rooms(&validation, pp_terminal_width(run->options->output),
+                                 out);
+    return PP_OK;
+}
+
+enum pp_exit pp_validate_rooms(const struct pp_rooms *rooms,
+                               const struct pp_room_options *options,
+                               enum pp_format format)
+{
+    struct rooms_run run = run_of(rooms, options, format);
+    enum pp_exit exit_status = pp_job_run(
+        &(struct pp_job){options->output, compute, print, is_finished, &run});
+    clear(&run);
+    return exit_status;
+}
+
+/* ---- the suite ---- */
+
+static enum pp_status find_cases(void *data, struct pp_known_cases *cases,
+                                 struct pp_error *err)
+{
+    struct rooms_run *run = data;
+    enum pp_status status = trace(run, err);
+    if (status == PP_OK)
+        status = compare(run, err);
+    for (int i = 0; i < run->results.count && status == PP_OK; i++) {
+        struct pp_result *result = &run->results.list[i];
+        status = pp_report_bands_fill(&result->report, err);
+        if (status == PP_OK)
+            pp_room_cases_of_methods(cases, result->file, &result->report,
+                                     run->worlds[i]);
+    }
+    return status;
+}
+
+enum pp_exit pp_validate_rooms_suite(const struct pp_rooms *rooms,
+                                     const struct pp_room_options *options,
+                                     enum pp_format format, const char *page)
+{
+    struct rooms_run run = run_of(rooms, options, format);
+    enum pp_exit exit_status = pp_run_suite(
+        &(struct pp_suite_source){&pp_suite_rooms, find_cases, is_finished, &run},
+        options, format, page);
+    clear(&run);
+    return exit_status;
+}

@@ -1,0 +1,127 @@
+/* validate_dots.c - SVG by hand: a row a part, a dot a case. */
+#include "reports/validate/validate_dots.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reports/page/html.h"
+
+const char pp_validate_dots_style[] =
+    ".dots{display:flex;flex-wrap:wrap;gap:.6rem 2rem}figure{margin:0;width:340px;"
+    "max-width:100%;break-inside:avoid}figcaption{font-weight:600}figure "
+    "svg{width:100%;"
+    "height:auto}circle{fill:var(--good);fill-opacity:.4}circle.edge{fill:none;"
+    "stroke:var(--bad)}line.median{stroke:var(--bad);stroke-width:2}\n";
+
+/* Of a chart, in pixels. */
+enum { LEFT = 66, RIGHT = 334, WIDTH = 340, ROW = 22, AXIS = 16 };
+
+enum { ROWS = 3 };
+
+static const char *const rows[ROWS] = {"difference", "assumption", "formula"};
+
+/* Fraction of the open sky, below which a share of it says nothing. */
+static const double LEAST = 1e-4;
+
+static double part_of(const struct pp_known_case *one, int row)
+{
+    const double parts[ROWS] = {one->answer - one->expected, one->assumption,
+                                one->formula};
+    return parts[row] / one->expected;
+}
+
+static bool has_dots(const struct pp_known_case *one, const char *group)
+{
+    return strcmp(one->group, group) == 0 && one->expected >= LEAST
+           && isfinite(one->assumption) && isfinite(one->formula);
+}
+
+static double place_of(double share)
+{
+    return LEFT + (fmin(fmax(share, -1.0), 1.0) + 1.0) / 2.0 * (RIGHT - LEFT);
+}
+
+static int in_order(const void *a, const void *b)
+{
+    const double *first = a, *second = b;
+    return (*first > *second) - (*first < *second);
+}
+
+static double median_of(double *values, int count)
+{
+    qsort(values, (size_t)count, sizeof *values, in_order);
+    return (values[(count - 1) / 2] + values[count / 2]) / 2.0;
+}
+
+/* Dots of one value stand under one another: seven heights, by the order of the cases. */
+static void put_dot(double share, int number, int middle, FILE *out)
+{
+    double y = middle + 2.0 * (number * 3 % 7 - 3);
+    fprintf(out, "<circle%s cx=\"%.1f\" cy=\"%.1f\" r=\"2\"/>",
+            fabs(share) > 1.0 ? " class=\"edge\"" : "", place_of(share), y);
+}
+
+static void put_row(const struct pp_known_cases *cases, const char *group, int row,
+                    double *shares, FILE *out)
+{
+    int count = 0, middle = row * ROW + ROW / 2;
+    fprintf(out, "<text x=\"0\" y=\"%d\">%s</text>", middle + 4, rows[row]);
+    for (int i = 0; i < cases->count; i++)
+        if (has_dots(&cases->list[i], group)) {
+            shares[count] = part_of(&cases->list[i], row);
+            put_dot(shares[count], count, middle, out);
+            count++;
+        }
+    double x = place_of(median_of(shares, count));
+    fprintf(out,
+            "<line class=\"median\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%d\" y2=\"%d\"/>\n", x,
+            x, middle - ROW / 2 + 1, middle + ROW / 2 - 1);
+}
+
+static void put_axis(FILE *out)
+{
+    static const struct {
+        double share;
+        const char *text, *anchor;
+    } marks[] = {{-1.0, "&minus;100", "middle"},
+                 {-0.5, "&minus;50", "middle"},
+                 {0.0, "0", "middle"},
+                 {0.5, "+50", "middle"},
+                 {1.0, "+100 %", "end"}};
+    const int bottom = ROWS * ROW;
+    fprintf(out, "<line x1=\"%d\" x2=\"%d\" y1=\"%d.5\" y2=\"%d.5\"/>", LEFT, RIGHT,
+            bottom, bottom);
+    for (size_t i = 0; i < sizeof marks / sizeof *marks; i++) {
+        double x = place_of(marks[i].share);
+        bool end = strcmp(marks[i].anchor, "end") == 0;
+        fprintf(out,
+                "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%d\" y2=\"%d\"/><text x=\"%.1f\" "
+                "y=\"%d\" text-anchor=\"%s\">%s</text>",
+                x, x, marks[i].share == 0.0 ? 0 : bottom, bottom + 3,
+                end ? (double)WIDTH : x, bottom + AXIS - 2, marks[i].anchor,
+                marks[i].text);
+    }
+}
+
+void pp_validate_dots(const struct pp_known_cases *cases, const char *group, FILE *out)
+{
+    int count = 0;
+    for (int i = 0; i < cases->count; i++)
+        count += has_dots(&cases->list[i], group);
+    double *shares = count > 0 ? malloc((size_t)count * sizeof *shares) : NULL;
+    if (!shares)
+        return;
+    fputs("<figure><figcaption>", out);
+    pp_html_text(group, out);
+    fprintf(out,
+            "</figcaption><svg viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"errors "
+            "in per cent: difference, assumption, formula\">\n",
+            WIDTH, ROWS * ROW + AXIS);
+    for (int row = 0; row < ROWS; row++)
+        put_row(cases, group, row, shares, out);
+    put_axis(out);
+    fputs("</svg></figure>\n", out);
+    free(shares);
+}
