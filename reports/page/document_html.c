@@ -15,6 +15,7 @@ static const char more_style[] =
     "figcaption{color:var(--soft);font-size:.9rem}\n"
     "@media print{body{max-width:none;padding:0;font-size:10pt}section+section{"
     "break-before:page}.wide{overflow:visible}tr,figure,.verdict{break-inside:avoid}"
+    "figure svg{width:auto;max-width:100%;max-height:10.5cm}"
     "h2,h3,.g,.r td{break-after:avoid}}\n";
 
 /* "class", of the tone of a cell in a column. */
@@ -56,9 +57,11 @@ static void put_cells(const struct pp_document_table *table,
 {
     fputs("<tr>", out);
     for (int i = 0; i < table->column_count; i++) {
-        static const struct pp_document_cell empty = {.text = ""};
-        const struct pp_document_cell *cell =
-            i < row->cell_count ? &row->cells[i] : &empty;
+        if (i >= row->cell_count) {
+            fputs("<td></td>", out);
+            continue;
+        }
+        const struct pp_document_cell *cell = &row->cells[i];
         const char *class = class_of(table->columns[i].kind, cell->tone);
         fprintf(out, class ? "<td class=\"%s\">" : "<td>", class);
         pp_html_text(cell->text, out);
