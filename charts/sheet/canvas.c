@@ -25,6 +25,8 @@
 /* A PNG of more bytes of pixels than the first is drawn in bands of some of the second. */
 enum { WHOLE_BYTES_MOST = 128 << 20, BAND_BYTES = 32 << 20 };
 
+enum { OUTLINE_LEVELS = 3 };
+
 struct pp_canvas {
     struct pp_sheet sheet; /* its texts are owned here */
     char *title, *description;
@@ -34,6 +36,10 @@ struct pp_canvas {
     bool in_bands;           /* the surface is a recording */
     cairo_surface_t *surface;
     cairo_t *cr;
+    int page; /* from 1 */
+    int outlines[OUTLINE_LEVELS
+                 + 1];    /* the last line of each level of the contents; [0]:
+                                       * the root */
     struct pp_bytes raw;  /* as cairo writes it */
     struct pp_bytes file; /* as the caller gets it */
     bool finished;
@@ -61,6 +67,10 @@ static cairo_status_t append(void *closure, const unsigned char *bytes,
 static void paper_size(const struct pp_sheet *sheet, double *width_mm,
                        double *height_mm)
 {
+    *width_mm = sheet->width_mm;
+    *height_mm = sheet->height_mm;
+    if (sheet->width_mm > 0.0)
+        return;
     static const double upright[][2] = {[PP_PAPER_A4] = {210, 297},
                                         [PP_PAPER_A5] = {148, 210},
                                         [PP_PAPER_A3] = {297, 420},
@@ -115,12 +125,9 @@ static cairo_status_t write_picture(struct pp_canvas *canvas)
                               canvas->height_px, rows > 1 ? rows : 1);
 }
 
-static void open_surface(struct pp_canvas *canvas)
+/* The surface of a file. */
+static void open_file(struct pp_canvas *canvas, double width_pt, double height_pt)
 {
-    double width_pt = canvas->width_mm * POINTS_PER_MM;
-    double height_pt = canvas->height_mm * POINTS_PER_MM;
-    double dots_per_mm = canvas->dpi / MM_PER_INCH;
-
     switch (canvas->sheet.format) {
     case PP_CHART_PDF:
         canvas->surface = cairo_pdf_surface_create_for_stream(append, &canvas->raw,
@@ -135,8 +142,22 @@ static void open_surface(struct pp_canvas *canvas)
         open_picture(canvas);
         break;
     }
+}
+
+static void open_surface(struct pp_canvas *canvas)
+{
+    double width_pt = canvas->width_mm * POINTS_PER_MM;
+    double height_pt = canvas->height_mm * POINTS_PER_MM;
+    double dots_per_mm = canvas->dpi / MM_PER_INCH;
+    const cairo_rectangle_t all = {0.0, 0.0, width_pt, height_pt};
+    bool to_place = canvas->sheet.to_place;
+    if (to_place)
+        canvas->surface =
+            cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &all);
+    else
+        open_file(canvas, width_pt, height_pt);
     canvas->cr = cairo_create(canvas->surface);
-    if (canvas->sheet.format == PP_CHART_PNG) {
+    if (canvas->sheet.format == PP_CHART_PNG && !to_place) {
         cairo_set_source_rgb(canvas->cr, 1, 1, 1);
         if (!canvas->sheet.transparent)
             cairo_paint(canvas->cr);
@@ -166,6 +187,7 @@ enum pp_status pp_canvas_create(struct pp_canvas **canvas_out,
         return pp_fail_memory(err);
     canvas->sheet = *sheet;
     canvas->dpi = dpi;
+    canvas->page = 1;
     canvas->title = g_utf8_make_valid(sheet->title ? sheet->title : "", -1);
     canvas->description =
         g_utf8_make_valid(sheet->description ? sheet->description : "", -1);
@@ -228,7 +250,7 @@ double pp_canvas_height_mm(const struct pp_canvas *canvas)
 
 bool pp_canvas_has_sheets(const struct pp_canvas *canvas)
 {
-    return canvas->sheet.format == PP_CHART_PDF;
+    return canvas->sheet.format == PP_CHART_PDF && !canvas->sheet.to_place;
 }
 
 void pp_canvas_set_imprint(struct pp_canvas *canvas, const char *words)
@@ -243,11 +265,42 @@ const char *pp_canvas_imprint(const struct pp_canvas *canvas)
 
 enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *err)
 {
-    if (canvas->sheet.format != PP_CHART_PDF)
+    if (!pp_canvas_has_sheets(canvas))
         return pp_fail(err, PP_BAD_INPUT,
                        "an SVG or PNG file holds one sheet; several need PDF");
     cairo_show_page(canvas->cr);
+    canvas->page++;
     return PP_OK;
+}
+
+void pp_canvas_add_outline(struct pp_canvas *canvas, int level, const char *title,
+                           double y_mm)
+{
+    char place[64];
+    if (!pp_canvas_has_sheets(canvas) || level > OUTLINE_LEVELS)
+        return;
+    char *valid = g_utf8_make_valid(title, -1);
+    snprintf(place, sizeof place, "page=%d pos=[0 %.0f]", canvas->page,
+             y_mm * POINTS_PER_MM);
+    canvas->outlines[level] =
+        cairo_pdf_surface_add_outline(canvas->surface, canvas->outlines[level - 1],
+                                      valid, place, CAIRO_PDF_OUTLINE_FLAG_OPEN);
+    g_free(valid);
+}
+
+/* Where the matrix between the two is more than a shift by whole units, cairo (1.16) makes
+ * pixels of some drawings. */
+void pp_canvas_place(struct pp_canvas *canvas, const struct pp_canvas *drawing,
+                     double x_mm, double y_mm)
+{
+    cairo_t *cr = canvas->cr;
+    canvas->lacks_memory |= drawing->lacks_memory;
+    cairo_save(cr);
+    cairo_identity_matrix(cr);
+    cairo_translate(cr, rint(x_mm * POINTS_PER_MM), rint(y_mm * POINTS_PER_MM));
+    cairo_set_source_surface(cr, drawing->surface, 0.0, 0.0);
+    cairo_paint(cr);
+    cairo_restore(cr);
 }
 
 static enum pp_status take_file(struct pp_canvas *canvas, struct pp_error *err)
@@ -276,6 +329,9 @@ enum pp_status pp_canvas_finish(struct pp_canvas *canvas, const unsigned char **
 {
     if (canvas->lacks_memory)
         return pp_fail_memory(err);
+    if (canvas->sheet.to_place)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a drawing that is to be placed is no file by itself");
     if (!canvas->finished) {
         cairo_status_t status = cairo_status(canvas->cr);
         if (status == CAIRO_STATUS_SUCCESS && canvas->sheet.format == PP_CHART_PNG)

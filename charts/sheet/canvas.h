@@ -32,6 +32,8 @@ struct pp_sheet {
     const char *title;       /* UTF-8, not owned; NULL: "" */
     const char *description; /* likewise: what is to be seen, for who cannot see it */
     bool transparent;        /* PNG only: no white ground; of 128 MiB at most */
+    double width_mm, height_mm; /* instead of the paper's; 0: the paper's */
+    bool to_place;              /* no file of its own: for pp_canvas_place */
 };
 
 struct pp_canvas;
@@ -60,6 +62,17 @@ bool pp_canvas_has_sheets(const struct pp_canvas *canvas);
 
 /* A further sheet of the same size; of PDF only. */
 enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *err);
+
+/* A line in the PDF's list of contents, which leads to y_mm on this sheet; nothing in other
+ * formats. level: 1 for the first line, then at most one more than that of the line before. */
+void pp_canvas_add_outline(struct pp_canvas *canvas, int level, const char *title,
+                           double y_mm);
+
+/* Draws on a canvas of PDF or SVG what was drawn on another one, which is to be placed, at true
+ * scale and line by line as it was: its upper left corner at x_mm, y_mm, to the nearest
+ * point (1/72 inch). What reaches over its edges is cut off. */
+void pp_canvas_place(struct pp_canvas *canvas, const struct pp_canvas *drawing,
+                     double x_mm, double y_mm);
 
 /* Ends the drawing. Errors of all drawing done so far come out here. After it, *bytes
  * (the canvas's own, good until it is destroyed) is the whole file. */

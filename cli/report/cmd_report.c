@@ -1,5 +1,5 @@
 /* cmd_report.c - the command report: rooms, their drawings, figures and verdicts as one
- * page. */
+ * page of HTML, or as sheets of a PDF. */
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,92 +7,32 @@
 
 #include "config.h"
 
-#include "api/chart_kind.h"
-#include "api/chart_sheet.h"
+#include "api/cited_works.h"
+#include "charts/document/document_sheets.h"
 #include "cli/assess/assess_run.h"
 #include "cli/command.h"
+#include "cli/output.h"
+#include "cli/report/report_pictures.h"
 #include "model/base/text.h"
-#include "reports/page/site_page.h"
+#include "reports/page/document_html.h"
+#include "reports/page/site_report.h"
 
 #define PLACE(member) offsetof(struct pp_assess_words, member)
 
 static const char about[] =
-    "Writes a report of all rooms of a file as one page of HTML that needs nothing "
-    "else: "
-    "what is known of each room, its plan and section, daylight factors by hand with "
-    "their bands and traced with their standard errors, what they have to reach, and "
-    "what would help. Of a site existing and proposed also every window's sky and "
-    "every "
-    "room's lit area before and after. FILE is a room file; - is standard input.";
-
-/* The drawings of every room: contours in plan, factors along a section. */
-static const struct {
-    const char *kind, *title;
-} drawings[] = {{"plan", "Plan, with contours of the daylight factor by hand"},
-                {"section", "Daylight factors by hand along the room"}};
-
-enum { DRAWINGS = sizeof drawings / sizeof *drawings };
-
-/* The SVG of a room's chart; NULL in *svg where there is nothing to draw, such as the
- * plan of a room that no hand method covers. */
-static enum pp_status draw(char **svg, size_t *length, const char *name,
-                           const struct pp_study_room *room, struct pp_error *err)
-{
-    const struct pp_chart_kind *kind = pp_chart_kind_find(name);
-    const struct pp_chart_choice choice = {.board = {.sky = pp_sky_overcast()},
-                                           .availability = pp_year_options_default};
-    const struct pp_study_options options = PP_STUDY_OPTIONS_NONE;
-    const struct pp_sheet sheet = {.format = PP_CHART_SVG,
-                                   .paper = PP_PAPER_A5,
-                                   .title =
-                                       room->world->name ? room->world->name : name,
-                                   .description = kind->summary};
-    struct pp_study_room drawn = *room;
-    struct pp_canvas *canvas;
-    const unsigned char *bytes;
-    bool finished = true;
-    *svg = NULL;
-    enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
-    if (status != PP_OK)
-        return status;
-    /* A section may put points of its own in place of the room's. */
-    drawn.receivers =
-        malloc(((size_t)room->receiver_count + 1) * sizeof *room->receivers);
-    if (!drawn.receivers) {
-        pp_canvas_destroy(canvas);
-        return pp_fail_memory(err);
-    }
-    memcpy(drawn.receivers, room->receivers,
-           (size_t)room->receiver_count * sizeof *room->receivers);
-    status =
-        pp_chart_sheet_draw(kind, canvas, &drawn, &options, &choice, &finished, err);
-    if (status == PP_OK)
-        status = pp_canvas_finish(canvas, &bytes, length, err);
-    if (status == PP_OK && (*svg = malloc(*length + 1)) != NULL) {
-        memcpy(*svg, bytes, *length);
-        (*svg)[*length] = '\0';
-    } else if (status == PP_OK) {
-        status = pp_fail_memory(err);
-    }
-    free(drawn.receivers);
-    pp_canvas_destroy(canvas);
-    return status == PP_BAD_INPUT ? PP_OK : status;
-}
-
-static enum pp_status draw_all(struct pp_site_picture *pictures, int *count,
-                               const struct pp_rooms *rooms, struct pp_error *err)
-{
-    enum pp_status status = PP_OK;
-    for (int i = 0; i < rooms->count; i++)
-        for (int k = 0; k < DRAWINGS && status == PP_OK; k++) {
-            struct pp_site_picture *picture = &pictures[*count];
-            *picture = (struct pp_site_picture){.room = i, .title = drawings[k].title};
-            status = draw(&picture->svg, &picture->length, drawings[k].kind,
-                          &rooms->list[i], err);
-            *count += status == PP_OK && picture->svg;
-        }
-    return status;
-}
+    "Writes a report of all rooms of a file: to -o FILE.html one page of HTML that "
+    "needs "
+    "nothing else, to -o FILE.pdf sheets of A4. It holds what is known of each room, "
+    "its "
+    "plan and section, daylight factors by hand with their bands and traced with their "
+    "standard errors, what they have to reach, what would help, and how it was made. "
+    "Of "
+    "a site also its plan and elevations and, existing and proposed, every window's "
+    "sky "
+    "and every room's lit area before and after, which is drawn too; where a --for "
+    "that "
+    "judges sunlight asks for it, the sun's paths. FILE is a room file; - is standard "
+    "input.";
 
 /* The words that make the same report again. */
 static void say_words(char *text, size_t size, const struct pp_assess_run *run)
@@ -130,45 +70,98 @@ static void say_words(char *text, size_t size, const struct pp_assess_run *run)
     }
 }
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+/* By the ending of its name: is the report a PDF? */
+static bool is_pdf(const char *path)
 {
-    const struct pp_assess_run *run = data;
-    const struct pp_study_room *first = &run->rooms->list[0];
-    char made_by[1024] = "";
-    say_words(made_by, sizeof made_by, run);
-    const char *building = pp_building_name(first->building);
-    struct pp_site_page page = {.all = &run->all,
-                                .title = building             ? building
-                                         : first->world->name ? first->world->name
-                                                              : first->file,
-                                .made_by = made_by,
-                                .version = PACKAGE_VERSION};
-    struct pp_site_picture *pictures =
-        calloc((size_t)run->rooms->count * DRAWINGS + 1, sizeof *pictures);
-    if (!pictures)
+    const char *dot = path ? strrchr(path, '.') : NULL;
+    return dot && strcasecmp(dot, ".pdf") == 0;
+}
+
+static enum pp_status print_html(const struct pp_document *document, const char *title,
+                                 const struct pp_report_pictures *pictures, FILE *out,
+                                 struct pp_error *err)
+{
+    struct pp_svg_picture *svgs = calloc((size_t)pictures->count + 1, sizeof *svgs);
+    if (!svgs)
         return pp_fail_memory(err);
-    enum pp_status status = draw_all(pictures, &page.picture_count, run->rooms, err);
-    page.pictures = pictures;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < pictures->count && status == PP_OK; i++) {
+        const unsigned char *bytes;
+        status = pp_canvas_finish(pictures->canvases[i], &bytes, &svgs[i].length, err);
+        svgs[i].bytes = (const char *)bytes;
+    }
     if (status == PP_OK)
-        status = pp_site_page(&page, out, err);
-    for (int i = 0; i < page.picture_count; i++)
-        free(pictures[i].svg);
-    free(pictures);
+        pp_document_html(document, title, svgs, out);
+    free(svgs);
     return status;
 }
 
-/* A name that asks for another format than the one there is. */
+static enum pp_status print_pdf(const struct pp_document *document, const char *title,
+                                const struct pp_report_pictures *pictures, FILE *out,
+                                struct pp_error *err)
+{
+    const struct pp_sheet sheet = {.format = PP_CHART_PDF,
+                                   .paper = PP_PAPER_A4,
+                                   .title = title,
+                                   .description = "Daylight of rooms"};
+    struct pp_canvas *canvas;
+    enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
+    if (status != PP_OK)
+        return status;
+    status = pp_document_sheets_draw(canvas, document, title, pictures->canvases, err);
+    if (status == PP_OK)
+        status = pp_canvas_write(canvas, pp_output_put, out, err);
+    pp_canvas_destroy(canvas);
+    return status;
+}
+
+static const char *title_of(const struct pp_study_room *first)
+{
+    const char *building = pp_building_name(first->building);
+    return building ? building : first->world->name ? first->world->name : first->file;
+}
+
+static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+{
+    const struct pp_assess_run *run = data;
+    const char *title = title_of(&run->rooms->list[0]);
+    char made_by[1024] = "";
+    bool pdf = is_pdf(run->words->room.output);
+    struct pp_report_pictures pictures;
+    struct pp_document document = {0};
+    say_words(made_by, sizeof made_by, run);
+    enum pp_status status = pp_report_pictures_draw(&pictures, run, pdf, err);
+    const struct pp_site_report report = {.all = &run->all,
+                                          .title = title,
+                                          .made_by = made_by,
+                                          .version = PACKAGE_VERSION,
+                                          .pictures = pictures.list,
+                                          .picture_count = pictures.count,
+                                          .work_of = pp_cited_works_find};
+    if (status == PP_OK)
+        status = pp_site_report(&document, &report, err);
+    if (status == PP_OK)
+        status = (pdf ? print_pdf : print_html)(&document, title, &pictures, out, err);
+    pp_document_clear(&document);
+    pp_report_pictures_clear(&pictures);
+    return status;
+}
+
+/* A name whose ending asks for another format than those there are. */
 static enum pp_status check(void *values, char **files, int file_count,
                             struct pp_error *err)
 {
     const struct pp_assess_words *words = values;
-    const char *path = words->room.output, *dot = path ? strrchr(path, '.') : NULL;
-    if (dot
-        && (strcasecmp(dot, ".pdf") == 0 || strcasecmp(dot, ".svg") == 0
-            || strcasecmp(dot, ".png") == 0))
+    const char *path = words->room.output, *slash = path ? strrchr(path, '/') : NULL;
+    const char *name = slash ? slash + 1 : path,
+               *dot = name ? strrchr(name, '.') : NULL;
+    if (dot && !is_pdf(name) && strcasecmp(dot, ".html") != 0
+        && strcasecmp(dot, ".htm") != 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--output: a report is a page of HTML, which browsers print to "
-                       "PDF; expected a name such as report.html");
+                       "--output: a report is a page of HTML or a PDF; expected a name "
+                       "such as report.html or report.pdf, not one that ends in "
+                       "\"%.20s\"",
+                       dot);
     return pp_assess_words_check(values, files, file_count, err);
 }
 
@@ -186,7 +179,7 @@ static const struct pp_option_group groups[] = {
 
 const struct pp_command pp_command_report = {
     .name = "report",
-    .summary = "all of it as one page: drawings, figures, verdicts",
+    .summary = "all of it as a page or PDF: drawings, figures, verdicts",
     .operands = "FILE...",
     .about = about,
     .groups = groups,

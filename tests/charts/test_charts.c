@@ -70,7 +70,11 @@ static char *finish(struct pp_canvas *canvas, size_t *length)
 static struct pp_canvas *canvas_of(enum pp_chart_format format, enum pp_paper paper,
                                    bool landscape)
 {
-    struct pp_sheet sheet = {format, paper, landscape, 0.0, "Test", "A test", false};
+    struct pp_sheet sheet = {.format = format,
+                             .paper = paper,
+                             .landscape = landscape,
+                             .title = "Test",
+                             .description = "A test"};
     struct pp_canvas *canvas;
     assert_int_equal(pp_canvas_create(&canvas, &sheet, 0), PP_OK);
     return canvas;

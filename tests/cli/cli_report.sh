@@ -1,5 +1,5 @@
 #!/bin/sh
-# report: a page that needs nothing else, with all rooms of a site.
+# report: a page that needs nothing else, or sheets of a PDF, with all rooms of a site.
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 LC_ALL=C
@@ -17,14 +17,20 @@ check "that needs no network" nothing \
 for room in "Living room" Study Workroom Bedroom Bathroom; do
     check "with the $room" grep -q "<h2>$room</h2>" "$page"
 done
-check "two drawings a room" test "$(grep -c '<figure><svg' "$page")" -eq 10
+# Two of the site, of each room plan, section and the plan before and now, and the sun's
+# paths for the one room of whose windows sunlight is judged.
+check "with all its drawings" test "$(grep -c '<figure><svg' "$page")" -eq 18
+check "the sun's paths where its hours are judged" \
+    test "$(grep -c '<figcaption>Sun paths' "$page")" -eq 1
+check "what is lit, now and before, of each room" \
+    test "$(grep -c '<figcaption>What sees sky, now and before' "$page")" -eq 5
 check "whose ids are all different" nothing \
     "$(grep -oE ' id="[^"]*"' "$page" | sort | uniq -d | head -n 3)"
 check "the sky before and after" grep -q "W3, south, line 29</td><td>27.08</td><td>17.21</td>" "$page"
 check "what the country asks" grep -q "kitchen: 200 lx over 50 %" "$page"
 check "how it was made" grep -qF "pepperpot report --for uk-planning --by-hand $site" "$page"
-check "the same again" sh -c "
-    '$pepperpot' report --by-hand --for uk-planning '$site' | cmp - '$page'"
+check "what the methods' figures contain" grep -q "bre</td>.*\[BRE310\]</td>.*>clear single glass and the frame<" "$page"
+check "and the works that it names" grep -q "\[BR209\]</td><td class=\"w\">Littlefair" "$page"
 check "simulated, with standard errors" \
     gives report --error 5% --room Bedroom -j 1 "$site"
 check "by one thread or two the same" sh -c "
@@ -34,13 +40,67 @@ check "traced stands beside methods by hand" grep -q "traced</td><td>[0-9.]*</td
 check "what would help" grep -q "What would help" "$scratch/out"
 
 sed 's/Corner house/House \&lt;b\&gt; \&amp; co/' "$site" >"$scratch/name.xml"
-check "names are text" shows '<h1>House &lt;b&gt; &amp; ' report --by-hand -c vsc "$scratch/name.xml"
+check "names are text" shows '<h1>House &lt;b&gt; &amp; ' report --by-hand -c vsc --room Bathroom \
+    "$scratch/name.xml"
 check "a room by itself" shows "<h1>Deep office</h1>" report --by-hand "$deep"
 cat >"$scratch/cellar.xml" <<'EOF'
 <room version="1" name="Cellar"><plan width="3" depth="4" height="2.2"/></room>
 EOF
 check "a file without windows" shows "<h1>Cellar</h1>" report --by-hand "$scratch/cellar.xml"
-check "a PDF comes of the browser" refuses 2 "page of HTML" report "$deep" -o "$scratch/r.pdf"
+check "with its plan and section, and none of a site" \
+    test "$(grep -o '<figcaption>[A-Za-z]*' "$scratch/out" | tr '\n' ' ')" = \
+    "<figcaption>Plan <figcaption>Section "
+check "a picture is no report" refuses 2 "expected a name such as report.html or report.pdf" \
+    report "$deep" -o "$scratch/r.svg"
+check "nor is what some other program writes" refuses 2 'not one that ends in ".docx"' \
+    report "$deep" -o "$scratch/r.docx"
+check "a name without an ending is a page" sh -c "
+    '$pepperpot' report --by-hand -c vsc '$deep' -o '$scratch/r' && grep -q '^<h1>' '$scratch/r'"
+
+# ---- as PDF ----
+
+cat >"$scratch/pair.xml" <<'EOF'
+<building version="1" name="Mews &amp; yard">
+  <site latitude="51.5" longitude="-0.1" country="GB"/>
+  <block name="Wall" state="proposed" x="-3" y="-9" width="14" depth="2" height="7"/>
+  <room name="Parlour" use="living-room" x="0" y="0">
+    <plan width="3.3" depth="3.7" height="2.5"/>
+    <window wall="south" left="0.4" sill="0.8" width="1.9" height="1.3"/>
+  </room>
+  <room name="Scullery" use="kitchen" x="3.6" y="0">
+    <plan width="2.3" depth="2.9" height="2.5"/>
+    <window wall="south" left="0.4" sill="0.9" width="1.1" height="1.2"/>
+  </room>
+</building>
+EOF
+pdf=$scratch/pair.pdf
+check "a site as PDF" quietly report --by-hand --for uk-planning "$scratch/pair.xml" -o "$pdf"
+check_words "of which every sheet is numbered, with the name of the site" "$pdf" "page 1 of 9" \
+    "page 9 of 9" "Mews & yard"
+check_words "every room has its chapter" "$pdf" "^Parlour$" "^Scullery$"
+check_words "verdicts and what they are held against" "$pdf" "4 met, 8 not met of 2 rooms" \
+    "^What it has to reach$" "not met" "Sunlight hours \[BR209\]" "≥ 27 %"
+check_words "inputs and what is assumed" "$pdf" "floor 0.2, walls 0.5, ceiling 0.7" \
+    "frame factor 1, maintenance 1"
+check_words "figures by hand, with their bands" "$pdf" "^95 % band$" "exact+bre"
+check_words "drawings of the site and its rooms" "$pdf" "^Site plan, with" "^South elevation" \
+    "^Daylight factor by exact+bre on the working plane" "^Daylight factor against distance" \
+    "before and now$" "^Sun paths at 51.5"
+check_words "how it was made" "$pdf" "report --for uk-planning --by-hand .*pair.xml" \
+    "clear single glass and the frame" "^\[BR209\]$"
+if command -v pdfimages >/dev/null; then
+    check "the drawings are lines" nothing "$(pdfimages -list "$pdf" | sed 1,2d)"
+else
+    skip "the drawings are lines" "no pdfimages"
+fi
+check "the same again" sh -c "
+    '$pepperpot' report --by-hand --for uk-planning '$scratch/pair.xml' -o '$scratch/again.pdf' &&
+        cmp '$pdf' '$scratch/again.pdf'"
+check "simulated as PDF" quietly report --error 5% -c average "$scratch/pair.xml" --room Scullery \
+    --quiet -o "$scratch/traced.pdf"
+check_words "with standard errors and the seed" "$scratch/traced.pdf" "^± standard error$" \
+    "^traced$" "seed 1"
+
 check "a file is needed" refuses 2 "expected a room file" report
 check "a wrong room leaves no page" sh -c "
     echo '<room version=\"1\"/>' >'$scratch/wrong.xml'

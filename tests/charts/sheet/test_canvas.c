@@ -2,19 +2,22 @@
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 #include "charts/sheet/canvas.h"
 #include "charts/sheet/page.h"
 #include "tests/lib/near.h"
+#include "tests/lib/through.h"
 
 static const char title[] = "Caf\xc3\xa9 <north> & \"south\"";
 
 static struct pp_canvas *canvas_of(enum pp_chart_format format, enum pp_paper paper,
                                    bool landscape)
 {
-    struct pp_sheet sheet = {format,           paper, landscape, 0.0, title,
-                             "A rule & words", false};
+    struct pp_sheet sheet = {.format = format,
+                             .paper = paper,
+                             .landscape = landscape,
+                             .title = title,
+                             .description = "A rule & words"};
     struct pp_canvas *canvas;
     struct pp_error err;
     if (pp_canvas_create(&canvas, &sheet, &err) != PP_OK)
@@ -59,29 +62,6 @@ static char *drawn(enum pp_chart_format format, size_t *length)
     char *file = file_of(canvas, length);
     pp_canvas_destroy(canvas);
     return file;
-}
-
-/* What a command prints of our file; NULL where there is no such command. */
-static char *through(const char *command, const char *file, size_t length)
-{
-    char probe[256], name[] = "test_canvas.XXXXXX", line[512];
-    snprintf(probe, sizeof probe, "command -v %.*s >/dev/null",
-             (int)strcspn(command, " "), command);
-    if (system(probe) != 0)
-        return 0;
-    int fd = mkstemp(name);
-    assert_true(fd >= 0);
-    assert_int_equal(write(fd, file, length), (ssize_t)length);
-    close(fd);
-    snprintf(line, sizeof line, command, name);
-    FILE *pipe = popen(line, "r");
-    assert_non_null(pipe);
-    char *text = calloc(1, 1 << 20);
-    size_t got = fread(text, 1, (1 << 20) - 1, pipe);
-    text[got] = 0;
-    pclose(pipe);
-    unlink(name);
-    return text;
 }
 
 static void svg_is_in_millimetres_and_a_rule_is_100_mm_long(void **state)
@@ -329,7 +309,7 @@ static void names_of_files_and_papers_are_understood_or_refused(void **state)
     assert_int_equal(paper, PP_PAPER_A3);
     assert_int_equal(pp_canvas_paper_of(&paper, "letter", &err), PP_BAD_INPUT);
 
-    struct pp_sheet sheet = {PP_CHART_PNG, PP_PAPER_A4, false, 3.0, 0, 0, false};
+    struct pp_sheet sheet = {.format = PP_CHART_PNG, .dpi = 3.0};
     struct pp_canvas *canvas;
     assert_int_equal(pp_canvas_create(&canvas, &sheet, &err), PP_BAD_INPUT);
     assert_null(canvas);
@@ -354,6 +334,106 @@ static void only_pdf_has_several_sheets(void **state)
     pp_canvas_destroy(canvas);
 }
 
+/* A drawing of its own size that is to be placed: a rule of 100 mm from (20, 30) on, a clip
+ * in which an upright line begins at the edge, and one that reaches beyond the sheet. */
+static struct pp_canvas *canvas_to_place(void)
+{
+    const struct pp_sheet sheet = {
+        .width_mm = 131.7, .height_mm = 77.3, .to_place = true};
+    struct pp_canvas *canvas;
+    assert_int_equal(pp_canvas_create(&canvas, &sheet, NULL), PP_OK);
+    assert_near(pp_canvas_width_mm(canvas), 131.7, 0.0);
+    draw_rule(canvas);
+    cairo_t *cr = pp_canvas_cairo(canvas);
+    cairo_save(cr);
+    cairo_rectangle(cr, 51, 33.820836541727331, 66, 37);
+    cairo_clip(cr);
+    cairo_move_to(cr, 105, 33.820836541727331);
+    cairo_line_to(cr, 105, 42.820836541727331);
+    cairo_line_to(cr, 105, 42.820836541727331);
+    cairo_close_path(cr);
+    cairo_stroke(cr);
+    cairo_restore(cr);
+    cairo_move_to(cr, 100, 60);
+    cairo_line_to(cr, 300, 60);
+    cairo_stroke(cr);
+    return canvas;
+}
+
+static void a_placed_drawing_keeps_its_scale_and_stays_lines(void **state)
+{
+    (void)state;
+    struct pp_canvas *drawing = canvas_to_place();
+    struct pp_canvas *sheet = canvas_of(PP_CHART_PDF, PP_PAPER_A4, false);
+    size_t length;
+    pp_canvas_place(sheet, drawing, 13.37, 101.9);
+    pp_canvas_place(sheet, drawing, 13.37, 187.1);
+    char *pdf = file_of(sheet, &length);
+    assert_null(memmem(pdf, length, "/Subtype /Image", 15));
+    pp_canvas_destroy(sheet);
+    pp_canvas_destroy(drawing);
+    char *svg = through("pdftocairo -svg -noshrink -origpagesizes %s - 2>/dev/null",
+                        pdf, length);
+    char *text = through("pdftotext %s - 2>/dev/null", pdf, length);
+    free(pdf);
+    if (!svg || !text)
+        skip();
+    /* Rules of 100 mm, the placement to the nearest point, and words that are words. */
+    int rules = 0;
+    for (const char *at = svg; (at = strstr(at, " d=\"M ")) != NULL; at++) {
+        double x0, y0, x1, y1, scale = 1.0, zero;
+        const char *matrix = strstr(at, "matrix(");
+        if (sscanf(at + 6, "%lf %lf L %lf %lf", &x0, &y0, &x1, &y1) != 4)
+            continue;
+        if (matrix && matrix < strchr(at, '>'))
+            assert_int_equal(sscanf(matrix, "matrix(%lf%*c%lf", &scale, &zero), 2);
+        rules += fabs((x1 - x0) * scale / 72.0 * 25.4 - 100.0) < 0.1;
+    }
+    assert_int_equal(rules, 2);
+    assert_non_null(strstr(text, "Working plane"));
+    assert_non_null(strstr(strstr(text, "Working plane") + 1, "Working plane"));
+    free(text);
+    free(svg);
+}
+
+static void a_drawing_to_be_placed_is_no_file(void **state)
+{
+    (void)state;
+    struct pp_canvas *drawing = canvas_to_place();
+    const unsigned char *bytes;
+    size_t length;
+    struct pp_error err;
+    assert_false(pp_canvas_has_sheets(drawing));
+    assert_int_equal(pp_canvas_next_sheet(drawing, &err), PP_BAD_INPUT);
+    assert_int_equal(pp_canvas_finish(drawing, &bytes, &length, &err), PP_BAD_INPUT);
+    assert_non_null(strstr(err.message, "placed"));
+
+    /* Nor is what lacks a part made whole by being placed. */
+    struct pp_canvas *sheet = canvas_of(PP_CHART_PDF, PP_PAPER_A4, false);
+    pp_canvas_lacks_memory(pp_canvas_cairo(drawing));
+    pp_canvas_place(sheet, drawing, 0.0, 0.0);
+    assert_int_equal(pp_canvas_finish(sheet, &bytes, &length, &err), PP_SYSTEM);
+    pp_canvas_destroy(sheet);
+    pp_canvas_destroy(drawing);
+}
+
+static void a_pdf_lists_its_contents(void **state)
+{
+    (void)state;
+    struct pp_canvas *canvas = canvas_of(PP_CHART_PDF, PP_PAPER_A4, false);
+    size_t length;
+    draw_rule(canvas);
+    pp_canvas_add_outline(canvas, 1, "Whole", 20.0);
+    assert_int_equal(pp_canvas_next_sheet(canvas, NULL), PP_OK);
+    draw_rule(canvas);
+    pp_canvas_add_outline(canvas, 2, "Part", 20.0);
+    char *pdf = file_of(canvas, &length);
+    assert_non_null(memmem(pdf, length, "/Title (Whole)", 14));
+    assert_non_null(memmem(pdf, length, "/Title (Part)", 13));
+    free(pdf);
+    pp_canvas_destroy(canvas);
+}
+
 int main(void)
 {
     static const struct CMUnitTest tests[] = {
@@ -369,6 +449,9 @@ int main(void)
         cmocka_unit_test(a_drawing_gone_wrong_is_not_written),
         cmocka_unit_test(names_of_files_and_papers_are_understood_or_refused),
         cmocka_unit_test(only_pdf_has_several_sheets),
+        cmocka_unit_test(a_placed_drawing_keeps_its_scale_and_stays_lines),
+        cmocka_unit_test(a_drawing_to_be_placed_is_no_file),
+        cmocka_unit_test(a_pdf_lists_its_contents),
     };
     return cmocka_run_group_tests_name("canvas", tests, 0, 0);
 }

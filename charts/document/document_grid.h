@@ -1,0 +1,37 @@
+/* document_grid.h - a table of a document on paper: how wide its columns are, and its rows one
+ * by one. Inside charts/document/ only. */
+#ifndef PP_CHARTS_DOCUMENT_DOCUMENT_GRID_H
+#define PP_CHARTS_DOCUMENT_DOCUMENT_GRID_H
+
+#include "charts/sheet/lettering.h"
+#include "model/results/document.h"
+
+enum { PP_GRID_COLUMNS = 16 }; /* at most; others are left out */
+
+struct pp_document_grid {
+    cairo_t *cr;
+    const struct pp_style *style;
+    const struct pp_document_table *table;
+    int column_count;
+    double x, width, gap;           /* gap: between columns (mm) */
+    double widths[PP_GRID_COLUMNS]; /* of the columns, without it */
+};
+
+/* Lays the table out from x on, `width` wide (mm): numbers and labels take what they need,
+ * words share the rest, in which they are broken into lines. Columns are as wide on all
+ * sheets. */
+struct pp_document_grid pp_document_grid_lay(cairo_t *cr, const struct pp_style *style,
+                                             const struct pp_document_table *table,
+                                             double x, double width);
+
+/* The head, 0 high where there is none, or a row, with the rule below it, from y down, if it
+ * is to be drawn. The height (mm). */
+double pp_document_grid_head(const struct pp_document_grid *grid, double y, bool drawn);
+double pp_document_grid_row(const struct pp_document_grid *grid, int row, double y,
+                            bool drawn);
+
+/* The height that has to be left on a sheet for a row to be put there: a group's title and
+ * its remarks stay with the first row of the group. */
+double pp_document_grid_unit(const struct pp_document_grid *grid, int row);
+
+#endif

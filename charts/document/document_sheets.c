@@ -1,0 +1,304 @@
+/* document_sheets.c - see document_sheets.h. The document is gone through twice: once to count
+ * the sheets, and once to draw them. */
+#include "charts/document/document_sheets.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "charts/document/document_grid.h"
+#include "charts/sheet/page.h"
+
+/* Type is a little larger than on a chart, as it is read: that of a sheet so wide (mm). */
+static const double type_of_mm = 240.0;
+
+/* Left, right and top of sheets; at their foot, with its line (mm). */
+static const double margin_mm = 16.0, foot_mm = 18.0;
+
+/* A chapter begins a new sheet where less of one is left than this. */
+static const double chapter_share = 0.6;
+
+/* Lines of a text of people's: a name, a command line. */
+enum { LINES_MOST = 12 };
+
+struct sheet_setter {
+    struct pp_canvas *canvas;
+    cairo_t *cr;
+    struct pp_style style;
+    const struct pp_document *document;
+    const char *name;
+    struct pp_canvas *const *pictures;
+    struct pp_box body;
+    double y;         /* where the next block goes */
+    int sheet, count; /* sheet: from 1; count: 0 before they are known */
+    bool drawn;       /* else they are only counted */
+    enum pp_status status;
+    struct pp_error *err;
+};
+
+struct pp_sheet pp_document_sheets_picture(void)
+{
+    const double a4_mm = 210.0, own_margin_mm = 10.0;
+    return (struct pp_sheet){.width_mm = a4_mm - 2.0 * (margin_mm - own_margin_mm),
+                             .height_mm = 146.0};
+}
+
+/* ---- sheets ---- */
+
+static void put_foot(struct sheet_setter *setter)
+{
+    const struct pp_box *body = &setter->body;
+    struct pp_lettering set = {.size = PP_TEXT_SMALL,
+                               .grey = PP_GREY_TEXT,
+                               .width = 0.75 * body->width,
+                               .lines = 1};
+    double y = body->y + body->height + 4.0;
+    char words[64];
+    pp_style_line(setter->cr, setter->style.hair, PP_GREY_LINE);
+    cairo_move_to(setter->cr, body->x, y - 1.0);
+    cairo_line_to(setter->cr, body->x + body->width, y - 1.0);
+    cairo_stroke(setter->cr);
+    pp_lettering_draw(setter->cr, &setter->style, &set, body->x, y, setter->name);
+    set.across = 1.0;
+    snprintf(words, sizeof words, "page %d of %d", setter->sheet, setter->count);
+    pp_lettering_draw(setter->cr, &setter->style, &set, body->x + body->width, y,
+                      words);
+}
+
+static void begin_sheet(struct sheet_setter *setter)
+{
+    if (setter->drawn && setter->sheet > 0)
+        setter->status = pp_canvas_next_sheet(setter->canvas, setter->err);
+    setter->sheet++;
+    setter->y = setter->body.y;
+    if (setter->drawn && setter->status == PP_OK)
+        put_foot(setter);
+}
+
+static bool at_top(const struct sheet_setter *setter)
+{
+    return setter->y <= setter->body.y + 1e-9;
+}
+
+static double left_on_sheet(const struct sheet_setter *setter)
+{
+    return setter->body.y + setter->body.height - setter->y;
+}
+
+/* A new sheet, unless that height is left on this one. */
+static void need(struct sheet_setter *setter, double height)
+{
+    if (height > left_on_sheet(setter) && !at_top(setter))
+        begin_sheet(setter);
+}
+
+/* ---- blocks: what each takes, with the space above it ---- */
+
+static double gap(const struct sheet_setter *setter, double mm)
+{
+    return at_top(setter) ? 0.0 : mm * setter->style.scale;
+}
+
+/* Words from the body's left edge and `in` on; their height. */
+static double put(struct sheet_setter *setter, struct pp_lettering set, double in,
+                  double y, const char *words, bool drawn)
+{
+    set.width = setter->body.width - 2.0 * in;
+    set.lines = LINES_MOST;
+    return (drawn && setter->drawn ? pp_lettering_draw : pp_lettering_measure)(
+               setter->cr, &setter->style, &set, setter->body.x + in, y, words)
+        .height;
+}
+
+static struct pp_lettering heading_set(int level)
+{
+    return (struct pp_lettering){.size = level < 3 ? PP_TEXT_TITLE : PP_TEXT_HEAD,
+                                 .bold = true};
+}
+
+static struct pp_lettering paragraph_set(enum pp_tone tone)
+{
+    bool back = tone == PP_TONE_SOFT;
+    return (struct pp_lettering){.size = tone == PP_TONE_VERDICT ? PP_TEXT_HEAD
+                                         : back                  ? PP_TEXT_SMALL
+                                                                 : PP_TEXT_BODY,
+                                 .bold = tone == PP_TONE_BAD,
+                                 .grey = back ? PP_GREY_TEXT : PP_INK};
+}
+
+/* Of a verdict, round its words. */
+static double inset(const struct sheet_setter *setter, enum pp_tone tone)
+{
+    return tone == PP_TONE_VERDICT ? 2.5 * setter->style.scale : 0.0;
+}
+
+static double paragraph_height(struct sheet_setter *setter,
+                               const struct pp_document_block *block)
+{
+    double in = inset(setter, block->tone);
+    return 2.0 * in
+           + put(setter, paragraph_set(block->tone), in, 0.0, block->text, false);
+}
+
+/* A picture's own margin is not counted: nothing is in it. */
+static double picture_margin(const struct pp_canvas *picture)
+{
+    return pp_page_style(picture).margin;
+}
+
+static double picture_height(const struct sheet_setter *setter,
+                             const struct pp_document_block *block)
+{
+    const struct pp_canvas *picture = setter->pictures[block->picture];
+    return pp_canvas_height_mm(picture) - 2.0 * picture_margin(picture);
+}
+
+static struct pp_document_grid grid_of(const struct sheet_setter *setter,
+                                       const struct pp_document_block *block)
+{
+    return pp_document_grid_lay(setter->cr, &setter->style, &block->table,
+                                setter->body.x, setter->body.width);
+}
+
+static double table_least(const struct sheet_setter *setter,
+                          const struct pp_document_block *block)
+{
+    struct pp_document_grid grid = grid_of(setter, block);
+    return pp_document_grid_head(&grid, 0.0, false) + pp_document_grid_unit(&grid, 0);
+}
+
+/* The height that has to be left for that block to begin: a heading stays with what
+ * follows it, and so does a paragraph with its table. */
+static double least(struct sheet_setter *setter, int index)
+{
+    double height = 0.0;
+    for (; index < setter->document->block_count; index++) {
+        const struct pp_document_block *block = &setter->document->blocks[index],
+                                       *next = block + 1;
+        switch (block->kind) {
+        case PP_BLOCK_HEADING:
+            height +=
+                6.0 * setter->style.scale
+                + put(setter, heading_set(block->level), 0.0, 0.0, block->text, false);
+            break;
+        case PP_BLOCK_PARAGRAPH:
+            height += 2.0 * setter->style.scale + paragraph_height(setter, block);
+            if (index + 1 == setter->document->block_count
+                || next->kind != PP_BLOCK_TABLE)
+                return height;
+            break;
+        case PP_BLOCK_TABLE:
+            return height + table_least(setter, block);
+        case PP_BLOCK_PICTURE:
+            return height + picture_height(setter, block);
+        }
+    }
+    return height;
+}
+
+static void put_heading(struct sheet_setter *setter, int index)
+{
+    const struct pp_document_block *block = &setter->document->blocks[index];
+    bool chapter = block->level == 2;
+    if (chapter && !at_top(setter)
+        && left_on_sheet(setter) < chapter_share * setter->body.height)
+        begin_sheet(setter);
+    need(setter, least(setter, index));
+    setter->y += gap(setter, chapter ? 6.0 : 4.0);
+    if (setter->drawn && block->level < 3)
+        pp_canvas_add_outline(setter->canvas, block->level, block->text, setter->y);
+    setter->y +=
+        put(setter, heading_set(block->level), 0.0, setter->y, block->text, true)
+        + 1.0 * setter->style.scale;
+}
+
+/* A verdict stands in a box with a bar before it. */
+static void draw_box(struct sheet_setter *setter, double height)
+{
+    cairo_t *cr = setter->cr;
+    pp_style_grey(cr, PP_GREY_FILL);
+    cairo_rectangle(cr, setter->body.x, setter->y, setter->body.width, height);
+    cairo_fill(cr);
+    pp_style_grey(cr, PP_INK);
+    cairo_rectangle(cr, setter->body.x, setter->y, 1.0, height);
+    cairo_fill(cr);
+}
+
+static void put_paragraph(struct sheet_setter *setter, int index)
+{
+    const struct pp_document_block *block = &setter->document->blocks[index];
+    double height = paragraph_height(setter, block), in = inset(setter, block->tone);
+    need(setter, least(setter, index));
+    setter->y += gap(setter, 1.5);
+    if (setter->drawn && in > 0.0)
+        draw_box(setter, height);
+    put(setter, paragraph_set(block->tone), in, setter->y + in, block->text, true);
+    setter->y += height + 0.5 * setter->style.scale;
+}
+
+static void put_table(struct sheet_setter *setter, int index)
+{
+    struct pp_document_grid grid = grid_of(setter, &setter->document->blocks[index]);
+    need(setter, table_least(setter, &setter->document->blocks[index]));
+    setter->y += gap(setter, 1.0);
+    setter->y += pp_document_grid_head(&grid, setter->y, setter->drawn);
+    for (int i = 0; i < grid.table->row_count && setter->status == PP_OK; i++) {
+        int sheet = setter->sheet;
+        need(setter, pp_document_grid_unit(&grid, i));
+        if (setter->sheet != sheet)
+            setter->y += pp_document_grid_head(&grid, setter->y, setter->drawn);
+        setter->y += pp_document_grid_row(&grid, i, setter->y, setter->drawn);
+    }
+}
+
+static void put_picture(struct sheet_setter *setter, int index)
+{
+    const struct pp_document_block *block = &setter->document->blocks[index];
+    const struct pp_canvas *picture = setter->pictures[block->picture];
+    double height = picture_height(setter, block), space = gap(setter, 4.0);
+    need(setter, space + height);
+    setter->y += gap(setter, 4.0);
+    if (setter->drawn)
+        pp_canvas_place(setter->canvas, picture,
+                        setter->body.x
+                            + 0.5 * (setter->body.width - pp_canvas_width_mm(picture)),
+                        setter->y - picture_margin(picture));
+    setter->y += height;
+}
+
+static void put_all(struct sheet_setter *setter)
+{
+    static void (*const put_block[])(struct sheet_setter *, int) = {
+        [PP_BLOCK_HEADING] = put_heading,
+        [PP_BLOCK_PARAGRAPH] = put_paragraph,
+        [PP_BLOCK_TABLE] = put_table,
+        [PP_BLOCK_PICTURE] = put_picture,
+    };
+    begin_sheet(setter);
+    for (int i = 0; i < setter->document->block_count && setter->status == PP_OK; i++)
+        put_block[setter->document->blocks[i].kind](setter, i);
+}
+
+enum pp_status pp_document_sheets_draw(struct pp_canvas *canvas,
+                                       const struct pp_document *document,
+                                       const char *name,
+                                       struct pp_canvas *const *pictures,
+                                       struct pp_error *err)
+{
+    const struct sheet_setter fresh = {
+        .canvas = canvas,
+        .cr = pp_canvas_cairo(canvas),
+        .style = pp_style_for(type_of_mm),
+        .document = document,
+        .name = name,
+        .pictures = pictures,
+        .body = {margin_mm, margin_mm, pp_canvas_width_mm(canvas) - 2.0 * margin_mm,
+                 pp_canvas_height_mm(canvas) - margin_mm - foot_mm},
+        .err = err};
+    struct sheet_setter counting = fresh, drawing = fresh;
+    put_all(&counting);
+    drawing.drawn = true;
+    drawing.count = counting.sheet;
+    put_all(&drawing);
+    return drawing.status;
+}

@@ -1,0 +1,214 @@
+/* report_pictures.c - see report_pictures.h. */
+#include "cli/report/report_pictures.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "api/chart_kind.h"
+#include "charts/document/document_sheets.h"
+#include "model/base/array.h"
+
+struct drawing_task {
+    struct pp_report_pictures *pictures;
+    const struct pp_assess_run *run;
+    bool to_place;
+    const struct pp_study_room **before; /* of each room; NULL: none */
+};
+
+/* ---- one picture ---- */
+
+/* A chart of a room, or of a site that begins with it; NULL in *canvas where there is
+ * nothing to draw. */
+static enum pp_status draw_chart(struct pp_canvas **canvas, const char *name,
+                                 const struct pp_study_room *room,
+                                 const struct pp_chart_choice *choice, bool to_place,
+                                 struct pp_error *err)
+{
+    const struct pp_chart_kind *kind = pp_chart_kind_find(name);
+    const struct pp_study_options options = PP_STUDY_OPTIONS_NONE;
+    struct pp_sheet sheet = pp_document_sheets_picture();
+    sheet.format = PP_CHART_SVG;
+    sheet.to_place = to_place;
+    sheet.title = room->world->name ? room->world->name : name;
+    sheet.description = kind->summary;
+    struct pp_study_room drawn = *room;
+    bool finished = true;
+    enum pp_status status = pp_canvas_create(canvas, &sheet, err);
+    if (status != PP_OK)
+        return status;
+    /* A section may put points of its own in place of the room's. */
+    drawn.receivers =
+        malloc(((size_t)room->receiver_count + 1) * sizeof *room->receivers);
+    if (drawn.receivers) {
+        memcpy(drawn.receivers, room->receivers,
+               (size_t)room->receiver_count * sizeof *room->receivers);
+        status = kind->draw(*canvas, &drawn, &options, choice, &finished, err);
+    } else {
+        status = pp_fail_memory(err);
+    }
+    free(drawn.receivers);
+    if (status != PP_OK) {
+        pp_canvas_destroy(*canvas);
+        *canvas = NULL;
+    }
+    return status == PP_BAD_INPUT ? PP_OK : status;
+}
+
+static enum pp_status grow(struct pp_report_pictures *pictures, struct pp_error *err)
+{
+    enum pp_status status =
+        pp_array_append(&pictures->list, pictures->count, sizeof *pictures->list, err);
+    return status == PP_OK ? pp_array_append(&pictures->canvases, pictures->count,
+                                             sizeof *pictures->canvases, err)
+                           : status;
+}
+
+/* room: whose the picture is; PP_SITE_WHOLE. The chart is of `choice`, beginning with room
+ * `first`. */
+static enum pp_status add(struct drawing_task *task, int room, int first,
+                          const char *kind, const char *title,
+                          struct pp_chart_choice choice, struct pp_error *err)
+{
+    struct pp_report_pictures *pictures = task->pictures;
+    struct pp_canvas *canvas;
+    choice.board.sky = pp_sky_overcast();
+    choice.availability = pp_year_options_default;
+    enum pp_status status = grow(pictures, err);
+    if (status == PP_OK)
+        status = draw_chart(&canvas, kind, &task->run->rooms->list[first], &choice,
+                            task->to_place, err);
+    if (status != PP_OK || !canvas)
+        return status;
+    pictures->canvases[pictures->count] = canvas;
+    pictures->list[pictures->count++] = (struct pp_site_picture){room, title};
+    return PP_OK;
+}
+
+/* ---- of a site ---- */
+
+/* How many rooms are of the same file as the one there. */
+static int rooms_of_site(const struct pp_rooms *rooms, int first)
+{
+    int count = 1;
+    while (first + count < rooms->count
+           && rooms->list[first + count].building == rooms->list[first].building)
+        count++;
+    return count;
+}
+
+/* Is there more to see than a room by itself? */
+static bool is_site(const struct drawing_task *task, int first, int count)
+{
+    bool outside = count > 1;
+    for (int i = first; i < first + count; i++)
+        outside |= task->before[i] || task->run->rooms->list[i].world->block_count > 0;
+    return outside;
+}
+
+static enum pp_status draw_site(struct drawing_task *task, int first, int count,
+                                struct pp_error *err)
+{
+    const struct pp_chart_choice choice = {
+        .site = {&task->run->rooms->list[first], &task->before[first], count}};
+    enum pp_status status =
+        add(task, PP_SITE_WHOLE, first, "site",
+            "The site, with the vertical sky component of windows", choice, err);
+    return status == PP_OK
+               ? add(task, PP_SITE_WHOLE, first, "elevation",
+                     "Outer walls with the vertical sky component over them", choice,
+                     err)
+               : status;
+}
+
+/* ---- of a room ---- */
+
+/* The line of the window that has least of the sun that a criterion wants; 0: the criterion
+ * is of the room; -1: nothing of sunlight is judged. */
+static int least_sunny(const struct pp_assessment *room)
+{
+    int line = -1;
+    double least = INFINITY;
+    for (int i = 0; i < room->answer_count; i++) {
+        const char *name = room->answers[i].criterion->name;
+        const struct pp_finding_list *findings = &room->answers[i].findings;
+        if (strcmp(name, "sunlight") != 0 && strcmp(name, "sun-exposure") != 0)
+            continue;
+        for (int k = 0; k < findings->count; k++) {
+            const struct pp_finding *finding = &findings->list[k];
+            double share = finding->figure / finding->wanted;
+            if (!isfinite(share) || share >= least)
+                continue;
+            least = share;
+            line = finding->line;
+        }
+    }
+    return line;
+}
+
+static enum pp_status draw_sun(struct drawing_task *task, int room,
+                               struct pp_chart_choice choice, struct pp_error *err)
+{
+    char words[16];
+    int line = task->run->words->profile ? least_sunny(&task->run->all.list[room]) : -1;
+    if (line < 0)
+        return PP_OK;
+    snprintf(words, sizeof words, "%d", line);
+    choice.board.window = line > 0 ? words : NULL;
+    return add(task, room, room, "sun-path",
+               "Sun paths at the window with least sun, and what hides the sky", choice,
+               err);
+}
+
+static enum pp_status draw_room(struct drawing_task *task, int room,
+                                struct pp_error *err)
+{
+    const struct pp_chart_choice alone = {0},
+                                 compared = {.site = {&task->run->rooms->list[room],
+                                                      &task->before[room], 1}};
+    enum pp_status status =
+        add(task, room, room, "plan",
+            "Plan, with contours of the daylight factor by hand", alone, err);
+    if (status == PP_OK)
+        status =
+            add(task, room, room, "section",
+                "Section, and daylight factors by hand along the room", alone, err);
+    if (status == PP_OK && task->before[room])
+        status = add(task, room, room, "plan", "What sees sky, now and before",
+                     compared, err);
+    return status == PP_OK ? draw_sun(task, room, compared, err) : status;
+}
+
+enum pp_status pp_report_pictures_draw(struct pp_report_pictures *pictures,
+                                       const struct pp_assess_run *run, bool to_place,
+                                       struct pp_error *err)
+{
+    const struct pp_rooms *rooms = run->rooms;
+    enum pp_status status = PP_OK;
+    *pictures = (struct pp_report_pictures){0};
+    struct drawing_task task = {
+        pictures, run, to_place,
+        calloc((size_t)rooms->count + 1, sizeof(struct pp_study_room *))};
+    if (!task.before)
+        return pp_fail_memory(err);
+    for (int i = 0; i < rooms->count; i++)
+        task.before[i] = run->all.list[i].before;
+    for (int i = 0, count; i < rooms->count && status == PP_OK; i += count) {
+        count = rooms_of_site(rooms, i);
+        if (is_site(&task, i, count))
+            status = draw_site(&task, i, count, err);
+    }
+    for (int i = 0; i < rooms->count && status == PP_OK; i++)
+        status = draw_room(&task, i, err);
+    free(task.before);
+    return status;
+}
+
+void pp_report_pictures_clear(struct pp_report_pictures *pictures)
+{
+    for (int i = 0; i < pictures->count; i++)
+        pp_canvas_destroy(pictures->canvases[i]);
+    free(pictures->canvases);
+    free(pictures->list);
+}

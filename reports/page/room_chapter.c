@@ -1,0 +1,202 @@
+/* room_chapter.c - see room_chapter.h. */
+#include "reports/page/room_chapter.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+#include "reports/assess/finding_cells.h"
+#include "reports/parts/print.h"
+
+void pp_room_chapter_number(struct pp_document *document, double value, int decimals)
+{
+    if (isfinite(value))
+        pp_document_cell(document, PP_TONE_PLAIN, "%.*f", decimals, value + 0.0);
+    else
+        pp_document_cell(document, PP_TONE_PLAIN, "–");
+}
+
+void pp_room_chapter_verdict(struct pp_document *document,
+                             const struct pp_finding *finding)
+{
+    const char *word = pp_finding_verdict(finding->verdict);
+    enum pp_tone tone = finding->verdict == PP_MET       ? PP_TONE_GOOD
+                        : finding->verdict == PP_NOT_MET ? PP_TONE_BAD
+                                                         : PP_TONE_PLAIN;
+    pp_document_cell(document, tone, "%s", word ? word : "");
+}
+
+void pp_room_chapter_pictures(struct pp_document *document,
+                              const struct pp_site_report *report, int room)
+{
+    for (int i = 0; i < report->picture_count; i++)
+        if (report->pictures[i].room == room)
+            pp_document_picture(document, i, report->pictures[i].title);
+}
+
+/* ---- what is known ---- */
+
+static void put_fact(void *document, const char *label, const char *text)
+{
+    pp_document_row(document, PP_ROW_CELLS);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", label);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", text);
+}
+
+static void put_facts(struct pp_document *document, const struct pp_assessment *room)
+{
+    const struct pp_world *world = room->room->world;
+    pp_document_table(document);
+    pp_document_column(document, PP_COLUMN_LABELS, "%s", "");
+    pp_document_column(document, PP_COLUMN_WORDS, "%s", "");
+    if (world->ref)
+        put_fact(document, "reference", world->ref);
+    if (world->use)
+        put_fact(document, "use", pp_room_use_words[world->use]);
+    pp_print_facts(world, &room->room->light, put_fact, document);
+}
+
+/* ---- averages ---- */
+
+/* Has any of the averages a standard error, or a band? */
+static bool any_sampled(const struct pp_report *report)
+{
+    for (int i = 0; i < report->column_count; i++)
+        if (report->columns[i].component == PP_DF
+            && isfinite(report->columns[i].average.std_error))
+            return true;
+    return false;
+}
+
+static bool any_band(const struct pp_report *report)
+{
+    for (int i = 0; i < report->column_count; i++)
+        if (report->columns[i].component == PP_DF
+            && pp_band_is_known(report->columns[i].average_band))
+            return true;
+    return false;
+}
+
+static void put_average(struct pp_document *document, const struct pp_column *column,
+                        bool sampled, bool bands)
+{
+    pp_document_row(document, PP_ROW_CELLS);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", column->name);
+    pp_room_chapter_number(document, 100.0 * column->average.value, 2);
+    if (sampled)
+        pp_room_chapter_number(document, 100.0 * column->average.std_error, 3);
+    if (bands && pp_band_is_known(column->average_band))
+        pp_document_cell(document, PP_TONE_PLAIN, "%.2f–%.2f",
+                         100.0 * column->average_band.low,
+                         100.0 * column->average_band.high);
+    else if (bands)
+        pp_document_cell(document, PP_TONE_PLAIN, "–");
+}
+
+/* Over the working plane, by each method that has one. */
+static void put_averages(struct pp_document *document, const struct pp_report *report)
+{
+    bool sampled = any_sampled(report), bands = any_band(report);
+    if (report->column_count == 0)
+        return;
+    pp_document_heading(document, 3, "Average daylight factor over the working plane");
+    pp_document_table(document);
+    pp_document_column(document, PP_COLUMN_WORDS, "by");
+    pp_document_column(document, PP_COLUMN_NUMBERS, "average, %%");
+    if (sampled)
+        pp_document_column(document, PP_COLUMN_NUMBERS, "± standard error");
+    if (bands)
+        pp_document_column(document, PP_COLUMN_NUMBERS, "95 %% band");
+    for (int i = 0; i < report->column_count; i++)
+        if (report->columns[i].component == PP_DF
+            && isfinite(report->columns[i].average.value))
+            put_average(document, &report->columns[i], sampled, bands);
+    if (bands)
+        pp_document_paragraph(document, PP_TONE_SOFT,
+                              "95 %% band: where the true figure was in 95 of 100 "
+                              "rooms like this one, of "
+                              "those that the program has traced.");
+}
+
+/* ---- verdicts ---- */
+
+static void put_finding(struct pp_document *document, const struct pp_finding *finding)
+{
+    char figure[PP_FINDING_CELL], wanted[PP_FINDING_CELL];
+    pp_finding_cells_figure(figure, finding, true);
+    pp_finding_cells_wanted(wanted, finding, true);
+    pp_document_row(document, PP_ROW_CELLS);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", finding->what);
+    if (finding->note[0])
+        pp_document_note(document, finding->note);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", figure);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", wanted);
+    pp_room_chapter_verdict(document, finding);
+}
+
+static void put_answer(struct pp_document *document, const struct pp_answer *answer)
+{
+    const struct pp_finding_list *findings = &answer->findings;
+    pp_document_row(document, PP_ROW_GROUP);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s [%s]", answer->criterion->title,
+                     answer->criterion->source);
+    if (findings->basis[0]) {
+        pp_document_row(document, PP_ROW_REMARK);
+        pp_document_cell(document, PP_TONE_SOFT, "%s", findings->basis);
+    }
+    for (int i = 0; i < findings->count; i++)
+        put_finding(document, &findings->list[i]);
+}
+
+static void put_answers(struct pp_document *document, const struct pp_assessment *room)
+{
+    if (room->answer_count == 0) {
+        pp_document_paragraph(document, PP_TONE_PLAIN,
+                              "Of what was asked for nothing bears on this room.");
+        return;
+    }
+    pp_document_heading(document, 3, "What it has to reach");
+    pp_document_table(document);
+    pp_document_column(document, PP_COLUMN_WORDS, "what");
+    pp_document_column(document, PP_COLUMN_NUMBERS, "found");
+    pp_document_column(document, PP_COLUMN_NUMBERS, "wanted");
+    pp_document_column(document, PP_COLUMN_WORDS, "verdict");
+    for (int i = 0; i < room->answer_count; i++)
+        put_answer(document, &room->answers[i]);
+}
+
+static void put_gains(struct pp_document *document, const struct pp_gains *gains)
+{
+    char sentence[256];
+    if (!gains->method || gains->count == 0)
+        return;
+    pp_gains_sentence(gains, sentence, sizeof sentence);
+    pp_document_heading(document, 3, "What would help");
+    pp_document_paragraph(document, PP_TONE_PLAIN, "%s", sentence);
+    pp_document_table(document);
+    pp_document_column(document, PP_COLUMN_WORDS, "change");
+    pp_document_column(document, PP_COLUMN_NUMBERS, "average, %%, by %s",
+                       gains->method);
+    pp_document_column(document, PP_COLUMN_NUMBERS, "gained");
+    for (int i = 0; i < gains->count; i++) {
+        const struct pp_gain *gain = &gains->list[i];
+        pp_document_row(document, PP_ROW_CELLS);
+        pp_document_cell(document, PP_TONE_PLAIN, "%s", gain->change);
+        pp_room_chapter_number(document, 100.0 * gain->values.average, 2);
+        pp_document_cell(document, PP_TONE_PLAIN, "%+.0f %%",
+                         100.0 * (gain->values.average / gains->now.average - 1.0));
+    }
+}
+
+void pp_room_chapter(struct pp_document *document, const struct pp_site_report *report,
+                     int room)
+{
+    const struct pp_assessment *one = &report->all->list[room];
+    const char *name = one->room->world->name;
+    pp_document_heading(document, 2, "%s", name ? name : "Room");
+    put_facts(document, one);
+    put_averages(document, &one->report);
+    put_answers(document, one);
+    if (one->has_gains)
+        put_gains(document, &one->gains);
+    pp_room_chapter_pictures(document, report, room);
+}

@@ -1,0 +1,164 @@
+/* site_report.c - see site_report.h. */
+#include "reports/page/site_report.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "model/base/text.h"
+#include "reports/page/made_chapter.h"
+#include "reports/page/room_chapter.h"
+#include "reports/parts/figure_unit.h"
+#include "studies/criteria/site_table.h"
+
+/* ---- verdicts ---- */
+
+static const enum pp_verdict verdicts[] = {PP_MET, PP_NOT_MET, PP_UNDECIDED,
+                                           PP_NOT_JUDGED};
+
+enum { VERDICTS = sizeof verdicts / sizeof *verdicts };
+
+/* How many of a room's findings have that verdict. */
+static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verdict)
+{
+    int count = 0;
+    for (int k = 0; k < room->answer_count; k++) {
+        const struct pp_finding_list *list = &room->answers[k].findings;
+        for (int n = 0; n < list->count; n++)
+            count += list->list[n].verdict == verdict;
+    }
+    return count;
+}
+
+static void say_sum(struct pp_document *document, const struct pp_assessments *all)
+{
+    char words[160] = "";
+    for (int v = 0; v < VERDICTS; v++) {
+        int count = 0;
+        for (int i = 0; i < all->count; i++)
+            count += count_verdicts(&all->list[i], verdicts[v]);
+        if (count > 0)
+            pp_text_append(words, sizeof words, "%s%d %s", words[0] ? ", " : "", count,
+                           pp_finding_verdict(verdicts[v]));
+    }
+    pp_document_paragraph(document, PP_TONE_VERDICT, "%s of %d room%s",
+                          words[0] ? words : "no verdicts", all->count,
+                          all->count == 1 ? "" : "s");
+}
+
+static void put_verdicts(struct pp_document *document, const struct pp_assessments *all)
+{
+    if (all->count < 2)
+        return;
+    pp_document_table(document);
+    pp_document_column(document, PP_COLUMN_WORDS, "room");
+    for (int v = 0; v < VERDICTS; v++)
+        pp_document_column(document, PP_COLUMN_NUMBERS, "%s",
+                           pp_finding_verdict(verdicts[v]));
+    for (int i = 0; i < all->count; i++) {
+        const char *name = all->list[i].room->world->name;
+        pp_document_row(document, PP_ROW_CELLS);
+        pp_document_cell(document, PP_TONE_PLAIN, "%s", name ? name : "");
+        for (int v = 0; v < VERDICTS; v++)
+            pp_document_cell(document, PP_TONE_PLAIN, "%d",
+                             count_verdicts(&all->list[i], verdicts[v]));
+    }
+}
+
+/* ---- the site ---- */
+
+/* Is anything known of the time before? */
+static bool has_before(const struct pp_site_row *rows, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (isfinite(rows[i].existing))
+            return true;
+    return false;
+}
+
+static void put_row(struct pp_document *document, const struct pp_site_row *row,
+                    bool named, bool compares)
+{
+    const char *name = row->room->room->world->name;
+    double scale = pp_figure_scale(row->finding->compared);
+    pp_document_row(document, PP_ROW_CELLS);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", name ? name : "");
+    if (named)
+        pp_document_cell(document, PP_TONE_PLAIN, "%s", row->finding->what);
+    if (compares)
+        pp_room_chapter_number(document, scale * row->existing, 2);
+    pp_room_chapter_number(document, scale * row->proposed, 2);
+    if (compares)
+        pp_room_chapter_number(document, row->ratio, 3);
+    pp_room_chapter_verdict(document, row->finding);
+}
+
+/* of: what the second column names; NULL: there is none. */
+static void put_rows(struct pp_document *document, const char *title, const char *of,
+                     const char *unit, const struct pp_site_row *rows, int count)
+{
+    bool compares = has_before(rows, count);
+    if (count == 0)
+        return;
+    pp_document_heading(document, 3, "%s", title);
+    pp_document_table(document);
+    pp_document_column(document, PP_COLUMN_WORDS, "room");
+    if (of)
+        pp_document_column(document, PP_COLUMN_WORDS, "%s", of);
+    if (compares)
+        pp_document_column(document, PP_COLUMN_NUMBERS, "existing, %s", unit);
+    pp_document_column(document, PP_COLUMN_NUMBERS,
+                       compares ? "proposed, %s" : "now, %s", unit);
+    if (compares)
+        pp_document_column(document, PP_COLUMN_NUMBERS, "ratio");
+    pp_document_column(document, PP_COLUMN_WORDS, "verdict");
+    for (int i = 0; i < count; i++)
+        put_row(document, &rows[i], of != NULL, compares);
+}
+
+static enum pp_status put_tables(struct pp_document *document,
+                                 const struct pp_assessments *all, struct pp_error *err)
+{
+    struct pp_site_table table;
+    enum pp_status status = pp_site_table_of(&table, all->list, all->count, err);
+    if (status == PP_OK) {
+        put_rows(document, "Vertical sky component of windows [BR209]", "window", "%",
+                 table.windows, table.window_count);
+        put_rows(document, "Area of the working plane that sees sky [BR209]", NULL,
+                 "m²", table.rooms, table.room_count);
+        put_rows(document, "Share of gardens with two hours of sun on 21 March [BR209]",
+                 "garden", "%", table.gardens, table.garden_count);
+    }
+    pp_site_table_clear(&table);
+    return status;
+}
+
+/* ---- the whole ---- */
+
+static void put_title(struct pp_document *document, const struct pp_site_report *report)
+{
+    const struct pp_assessments *all = report->all;
+    bool finished = true;
+    for (int i = 0; i < all->count; i++)
+        finished &= all->list[i].report.finished;
+    pp_document_heading(document, 1, "%s", report->title);
+    pp_document_paragraph(document, PP_TONE_SOFT, "Daylight: %s%s",
+                          all->count ? all->list[0].room->file : "",
+                          finished ? "" : "; NOT FINISHED, interrupted");
+}
+
+enum pp_status pp_site_report(struct pp_document *document,
+                              const struct pp_site_report *report, struct pp_error *err)
+{
+    const struct pp_assessments *all = report->all;
+    put_title(document, report);
+    say_sum(document, all);
+    put_verdicts(document, all);
+    pp_room_chapter_pictures(document, report, PP_SITE_WHOLE);
+    enum pp_status status = put_tables(document, all, err);
+    for (int i = 0; i < all->count; i++)
+        pp_room_chapter(document, report, i);
+    if (status == PP_OK)
+        status = pp_made_chapter(document, report, err);
+    return status == PP_OK ? pp_document_status(document, err) : status;
+}
