@@ -13,71 +13,92 @@ static const char *const verdicts[] = {[PP_BLOCK_HEIGHT_FOUND] = "found",
                                        [PP_BLOCK_HEIGHT_ANY] = "any",
                                        [PP_BLOCK_HEIGHT_NONE] = "none"};
 
+/* "0.8 of its vertical sky component, or 27 %" */
+static void say_due(char *text, size_t size, const struct pp_sky_dues_rule *rule)
+{
+    bool vsc = rule->of == PP_SKY_DUES_VSC;
+    pp_text_append(text, size, "%.3g of its %s", rule->keep,
+                   vsc ? "vertical sky component" : "lit area");
+    if (isfinite(rule->enough))
+        pp_text_append(text, size, ", or %.3g %%", 100.0 * rule->enough);
+}
+
 static void say_verdict(char *text, size_t size, const struct pp_block_height *found,
                         const struct pp_block_height_task *task)
 {
-    char name[64];
+    char name[64], due[80] = "";
+    const char *who = task->rule.of == PP_SKY_DUES_VSC ? "window" : "room";
     pp_text_excerpt(name, sizeof name, task->block);
-    double keep = task->keep;
+    say_due(due, sizeof due, &task->rule);
+    pp_text_append(text, size, "\"%s\" is %.2f m high; ", name, found->now_m);
     switch (found->verdict) {
     case PP_BLOCK_HEIGHT_FOUND:
         pp_text_append(text, size,
-                       "\"%s\" is %.2f m high; at up to %.2f m every window keeps %.3g "
-                       "of its vertical sky component, and above that the one marked "
-                       "keeps less.",
-                       name, found->now_m, found->height_m, keep);
+                       "at up to %.2f m every %s keeps %s, and above that the one "
+                       "marked keeps less.",
+                       found->height_m, who, due);
         break;
     case PP_BLOCK_HEIGHT_ANY:
-        pp_text_append(text, size,
-                       "\"%s\" is %.2f m high; even at %g m every window keeps %.3g of "
-                       "its vertical sky component.",
-                       name, found->now_m, task->most_m, keep);
+        pp_text_append(text, size, "even at %g m every %s keeps %s.", task->most_m, who,
+                       due);
         break;
     case PP_BLOCK_HEIGHT_NONE:
-        pp_text_append(
-            text, size,
-            "\"%s\" is %.2f m high; without it, too, a window keeps less than "
-            "%.3g of its vertical sky component: no height of it changes "
-            "that.",
-            name, found->now_m, keep);
+        pp_text_append(text, size,
+                       "without it, too, a %s keeps less than %s: no height of it "
+                       "changes that.",
+                       who, due);
     }
 }
 
-static double ratio_of(const struct pp_block_height_window *window)
+static double ratio_of(const struct pp_sky_due *due)
 {
-    return window->before > 0.0 ? window->after / window->before : NAN;
+    return due->before > 0.0 ? due->after / due->before : NAN;
 }
 
-static bool fill(struct pp_table *table, const struct pp_block_height *found)
+/* Room, window and line; of rooms, the room alone. */
+static bool fill_names(struct pp_table *table, const struct pp_sky_dues *dues, bool vsc)
 {
-    static const char group[] = "vertical sky component, %";
-    static const char *const headings[] = {"room", "window", "line",  "before",
-                                           "now",  "then",   "ratio", "decides"};
-    bool good = true;
-    for (int c = 0; c < 8 && good; c++) {
-        struct pp_table_column *column = pp_table_add(
-            table, c < 3 ? NULL : group, c < 3 ? NULL : group, headings[c]);
+    static const char *const headings[] = {"room", "window", "line"};
+    table->key_count = vsc ? 3 : 1;
+    for (int c = 0; c < table->key_count; c++) {
+        struct pp_table_column *column = pp_table_add(table, NULL, NULL, headings[c]);
+        if (!column)
+            return false;
+        for (int i = 0; i < dues->count; i++)
+            if (c == 2)
+                snprintf(column->cells[i], PP_CELL_BYTES, "%d", dues->list[i].line);
+            else
+                pp_text_excerpt(column->cells[i], PP_CELL_BYTES,
+                                c ? dues->list[i].window : dues->list[i].room);
+        column->is_words = c < 2;
+    }
+    return true;
+}
+
+static bool fill(struct pp_table *table, const struct pp_block_height *found, bool vsc)
+{
+    static const char *const headings[] = {"before", "now", "then", "ratio", "decides"};
+    const char *group = vsc ? "vertical sky component, %" : "area that sees sky, m2";
+    double unit = vsc ? 100.0 : 1.0;
+    bool good = fill_names(table, &found->dues, vsc);
+    for (int c = 0; c < 5 && good; c++) {
+        struct pp_table_column *column = pp_table_add(table, group, group, headings[c]);
         good = column != NULL;
-        for (int i = 0; i < found->window_count && good; i++) {
-            const struct pp_block_height_window *window = &found->windows[i];
-            const double values[] = {100.0 * window->before, 100.0 * window->now,
-                                     100.0 * window->after, ratio_of(window)};
+        for (int i = 0; i < found->dues.count && good; i++) {
+            const struct pp_sky_due *due = &found->dues.list[i];
+            const double values[] = {unit * due->before, unit * due->now,
+                                     unit * due->after, ratio_of(due)};
             char *cell = column->cells[i];
-            if (c < 2)
-                pp_text_excerpt(cell, PP_CELL_BYTES, c ? window->window : window->room);
-            else if (c == 2)
-                snprintf(cell, PP_CELL_BYTES, "%d", window->line);
-            else if (c == 7)
+            if (c == 4)
                 snprintf(cell, PP_CELL_BYTES, "%s", i == found->deciding ? "*" : "");
-            else if (isfinite(values[c - 3]))
-                snprintf(cell, PP_CELL_BYTES, "%.*f", c == 6 ? 4 : 2, values[c - 3]);
+            else if (isfinite(values[c]))
+                snprintf(cell, PP_CELL_BYTES, "%.*f", c == 3 ? 4 : 2, values[c]);
             else
                 snprintf(cell, PP_CELL_BYTES, "-");
         }
         if (good)
-            column->is_words = c < 2 || c == 7;
+            column->is_words = c == 4;
     }
-    table->key_count = 3;
     return good;
 }
 
@@ -91,8 +112,8 @@ enum pp_status pp_block_height_report(const struct pp_block_height *found,
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
     fputc('\n', out);
-    pp_table_init(&table, found->window_count);
-    bool good = fill(&table, found);
+    pp_table_init(&table, found->dues.count);
+    bool good = fill(&table, found, task->rule.of == PP_SKY_DUES_VSC);
     if (good)
         pp_table_print(&table, width, out);
     pp_table_clear(&table);
@@ -107,19 +128,21 @@ enum pp_status pp_block_height_report(const struct pp_block_height *found,
     return good ? PP_OK : pp_fail_memory(err);
 }
 
-static struct json_object *window_object(const struct pp_block_height_window *window,
-                                         bool decides)
+static struct json_object *due_object(const struct pp_sky_due *due, bool vsc,
+                                      bool decides)
 {
     struct json_object *object = json_object_new_object();
-    bool good =
-        object && pp_json_text(object, "room", window->room)
-        && pp_json_text(object, "window", window->window[0] ? window->window : NULL)
-        && pp_json_add(object, "line", json_object_new_int(window->line))
-        && pp_json_number(object, "before", 100.0 * window->before)
-        && pp_json_number(object, "now", 100.0 * window->now)
-        && pp_json_number(object, "then", 100.0 * window->after)
-        && pp_json_number(object, "ratio", ratio_of(window))
-        && pp_json_add(object, "decides", json_object_new_boolean(decides));
+    double unit = vsc ? 100.0 : 1.0;
+    bool good = object && pp_json_text(object, "room", due->room);
+    if (vsc)
+        good = good
+               && pp_json_text(object, "window", due->window[0] ? due->window : NULL)
+               && pp_json_add(object, "line", json_object_new_int(due->line));
+    good = good && pp_json_number(object, "before", unit * due->before)
+           && pp_json_number(object, "now", unit * due->now)
+           && pp_json_number(object, "then", unit * due->after)
+           && pp_json_number(object, "ratio", ratio_of(due))
+           && pp_json_add(object, "decides", json_object_new_boolean(decides));
     if (good)
         pp_json_on_one_line(object);
     return pp_json_whole(object, good);
@@ -131,18 +154,21 @@ enum pp_status pp_block_height_report_json(const struct pp_block_height *found,
 {
     struct json_object *object = json_object_new_object();
     struct json_object *list = json_object_new_array();
+    bool vsc = task->rule.of == PP_SKY_DUES_VSC;
     bool good = object && pp_json_text(object, "format", "pepperpot-height-1")
                 && pp_json_text(object, "block", task->block)
+                && pp_json_text(object, "of", pp_sky_dues_words[task->rule.of])
                 && pp_json_text(object, "verdict", verdicts[found->verdict])
-                && pp_json_number(object, "keep", task->keep)
+                && pp_json_number(object, "keep", task->rule.keep)
+                && pp_json_number(object, "enough", 100.0 * task->rule.enough)
                 && pp_json_number(object, "now", found->now_m)
                 && pp_json_number(object, "height", found->height_m);
     if (good)
-        good = pp_json_add(object, "windows", list);
+        good = pp_json_add(object, vsc ? "windows" : "rooms", list);
     else
         json_object_put(list);
-    for (int i = 0; i < found->window_count && good; i++)
-        good = pp_json_append(list,
-                              window_object(&found->windows[i], i == found->deciding));
+    for (int i = 0; i < found->dues.count && good; i++)
+        good = pp_json_append(
+            list, due_object(&found->dues.list[i], vsc, i == found->deciding));
     return pp_json_print(out, pp_json_whole(object, good), err);
 }

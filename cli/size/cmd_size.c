@@ -21,8 +21,8 @@ static const char about[] =
     "number of windows with which the average daylight factor over the working plane "
     "(with --points: the lowest of some points) is not below it. What a hand "
     "method answers is checked by tracing light paths, but with --by-hand. With "
-    "--obstruction: how high a block may be so that windows keep their sky. FILE is a "
-    "room file; - is standard input.";
+    "--obstruction: how high a block may be so that windows or rooms keep their sky. "
+    "FILE is a room file; - is standard input.";
 
 /* The room file with all that was sized. */
 static enum pp_status write_file(const struct pp_size_results *results,

@@ -63,8 +63,7 @@ enum pp_exit pp_size_block(const struct pp_size_options *options, const char *fi
                             .file = file,
                             .task = {.building = rooms.buildings[0],
                                      .block = options->obstruction,
-                                     .window = options->window_name,
-                                     .keep = options->keep,
+                                     .rule = options->rule,
                                      .most_m = highest_m}};
     exit_status =
         pp_job_run(&(struct pp_job){options->room.output, compute, print, NULL, &run});

@@ -1,6 +1,7 @@
 /* size_options.c - reads the options of the command size. */
 #include "cli/size/size_options.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "methods/evaluate.h"
@@ -14,6 +15,16 @@ static enum pp_status read_change(const char *text, void *place, struct pp_error
             return PP_OK;
         }
     return pp_fail(err, PP_BAD_INPUT, "width, height, head, sill or number");
+}
+
+static enum pp_status read_of(const char *text, void *place, struct pp_error *err)
+{
+    for (int i = 0; pp_sky_dues_words[i]; i++)
+        if (strcmp(text, pp_sky_dues_words[i]) == 0) {
+            *(enum pp_sky_dues_of *)place = (enum pp_sky_dues_of)i;
+            return PP_OK;
+        }
+    return pp_fail(err, PP_BAD_INPUT, "vsc or lit-area");
 }
 
 #define PLACE(member) offsetof(struct pp_size_options, member)
@@ -39,13 +50,20 @@ const struct pp_option pp_size_task_options[] = {
 const struct pp_option pp_size_block_options[] = {
     {"obstruction", 0, "NAME",
      "In place of a window: how high the block of that name may be so that every "
-     "upright "
-     "window keeps its share of the vertical sky component.",
+     "upright window, or every room, keeps its share of the sky.",
      pp_options_read_text, PLACE(obstruction)},
+    {"of", 0, "WHAT",
+     "What each keeps a share of: vsc, the vertical sky component of each upright "
+     "window (default), or lit-area, the part of each room's working plane that sees "
+     "sky.",
+     read_of, PLACE(rule.of)},
     {"keep", 0, "SHARE%", "That share (default 80%).", pp_options_read_per_cent,
-     PLACE(keep)},
+     PLACE(rule.keep)},
+    {"enough", 0, "VSC%",
+     "A window with that vertical sky component is due no more, such as 27%.",
+     pp_options_read_per_cent, PLACE(rule.enough)},
     {"window-name", 0, "NAME", "Only the window of that name counts.",
-     pp_options_read_text, PLACE(window_name)},
+     pp_options_read_text, PLACE(rule.window)},
     {0},
 };
 
@@ -74,6 +92,7 @@ static enum pp_status settle_block(struct pp_size_options *options,
 {
     const struct pp_size_request *request = &options->request;
     const struct pp_room_options *room = &options->room;
+    struct pp_sky_dues_rule *rule = &options->rule;
     const char *other = request->target > 0.0          ? "target"
                         : request->by                  ? "by"
                         : request->wall                ? "wall"
@@ -81,19 +100,37 @@ static enum pp_status settle_block(struct pp_size_options *options,
                         : options->write               ? "write"
                         : room->study.points.count > 0 ? "points"
                         : room->study.simulate         ? "simulate"
-                        : room->room                   ? "room"
                         : room->state != PP_STATE_BOTH ? "state"
                                                        : NULL;
     if (other)
         return pp_fail(err, PP_BAD_INPUT,
                        "--%s does not go with --obstruction; expected one of them",
                        other);
-    if (options->keep == 0.0)
-        options->keep = PP_SIZE_OPTIONS_KEEP;
-    if (options->keep >= 1.0)
+    if (rule->of == PP_SKY_DUES_LIT_AREA && (rule->window || rule->enough > 0.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--%s is of windows, and a lit area is a room's; expected "
+                       "--of vsc or%s",
+                       rule->window ? "window-name" : "enough",
+                       rule->window ? " --room NAME" : " --keep alone");
+    if (rule->keep == 0.0)
+        rule->keep = PP_SIZE_OPTIONS_KEEP;
+    if (rule->keep >= 1.0)
         return pp_fail(err, PP_BAD_INPUT,
                        "--keep is all of it; expected less than 100%%, such as 80%%");
+    if (rule->enough == 0.0)
+        rule->enough = INFINITY;
+    rule->room = room->room;
     return PP_OK;
+}
+
+/* An option of the rule that was given without a block; NULL: none. */
+static const char *stray_rule(const struct pp_sky_dues_rule *rule)
+{
+    return rule->window                       ? "window-name"
+           : rule->keep > 0.0                 ? "keep"
+           : rule->enough > 0.0               ? "enough"
+           : rule->of == PP_SKY_DUES_LIT_AREA ? "of"
+                                              : NULL;
 }
 
 enum pp_status pp_size_options_settle(struct pp_size_options *options,
@@ -101,10 +138,10 @@ enum pp_status pp_size_options_settle(struct pp_size_options *options,
 {
     if (options->obstruction)
         return settle_block(options, err);
-    if (options->keep > 0.0 || options->window_name)
+    const char *stray = stray_rule(&options->rule);
+    if (stray)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--%s is for --obstruction; expected both or neither",
-                       options->window_name ? "window-name" : "keep");
+                       "--%s is for --obstruction; expected both or neither", stray);
     if (!(options->request.target > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "expected --target, the daylight factor to reach, such as "

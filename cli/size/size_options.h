@@ -7,18 +7,20 @@
 #include "cli/room_options.h"
 #include "reports/parts/format.h"
 #include "studies/sizing/size_room.h"
+#include "studies/sizing/sky_dues.h"
 
 struct pp_size_options {
     struct pp_room_options room;
     struct pp_size_request request; /* its study is set by pp_size_options_settle */
     const char *write;       /* where the changed room file goes; NULL: nowhere */
     const char *obstruction; /* the block whose height is asked for; NULL: none */
-    double keep;             /* share of its sky that each window keeps then */
-    const char *window_name; /* the only window that counts then; NULL: all */
+    struct pp_sky_dues_rule
+        rule; /* what each window or room keeps then; its room is set by
+               * pp_size_options_settle */
     enum pp_format format;
 };
 
-/* The least share that windows keep, unless told otherwise [BR209]. */
+/* The least share that windows and rooms keep, unless told otherwise [BR209]. */
 #define PP_SIZE_OPTIONS_KEEP 0.8
 
 /* The options of the command, apart from the simulation's and the output's; with a

@@ -95,6 +95,18 @@ check "to 1e-4" is "$(sed -n '2s/.*",29,[0-9.]*,[0-9.]*,\([0-9.]*\),.*/\1/p' "$s
 check "of one window alone" shows "W5" size --obstruction Tower --window-name W5 --keep 90% "$site"
 check "a block over a footprint too" shows "at up to 14.65 m every window keeps 0.6" \
     size --obstruction Corner --keep 60% "$site"
+check "its rooms' lit area" shows '"verdict": "found"' \
+    size --obstruction Tower --of lit-area -f json "$site"
+check "one room decides" grep -q '"room": "Bathroom",.*"decides": true' "$scratch/out"
+height=$(sed -n 's/^  "height": \([0-9.]*\),/\1/p' "$scratch/out")
+sed "s/depth=\"5\" height=\"19\"/depth=\"5\" height=\"$height\"/" "$site" >"$scratch/lower.xml"
+check "at that height it has it" gives assess --by-hand -c no-sky-line --room Bathroom -f json "$scratch/lower.xml"
+check "to 1e-3" is "$(sed -n 's/.*now over before.*"figure": \([0-9.]*\),.*/\1/p' "$scratch/out")" 0.8 1e-3
+check "27 % is enough" shows "or 27 %" size --obstruction Tower --enough 27% --room Study "$site"
+check "of a room there is no such share" refuses 2 "a lit area is a room's" \
+    size --obstruction Tower --of lit-area --enough 27% "$site"
+check "vsc or lit-area" refuses 2 "expected vsc or lit-area" size --obstruction Tower --of apsh "$site"
+check "what is kept, of a block" refuses 2 "is for --obstruction" size -t 2% --of lit-area "$site"
 check "a block by its name" refuses 1 "did you mean Tower?" size --obstruction Towr "$site"
 check "a window by its name" refuses 1 'no upright window is named "W9"' \
     size --obstruction Tower --window-name W9 "$site"

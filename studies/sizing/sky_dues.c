@@ -1,0 +1,189 @@
+/* sky_dues.c - see sky_dues.h. */
+#include "studies/sizing/sky_dues.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "methods/exact/exterior.h"
+#include "model/base/array.h"
+#include "model/base/text.h"
+#include "model/room/world.h"
+#include "studies/lit_line.h"
+
+static const double next_to_nothing = 1e-6; /* who has less before keeps nothing */
+
+const char *const pp_sky_dues_words[] = {"vsc", "lit-area", NULL};
+
+static enum pp_status add(struct pp_sky_dues *dues, const struct pp_world *world,
+                          int place, const struct pp_opening *opening, double value,
+                          struct pp_error *err)
+{
+    enum pp_status status =
+        pp_array_append(&dues->list, dues->count, sizeof *dues->list, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_sky_due *due = &dues->list[dues->count++];
+    *due = (struct pp_sky_due){.place = place,
+                               .line = opening ? opening->line : 0,
+                               .before = NAN,
+                               .now = value,
+                               .after = NAN};
+    if (world->name)
+        pp_text_excerpt(due->room, sizeof due->room, world->name);
+    if (opening && opening->name)
+        pp_text_excerpt(due->window, sizeof due->window, opening->name);
+    return PP_OK;
+}
+
+static bool is_called(const char *own, const char *wanted)
+{
+    return !wanted || (own && strcmp(own, wanted) == 0);
+}
+
+static bool is_upright(const struct pp_opening *opening)
+{
+    return fabs(opening->slope_rad - PP_PI / 2.0) < 1.0 * PP_RAD;
+}
+
+static enum pp_status add_windows(struct pp_sky_dues *dues,
+                                  const struct pp_sky_dues_rule *rule,
+                                  const struct pp_world *world, int place,
+                                  struct pp_error *err)
+{
+    const struct pp_sky overcast = pp_sky_overcast();
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        double share;
+        if (!is_upright(opening) || !is_called(opening->name, rule->window))
+            continue;
+        status = pp_exterior_sky_on_plane(&share, world, opening,
+                                          pp_vec_scale(opening->inner.normal, -1.0),
+                                          &overcast, err);
+        if (status == PP_OK)
+            status = add(dues, world, place, opening, share, err);
+    }
+    return status;
+}
+
+static enum pp_status add_lit_area(struct pp_sky_dues *dues,
+                                   const struct pp_world *world, int place,
+                                   struct pp_error *err)
+{
+    struct pp_lit_area area;
+    enum pp_status status = pp_lit_line_find(&area, world, PP_LIT_NO_SKY, err);
+    if (status == PP_OK)
+        status = add(dues, world, place, NULL, area.lit_m2, err);
+    pp_lit_area_clear(&area);
+    return status;
+}
+
+/* All that count in one room. */
+static enum pp_status add_room(struct pp_sky_dues *dues,
+                               const struct pp_sky_dues_rule *rule,
+                               struct pp_building *building, int index,
+                               struct pp_error *err)
+{
+    struct pp_mistakes mistakes;
+    struct pp_world *world = NULL;
+    pp_mistakes_init(&mistakes, "room");
+    enum pp_status status =
+        pp_world_create(&world, pp_building_room(building, index), &mistakes, err);
+    if (status == PP_BAD_INPUT && mistakes.count > 0)
+        pp_fail(err, status, "line %d: %s", mistakes.list[0].line,
+                mistakes.list[0].text);
+    pp_mistakes_clear(&mistakes);
+    int place = pp_building_place(building, index);
+    if (status == PP_OK && is_called(world->name, rule->room))
+        status = rule->of == PP_SKY_DUES_VSC
+                     ? add_windows(dues, rule, world, place, err)
+                     : add_lit_area(dues, world, place, err);
+    pp_world_destroy(world);
+    return status;
+}
+
+static enum pp_status add_all(struct pp_sky_dues *dues,
+                              const struct pp_sky_dues_rule *rule,
+                              struct pp_building *building, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < pp_building_room_count(building) && status == PP_OK; i++)
+        status = add_room(dues, rule, building, i, err);
+    return status;
+}
+
+enum pp_status pp_sky_dues_list(struct pp_sky_dues *dues,
+                                const struct pp_sky_dues_rule *rule,
+                                struct pp_building *building, struct pp_error *err)
+{
+    *dues = (struct pp_sky_dues){0};
+    enum pp_status status = add_all(dues, rule, building, err);
+    if (status != PP_OK || dues->count > 0)
+        return status;
+    return rule->window
+               ? pp_fail(err, PP_BAD_INPUT, "no upright window%s is named \"%.60s\"",
+                         rule->room ? " of that room" : "", rule->window)
+               : pp_fail(err, PP_BAD_INPUT, "no room of it has an upright window");
+}
+
+/* Values of the building as it stands, in the order of the list. Both are in the order of
+ * rooms and lines; windows of one line follow one another alike. */
+static enum pp_status measure(struct pp_sky_dues *dues, bool before,
+                              const struct pp_sky_dues_rule *rule,
+                              struct pp_building *building, struct pp_error *err)
+{
+    struct pp_sky_dues then = {0};
+    enum pp_status status = add_all(&then, rule, building, err);
+    for (int i = 0, k = 0; i < dues->count && status == PP_OK; i++) {
+        struct pp_sky_due *due = &dues->list[i];
+        while (
+            k < then.count
+            && (then.list[k].place < due->place
+                || (then.list[k].place == due->place && then.list[k].line < due->line)))
+            k++;
+        bool same = k < then.count && then.list[k].place == due->place
+                    && then.list[k].line == due->line;
+        *(before ? &due->before : &due->after) = same ? then.list[k++].now : 0.0;
+    }
+    pp_sky_dues_clear(&then);
+    return status;
+}
+
+enum pp_status pp_sky_dues_before(struct pp_sky_dues *dues,
+                                  const struct pp_sky_dues_rule *rule,
+                                  struct pp_building *building, struct pp_error *err)
+{
+    return measure(dues, true, rule, building, err);
+}
+
+enum pp_status pp_sky_dues_after(struct pp_sky_dues *dues,
+                                 const struct pp_sky_dues_rule *rule,
+                                 struct pp_building *building, struct pp_error *err)
+{
+    return measure(dues, false, rule, building, err);
+}
+
+double pp_sky_dues_surplus(const struct pp_sky_dues *dues,
+                           const struct pp_sky_dues_rule *rule, int *deciding)
+{
+    double least = INFINITY;
+    *deciding = -1;
+    for (int i = 0; i < dues->count; i++) {
+        const struct pp_sky_due *due = &dues->list[i];
+        if (!(due->before > next_to_nothing))
+            continue;
+        double own = due->after / fmin(rule->keep * due->before, rule->enough) - 1.0;
+        if (own < least) {
+            least = own;
+            *deciding = i;
+        }
+    }
+    return least;
+}
+
+void pp_sky_dues_clear(struct pp_sky_dues *dues)
+{
+    free(dues->list);
+    *dues = (struct pp_sky_dues){0};
+}

@@ -1,0 +1,66 @@
+/* sky_dues.h - what the windows or the rooms about a site have of the sky, and what they are
+ * due of it.
+ *
+ * A window has its vertical sky component (methods/exact/exterior.h), a room the area of its
+ * working plane that sees sky, before the no-sky line (studies/lit_line.h). Each is due a
+ * share of what it has before something is built; a window with enough is due no more:
+ *
+ *     due = min(keep before, enough)       [BR209]: keep = 0.8; of VSC, enough = 27 %
+ */
+#ifndef PP_STUDIES_SIZING_SKY_DUES_H
+#define PP_STUDIES_SIZING_SKY_DUES_H
+
+#include "model/base/error.h"
+#include "model/room/building.h"
+
+enum pp_sky_dues_of { PP_SKY_DUES_VSC, PP_SKY_DUES_LIT_AREA };
+
+/* "vsc", "lit-area", NULL. */
+extern const char *const pp_sky_dues_words[];
+
+struct pp_sky_dues_rule {
+    enum pp_sky_dues_of of;
+    const char *room;   /* only rooms of that name count; NULL: all */
+    const char *window; /* only windows of that name count, of VSC; NULL: all */
+    double keep;        /* share that each keeps, above 0, below 1 */
+    double enough;      /* who has that much has his due; INFINITY: nobody has */
+};
+
+/* An upright window, or a room, that counts. */
+struct pp_sky_due {
+    char room[64],
+        window[64];  /* names, cut; may be empty, and of a room the window's is */
+    int place, line; /* the room's in its building; the window's, of a room 0 */
+    double before, now, after; /* VSC (a fraction) or area (m2): before, as the file has
+                                * it, and with what was found */
+};
+
+struct pp_sky_dues {
+    struct pp_sky_due *list;
+    int count;
+};
+
+/* Lists what counts in the building as it stands, with what it has `now`, and nothing
+ * before and after. PP_BAD_INPUT where nothing counts, or a room makes no sense. To be
+ * cleared in any case. */
+enum pp_status pp_sky_dues_list(struct pp_sky_dues *dues,
+                                const struct pp_sky_dues_rule *rule,
+                                struct pp_building *building, struct pp_error *err);
+
+/* Fills in `before` or `after`: what they have with the building as it stands, which may
+ * be another state. Who is not there has 0. */
+enum pp_status pp_sky_dues_before(struct pp_sky_dues *dues,
+                                  const struct pp_sky_dues_rule *rule,
+                                  struct pp_building *building, struct pp_error *err);
+enum pp_status pp_sky_dues_after(struct pp_sky_dues *dues,
+                                 const struct pp_sky_dues_rule *rule,
+                                 struct pp_building *building, struct pp_error *err);
+
+/* The least, over all that had anything before, of what one has after over its due,
+ * less 1; INFINITY where none had. *deciding is whose it is, -1: nobody's. */
+double pp_sky_dues_surplus(const struct pp_sky_dues *dues,
+                           const struct pp_sky_dues_rule *rule, int *deciding);
+
+void pp_sky_dues_clear(struct pp_sky_dues *dues);
+
+#endif
