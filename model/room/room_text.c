@@ -116,8 +116,8 @@ static struct span attribute_of(struct span tag, const char *name)
     }
 }
 
-/* Does the text say that number already? */
-static bool is_number(struct span text, double number)
+/* Does the text say that number of metres already? */
+static bool is_number(struct span text, double number, double per_metre)
 {
     char copy[64];
     double said;
@@ -126,11 +126,26 @@ static bool is_number(struct span text, double number)
         return false;
     memcpy(copy, text.from, length);
     copy[length] = '\0';
-    return pp_text_parse_number(copy, &said) && said == number;
+    return pp_text_parse_number(copy, &said) && said / per_metre == number;
+}
+
+/* How many of the file's units a metre is: its root says so. */
+static double per_metre_of(const char *text, size_t length)
+{
+    const char *end = text + length;
+    struct span tag = next_tag(text, end);
+    while (tag.from < end && !is_named(tag, "room") && !is_named(tag, "building"))
+        tag = next_tag(tag.to, end);
+    if (tag.from == end)
+        return 1.0;
+    struct span units = attribute_of(tag, "units");
+    return units.to - units.from == 2 && memcmp(units.from, "mm", 2) == 0 ? 1000.0
+                                                                          : 1.0;
 }
 
 /* Writes the tag with the values of a place in it. */
-static void put_tag(FILE *out, struct span tag, struct pp_opening_place place)
+static void put_tag(FILE *out, struct span tag, struct pp_opening_place place,
+                    double per_metre)
 {
     bool window = is_named(tag, "window");
     const struct {
@@ -151,10 +166,10 @@ static void put_tag(FILE *out, struct span tag, struct pp_opening_place place)
             fputc(*at++, out);
             continue;
         }
-        if (is_number(values[here], lengths[here].value))
+        if (is_number(values[here], lengths[here].value, per_metre))
             fwrite(at, 1, (size_t)(values[here].to - at), out);
         else
-            fprintf(out, "%.10g", lengths[here].value + 0.0);
+            fprintf(out, "%.10g", lengths[here].value * per_metre + 0.0);
         at = values[here].to;
     }
 }
@@ -169,7 +184,8 @@ static const char *indent_of(const char *text, struct span tag)
 }
 
 static void put_edited(FILE *out, const char *text, struct span element,
-                       struct span tag, const struct pp_text_edit *edit)
+                       struct span tag, const struct pp_text_edit *edit,
+                       double per_metre)
 {
     const char *indent = indent_of(text, tag);
     if (edit->kind == PP_TEXT_ADD) {
@@ -177,7 +193,7 @@ static void put_edited(FILE *out, const char *text, struct span element,
         fwrite(indent ? indent : "", 1, indent ? (size_t)(tag.from - indent) : 0, out);
     }
     if (edit->kind != PP_TEXT_REMOVE) {
-        put_tag(out, tag, edit->place);
+        put_tag(out, tag, edit->place, per_metre);
         fwrite(tag.to, 1, (size_t)(element.to - tag.to), out);
     }
 }
@@ -192,6 +208,7 @@ enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
     if (!out)
         return pp_fail_memory(err);
     const char *at = text, *end = text + length;
+    double per_metre = per_metre_of(text, length);
     for (int i = 0; i < edit_count;) {
         int opening = edits[i].opening;
         struct span tag = opening_tag(text, length, opening);
@@ -203,7 +220,7 @@ enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
         if (edits[i].kind == PP_TEXT_ADD)
             fwrite(element.from, 1, (size_t)(element.to - element.from), out);
         for (; i < edit_count && edits[i].opening == opening; i++)
-            put_edited(out, text, element, tag, &edits[i]);
+            put_edited(out, text, element, tag, &edits[i], per_metre);
         at = element.to + own_line;
     }
     fwrite(at, 1, (size_t)(end - at), out);
@@ -224,7 +241,8 @@ enum pp_status pp_room_text_element(char **element, const char *text, size_t len
     FILE *out = open_memstream(element, &size);
     if (!out)
         return pp_fail_memory(err);
-    put_tag(out, opening_tag(text, length, edit->opening), edit->place);
+    put_tag(out, opening_tag(text, length, edit->opening), edit->place,
+            per_metre_of(text, length));
     if (fclose(out) == 0)
         return PP_OK;
     free(*element);

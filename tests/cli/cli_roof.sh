@@ -72,4 +72,26 @@ for roof in mono gable hip saw-tooth; do
 done
 sed 's/wall="roof-south"/wall="roof-east"/' "$scratch/short.xml" >"$scratch/no.xml"
 check "a slope that is not there" refuses 1 'there is no wall "roof-east"' df "$scratch/no.xml"
+# Lengths in millimetres.
+cat >"$scratch/mm.xml" <<'EOF'
+<room version="1" name="Study" units="mm">
+  <plan width="4200" depth="5400" height="2800"/>
+  <window wall="south" left="900" sill="850" width="2400" height="1500" reveal="150"/>
+  <block x="-2000" y="-12000" width="9000" depth="4000" height="6000"/>
+  <working-plane height="850"/>
+  <line from="2100 500" to="2100 5000" points="10"/>
+</room>
+EOF
+sed 's/ units="mm"//; s/="\(-*[0-9]*\)\([0-9][0-9][0-9]\)"/="\1.\2"/g; s/="\./="0./g; s/-\./-0./g
+    s/"2100 500"/"2.1 0.5"/; s/"2100 5000"/"2.1 5"/' "$scratch/mm.xml" >"$scratch/m.xml"
+check "the file in metres" grep -q 'width="4.200" depth="5.400"' "$scratch/m.xml"
+for file in m mm; do
+    "$pepperpot" df --simulate --error 5% -f csv "$scratch/$file.xml" | cut -d, -f2- >"$scratch/$file"
+done
+check "millimetres have the bytes of metres" cmp "$scratch/m" "$scratch/mm"
+check "size answers in the file's units" shows 'width="' size --by-hand --target 3% "$scratch/mm.xml"
+check "of the whole line" grep -qE 'left="[0-9]{3,4}(\.[0-9])?" sill="850" width="[0-9]{4}(\.[0-9])?"' "$scratch/out"
+sed 's/width="4200"/width="0.42"/' "$scratch/mm.xml" >"$scratch/no.xml"
+check "and so do messages" refuses 1 "expected a number of millimetres from 1 to 100000000" \
+    df "$scratch/no.xml"
 tap_done

@@ -24,15 +24,22 @@ struct value_place {
     const char *text;
     int line;
     struct pp_mistakes *mistakes;
+    double per_metre;
 };
+
+/* What is expected of values of the kind, in the words of the file's units. */
+static const char *expected_of(const struct pp_value_kind *kind, double per_metre)
+{
+    return kind->expected_mm && per_metre > 1.0 ? kind->expected_mm : kind->expected;
+}
 
 static bool wrong(const struct value_place *at, const char *more)
 {
     char shown[160];
     pp_mistakes_add(at->mistakes, at->line, "%s: %s is \"%s\"; expected %s%s",
                     at->element, at->attribute,
-                    pp_text_excerpt(shown, sizeof shown, at->text), at->kind->expected,
-                    more);
+                    pp_text_excerpt(shown, sizeof shown, at->text),
+                    expected_of(at->kind, at->per_metre), more);
     return false;
 }
 
@@ -43,14 +50,20 @@ static bool in_range(const struct pp_value_kind *kind, double value)
     return low && high;
 }
 
+/* From the file's units to the kind's: the nearest double to the decimal fraction. */
+static void to_metres(double *value, const struct value_place *at)
+{
+    if (at->kind->expected_mm)
+        *value /= at->per_metre;
+}
+
 static bool read_number(double *value, const struct value_place *at)
 {
     if (!pp_text_parse_number(at->text, value))
         return wrong(at,
                      strchr(at->text, ',') ? " (with a decimal point, no comma)" : "");
-    if (!in_range(at->kind, *value))
-        return wrong(at, "");
-    return true;
+    to_metres(value, at);
+    return in_range(at->kind, *value) || wrong(at, "");
 }
 
 /* Notes an unknown name, with the nearest name and all that there are. */
@@ -152,10 +165,12 @@ static bool read_pair(double *pair, const struct value_place *at)
     memcpy(copy, first, length);
     copy[length] = '\0';
     if (!pp_text_parse_number(copy, &pair[0])
-        || !pp_text_parse_number(first + length, &pair[1])
-        || !in_range(at->kind, pair[0]) || !in_range(at->kind, pair[1]))
+        || !pp_text_parse_number(first + length, &pair[1]))
         return wrong(at, "");
-    return true;
+    to_metres(&pair[0], at);
+    to_metres(&pair[1], at);
+    return (in_range(at->kind, pair[0]) && in_range(at->kind, pair[1]))
+           || wrong(at, "");
 }
 
 static bool read_count(int *count, const struct value_place *at)
@@ -329,7 +344,7 @@ static bool is_misspelt(const struct pp_element_rule *rule,
 }
 
 bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
-                          const struct pp_xml_element *element,
+                          const struct pp_xml_element *element, double per_metre,
                           struct pp_mistakes *mistakes)
 {
     bool good = attributes_known(rule, element, mistakes);
@@ -340,7 +355,8 @@ bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
         store_fallback(field, row);
         if (attribute) {
             struct value_place at = {rule->name,       row->name,       row->kind,
-                                     attribute->value, attribute->line, mistakes};
+                                     attribute->value, attribute->line, mistakes,
+                                     per_metre};
             good = read_value(field, &at) && good;
         } else if (row->required) {
             good = false;
@@ -348,7 +364,7 @@ bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
             if (!element->ended || is_misspelt(rule, element, row->name))
                 continue;
             pp_mistakes_add(mistakes, element->line, "%s: %s is missing; expected %s",
-                            rule->name, row->name, row->kind->expected);
+                            rule->name, row->name, expected_of(row->kind, per_metre));
         }
     }
     return good;

@@ -6,9 +6,10 @@
 #include "model/room/read/room_schema.h"
 
 /* Fills the element's form from its attributes, defaults where they are left out, and
- * notes what is wrong with them. False where anything is. */
+ * notes what is wrong with them. False where anything is. per_metre: 1, or 1000 where the
+ * file has millimetres; forms have metres. */
 bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
-                          const struct pp_xml_element *element,
+                          const struct pp_xml_element *element, double per_metre,
                           struct pp_mistakes *mistakes);
 
 /* Notes children that the element can't have, has too often or too few times. False

@@ -253,6 +253,8 @@ static void read_room(struct pp_reader *r, struct pp_room *room,
     if (root && form.version < 0 && e->ended && !pp_reader_should_stop(r))
         pp_mistakes_add(r->mistakes, e->line,
                         "room: version is missing; expected \"1\"");
+    if (root && form.units == 1)
+        r->per_metre = 1000.0;
     room->line = e->line;
     if (!good)
         form.north_rad = form.x = form.y = form.z = form.rotate_rad = NAN;
@@ -283,6 +285,8 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
     common->site = plain_site;
     common->sky = pp_sky_words_default();
     pp_reader_fill_form(r, &form, &pp_rule_building, e);
+    if (form.units == 1)
+        r->per_metre = 1000.0;
     building->name = pp_reader_copy_text(r, form.name);
     common->north_rad = form.north_rad;
     common->line = e->line;
@@ -321,7 +325,7 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
 enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xml *xml,
                                 struct pp_mistakes *mistakes, struct pp_error *err)
 {
-    struct pp_reader r = {.mistakes = mistakes};
+    struct pp_reader r = {.mistakes = mistakes, .per_metre = 1.0};
     const struct pp_xml_element *root = xml->root;
     if (!root)
         return PP_OK;

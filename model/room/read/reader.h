@@ -18,6 +18,7 @@ struct pp_reader {
     struct pp_mistakes *mistakes;
     int bad_elements;
     bool out_of_memory;
+    double per_metre; /* of the file's lengths: 1, or 1000 for millimetres */
 
     /* The table's glazings that have been asked for (panes > 0), so that each is
      * integrated once. */

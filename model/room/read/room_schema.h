@@ -38,6 +38,7 @@ struct pp_value_kind {
     double unit;              /* factor by which a number is stored; 0: 1 */
     const char *const *words; /* of a choice; ends with NULL */
     const struct pp_named_factors *factors;
+    const char *expected_mm; /* of lengths: what is expected in a file in millimetres */
 };
 
 struct pp_attribute_rule {
@@ -81,12 +82,14 @@ struct pp_finish_value {
 
 struct pp_building_form {
     int version;
+    int units; /* 1: millimetres */
     const char *name;
     double north_rad; /* NAN: not given */
 };
 
 struct pp_room_form {
     int version; /* -1: not given */
+    int units;   /* 1: millimetres; of a root */
     const char *name, *ref;
     double north_rad;           /* NAN: not given */
     double x, y, z, rotate_rad; /* NAN: not given */

@@ -98,17 +98,17 @@ static void schema_and_reader_read_the_same_numbers(void **state)
         const char *text;
         bool good;
     } numbers[] = {
-        {"3", true},       {"3.", true},       {".5", true},     {"0.5", true},
-        {"+3", true},      {"3e1", true},      {"3E+1", true},   {"30e-1", true},
-        {" 3 ", true},     {"\n3", true},      {"0003", true},   {"1e5", true},
-        {"0.001", true},   {"100000.0", true}, {"1e-3", true},   {"", false},
-        {" ", false},      {".", false},       {"+", false},     {"e3", false},
-        {"3e", false},     {"3 4", false},     {"3,5", false},   {"0x3", false},
-        {"inf", false},    {"INF", false},     {"-INF", false},  {"nan", false},
-        {"NaN", false},    {"1e999", false},   {"3m", false},    {"3%", false},
-        {"-3", false},     {"0", false},       {"-0", false},    {"0.0009", false},
-        {"100001", false}, {"1e308", false},   {"3.4.5", false}, {"+-3", false},
-        {"١", false},      {"3\u00a0", false},
+        {"3", true},          {"3.", true},       {".5", true},     {"0.5", true},
+        {"+3", true},         {"3e1", true},      {"3E+1", true},   {"30e-1", true},
+        {" 3 ", true},        {"\n3", true},      {"0003", true},   {"1e5", true},
+        {"0.001", true},      {"100000.0", true}, {"1e-3", true},   {"", false},
+        {" ", false},         {".", false},       {"+", false},     {"e3", false},
+        {"3e", false},        {"3 4", false},     {"3,5", false},   {"0x3", false},
+        {"inf", false},       {"INF", false},     {"-INF", false},  {"nan", false},
+        {"NaN", false},       {"1e999", false},   {"3m", false},    {"3%", false},
+        {"-3", false},        {"0", false},       {"-0", false},    {"0.0009", false},
+        {"100000001", false}, {"1e308", false},   {"3.4.5", false}, {"+-3", false},
+        {"١", false},         {"3\u00a0", false},
     };
     struct editor_schema *schema = the_schema();
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
