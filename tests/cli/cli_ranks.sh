@@ -77,7 +77,8 @@ a_stop_prints_what_is_there() {
     sleep 0.8
     kill -INT "$zero"
     wait $job
-    [ "$(grep -c '"name":' "$scratch/out")" -ge 4 ] &&
+    status=$?
+    [ $status -eq 130 ] && [ "$(grep -c '"name":' "$scratch/out")" -ge 4 ] &&
         grep -q '"finished": false' "$scratch/out" || told
 }
 

@@ -238,31 +238,29 @@ static void a_point_that_shares_depends_on_no_other(void **state)
     pp_world_destroy(world);
 }
 
-/* The mean of 30 points over 48 seeds: by the points' standard errors and what they say that
- * they have in common it varies as it does. As if they were independent it would be said to
- * vary less. */
-static void what_points_have_in_common_is_known(void **state)
+/* Standard errors of the sum over the first points of a list: as said, for the share that
+ * all have in common and for that of near ones, as seen over runs with a seed each, and as
+ * it would be if the points knew nothing of one another. */
+struct sum_errors {
+    double said, said_near, seen, alone;
+};
+
+static struct sum_errors errors_of_sum(struct shared_room *room,
+                                       const struct pp_receiver *points, int count,
+                                       int first, int seeds)
 {
-    (void)state;
-    enum { SEEDS = 48, COLUMNS = 6, POINTS = 30 };
-    struct shared_room room;
-    init(&room, ROOM);
-    struct pp_receiver points[POINTS];
-    for (int i = 0; i < POINTS; i++)
-        points[i] = pp_test_receiver(0.3 + 0.54 * (i % COLUMNS),
-                                     0.4 + 1.0 * (i / COLUMNS), 0.8, 0.0, 0.0, 1.0);
-    double mean = 0.0, squares = 0.0, said = 0.0, alone = 0.0;
-    for (int seed = 0; seed < SEEDS; seed++) {
+    double mean = 0.0, squares = 0.0, said = 0.0, near = 0.0, alone = 0.0;
+    for (int seed = 0; seed < seeds; seed++) {
         struct pp_tracer_options options = {
             .error = 0.03, .seed = (uint64_t)seed, .threads = 1};
         struct pp_tracer *tracer;
-        assert_int_equal(pp_tracer_create(&tracer, room.scene, room.environment, points,
-                                          POINTS, &options, NULL),
+        assert_int_equal(pp_tracer_create(&tracer, room->scene, room->environment,
+                                          points, count, &options, NULL),
                          PP_OK);
         while (!pp_tracer_done(tracer))
             assert_int_equal(pp_tracer_advance(tracer, 10.0, NULL), PP_OK);
         double sum = 0.0, errors = 0.0, variance = 0.0;
-        for (int i = 0; i < POINTS; i++) {
+        for (int i = 0; i < first; i++) {
             struct pp_reading readings[PP_COMPONENT_COUNT];
             pp_tracer_read(tracer, i, readings);
             sum += readings[PP_DF].value;
@@ -270,18 +268,59 @@ static void what_points_have_in_common_is_known(void **state)
             variance += readings[PP_DF].std_error * readings[PP_DF].std_error;
         }
         double error = pp_common_error(errors, variance, pp_tracer_common(tracer));
+        double error_near =
+            pp_common_error(errors, variance, pp_tracer_common_near(tracer));
         double off = sum - mean;
         mean += off / (seed + 1);
         squares += off * (sum - mean);
-        said += error * error / SEEDS;
-        alone += variance / SEEDS;
+        said += error * error / seeds;
+        near += error_near * error_near / seeds;
+        alone += variance / seeds;
         pp_tracer_destroy(tracer);
     }
-    double seen = squares / (SEEDS - 1);
-    print_message("# said %.3g, seen %.3g, alone %.3g\n", sqrt(said), sqrt(seen),
-                  sqrt(alone));
-    assert_relative(sqrt(said), sqrt(seen), 0.3);
-    assert_true(seen > 1.3 * alone);
+    struct sum_errors found = {sqrt(said), sqrt(near), sqrt(squares / (seeds - 1)),
+                               sqrt(alone)};
+    print_message("# said %.3g, of near ones %.3g, seen %.3g, alone %.3g\n", found.said,
+                  found.said_near, found.seen, found.alone);
+    return found;
+}
+
+/* The mean of 30 points over 48 seeds: by the points' standard errors and what they say that
+ * they have in common it varies as it does. As if they were independent it would be said to
+ * vary less. */
+static void what_points_have_in_common_is_known(void **state)
+{
+    (void)state;
+    enum { COLUMNS = 6, POINTS = 30 };
+    struct shared_room room;
+    init(&room, ROOM);
+    struct pp_receiver points[POINTS];
+    for (int i = 0; i < POINTS; i++)
+        points[i] = pp_test_receiver(0.3 + 0.54 * (i % COLUMNS),
+                                     0.4 + 1.0 * (i / COLUMNS), 0.8, 0.0, 0.0, 1.0);
+    struct sum_errors sum = errors_of_sum(&room, points, POINTS, POINTS, 48);
+    assert_relative(sum.said, sum.seen, 0.3);
+    assert_true(sum.seen * sum.seen > 1.3 * sum.alone * sum.alone);
+    clear(&room);
+}
+
+/* A dozen points 0.2 m apart, and two more dozens far from them and each other: those of
+ * one dozen have much more in common than all have. */
+static void near_points_have_more_in_common_than_all(void **state)
+{
+    (void)state;
+    enum { DOZEN = PP_TRACER_NEAREST, POINTS = 3 * DOZEN };
+    static const double corner[3][2] = {{1.4, 2.9}, {0.2, 4.3}, {2.4, 1.2}};
+    struct shared_room room;
+    init(&room, ROOM);
+    struct pp_receiver points[POINTS];
+    for (int i = 0; i < POINTS; i++)
+        points[i] = pp_test_receiver(corner[i / DOZEN][0] + 0.2 * (i % 4),
+                                     corner[i / DOZEN][1] + 0.2 * (i % DOZEN / 4), 0.8,
+                                     0.0, 0.0, 1.0);
+    struct sum_errors sum = errors_of_sum(&room, points, POINTS, DOZEN, 32);
+    assert_relative(sum.said_near, sum.seen, 0.3);
+    assert_true(sum.said < 0.8 * sum.said_near);
     clear(&room);
 }
 
@@ -294,6 +333,7 @@ int main(void)
         cmocka_unit_test(shared_points_do_not_depend_on_what_was_asked_before),
         cmocka_unit_test(a_point_that_shares_depends_on_no_other),
         cmocka_unit_test(what_points_have_in_common_is_known),
+        cmocka_unit_test(near_points_have_more_in_common_than_all),
     };
     return cmocka_run_group_tests_name("shared_light", tests, NULL, NULL);
 }
