@@ -64,10 +64,12 @@ static bool look(void *data, double done)
     return !pp_interrupt_came();
 }
 
-static enum pp_status alone(const struct pp_room_dealing *dealing, struct pp_error *err)
+/* Those from `first` on, by this process. */
+static enum pp_status alone(const struct pp_room_dealing *dealing, int first,
+                            struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    for (int i = 0; i < dealing->count && status == PP_OK; i++) {
+    for (int i = first; i < dealing->count && status == PP_OK; i++) {
         struct pp_room_figures figures = dealing->figures(dealing->data, i);
         status =
             dealing->simulate(dealing->data, i, figures.report, figures.by_clock, err);
@@ -75,7 +77,8 @@ static enum pp_status alone(const struct pp_room_dealing *dealing, struct pp_err
     return status;
 }
 
-/* Rooms that were not reached have no columns: a stop ends it without results. */
+/* After a stop, rooms that were not taken get what a process alone has of them: the watch
+ * of the simulation ends each as soon as it has begun. */
 enum pp_status pp_deal_rooms(const struct pp_room_dealing *dealing,
                              struct pp_error *err)
 {
@@ -88,12 +91,9 @@ enum pp_status pp_deal_rooms(const struct pp_room_dealing *dealing,
                                  .data = (void *)dealing,
                                  .ranks = dealing->ranks};
     if (!dealing->ranks || (dealing->count <= 1 && dealing->ranks->rank == 0))
-        return alone(dealing, err);
+        return alone(dealing, 0, err);
     if (dealing->count <= 1)
         return pp_fail(err, PP_INTERRUPTED, "one room is rank 0's");
     enum pp_status status = pp_deal_run(&deal, &next, err);
-    return status == PP_OK && next < dealing->count
-               ? pp_fail(err, PP_INTERRUPTED, "interrupted after %d of %d rooms", next,
-                         dealing->count)
-               : status;
+    return status == PP_OK ? alone(dealing, next, err) : status;
 }

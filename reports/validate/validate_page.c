@@ -34,11 +34,13 @@ static const char more_style[] =
     "line{stroke:var(--soft)}text{fill:var(--soft);font:10px system-ui,sans-serif}\n"
     ".groups th{white-space:normal}.cases-of td:first-child{min-width:9rem}\n"
     "@media(max-width:600px){.groups "
-    ":is(td,th):is(:nth-child(4),:nth-child(5)){display:"
+    "th:is(:nth-child(2),:nth-child(4),:nth-child(5)),.groups "
+    "td:is(:nth-child(2),:nth-child(4),:nth-child(5)){display:"
     "none}.groups svg{width:110px;height:auto}}\n"
     "details{margin:.4rem 0}summary{cursor:pointer}\n"
     "@media print{body{max-width:none;padding:0}.cases{display:none}tr{break-inside:"
-    "avoid}table{font-size:.7rem}}\n";
+    "avoid}table{font-size:.65rem}.cases-of :is(td,th){padding-right:.25rem}"
+    ".cases-of td:first-child{min-width:7rem}}\n";
 
 /* ---- groups ---- */
 

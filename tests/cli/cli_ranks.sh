@@ -44,6 +44,44 @@ the_same_bytes_of_assess() {
     [ $status -eq 0 ] && cmp "$scratch/alone" "$scratch/out" || told
 }
 
+the_same_bytes_of_validate() {
+    few="rooms $deep $examples/office.xml --samples 8 --methods exact+bre --format json"
+    run validate $few
+    [ $status -eq 0 ] || told || return 1
+    cp "$scratch/out" "$scratch/alone"
+    for n in 2 3; do
+        ranks $n validate $few --page "$scratch/$n.html"
+        [ $status -eq 0 ] && cmp "$scratch/alone" "$scratch/out" || told || return 1
+    done
+    cmp "$scratch/2.html" "$scratch/3.html"
+}
+
+# Its own answers are rank 0's alone.
+a_suite_is_run_once() {
+    run validate analytic --format csv
+    cp "$scratch/out" "$scratch/alone"
+    ranks 2 validate analytic --format csv
+    [ $status -eq 0 ] && cmp "$scratch/alone" "$scratch/out" || told
+}
+
+# Rank 0 is told to stop once it simulates: what is there is printed, marked as unfinished.
+a_stop_prints_what_is_there() {
+    timeout 60 mpirun --oversubscribe -n 2 "$pepperpot" df --simulate --error 0.001% \
+        --time 50 --format json $files >"$scratch/out" 2>"$scratch/err" </dev/null &
+    job=$!
+    zero=
+    until [ -n "$zero" ]; do
+        sleep 0.05
+        mpirun=$(pgrep -P $job) && zero=$(pgrep -P "$mpirun" pepperpot | head -n 1)
+    done
+    sleep 0.8
+    kill -INT "$zero"
+    wait $job
+    status=$?
+    [ $status -eq 130 ] && [ "$(grep -c '"name":' "$scratch/out")" -ge 4 ] &&
+        grep -q '"finished": false' "$scratch/out" || told
+}
+
 one_rank_writes() {
     run df $deep
     cp "$scratch/out" "$scratch/alone"
@@ -90,6 +128,10 @@ a_rank_may_be_killed() {
 
 check '1, 2 and 4 ranks give the bytes of one process' the_same_bytes_of_df
 check 'so does assess, with two threads each' the_same_bytes_of_assess
+check 'so does validate, which deals out rooms and the worlds of their methods' \
+    the_same_bytes_of_validate
+check 'and its suites of known answers' a_suite_is_run_once
+check 'a stop prints what is there' a_stop_prints_what_is_there
 check 'rank 0 alone writes, also of a command that does not deal' one_rank_writes
 check 'a mistake is told once, with its exit status' one_rank_speaks
 check 'so does the atlas' the_same_bytes_of_an_atlas
