@@ -236,6 +236,19 @@ static void put_paragraph(struct sheet_setter *setter, int index)
     setter->y += height + 0.5 * setter->style.scale;
 }
 
+/* The head again, and the title of the group that goes on with row `row`. */
+static void continue_table(struct sheet_setter *setter,
+                           const struct pp_document_grid *grid, int row)
+{
+    const struct pp_document_row *rows = grid->table->rows;
+    int group = row;
+    while (group >= 0 && rows[group].kind != PP_ROW_GROUP)
+        group--;
+    setter->y += pp_document_grid_head(grid, setter->y, setter->drawn);
+    if (group >= 0 && group < row)
+        setter->y += pp_document_grid_row(grid, group, setter->y, setter->drawn);
+}
+
 static void put_table(struct sheet_setter *setter, int index)
 {
     struct pp_document_grid grid = grid_of(setter, &setter->document->blocks[index]);
@@ -246,7 +259,7 @@ static void put_table(struct sheet_setter *setter, int index)
         int sheet = setter->sheet;
         need(setter, pp_document_grid_unit(&grid, i));
         if (setter->sheet != sheet)
-            setter->y += pp_document_grid_head(&grid, setter->y, setter->drawn);
+            continue_table(setter, &grid, i);
         setter->y += pp_document_grid_row(&grid, i, setter->y, setter->drawn);
     }
 }

@@ -1,10 +1,10 @@
 /* document_sheets.h - a document on sheets of paper.
  *
  * Chapters begin sheets of their own unless most of one is left. Tables break between their
- * rows, with their heads repeated; no row, paragraph or picture is cut, and no heading is
- * the last of a sheet. Pictures stand at true scale, as they were drawn, and
- * say themselves what they show. At the foot of
- * each sheet stand the document's name and which of how many sheets it is.
+ * rows, with their heads and their groups' titles repeated; no row, paragraph or picture is
+ * cut, and no heading is the last of a sheet. Pictures stand at true scale, as they were
+ * drawn, and say themselves what they show. At the foot of each sheet stand the document's
+ * name and which of how many sheets it is; chapters are the PDF's list of contents.
  */
 #ifndef PP_CHARTS_DOCUMENT_DOCUMENT_SHEETS_H
 #define PP_CHARTS_DOCUMENT_DOCUMENT_SHEETS_H

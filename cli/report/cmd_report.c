@@ -12,8 +12,8 @@
 #include "cli/assess/assess_run.h"
 #include "cli/command.h"
 #include "cli/output.h"
+#include "cli/report/made_words.h"
 #include "cli/report/report_pictures.h"
-#include "model/base/text.h"
 #include "reports/page/document_html.h"
 #include "reports/page/site_report.h"
 
@@ -23,52 +23,12 @@ static const char about[] =
     "Writes a report of all rooms of a file: to -o FILE.html one page of HTML that "
     "needs "
     "nothing else, to -o FILE.pdf sheets of A4. It holds what is known of each room, "
-    "its "
-    "plan and section, daylight factors by hand with their bands and traced with their "
-    "standard errors, what they have to reach, what would help, and how it was made. "
-    "Of "
-    "a site also its plan and elevations and, existing and proposed, every window's "
-    "sky "
-    "and every room's lit area before and after, which is drawn too; where a --for "
-    "that "
-    "judges sunlight asks for it, the sun's paths. FILE is a room file; - is standard "
-    "input.";
-
-/* The words that make the same report again. */
-static void say_words(char *text, size_t size, const struct pp_assess_run *run)
-{
-    const struct pp_assess_words *words = run->words;
-    const struct pp_study_options *study = &words->room.study;
-    pp_text_append(text, size, "pepperpot report");
-    if (words->criteria)
-        pp_text_append(text, size, " --criteria %s", words->criteria);
-    if (words->profile_name)
-        pp_text_append(text, size, " --for %s", words->profile_name);
-    if (words->before)
-        pp_text_append(text, size, " --before %s", words->before);
-    if (words->place)
-        pp_text_append(text, size, " --place %s", words->place);
-    if (words->room.state != PP_STATE_BOTH)
-        pp_text_append(text, size, " --state %s",
-                       words->room.state == PP_STATE_EXISTING ? "existing"
-                                                              : "proposed");
-    if (study->sky)
-        pp_text_append(text, size, " --sky %s", study->sky);
-    if (!study->simulate)
-        pp_text_append(text, size, " --by-hand");
-    else if (study->samples)
-        pp_text_append(text, size, " --samples %ld --seed %llu", (long)study->samples,
-                       (unsigned long long)study->seed);
-    else
-        pp_text_append(text, size, " --error %g%% --seed %llu", 100.0 * study->error,
-                       (unsigned long long)study->seed);
-    const char *last = "";
-    for (int i = 0; i < run->rooms->count; i++) {
-        if (strcmp(run->rooms->list[i].file, last) != 0)
-            pp_text_append(text, size, " %s", run->rooms->list[i].file);
-        last = run->rooms->list[i].file;
-    }
-}
+    "daylight factors by hand with their bands and traced with their standard errors, "
+    "what they have to reach, what would help, the room's plan and section, and how it "
+    "was made. Of a site also its plan and elevations and, existing and proposed, "
+    "every "
+    "window's sky and every room's lit area before and after; with a --for that judges "
+    "sunlight, the sun's paths. FILE is a room file; - is standard input.";
 
 /* By the ending of its name: is the report a PDF? */
 static bool is_pdf(const char *path)
@@ -125,11 +85,12 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
 {
     const struct pp_assess_run *run = data;
     const char *title = title_of(&run->rooms->list[0]);
-    char made_by[1024] = "";
+    char *made_by = pp_made_words(run);
     bool pdf = is_pdf(run->words->room.output);
     struct pp_report_pictures pictures;
     struct pp_document document = {0};
-    say_words(made_by, sizeof made_by, run);
+    if (!made_by)
+        return pp_fail_memory(err);
     enum pp_status status = pp_report_pictures_draw(&pictures, run, pdf, err);
     const struct pp_site_report report = {.all = &run->all,
                                           .title = title,
@@ -144,6 +105,7 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
         status = (pdf ? print_pdf : print_html)(&document, title, &pictures, out, err);
     pp_document_clear(&document);
     pp_report_pictures_clear(&pictures);
+    free(made_by);
     return status;
 }
 

@@ -16,7 +16,7 @@ static const char more_style[] =
     "@media print{body{max-width:none;padding:0;font-size:10pt}section+section{"
     "break-before:page}.wide{overflow:visible}tr,figure,.verdict{break-inside:avoid}"
     "figure svg{width:auto;max-width:100%;max-height:10.5cm}"
-    "h2,h3,.g,.r td{break-after:avoid}}\n";
+    "h2,h3,.g,.r td,tr:nth-child(-n+2){break-after:avoid}}\n";
 
 /* "class", of the tone of a cell in a column. */
 static const char *class_of(enum pp_document_column_kind kind, enum pp_tone tone)

@@ -42,6 +42,13 @@ check "what would help" grep -q "What would help" "$scratch/out"
 sed 's/Corner house/House \&lt;b\&gt; \&amp; co/' "$site" >"$scratch/name.xml"
 check "names are text" shows '<h1>House &lt;b&gt; &amp; ' report --by-hand -c vsc --room Bathroom \
     "$scratch/name.xml"
+mkdir "$scratch/it's a site"
+cp "$scratch/name.xml" "$scratch/it's a site/house.xml"
+words="pepperpot report --criteria vsc --median-diffuse 14100 --room Study --state proposed --samples \
+64 --seed 7"
+check "the words that make it again" shows "$words '$scratch/it'\\''s a site/house.xml'" report -c vsc \
+    --median-diffuse 14100 --room Study --state proposed --samples 64 --seed 7 -j 1 \
+    "$scratch/it's a site/house.xml"
 check "a room by itself" shows "<h1>Deep office</h1>" report --by-hand "$deep"
 cat >"$scratch/cellar.xml" <<'EOF'
 <room version="1" name="Cellar"><plan width="3" depth="4" height="2.2"/></room>

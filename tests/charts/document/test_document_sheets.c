@@ -74,6 +74,10 @@ static void put_table(struct pp_document *document, int rows)
     pp_document_column(document, PP_COLUMN_WORDS, "window");
     pp_document_column(document, PP_COLUMN_NUMBERS, "existing, %%");
     for (int i = 0; i < rows; i++) {
+        if (i == 0 || i == rows - 4) {
+            pp_document_row(document, PP_ROW_GROUP);
+            pp_document_cell(document, PP_TONE_PLAIN, i ? "Gardens" : "Sunlight");
+        }
         pp_document_row(document, PP_ROW_CELLS);
         pp_document_cell(document, PP_TONE_PLAIN, "row-%03d.", i);
         pp_document_note(document, "of two lines");
@@ -94,6 +98,8 @@ static void a_table_over_sheets_repeats_its_head_and_has_every_row_once(void **s
         skip();
     assert_true(sheets.count >= 4);
     assert_int_equal(sheets_with(&sheets, "existing, %"), sheets.count);
+    assert_int_equal(sheets_with(&sheets, "Sunlight"), sheets.count);
+    assert_int_equal(sheets_with(&sheets, "Gardens"), 1);
     for (int i = 0; i < ROWS; i++) {
         char row[16];
         snprintf(row, sizeof row, "row-%03d.", i);

@@ -334,25 +334,33 @@ static void only_pdf_has_several_sheets(void **state)
     pp_canvas_destroy(canvas);
 }
 
-/* A drawing of its own size that is to be placed: a rule of 100 mm from (20, 30) on, a clip
- * in which an upright line begins at the edge, and one that reaches beyond the sheet. */
+/* A drawing of its own size that is to be placed: a rule of 100 mm from (20, 30) on, lines in
+ * a clip, from its edges on, that go back to where they began, and one that reaches beyond
+ * the sheet. */
 static struct pp_canvas *canvas_to_place(void)
 {
     const struct pp_sheet sheet = {
         .width_mm = 131.7, .height_mm = 77.3, .to_place = true};
+    const double left = 41.0, top = 33.8208, wide = 66.0, high = 37.0;
     struct pp_canvas *canvas;
     assert_int_equal(pp_canvas_create(&canvas, &sheet, NULL), PP_OK);
     assert_near(pp_canvas_width_mm(canvas), 131.7, 0.0);
     draw_rule(canvas);
     cairo_t *cr = pp_canvas_cairo(canvas);
     cairo_save(cr);
-    cairo_rectangle(cr, 51, 33.820836541727331, 66, 37);
+    cairo_rectangle(cr, left, top, wide, high);
     cairo_clip(cr);
-    cairo_move_to(cr, 105, 33.820836541727331);
-    cairo_line_to(cr, 105, 42.820836541727331);
-    cairo_line_to(cr, 105, 42.820836541727331);
-    cairo_close_path(cr);
-    cairo_stroke(cr);
+    cairo_set_line_width(cr, 0.083);
+    for (int i = 0; i < 16; i++) {
+        double x = left + 0.25 * (i / 4) * wide, y = top + 0.25 * (i % 4) * high;
+        double across = i % 2 ? 9.0 : 0.0, down = i % 2 ? 0.0 : 9.0;
+        cairo_move_to(cr, x, y);
+        cairo_line_to(cr, x + across, y + down);
+        cairo_line_to(cr, x + across, y + down);
+        cairo_line_to(cr, x, y);
+        cairo_close_path(cr);
+        cairo_stroke(cr);
+    }
     cairo_restore(cr);
     cairo_move_to(cr, 100, 60);
     cairo_line_to(cr, 300, 60);
@@ -360,7 +368,24 @@ static struct pp_canvas *canvas_to_place(void)
     return canvas;
 }
 
-static void a_placed_drawing_keeps_its_scale_and_stays_lines(void **state)
+/* Wherever it is placed. */
+static void a_placed_drawing_is_no_picture_of_pixels(void **state)
+{
+    (void)state;
+    struct pp_canvas *drawing = canvas_to_place();
+    for (int i = 0; i < 24; i++) {
+        struct pp_canvas *sheet = canvas_of(PP_CHART_PDF, PP_PAPER_A4, false);
+        size_t length;
+        pp_canvas_place(sheet, drawing, 6.0 + 0.31 * i, 16.0 + 7.3 * i);
+        char *pdf = file_of(sheet, &length);
+        assert_null(memmem(pdf, length, "/Subtype /Image", 15));
+        free(pdf);
+        pp_canvas_destroy(sheet);
+    }
+    pp_canvas_destroy(drawing);
+}
+
+static void a_placed_drawing_keeps_its_scale_and_its_words(void **state)
 {
     (void)state;
     struct pp_canvas *drawing = canvas_to_place();
@@ -369,7 +394,6 @@ static void a_placed_drawing_keeps_its_scale_and_stays_lines(void **state)
     pp_canvas_place(sheet, drawing, 13.37, 101.9);
     pp_canvas_place(sheet, drawing, 13.37, 187.1);
     char *pdf = file_of(sheet, &length);
-    assert_null(memmem(pdf, length, "/Subtype /Image", 15));
     pp_canvas_destroy(sheet);
     pp_canvas_destroy(drawing);
     char *svg = through("pdftocairo -svg -noshrink -origpagesizes %s - 2>/dev/null",
@@ -449,7 +473,8 @@ int main(void)
         cmocka_unit_test(a_drawing_gone_wrong_is_not_written),
         cmocka_unit_test(names_of_files_and_papers_are_understood_or_refused),
         cmocka_unit_test(only_pdf_has_several_sheets),
-        cmocka_unit_test(a_placed_drawing_keeps_its_scale_and_stays_lines),
+        cmocka_unit_test(a_placed_drawing_is_no_picture_of_pixels),
+        cmocka_unit_test(a_placed_drawing_keeps_its_scale_and_its_words),
         cmocka_unit_test(a_drawing_to_be_placed_is_no_file),
         cmocka_unit_test(a_pdf_lists_its_contents),
     };
