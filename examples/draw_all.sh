@@ -92,6 +92,20 @@ for kind in waldram pepper-pot protractor; do
     done
 done
 
+# A site, existing and proposed.
+site=$(dirname "$0")/sites/corner-house.xml
+for format; do
+    for kind in site elevation; do
+        "$program" chart $kind ${CHART_OPTIONS-} "$site" -o "$out/corner-house-$kind.$format"
+    done
+    for line in no-sky sky-factor; do
+        "$program" chart plan --before existing --line $line --room Study ${CHART_OPTIONS-} \
+            "$site" -o "$out/corner-house-$line.$format"
+    done
+    "$program" chart sun-path --before existing --room Study ${CHART_OPTIONS-} "$site" \
+        -o "$out/corner-house-sun-path.$format"
+done
+
 # Pictures of their light.
 picture() {
     name=$1 room=$2
