@@ -410,8 +410,9 @@ static void write_caption(const struct section_drawing *drawing, int behind)
     /* The caption may be wider than a narrow room; then it begins before the room where
      * there is no place behind it. */
     set.width = fmax(right - left, 90.0 * drawing->style->scale);
-    left = fmax(fmin(left, right + section->right_mm - set.width),
-                section->x - section->left_mm);
+    if (section->most_x > 0.0)
+        left = fmin(left,
+                    fmax(section->most_x - set.width, section->x - section->left_mm));
     set.lines = 2;
     pp_lettering_draw(drawing->cr, drawing->style, &set, left,
                       at_z(drawing, drawing->low) + 1.4 * drawing->style->scale, text);

@@ -24,6 +24,7 @@ struct pp_room_section {
      * what stands outside the near and the far wall. */
     double x, y, left_mm, right_mm;
     double head_mm; /* and above it */
+    double most_x;  /* the caption ends before it; 0: where it likes */
 };
 
 /* Is the window at the near or far end obstructed? */

@@ -310,6 +310,7 @@ static void draw_sheet(struct pp_section_plot *plot, struct pp_canvas *canvas,
     section.y = plot->field.y + plot->field.height + between;
     section.left_mm = left;
     section.right_mm = right;
+    section.most_x = body.x + body.width;
     pp_room_section_draw(plot->cr, style, &section);
     double below = section.y + section.height_mm + 4.0 * style->scale;
     for (int i = 0; i < plot->legend.columns; i++) {

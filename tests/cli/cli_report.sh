@@ -100,6 +100,17 @@ if command -v pdfimages >/dev/null; then
 else
     skip "the drawings are lines" "no pdfimages"
 fi
+# Words nearer to a sheet's edge than 14 mm, or 8 mm at its foot (points).
+beyond_margins() {
+    pdftotext -bbox "$1" - | sed -n 's/.*<word xMin="\(.*\)" yMin="\(.*\)" xMax="\(.*\)" yMax="\(.*\)">\(.*\)<.*/\1 \2 \3 \4 \5/p' |
+        awk '{ words++ } $1 < 39.7 || $2 < 39.7 || $3 > 555.6 || $4 > 819.2
+            END { if (words < 500) print words + 0, "words in all" }'
+}
+if command -v pdftotext >/dev/null; then
+    check "nothing that is written lies in the margins" nothing "$(beyond_margins "$pdf")"
+else
+    skip "nothing that is written lies in the margins" "no pdftotext"
+fi
 check "the same again" sh -c "
     '$pepperpot' report --by-hand --for uk-planning '$scratch/pair.xml' -o '$scratch/again.pdf' &&
         cmp '$pdf' '$scratch/again.pdf'"
