@@ -19,7 +19,9 @@
 static const char about[] =
     "The window that just reaches a target: the smallest width, height, head, sill or "
     "number of windows with which the average daylight factor over the working plane "
-    "(with --points: the lowest of some points) is not below it. What a hand "
+    "(with --points: the lowest of some points) is not below it; with --for, all that "
+    "a "
+    "criterion asks for. What a hand "
     "method answers is checked by tracing light paths, but with --by-hand. With "
     "--obstruction: how high a block may be so that windows or rooms keep their sky; "
     "with "

@@ -7,6 +7,7 @@
 #include "methods/evaluate.h"
 #include "methods/selection.h"
 #include "model/base/text.h"
+#include "studies/sizing/criterion_margin.h"
 
 static enum pp_status read_change(const char *text, void *place, struct pp_error *err)
 {
@@ -42,6 +43,10 @@ static enum pp_status read_of(const char *text, void *place, struct pp_error *er
 const struct pp_option pp_size_task_options[] = {
     {"target", 't', "DF%", "The daylight factor to reach: 2% or 2.",
      pp_options_read_per_cent, PLACE(request.target)},
+    {"for", 0, "CRITERION",
+     "In its place: all that this criterion of assess asks for; behind a colon, how "
+     "those of its findings begin that count: en17037:minimum.",
+     pp_options_read_text, PLACE(request.criterion)},
     {"by", 'b', "METHOD",
      "The method that it is worked out by: a method, a pair, or \"traced\" for the "
      "simulation (default exact+bre, or exact+split-flux where that does not cover "
@@ -110,6 +115,7 @@ static enum pp_status settle_block(struct pp_size_options *options,
     const struct pp_room_options *room = &options->room;
     struct pp_sky_dues_rule *rule = &options->rule;
     const char *other = request->target > 0.0          ? "target"
+                        : request->criterion           ? "for"
                         : request->by                  ? "by"
                         : request->wall                ? "wall"
                         : request->line > 0            ? "window"
@@ -166,6 +172,26 @@ static const char *stray_rule(const struct pp_size_options *options)
                                               : NULL;
 }
 
+/* A criterion is judged by figures of its own, at points of its own. */
+static enum pp_status settle_criterion(struct pp_size_options *options,
+                                       struct pp_error *err)
+{
+    struct pp_size_request *request = &options->request;
+    const char *by = request->by;
+    const char *other = request->target > 0.0                  ? "target"
+                        : by && strcmp(by, "traced") != 0      ? "by"
+                        : options->room.study.points.count > 0 ? "points"
+                                                               : NULL;
+    if (other)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--%s does not go with --for; expected one of them%s", other,
+                       strcmp(other, "by") == 0 ? ", or --by traced" : "");
+    struct pp_error fault = {0};
+    enum pp_status status = pp_criterion_margin_check(request->criterion, &fault);
+    request->target = 1.0;
+    return status == PP_OK ? status : pp_fail(err, status, "--for: %s", fault.message);
+}
+
 enum pp_status pp_size_options_settle(struct pp_size_options *options,
                                       struct pp_error *err)
 {
@@ -180,10 +206,15 @@ enum pp_status pp_size_options_settle(struct pp_size_options *options,
     if (options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
                        "csv is the format of --envelope; expected text or json");
+    if (options->request.criterion) {
+        enum pp_status status = settle_criterion(options, err);
+        if (status != PP_OK)
+            return status;
+    }
     if (!(options->request.target > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "expected --target, the daylight factor to reach, such as "
-                       "--target 2%%");
+                       "--target 2%%, or --for a criterion");
     options->request.traced =
         options->request.by && strcmp(options->request.by, "traced") == 0;
     options->request.study = &options->room.study;
