@@ -19,13 +19,11 @@
 static const char about[] =
     "The window that just reaches a target: the smallest width, height, head, sill or "
     "number of windows with which the average daylight factor over the working plane "
-    "(with --points: the lowest of some points) is not below it; with --for, all that "
-    "a "
-    "criterion asks for. What a hand "
-    "method answers is checked by tracing light paths, but with --by-hand. With "
-    "--obstruction: how high a block may be so that windows or rooms keep their sky; "
-    "with "
-    "--envelope: what may stand on its plot. FILE is a room file; - is standard input.";
+    "(with --points: the lowest of some points) is not below it; with --for, all "
+    "that a criterion asks for. What a hand method answers is checked by tracing light "
+    "paths, but with --by-hand. With --obstruction: how high a block may be so that "
+    "windows or rooms keep their sky; with --envelope: what may stand on its plot. "
+    "FILE is a room file; - is standard input.";
 
 /* The room file with all that was sized. */
 static enum pp_status write_file(const struct pp_size_results *results,
