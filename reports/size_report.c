@@ -225,16 +225,20 @@ static enum pp_status print_elements(const struct pp_size_room_result *result,
     return status;
 }
 
-static enum pp_status print_room(const struct pp_size_room_result *result,
-                                 const struct pp_size_request *request, int width,
-                                 bool utf8, FILE *out, struct pp_error *err)
+static void append_wanted(char text[TEXT_BYTES],
+                          const struct pp_size_room_result *result,
+                          const struct pp_size_request *request)
 {
-    const struct pp_size_answer *answer = &result->answer;
-    char text[TEXT_BYTES] = "";
     static const char *const of_what[] = {[PP_GIVES_DIRECT] = "direct component ",
                                           [PP_GIVES_INTERNAL] =
                                               "internally reflected component ",
                                           [PP_GIVES_WHOLE] = ""};
+    if (request->criterion) {
+        pp_text_append(text, TEXT_BYTES,
+                       "all that %s asks for, 100 %% of it by its least finding%s",
+                       request->criterion, request->traced ? ", traced" : "");
+        return;
+    }
     append_per_cent(text, request->target);
     int points = request->study->points.count;
     pp_text_append(text, TEXT_BYTES, " %s%s, by %s",
@@ -243,6 +247,15 @@ static enum pp_status print_room(const struct pp_size_room_result *result,
                    : points == 1 ? "at the point"
                                  : "at the lowest of the points",
                    result->method);
+}
+
+static enum pp_status print_room(const struct pp_size_room_result *result,
+                                 const struct pp_size_request *request, int width,
+                                 bool utf8, FILE *out, struct pp_error *err)
+{
+    const struct pp_size_answer *answer = &result->answer;
+    char text[TEXT_BYTES] = "";
+    append_wanted(text, result, request);
     put_fact("wanted", text, width, out);
     if (isfinite(answer->now.value)) {
         text[0] = '\0';
@@ -265,7 +278,8 @@ static enum pp_status print_room(const struct pp_size_room_result *result,
         text[0] = '\0';
         append_reading(text, &result->traced, utf8);
         if (!result->holds && answer->verdict == PP_SIZE_OUT_OF_REACH)
-            pp_text_append(text, TEXT_BYTES, ", where %s has ", result->method);
+            pp_text_append(text, TEXT_BYTES, ", where %s has ",
+                           result->method ? result->method : "the figure by hand");
         if (!result->holds && answer->verdict == PP_SIZE_OUT_OF_REACH)
             append_reading(text, &answer->reading, utf8);
         else if (!result->holds)
@@ -274,7 +288,7 @@ static enum pp_status print_room(const struct pp_size_room_result *result,
                            "does not hold; --by traced finds one that does");
         put_fact("traced", text, width, out);
     }
-    if (!request->traced)
+    if (!request->traced && !request->criterion)
         pp_print_reliability(&result->reliability, width, out);
     if (answer->verdict != PP_SIZE_REACHED || result->edit_count == 0)
         return PP_OK;
@@ -369,7 +383,11 @@ static struct json_object *room(const void *all, int index)
     good = good && pp_json_text(object, "room", result->room->world->name)
            && pp_json_number(object, "target", 100.0 * request->target)
            && pp_json_text(object, "of",
-                           request->study->points.count > 0 ? "points" : "average")
+                           request->criterion                 ? "criterion"
+                           : request->study->points.count > 0 ? "points"
+                                                              : "average")
+           && (!request->criterion
+               || pp_json_text(object, "criterion", request->criterion))
            && pp_json_text(object, "method", result->method)
            && pp_json_text(object, "change", pp_size_room_change_words[request->change])
            && pp_json_add(object, "reached", json_object_new_boolean(reached))
@@ -380,7 +398,7 @@ static struct json_object *room(const void *all, int index)
     if (good && isfinite(result->traced.value))
         good = add_reading(object, "traced", &result->traced)
                && pp_json_add(object, "holds", json_object_new_boolean(result->holds));
-    if (good && !request->traced)
+    if (good && !request->traced && !request->criterion)
         good = pp_print_reliability_json(object, &result->reliability);
     if (good && answer->room)
         good = add_answer(object, result);

@@ -19,9 +19,10 @@
 static const char about[] =
     "The window that just reaches a target: the smallest width, height, head, sill or "
     "number of windows with which the average daylight factor over the working plane "
-    "(with --points: the lowest of some points) is not below it. What a hand "
-    "method answers is checked by tracing light paths, but with --by-hand. With "
-    "--obstruction: how high a block may be so that windows or rooms keep their sky. "
+    "(with --points: the lowest of some points) is not below it; with --for, all "
+    "that a criterion asks for. What a hand method answers is checked by tracing light "
+    "paths, but with --by-hand. With --obstruction: how high a block may be so that "
+    "windows or rooms keep their sky; with --envelope: what may stand on its plot. "
     "FILE is a room file; - is standard input.";
 
 /* The room file with all that was sized. */
@@ -130,7 +131,7 @@ static enum pp_exit run(void *values, char **files, int file_count)
     struct pp_size_options *options = values;
     struct pp_terminal_watch watch;
     struct pp_rooms rooms;
-    if (options->obstruction)
+    if (pp_size_options_block(options))
         return pp_size_block(options, files[0]);
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
     enum pp_exit exit_status =
@@ -159,7 +160,7 @@ static const struct pp_option_group groups[] = {
     {"What is wanted", pp_size_block_options, 0},
     PP_ROOM_PLACE_GROUPS("What is wanted", PLACE(room)),
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
-    {"Output", pp_text_or_json_option, PLACE(format)},
+    {"Output", pp_format_option, PLACE(format)},
     {"Output", pp_size_write_option, 0},
     {"Output", pp_room_output_options, PLACE(room)},
     {0},
@@ -180,9 +181,9 @@ static enum pp_status check(void *values, char **files, int file_count,
     if (status == PP_OK && file_count == 0)
         status =
             pp_fail(err, PP_BAD_INPUT, "expected a room file, or - for standard input");
-    if (status == PP_OK && options->obstruction && file_count > 1)
-        status = pp_fail(err, PP_BAD_INPUT,
-                         "--obstruction is of one file, and there are %d", file_count);
+    if (status == PP_OK && pp_size_options_block(options) && file_count > 1)
+        status = pp_fail(err, PP_BAD_INPUT, "--%s is of one file, and there are %d",
+                         options->envelope ? "envelope" : "obstruction", file_count);
     if (status == PP_OK && options->write && file_count > 1)
         status = pp_fail(err, PP_BAD_INPUT,
                          "--write is of one room file, and there are %d", file_count);

@@ -9,47 +9,82 @@
 #include "cli/terminal.h"
 #include "model/base/text.h"
 #include "reports/block_height_report.h"
-
-struct block_run {
-    const struct pp_size_options *options;
-    struct pp_block_height_task task;
-    struct pp_block_height found;
-    const char *file;
-};
+#include "reports/plot_envelope_report.h"
 
 enum { NAMES_MOST = 64 };
 
-/* Nobody builds higher beside a house. */
-static const double highest_m = 300.0;
+struct block_run {
+    const struct pp_size_options *options;
+    const char *file;
+    struct pp_block_height_task height_task;
+    struct pp_block_height height;
+    struct pp_plot_envelope_task envelope_task;
+    struct pp_plot_envelope envelope;
+};
+
+/* PP_BAD_INPUT where the file has not one block so called. */
+static enum pp_status check_name(const char *file, const struct pp_building *building,
+                                 const char *name, struct pp_error *err)
+{
+    const char *names[NAMES_MOST];
+    int count = pp_building_block_names(building, names, NAMES_MOST);
+    if (isfinite(pp_building_block_height(building, name)))
+        return PP_OK;
+    return count == 0 ? pp_fail(err, PP_BAD_INPUT,
+                                "%s: no block in it has a name; expected one named "
+                                "\"%.60s\"",
+                                file, name)
+                      : pp_text_unknown(err, name, names, count, NULL,
+                                        "%s: there is not one block named \"%.60s\"",
+                                        file, name);
+}
 
 static enum pp_status compute(void *data, struct pp_error *err)
 {
     struct block_run *run = data;
     struct pp_error fault = {0};
-    const char *name = run->task.block, *names[NAMES_MOST];
-    int count = pp_building_block_names(run->task.building, names, NAMES_MOST);
-    if (!isfinite(pp_building_block_height(run->task.building, name)))
-        return count == 0
-                   ? pp_fail(err, PP_BAD_INPUT,
-                             "%s: no block in it has a name; expected one named "
-                             "\"%.60s\"",
-                             run->file, name)
-                   : pp_text_unknown(err, name, names, count, NULL,
-                                     "%s: there is not one block named \"%.60s\"",
-                                     run->file, name);
-    enum pp_status status = pp_block_height_find(&run->found, &run->task, &fault);
+    enum pp_status status =
+        check_name(run->file, run->height_task.building, run->height_task.block, err);
+    if (status != PP_OK)
+        return status;
+    status = run->options->envelope
+                 ? pp_plot_envelope_find(&run->envelope, &run->envelope_task, &fault)
+                 : pp_block_height_find(&run->height, &run->height_task, &fault);
     return status == PP_OK ? status
                            : pp_fail(err, status, "%s: %s", run->file, fault.message);
+}
+
+static enum pp_status print_height(const struct block_run *run, int width, FILE *out,
+                                   struct pp_error *err)
+{
+    return run->options->format == PP_FORMAT_JSON
+               ? pp_block_height_report_json(&run->height, &run->height_task, out, err)
+               : pp_block_height_report(&run->height, &run->height_task, width, out,
+                                        err);
+}
+
+static enum pp_status print_envelope(const struct block_run *run, int width, FILE *out,
+                                     struct pp_error *err)
+{
+    switch (run->options->format) {
+    case PP_FORMAT_JSON:
+        return pp_plot_envelope_report_json(&run->envelope, &run->envelope_task, out,
+                                            err);
+    case PP_FORMAT_CSV:
+        return pp_plot_envelope_report_csv(&run->envelope, &run->envelope_task, out,
+                                           err);
+    default:
+        return pp_plot_envelope_report(&run->envelope, &run->envelope_task, width, out,
+                                       err);
+    }
 }
 
 static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
 {
     const struct block_run *run = data;
-    return run->options->format == PP_FORMAT_JSON
-               ? pp_block_height_report_json(&run->found, &run->task, out, err)
-               : pp_block_height_report(&run->found, &run->task,
-                                        pp_terminal_width(run->options->room.output),
-                                        out, err);
+    int width = pp_terminal_width(run->options->room.output);
+    return run->options->envelope ? print_envelope(run, width, out, err)
+                                  : print_height(run, width, out, err);
 }
 
 enum pp_exit pp_size_block(const struct pp_size_options *options, const char *file)
@@ -61,13 +96,18 @@ enum pp_exit pp_size_block(const struct pp_size_options *options, const char *fi
         return exit_status;
     struct block_run run = {.options = options,
                             .file = file,
-                            .task = {.building = rooms.buildings[0],
-                                     .block = options->obstruction,
-                                     .rule = options->rule,
-                                     .most_m = highest_m}};
+                            .height_task = {.building = rooms.buildings[0],
+                                            .block = pp_size_options_block(options),
+                                            .rule = options->rule,
+                                            .most_m = options->highest_m},
+                            .envelope_task = {.building = rooms.buildings[0],
+                                              .block = pp_size_options_block(options),
+                                              .rule = options->rule,
+                                              .most_m = options->highest_m}};
     exit_status =
         pp_job_run(&(struct pp_job){options->room.output, compute, print, NULL, &run});
-    pp_block_height_clear(&run.found);
+    pp_block_height_clear(&run.height);
+    pp_plot_envelope_clear(&run.envelope);
     pp_rooms_clear(&rooms);
     return exit_status;
 }

@@ -1,4 +1,5 @@
-/* size_block.h - size --obstruction: how high a block may be. */
+/* size_block.h - size --obstruction, size --envelope: how high a block may be, and what may
+ * stand on its plot. */
 #ifndef PP_CLI_SIZE_SIZE_BLOCK_H
 #define PP_CLI_SIZE_SIZE_BLOCK_H
 

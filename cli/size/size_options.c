@@ -6,6 +6,8 @@
 
 #include "methods/evaluate.h"
 #include "methods/selection.h"
+#include "model/base/text.h"
+#include "studies/sizing/criterion_margin.h"
 
 static enum pp_status read_change(const char *text, void *place, struct pp_error *err)
 {
@@ -15,6 +17,15 @@ static enum pp_status read_change(const char *text, void *place, struct pp_error
             return PP_OK;
         }
     return pp_fail(err, PP_BAD_INPUT, "width, height, head, sill or number");
+}
+
+static enum pp_status read_height(const char *text, void *place, struct pp_error *err)
+{
+    double height_m;
+    if (!pp_text_parse_number(text, &height_m) || !(height_m >= 1.0 && height_m <= 1e3))
+        return pp_fail(err, PP_BAD_INPUT, "a height from 1 to 1000 m, such as 25");
+    *(double *)place = height_m;
+    return PP_OK;
 }
 
 static enum pp_status read_of(const char *text, void *place, struct pp_error *err)
@@ -32,6 +43,10 @@ static enum pp_status read_of(const char *text, void *place, struct pp_error *er
 const struct pp_option pp_size_task_options[] = {
     {"target", 't', "DF%", "The daylight factor to reach: 2% or 2.",
      pp_options_read_per_cent, PLACE(request.target)},
+    {"for", 0, "CRITERION",
+     "In its place: all that this criterion of assess asks for; behind a colon, how "
+     "those of its findings begin that count: en17037:minimum.",
+     pp_options_read_text, PLACE(request.criterion)},
     {"by", 'b', "METHOD",
      "The method that it is worked out by: a method, a pair, or \"traced\" for the "
      "simulation (default exact+bre, or exact+split-flux where that does not cover "
@@ -52,6 +67,10 @@ const struct pp_option pp_size_block_options[] = {
      "In place of a window: how high the block of that name may be so that every "
      "upright window, or every room, keeps its share of the sky.",
      pp_options_read_text, PLACE(obstruction)},
+    {"envelope", 0, "NAME",
+     "In place of a window: the largest envelope on the plot of the block of that name "
+     "with which every upright window keeps its share of the sky.",
+     pp_options_read_text, PLACE(envelope)},
     {"of", 0, "WHAT",
      "What each keeps a share of: vsc, the vertical sky component of each upright "
      "window (default), or lit-area, the part of each room's working plane that sees "
@@ -64,6 +83,8 @@ const struct pp_option pp_size_block_options[] = {
      pp_options_read_per_cent, PLACE(rule.enough)},
     {"window-name", 0, "NAME", "Only the window of that name counts.",
      pp_options_read_text, PLACE(rule.window)},
+    {"highest", 0, "M", "No higher than that, in metres (default 300).", read_height,
+     PLACE(highest_m)},
     {0},
 };
 
@@ -86,7 +107,7 @@ static enum pp_status check_method(const char *by, struct pp_error *err)
     return status == PP_OK ? status : pp_fail(err, status, "--by: %s", fault.message);
 }
 
-/* Nothing that is about windows to be sized goes with --obstruction. */
+/* Nothing that is about windows to be sized goes with --obstruction or --envelope. */
 static enum pp_status settle_block(struct pp_size_options *options,
                                    struct pp_error *err)
 {
@@ -94,6 +115,7 @@ static enum pp_status settle_block(struct pp_size_options *options,
     const struct pp_room_options *room = &options->room;
     struct pp_sky_dues_rule *rule = &options->rule;
     const char *other = request->target > 0.0          ? "target"
+                        : request->criterion           ? "for"
                         : request->by                  ? "by"
                         : request->wall                ? "wall"
                         : request->line > 0            ? "window"
@@ -102,10 +124,18 @@ static enum pp_status settle_block(struct pp_size_options *options,
                         : room->study.simulate         ? "simulate"
                         : room->state != PP_STATE_BOTH ? "state"
                                                        : NULL;
+    const char *own = options->envelope ? "envelope" : "obstruction";
+    if (options->envelope && options->obstruction)
+        other = "obstruction";
     if (other)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--%s does not go with --obstruction; expected one of them",
-                       other);
+                       "--%s does not go with --%s; expected one of them", other, own);
+    if (options->envelope && rule->of == PP_SKY_DUES_LIT_AREA)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--envelope is by windows' sky; expected --of vsc");
+    if (options->obstruction && options->format == PP_FORMAT_CSV)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "csv is the format of --envelope; expected text or json");
     if (rule->of == PP_SKY_DUES_LIT_AREA && (rule->window || rule->enough > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "--%s is of windows, and a lit area is a room's; expected "
@@ -119,33 +149,72 @@ static enum pp_status settle_block(struct pp_size_options *options,
                        "--keep is all of it; expected less than 100%%, such as 80%%");
     if (rule->enough == 0.0)
         rule->enough = INFINITY;
+    if (options->highest_m == 0.0)
+        options->highest_m = PP_SIZE_OPTIONS_HIGHEST_M;
     rule->room = room->room;
     return PP_OK;
 }
 
-/* An option of the rule that was given without a block; NULL: none. */
-static const char *stray_rule(const struct pp_sky_dues_rule *rule)
+const char *pp_size_options_block(const struct pp_size_options *options)
 {
-    return rule->window                       ? "window-name"
+    return options->envelope ? options->envelope : options->obstruction;
+}
+
+/* An option of a block's rule that was given without a block; NULL: none. */
+static const char *stray_rule(const struct pp_size_options *options)
+{
+    const struct pp_sky_dues_rule *rule = &options->rule;
+    return options->highest_m > 0.0           ? "highest"
+           : rule->window                     ? "window-name"
            : rule->keep > 0.0                 ? "keep"
            : rule->enough > 0.0               ? "enough"
            : rule->of == PP_SKY_DUES_LIT_AREA ? "of"
                                               : NULL;
 }
 
+/* A criterion is judged by figures of its own, at points of its own. */
+static enum pp_status settle_criterion(struct pp_size_options *options,
+                                       struct pp_error *err)
+{
+    struct pp_size_request *request = &options->request;
+    const char *by = request->by;
+    const char *other = request->target > 0.0                  ? "target"
+                        : by && strcmp(by, "traced") != 0      ? "by"
+                        : options->room.study.points.count > 0 ? "points"
+                                                               : NULL;
+    if (other)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--%s does not go with --for; expected one of them%s", other,
+                       strcmp(other, "by") == 0 ? ", or --by traced" : "");
+    struct pp_error fault = {0};
+    enum pp_status status = pp_criterion_margin_check(request->criterion, &fault);
+    request->target = 1.0;
+    return status == PP_OK ? status : pp_fail(err, status, "--for: %s", fault.message);
+}
+
 enum pp_status pp_size_options_settle(struct pp_size_options *options,
                                       struct pp_error *err)
 {
-    if (options->obstruction)
+    if (pp_size_options_block(options))
         return settle_block(options, err);
-    const char *stray = stray_rule(&options->rule);
+    const char *stray = stray_rule(options);
     if (stray)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--%s is for --obstruction; expected both or neither", stray);
+                       "--%s is for --obstruction or --envelope; expected both or "
+                       "neither",
+                       stray);
+    if (options->format == PP_FORMAT_CSV)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "csv is the format of --envelope; expected text or json");
+    if (options->request.criterion) {
+        enum pp_status status = settle_criterion(options, err);
+        if (status != PP_OK)
+            return status;
+    }
     if (!(options->request.target > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "expected --target, the daylight factor to reach, such as "
-                       "--target 2%%");
+                       "--target 2%%, or --for a criterion");
     options->request.traced =
         options->request.by && strcmp(options->request.by, "traced") == 0;
     options->request.study = &options->room.study;

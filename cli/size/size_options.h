@@ -14,6 +14,8 @@ struct pp_size_options {
     struct pp_size_request request; /* its study is set by pp_size_options_settle */
     const char *write;       /* where the changed room file goes; NULL: nowhere */
     const char *obstruction; /* the block whose height is asked for; NULL: none */
+    const char *envelope;    /* the block on whose plot the largest envelope is; NULL */
+    double highest_m;        /* of either */
     struct pp_sky_dues_rule
         rule; /* what each window or room keeps then; its room is set by
                * pp_size_options_settle */
@@ -22,6 +24,12 @@ struct pp_size_options {
 
 /* The least share that windows and rooms keep, unless told otherwise [BR209]. */
 #define PP_SIZE_OPTIONS_KEEP 0.8
+
+/* Nobody builds higher beside a house. */
+#define PP_SIZE_OPTIONS_HIGHEST_M 300.0
+
+/* The block that is asked about in place of a window; NULL: none. */
+const char *pp_size_options_block(const struct pp_size_options *options);
 
 /* The options of the command, apart from the simulation's and the output's; with a
  * struct pp_size_options as values. */

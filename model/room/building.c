@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/array.h"
 #include "model/base/read_file.h"
 #include "model/room/outside/building_site.h"
 #include "model/room/read/read_elements.h"
@@ -216,6 +217,115 @@ void pp_building_set_block_height(struct pp_building *building, const char *name
             if (part->vertices.list[k].z > base)
                 part->vertices.list[k].z += more;
     }
+}
+
+static enum pp_status copy_corners(struct pp_vec3 **corners, int *count,
+                                   const struct pp_vec3 *from, int from_count,
+                                   double base_m, struct pp_error *err)
+{
+    *corners = malloc((size_t)from_count * sizeof **corners);
+    if (!*corners)
+        return pp_fail_memory(err);
+    for (int i = 0; i < from_count; i++)
+        (*corners)[i] = pp_vec(from[i].x, from[i].y, base_m);
+    *count = from_count;
+    return PP_OK;
+}
+
+enum pp_status pp_building_block_footprint(struct pp_vec3 **corners, int *count,
+                                           const struct pp_building *building,
+                                           const char *name, struct pp_error *err)
+{
+    int box;
+    const struct pp_room *room = holder(building);
+    int line = find_block(room, name, &box);
+    *corners = NULL;
+    *count = 0;
+    if (box >= 0 && line) {
+        const struct pp_block *b = &room->blocks[box];
+        double c = cos(b->rotate_rad), s = sin(b->rotate_rad);
+        struct pp_vec3 along = pp_vec(c * b->width_m, s * b->width_m, 0.0),
+                       across = pp_vec(-s * b->depth_m, c * b->depth_m, 0.0),
+                       right = pp_vec_add(b->corner, along);
+        struct pp_vec3 four[] = {b->corner, right, pp_vec_add(right, across),
+                                 pp_vec_add(b->corner, across)};
+        return copy_corners(corners, count, four, 4, b->corner.z, err);
+    }
+    /* Of what stands over an outline, the roof is the last. */
+    const struct pp_surface_part *roof = NULL;
+    for (int i = 0; i < room->surface_count && line; i++)
+        if (room->surfaces[i].is_of_block && room->surfaces[i].line == line)
+            roof = &room->surfaces[i];
+    if (!roof)
+        return pp_fail(err, PP_BAD_INPUT, "there is not one block named \"%.60s\"",
+                       name);
+    double reach_m[2];
+    find_reach(reach_m, room, line);
+    return copy_corners(corners, count, roof->vertices.list, roof->vertices.count,
+                        reach_m[0], err);
+}
+
+/* Takes out all boxes and surfaces of blocks of that name. *like: a box with what they
+ * have in common, without a name. False: there was none. */
+static bool take_out(struct pp_block *like, struct pp_room *room, const char *name)
+{
+    int kept = 0;
+    bool found = false;
+    for (int i = 0; i < room->surface_count; i++) {
+        struct pp_surface_part *part = &room->surfaces[i];
+        if (!part->is_of_block || !is_called(part->name, name)) {
+            room->surfaces[kept++] = *part;
+            continue;
+        }
+        *like = (struct pp_block){.reflectance = part->reflectance,
+                                  .finish = part->finish,
+                                  .state = part->state,
+                                  .line = part->line};
+        found = true;
+        pp_room_parts_clear_surface(part);
+    }
+    room->surface_count = kept;
+    kept = 0;
+    for (int i = 0; i < room->block_count; i++) {
+        if (!is_called(room->blocks[i].name, name)) {
+            room->blocks[kept++] = room->blocks[i];
+            continue;
+        }
+        free(room->blocks[i].name);
+        *like = room->blocks[i];
+        like->name = NULL;
+        found = true;
+    }
+    room->block_count = kept;
+    return found;
+}
+
+enum pp_status pp_building_divide_block(struct pp_building *building, const char *name,
+                                        const struct pp_building_cell *cells, int count,
+                                        struct pp_error *err)
+{
+    struct pp_room *room = holder(building);
+    struct pp_block like;
+    if (!take_out(&like, room, name))
+        return pp_fail(err, PP_BAD_INPUT, "there is no block named \"%.60s\"", name);
+    for (int i = 0; i < count; i++) {
+        struct pp_block added = like;
+        added.corner = cells[i].corner;
+        added.width_m = cells[i].width_m;
+        added.depth_m = cells[i].depth_m;
+        added.height_m = cells[i].height_m;
+        added.rotate_rad = cells[i].rotate_rad;
+        added.name = strdup(name);
+        if (!added.name
+            || pp_array_append(&room->blocks, room->block_count, sizeof *room->blocks,
+                               NULL)
+                   != PP_OK) {
+            free(added.name);
+            return pp_fail_memory(err);
+        }
+        room->blocks[room->block_count++] = added;
+    }
+    return PP_OK;
 }
 
 int pp_building_block_names(const struct pp_building *building, const char **names,

@@ -64,6 +64,25 @@ double pp_building_block_height(const struct pp_building *building, const char *
 void pp_building_set_block_height(struct pp_building *building, const char *name,
                                   double height_m);
 
+/* The outline that the block of that name stands on: its corners, counter-clockwise seen
+ * from above, at its base; to be freed. PP_BAD_INPUT where there is not one so called. */
+enum pp_status pp_building_block_footprint(struct pp_vec3 **corners, int *count,
+                                           const struct pp_building *building,
+                                           const char *name, struct pp_error *err);
+
+/* A box that stands on a part of a block's plot: turned about its corner. */
+struct pp_building_cell {
+    struct pp_vec3 corner;
+    double width_m, depth_m, height_m;
+    double rotate_rad;
+};
+
+/* Puts boxes (1 or more) of that name in place of all that the block is, or of the boxes
+ * before; they are like it otherwise. It counts as a new height does, above. */
+enum pp_status pp_building_divide_block(struct pp_building *building, const char *name,
+                                        const struct pp_building_cell *cells, int count,
+                                        struct pp_error *err);
+
 /* Up to `most` names of blocks, the building's or a lone room's; not owned. Returns how
  * many. */
 int pp_building_block_names(const struct pp_building *building, const char **names,

@@ -11,6 +11,7 @@
 #include "methods/usual_pair.h"
 #include "studies/bands/report_bands.h"
 #include "studies/room_value.h"
+#include "studies/sizing/criterion_margin.h"
 #include "studies/study_report.h"
 
 const char *const pp_size_room_change_words[] = {"width", "height", "head",
@@ -49,10 +50,22 @@ static struct pp_reading traced_at(const struct pp_report *report, enum pp_gives
     return reading;
 }
 
-/* The traced average, or the lowest of the points. */
+static enum pp_status margin_of(struct valuation *valuation,
+                                const struct pp_world *world,
+                                const struct pp_study_options *traced,
+                                struct pp_reading *reading, struct pp_error *err)
+{
+    return pp_criterion_margin(
+        reading, valuation->by_hand.why, sizeof valuation->by_hand.why,
+        valuation->request->criterion, valuation->room, world, traced, err);
+}
+
+/* The traced average, or the lowest of the points; or what a criterion finds of them. */
 static enum pp_status trace(struct valuation *valuation, const struct pp_world *world,
                             struct pp_reading *reading, struct pp_error *err)
 {
+    if (valuation->request->criterion)
+        return margin_of(valuation, world, valuation->request->study, reading, err);
     int points = valuation->by_hand.point_count;
     struct pp_report report = {.world = world,
                                .light = valuation->room->light,
@@ -77,13 +90,21 @@ static enum pp_status trace(struct valuation *valuation, const struct pp_world *
     return status;
 }
 
+static enum pp_status value_by_hand(struct valuation *valuation,
+                                    const struct pp_world *world,
+                                    struct pp_reading *reading, struct pp_error *err)
+{
+    return valuation->request->criterion
+               ? margin_of(valuation, world, NULL, reading, err)
+               : pp_room_value(&valuation->by_hand, world, reading, err);
+}
+
 static enum pp_status value_of(void *data, const struct pp_world *world,
                                struct pp_reading *reading, struct pp_error *err)
 {
     struct valuation *valuation = data;
-    return valuation->request->traced
-               ? trace(valuation, world, reading, err)
-               : pp_room_value(&valuation->by_hand, world, reading, err);
+    return valuation->request->traced ? trace(valuation, world, reading, err)
+                                      : value_by_hand(valuation, world, reading, err);
 }
 
 /* Is the opening one of those that may change? */
@@ -263,7 +284,7 @@ static enum pp_status trace_room(struct pp_reading *reading, struct pp_reading *
     if (status == PP_OK)
         status = trace(valuation, world, reading, err);
     if (status == PP_OK && by_hand)
-        status = pp_room_value(&valuation->by_hand, world, by_hand, err);
+        status = value_by_hand(valuation, world, by_hand, err);
     pp_world_destroy(world);
     pp_mistakes_clear(&mistakes);
     return status;
@@ -333,19 +354,22 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
                                 .target = request->target,
                                 .value = value_of,
                                 .data = &valuation};
-    choose_method(&valuation);
-    result->method = valuation.by_hand.method;
-    task.by_counts = is_by_counts(result->method);
+    bool by_method = !request->criterion;
+    if (by_method) {
+        choose_method(&valuation);
+        result->method = valuation.by_hand.method;
+        task.by_counts = is_by_counts(result->method);
+    }
     enum pp_status status =
         choose(openings, &task.opening_count, request, room->room, err);
-    if (status == PP_OK && !request->traced)
+    if (status == PP_OK && by_method && !request->traced)
         status = find_reliability(result, &valuation, err);
     if (status == PP_OK)
         status = pp_size_find(&result->answer, &task, err);
     if (status == PP_OK && request->study->simulate && !request->traced
         && result->answer.room)
         status = check_by_simulation(result, &valuation, err);
-    if (status == PP_OK && result->answer.room && !request->traced)
+    if (status == PP_OK && result->answer.room && by_method && !request->traced)
         status = find_band(result, &valuation, err);
     if (status == PP_OK && result->answer.room)
         status = set_down_edits(result, openings, task.opening_count, err);

@@ -16,6 +16,9 @@
 struct pp_size_request {
     const struct pp_study_options *study; /* of points and simulation; not owned */
     double target;                        /* a fraction; 0: not given */
+    const char
+        *criterion; /* in its place, as criterion_margin.h has it: then the target
+                            * is 1, of what that asks for; NULL: none */
     const char *by; /* a method, a pair, or "traced"; NULL: what covers the room */
     bool traced;    /* by is "traced" */
     enum pp_size_change change;
@@ -29,7 +32,7 @@ extern const char *const pp_size_room_change_words[];
 /* What was found for one room. */
 struct pp_size_room_result {
     const struct pp_study_room *room; /* not owned */
-    const char *method;               /* that it was sized by; not owned */
+    const char *method; /* that it was sized by; NULL: a criterion's own; not owned */
     struct pp_size_answer answer;
     struct pp_text_edit *edits; /* what becomes of the room's openings; owned */
     int edit_count;

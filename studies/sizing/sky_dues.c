@@ -24,11 +24,15 @@ static enum pp_status add(struct pp_sky_dues *dues, const struct pp_world *world
     if (status != PP_OK)
         return status;
     struct pp_sky_due *due = &dues->list[dues->count++];
-    *due = (struct pp_sky_due){.place = place,
-                               .line = opening ? opening->line : 0,
-                               .before = NAN,
-                               .now = value,
-                               .after = NAN};
+    *due =
+        (struct pp_sky_due){.place = place, .before = NAN, .now = value, .after = NAN};
+    if (opening) {
+        due->line = opening->line;
+        due->middle = pp_placement_to_building(&world->placement,
+                                               pp_exterior_opening_centroid(opening));
+        due->outward = pp_placement_turn(pp_vec_scale(opening->inner.normal, -1.0),
+                                         world->placement.rotate_rad);
+    }
     if (world->name)
         pp_text_excerpt(due->room, sizeof due->room, world->name);
     if (opening && opening->name)
@@ -46,8 +50,10 @@ static bool is_upright(const struct pp_opening *opening)
     return fabs(opening->slope_rad - PP_PI / 2.0) < 1.0 * PP_RAD;
 }
 
+/* With `only`, the windows of its line alone. */
 static enum pp_status add_windows(struct pp_sky_dues *dues,
                                   const struct pp_sky_dues_rule *rule,
+                                  const struct pp_sky_due *only,
                                   const struct pp_world *world, int place,
                                   struct pp_error *err)
 {
@@ -56,7 +62,8 @@ static enum pp_status add_windows(struct pp_sky_dues *dues,
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &world->openings[i];
         double share;
-        if (!is_upright(opening) || !is_called(opening->name, rule->window))
+        if (!is_upright(opening) || !is_called(opening->name, rule->window)
+            || (only && opening->line != only->line))
             continue;
         status = pp_exterior_sky_on_plane(&share, world, opening,
                                           pp_vec_scale(opening->inner.normal, -1.0),
@@ -82,6 +89,7 @@ static enum pp_status add_lit_area(struct pp_sky_dues *dues,
 /* All that count in one room. */
 static enum pp_status add_room(struct pp_sky_dues *dues,
                                const struct pp_sky_dues_rule *rule,
+                               const struct pp_sky_due *only,
                                struct pp_building *building, int index,
                                struct pp_error *err)
 {
@@ -97,7 +105,7 @@ static enum pp_status add_room(struct pp_sky_dues *dues,
     int place = pp_building_place(building, index);
     if (status == PP_OK && is_called(world->name, rule->room))
         status = rule->of == PP_SKY_DUES_VSC
-                     ? add_windows(dues, rule, world, place, err)
+                     ? add_windows(dues, rule, only, world, place, err)
                      : add_lit_area(dues, world, place, err);
     pp_world_destroy(world);
     return status;
@@ -105,11 +113,13 @@ static enum pp_status add_room(struct pp_sky_dues *dues,
 
 static enum pp_status add_all(struct pp_sky_dues *dues,
                               const struct pp_sky_dues_rule *rule,
+                              const struct pp_sky_due *only,
                               struct pp_building *building, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < pp_building_room_count(building) && status == PP_OK; i++)
-        status = add_room(dues, rule, building, i, err);
+        if (!only || pp_building_place(building, i) == only->place)
+            status = add_room(dues, rule, only, building, i, err);
     return status;
 }
 
@@ -118,7 +128,7 @@ enum pp_status pp_sky_dues_list(struct pp_sky_dues *dues,
                                 struct pp_building *building, struct pp_error *err)
 {
     *dues = (struct pp_sky_dues){0};
-    enum pp_status status = add_all(dues, rule, building, err);
+    enum pp_status status = add_all(dues, rule, NULL, building, err);
     if (status != PP_OK || dues->count > 0)
         return status;
     return rule->window
@@ -134,7 +144,7 @@ static enum pp_status measure(struct pp_sky_dues *dues, bool before,
                               struct pp_building *building, struct pp_error *err)
 {
     struct pp_sky_dues then = {0};
-    enum pp_status status = add_all(&then, rule, building, err);
+    enum pp_status status = add_all(&then, rule, NULL, building, err);
     for (int i = 0, k = 0; i < dues->count && status == PP_OK; i++) {
         struct pp_sky_due *due = &dues->list[i];
         while (
@@ -164,16 +174,37 @@ enum pp_status pp_sky_dues_after(struct pp_sky_dues *dues,
     return measure(dues, false, rule, building, err);
 }
 
+enum pp_status pp_sky_dues_after_one(struct pp_sky_dues *dues, int number,
+                                     const struct pp_sky_dues_rule *rule,
+                                     struct pp_building *building, struct pp_error *err)
+{
+    struct pp_sky_due *due = &dues->list[number];
+    struct pp_sky_dues then = {0};
+    int alike = 0; /* windows of its line before it */
+    while (alike < number && due[-alike - 1].place == due->place
+           && due[-alike - 1].line == due->line)
+        alike++;
+    enum pp_status status = add_all(&then, rule, due, building, err);
+    due->after = alike < then.count ? then.list[alike].now : 0.0;
+    pp_sky_dues_clear(&then);
+    return status;
+}
+
+double pp_sky_dues_surplus_of(const struct pp_sky_due *due,
+                              const struct pp_sky_dues_rule *rule)
+{
+    return due->before > next_to_nothing
+               ? due->after / fmin(rule->keep * due->before, rule->enough) - 1.0
+               : INFINITY;
+}
+
 double pp_sky_dues_surplus(const struct pp_sky_dues *dues,
                            const struct pp_sky_dues_rule *rule, int *deciding)
 {
     double least = INFINITY;
     *deciding = -1;
     for (int i = 0; i < dues->count; i++) {
-        const struct pp_sky_due *due = &dues->list[i];
-        if (!(due->before > next_to_nothing))
-            continue;
-        double own = due->after / fmin(rule->keep * due->before, rule->enough) - 1.0;
+        double own = pp_sky_dues_surplus_of(&dues->list[i], rule);
         if (own < least) {
             least = own;
             *deciding = i;

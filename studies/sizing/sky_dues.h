@@ -31,6 +31,8 @@ struct pp_sky_due {
     char room[64],
         window[64];  /* names, cut; may be empty, and of a room the window's is */
     int place, line; /* the room's in its building; the window's, of a room 0 */
+    struct pp_vec3 middle, outward; /* of the window's outside, in the building's axes;
+                                     * of a room 0 */
     double before, now, after; /* VSC (a fraction) or area (m2): before, as the file has
                                 * it, and with what was found */
 };
@@ -55,6 +57,16 @@ enum pp_status pp_sky_dues_before(struct pp_sky_dues *dues,
 enum pp_status pp_sky_dues_after(struct pp_sky_dues *dues,
                                  const struct pp_sky_dues_rule *rule,
                                  struct pp_building *building, struct pp_error *err);
+
+/* `after` of that one alone, by its number in the list. */
+enum pp_status pp_sky_dues_after_one(struct pp_sky_dues *dues, int number,
+                                     const struct pp_sky_dues_rule *rule,
+                                     struct pp_building *building,
+                                     struct pp_error *err);
+
+/* What one has after over its due, less 1; INFINITY where it had nothing before. */
+double pp_sky_dues_surplus_of(const struct pp_sky_due *due,
+                              const struct pp_sky_dues_rule *rule);
 
 /* The least, over all that had anything before, of what one has after over its due,
  * less 1; INFINITY where none had. *deciding is whose it is, -1: nobody's. */

@@ -107,6 +107,35 @@ check "of a room there is no such share" refuses 2 "a lit area is a room's" \
     size --obstruction Tower --of lit-area --enough 27% "$site"
 check "vsc or lit-area" refuses 2 "expected vsc or lit-area" size --obstruction Tower --of apsh "$site"
 check "what is kept, of a block" refuses 2 "is for --obstruction" size -t 2% --of lit-area "$site"
+check "no higher than asked" shows "even at 5 m every window" \
+    size --obstruction Tower --highest 5 "$site"
+
+check "what may stand on the tower's plot" shows "may stand so that every window keeps 0.8" \
+    size --envelope Tower "$site"
+check "fits in 80 columns" nothing "$(untidy)"
+check "one window has just its due" grep -qE "^  Study +W3 .* 0\.8000 +[0-9.]+  \*$" "$scratch/out"
+check "its cells as CSV" gives size --envelope Tower -f csv "$site"
+tr -d '\r' <"$scratch/out" >"$scratch/cells.csv"
+check "are those of 10 m by 5 m" is "$(sed 1d "$scratch/cells.csv" | wc -l)" 50 0
+sed -n '2,$p' "$scratch/cells.csv" | awk -F, '{
+    printf "<block state=\"proposed\" x=\"%s\" y=\"%s\" width=\"%s\" ", $2, $3, $5
+    printf "depth=\"%s\" rotate=\"%s\" height=\"%s\"/>\n", $6, $7, $8 }' >"$scratch/blocks"
+sed -e "/name=\"Tower\"/r $scratch/blocks" -e '/name="Tower"/d' "$site" >"$scratch/cells.xml"
+check "as blocks they can be judged" gives assess --by-hand -c former-sky --room Study -f csv "$scratch/cells.xml"
+check "and leave it that to 1e-4" is "$(sed -n '2s/.*,78,[0-9.]*,[0-9.]*,\([0-9.]*\),.*/\1/p' "$scratch/out")" 0.8 1e-4
+check "as JSON" shows '"format": "pepperpot-envelope-1"' size --envelope Tower -f json "$site"
+check "an outline is a plot too" shows '"verdict": "none"' size --envelope Corner -f json "$site"
+check "an envelope or a height" refuses 2 "does not go with --envelope" \
+    size --envelope Tower --obstruction Tower "$site"
+check "it is by windows" refuses 2 "expected --of vsc" size --envelope Tower --of lit-area "$site"
+check "cells are an envelope's" refuses 2 "csv is the format of --envelope" \
+    size --obstruction Tower -f csv "$site"
+check "no window has cells" refuses 2 "csv is the format of --envelope" size -t 2% -f csv "$site"
+check "a height in metres" refuses 2 "expected a height from 1 to 1000 m" \
+    size --envelope Tower --highest 0 "$site"
+check "nothing higher without a block" refuses 2 "--highest is for --obstruction or --envelope" \
+    size -t 2% --highest 9 "$site"
+check "a plot by its name" refuses 1 "did you mean Tower?" size --envelope Towr "$site"
 check "a block by its name" refuses 1 "did you mean Tower?" size --obstruction Towr "$site"
 check "a window by its name" refuses 1 'no upright window is named "W9"' \
     size --obstruction Tower --window-name W9 "$site"

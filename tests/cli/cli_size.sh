@@ -130,6 +130,28 @@ check "standard input" sh -c "'$pepperpot' size -t 2 - <'$deep' | grep -q 'a wid
 check "a simulated check of it" gives size -t 6 --simulate --error 5% "$deep"
 check "no line is wider than 80 columns" nothing "$(too_wide)"
 
+# 12.5 % of a floor of 3 m by 9 m, 1.5 m high: 2.25 m wide.
+check "by a criterion" shows "a width of 2.25 m instead of 2.6 m gives 100.00 %" \
+    size --by-hand --for glazing-ratio --write "$scratch/sized.xml" "$deep"
+check "which the sized room meets" sh -c "
+    '$pepperpot' assess --by-hand -c glazing-ratio '$scratch/sized.xml' | grep -qF '2 met'"
+check "windows on a slope too" gives size --by-hand --for glazing-ratio --write "$scratch/sized.xml" \
+    "$examples/workshop.xml"
+check "which meets it" sh -c "
+    '$pepperpot' assess --by-hand -c glazing-ratio '$scratch/sized.xml' | grep -qF '12.5 %'"
+check "checked by tracing" shows '"holds": false' \
+    size --for uk-annex:kitchen --error 3% -f json "$deep"
+check "says the criterion" grep -qF '"criterion": "uk-annex:kitchen"' "$scratch/out"
+check "traced throughout" shows "finding, traced" \
+    size --for uk-annex:kitchen --by traced --error 3% -q "$deep"
+check "what compares is not sized by" shows "none: it judges by what was there before" \
+    size --by-hand --for former-sky "$deep"
+check "a criterion by its name" refuses 2 "there is no criterion" size --for en1737 "$deep"
+check "or a target" refuses 2 "--target does not go with --for" size --for average -t 2% "$deep"
+check "it has figures of its own" refuses 2 "--by does not go with --for" \
+    size --for average --by exact+bre "$deep"
+check "and points of its own" refuses 2 "--points does not go with --for" \
+    size --for average --points 1.5,6 "$deep"
 check "a target is wanted" refuses 2 "--target" size "$deep"
 check "a room file is wanted" refuses 2 "room file" size -t 2
 check "a target of 0 is none" refuses 2 "above 0" size -t 0 "$deep"

@@ -1,0 +1,23 @@
+/* plot_envelope_report.h - the largest envelope on a plot (studies/sizing/plot_envelope.h), as
+ * text with a plan of its heights, as CSV, a line a cell, and as JSON. */
+#ifndef PP_REPORTS_PLOT_ENVELOPE_REPORT_H
+#define PP_REPORTS_PLOT_ENVELOPE_REPORT_H
+
+#include <stdio.h>
+
+#include "studies/sizing/plot_envelope.h"
+
+/* As text `width` columns wide (60 or more; the plan is 12 heights wide at the most). */
+enum pp_status pp_plot_envelope_report(const struct pp_plot_envelope *found,
+                                       const struct pp_plot_envelope_task *task,
+                                       int width, FILE *out, struct pp_error *err);
+
+/* Cells with their heights, by the attributes of a room file's block. */
+enum pp_status pp_plot_envelope_report_csv(const struct pp_plot_envelope *found,
+                                           const struct pp_plot_envelope_task *task,
+                                           FILE *out, struct pp_error *err);
+enum pp_status pp_plot_envelope_report_json(const struct pp_plot_envelope *found,
+                                            const struct pp_plot_envelope_task *task,
+                                            FILE *out, struct pp_error *err);
+
+#endif

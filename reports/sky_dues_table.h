@@ -1,0 +1,28 @@
+/* sky_dues_table.h - what windows or rooms have of the sky, and keep of it
+ * (studies/sizing/sky_dues.h), in words, as a table and as JSON.
+ */
+#ifndef PP_REPORTS_SKY_DUES_TABLE_H
+#define PP_REPORTS_SKY_DUES_TABLE_H
+
+#include <stdbool.h>
+
+#include "reports/parts/json.h"
+#include "reports/parts/table.h"
+#include "studies/sizing/sky_dues.h"
+
+/* Appends "0.8 of its vertical sky component, or 27 %". */
+void pp_sky_dues_table_say(char *text, size_t size,
+                           const struct pp_sky_dues_rule *rule);
+
+/* A line each. altitudes_rad: of a plane for each, INFINITY: it has none; NULL: there are
+ * no planes. False when memory is out. */
+bool pp_sky_dues_table_fill(struct pp_table *table, const struct pp_sky_dues *dues,
+                            enum pp_sky_dues_of of, int deciding,
+                            const double *altitudes_rad);
+
+/* Adds "windows" or "rooms", an object each. */
+bool pp_sky_dues_table_json(struct json_object *object, const struct pp_sky_dues *dues,
+                            enum pp_sky_dues_of of, int deciding,
+                            const double *altitudes_rad);
+
+#endif

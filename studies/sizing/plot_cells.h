@@ -1,0 +1,31 @@
+/* plot_cells.h - the plot that a block stands on, in cells that may each be built on to a
+ * height of their own.
+ *
+ * The cells are squares, or nearly, in rows along the longest side of the plot's outline:
+ * 1 m wide, or a twelfth of the plot's extent where that is more. Those that lie in the
+ * outline wholly are built on.
+ */
+#ifndef PP_STUDIES_SIZING_PLOT_CELLS_H
+#define PP_STUDIES_SIZING_PLOT_CELLS_H
+
+#include "model/base/error.h"
+#include "model/room/building.h"
+
+struct pp_plot_cells {
+    struct pp_building_cell *list; /* row by row, each along the longest side */
+    int count;
+    int columns, rows;         /* of the rectangle round the plot */
+    int *columns_of, *rows_of; /* of each cell, from 0 */
+};
+
+/* PP_BAD_INPUT where no cell lies on the plot. To be cleared in any case; heights are 0. */
+enum pp_status pp_plot_cells_lay(struct pp_plot_cells *cells,
+                                 const struct pp_building *building, const char *block,
+                                 struct pp_error *err);
+
+/* Corner k, from 0 to 3, counter-clockwise, at the base. */
+struct pp_vec3 pp_plot_cells_corner(const struct pp_building_cell *cell, int k);
+
+void pp_plot_cells_clear(struct pp_plot_cells *cells);
+
+#endif
