@@ -169,7 +169,8 @@ static void say_title(struct elevation_drawing *drawing,
 
 /* x, y: the upper left corner on paper, of the title. */
 static void draw_elevation(struct elevation_drawing *drawing,
-                           const struct pp_site_elevation *elevation, double x, double y)
+                           const struct pp_site_elevation *elevation, double x,
+                           double y)
 {
     cairo_t *cr = drawing->cr;
     const struct pp_style *style = &drawing->style;

@@ -52,9 +52,8 @@ static enum pp_status compute(void *data, struct pp_error *err)
     if (!all->list)
         return pp_fail_memory(err);
     for (int i = 0; i < rooms->count && status == PP_OK; i++)
-        status =
-            pp_assessment_begin(&all->list[all->count++], &rooms->list[i], rooms->count,
-                                &then, &wanted, err);
+        status = pp_assessment_begin(&all->list[all->count++], &rooms->list[i],
+                                     rooms->count, &then, &wanted, err);
     if (status == PP_OK && study->simulate)
         pp_interrupt_watch();
     if (status == PP_OK)

@@ -131,7 +131,7 @@ static enum pp_status add_wall(struct pp_site_elevation *elevation,
 /* ---- elevations ---- */
 
 static struct pp_site_elevation *find_elevation(struct pp_elevation_sheet *sheet,
-                                           struct pp_vec3 out)
+                                                struct pp_vec3 out)
 {
     for (int i = 0; i < sheet->count; i++)
         if (pp_vec_dot(sheet->elevations[i].out, out) > cos(SAME_WAY_RAD))
@@ -164,7 +164,8 @@ static int by_bearing(const void *left, const void *right)
 }
 
 static enum pp_status add_windows(struct pp_elevation_sheet *sheet,
-                                  struct pp_site_elevation *elevation, struct pp_error *err)
+                                  struct pp_site_elevation *elevation,
+                                  struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < sheet->site.window_count && status == PP_OK; i++) {
