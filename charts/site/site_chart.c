@@ -34,10 +34,16 @@ static struct pp_bounds2 room_bounds(const struct pp_site_sheet *sheet)
     return box;
 }
 
-/* The rooms, and what stands near them. */
+/* The rooms, and what stands near them; of a plot the rooms and the plot. */
 static struct pp_bounds2 extent_of(const struct pp_site_sheet *sheet)
 {
-    const struct pp_bounds2 rooms = room_bounds(sheet);
+    struct pp_bounds2 rooms = room_bounds(sheet);
+    for (int i = 0; i < sheet->cell_count; i++)
+        for (int k = 0; k < 4; k++)
+            pp_bounds2_add(&rooms, sheet->cells[i].corners[k][0],
+                           sheet->cells[i].corners[k][1]);
+    if (sheet->cell_count > 0)
+        return rooms;
     double reach = fmax(
         1.5 * fmax(rooms.high[0] - rooms.low[0], rooms.high[1] - rooms.low[1]), 30.0);
     struct pp_bounds2 box = rooms;
@@ -194,6 +200,10 @@ static void name_shape(struct site_drawing *drawing, int index)
     struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
     double x = pp_room_plan_x(&drawing->frame, thing.middle[0]);
     double y = pp_room_plan_y(&drawing->frame, thing.middle[1]);
+    bool is_off =
+        x < box.x || x > box.x + box.width || y < box.y || y > box.y + box.height;
+    if (is_off && drawing->sheet->cell_count > 0)
+        return;
     x = fmin(fmax(x, box.x), box.x + box.width);
     y = fmin(fmax(y, box.y), box.y + box.height);
     double line = 1.5 * drawing->style.text[PP_TEXT_SMALL];
@@ -249,6 +259,53 @@ static void draw_garden(struct site_drawing *drawing,
                                cr, style, &set,
                                pp_room_plan_x(&drawing->frame, middle[0]),
                                pp_room_plan_y(&drawing->frame, middle[1]), words));
+}
+
+/* ---- a plot ---- */
+
+/* The height in its cell, to a decimetre, to a metre, or not at all, as there is room. */
+static void say_height(struct site_drawing *drawing, const struct pp_site_cell *cell,
+                       double x, double y, double width)
+{
+    static const char *const forms[] = {"%.1f", "%.0f"};
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
+    for (int i = 0; i < 2 && cell->height_m > 0.0; i++) {
+        char words[16];
+        snprintf(words, sizeof words, forms[i], cell->height_m);
+        if (pp_lettering_measure(drawing->cr, &drawing->style, &set, x, y, words).width
+            > width)
+            continue;
+        pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, words);
+        return;
+    }
+}
+
+static void draw_cells(struct site_drawing *drawing)
+{
+    const struct pp_site_sheet *sheet = drawing->sheet;
+    cairo_t *cr = drawing->cr;
+    double highest = 0.0;
+    for (int i = 0; i < sheet->cell_count; i++)
+        highest = fmax(highest, sheet->cells[i].height_m);
+    for (int i = 0; i < sheet->cell_count; i++) {
+        const struct pp_site_cell *cell = &sheet->cells[i];
+        double middle[2] = {0.0, 0.0}, x[4], y[4];
+        cairo_new_path(cr);
+        for (int k = 0; k < 4; k++) {
+            x[k] = pp_room_plan_x(&drawing->frame, cell->corners[k][0]);
+            y[k] = pp_room_plan_y(&drawing->frame, cell->corners[k][1]);
+            middle[0] += 0.25 * x[k];
+            middle[1] += 0.25 * y[k];
+            cairo_line_to(cr, x[k], y[k]);
+        }
+        cairo_close_path(cr);
+        pp_style_grey(cr, 1.0 - 0.4 * cell->height_m / fmax(highest, 1e-9));
+        cairo_fill_preserve(cr);
+        pp_style_line(cr, drawing->style.hair, PP_GREY_TEXT);
+        cairo_stroke(cr);
+        say_height(drawing, cell, middle[0], middle[1],
+                   hypot(x[1] - x[0], y[1] - y[0]));
+    }
 }
 
 /* ---- windows ---- */
@@ -343,6 +400,7 @@ static void draw_site(struct site_drawing *drawing)
                 draw_shape(drawing, &sheet->shapes[i]);
     for (int i = 0; i < sheet->garden_count; i++)
         draw_garden(drawing, &sheet->gardens[i]);
+    draw_cells(drawing);
     cairo_restore(cr);
     for (int i = 0; i < sheet->window_count; i++)
         draw_window(drawing, &sheet->windows[i]);
@@ -357,11 +415,18 @@ static void draw_sheet(struct site_drawing *drawing, struct pp_canvas *canvas)
     const struct pp_style *style = &drawing->style;
     const struct pp_site_sheet *sheet = drawing->sheet;
     struct pp_key keys[8];
-    char foot[512] = "";
+    char foot[768] = "";
     pp_page_say(
         foot, sizeof foot,
         "Before each upright window its vertical sky component in per cent, the "
         "lowest storey next to the wall. Heights are above the ground.");
+    if (sheet->cell_count > 0)
+        pp_page_say(
+            foot, sizeof foot,
+            "On the plot the heights in metres up to which each cell may be built "
+            "on, darker for higher: %.0f\u00a0m³ in all; windows as they are "
+            "with that.",
+            sheet->cells_m3);
     if (sheet->garden_count > 0)
         pp_page_say(
             foot, sizeof foot,
@@ -372,8 +437,11 @@ static void draw_sheet(struct site_drawing *drawing, struct pp_canvas *canvas)
             foot, sizeof foot,
             "Heavily framed: under 27\u00a0%% and under 0.8 of before [BR209].");
     struct pp_page page = {sheet->title,
-                           "Site plan, with the vertical sky component of windows, CIE "
-                           "overcast sky",
+                           sheet->cell_count > 0
+                               ? "The largest envelope on the plot, with the vertical "
+                                 "sky component of windows, CIE overcast sky"
+                               : "Site plan, with the vertical sky component of "
+                                 "windows, CIE overcast sky",
                            foot};
     struct pp_box body = pp_page_draw(canvas, style, &page);
     int key_count = gather_keys(sheet, keys);

@@ -3,8 +3,10 @@
 
 #include <math.h>
 
+#include "api/draw_envelope.h"
 #include "cli/job.h"
 #include "cli/message.h"
+#include "cli/output.h"
 #include "cli/rooms.h"
 #include "cli/terminal.h"
 #include "model/base/text.h"
@@ -39,6 +41,34 @@ static enum pp_status check_name(const char *file, const struct pp_building *bui
                                         file, name);
 }
 
+static enum pp_status draw_to(struct block_run *run, FILE *out, struct pp_error *err)
+{
+    struct pp_sheet sheet = {.landscape = true,
+                             .title = run->envelope_task.block,
+                             .description = "the largest envelope on the plot"};
+    struct pp_canvas *canvas;
+    enum pp_status status = pp_canvas_format_of(&sheet.format, run->options->draw, err);
+    if (status == PP_OK)
+        status = pp_canvas_create(&canvas, &sheet, err);
+    if (status != PP_OK)
+        return status;
+    status =
+        pp_draw_envelope(canvas, &run->envelope, &run->envelope_task, run->file, err);
+    if (status == PP_OK)
+        status = pp_canvas_write(canvas, pp_output_put, out, err);
+    pp_canvas_destroy(canvas);
+    return status;
+}
+
+static enum pp_status draw(struct block_run *run, struct pp_error *err)
+{
+    struct pp_output output;
+    enum pp_status status = pp_output_open(&output, run->options->draw, err);
+    if (status == PP_OK)
+        status = draw_to(run, output.stream, err);
+    return pp_output_close(&output, status, err);
+}
+
 static enum pp_status compute(void *data, struct pp_error *err)
 {
     struct block_run *run = data;
@@ -50,8 +80,9 @@ static enum pp_status compute(void *data, struct pp_error *err)
     status = run->options->envelope
                  ? pp_plot_envelope_find(&run->envelope, &run->envelope_task, &fault)
                  : pp_block_height_find(&run->height, &run->height_task, &fault);
-    return status == PP_OK ? status
-                           : pp_fail(err, status, "%s: %s", run->file, fault.message);
+    if (status != PP_OK)
+        return pp_fail(err, status, "%s: %s", run->file, fault.message);
+    return run->options->draw ? draw(run, err) : PP_OK;
 }
 
 static enum pp_status print_height(const struct block_run *run, int width, FILE *out,

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "charts/sheet/canvas.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
 #include "model/base/text.h"
@@ -71,6 +72,10 @@ const struct pp_option pp_size_block_options[] = {
      "In place of a window: the largest envelope on the plot of the block of that name "
      "with which every upright window keeps its share of the sky.",
      pp_options_read_text, PLACE(envelope)},
+    {"draw", 0, "FILE",
+     "Draw the envelope to FILE.pdf, FILE.svg or FILE.png: its heights in plan, and, "
+     "in a PDF, the Waldram diagram of the window that decides.",
+     pp_options_read_output, PLACE(draw)},
     {"of", 0, "WHAT",
      "What each keeps a share of: vsc, the vertical sky component of each upright "
      "window (default), or lit-area, the part of each room's working plane that sees "
@@ -133,6 +138,11 @@ static enum pp_status settle_block(struct pp_size_options *options,
     if (options->envelope && rule->of == PP_SKY_DUES_LIT_AREA)
         return pp_fail(err, PP_BAD_INPUT,
                        "--envelope is by windows' sky; expected --of vsc");
+    if (options->obstruction && options->draw)
+        return pp_fail(err, PP_BAD_INPUT, "--draw is of --envelope");
+    enum pp_chart_format format;
+    if (options->draw && pp_canvas_format_of(&format, options->draw, err) != PP_OK)
+        return PP_BAD_INPUT;
     if (options->obstruction && options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
                        "csv is the format of --envelope; expected text or json");
@@ -165,6 +175,7 @@ static const char *stray_rule(const struct pp_size_options *options)
 {
     const struct pp_sky_dues_rule *rule = &options->rule;
     return options->highest_m > 0.0           ? "highest"
+           : options->draw                    ? "draw"
            : rule->window                     ? "window-name"
            : rule->keep > 0.0                 ? "keep"
            : rule->enough > 0.0               ? "enough"

@@ -15,6 +15,7 @@ struct pp_size_options {
     const char *write;       /* where the changed room file goes; NULL: nowhere */
     const char *obstruction; /* the block whose height is asked for; NULL: none */
     const char *envelope;    /* the block on whose plot the largest envelope is; NULL */
+    const char *draw;        /* the file that the envelope is drawn to; NULL: none */
     double highest_m;        /* of either */
     struct pp_sky_dues_rule
         rule; /* what each window or room keeps then; its room is set by

@@ -69,6 +69,25 @@ check "with its share" says "$scratch/lawn.pdf" "Lawn"
 check "a room without one has no such criterion" nothing \
     "$("$pepperpot" assess --by-hand "$deep" | grep -i garden)"
 
+# The largest envelope on a plot: its heights in plan are those of the CSV, and the window that
+# decides has its diagram.
+check "an envelope" gives size --envelope Tower --highest 30 -f csv "$site" \
+    --draw "$scratch/envelope.pdf"
+check "drawn with its heights" says "$scratch/envelope.pdf" \
+    "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "height") h = i }
+        NR == 2 { printf "%.1f", $h }' "$scratch/out")"
+check "on two sheets" sh -c "! command -v pdfinfo >/dev/null ||
+    pdfinfo '$scratch/envelope.pdf' | grep -qE '^Pages: +2'"
+check "the second of the window that decides" says "$scratch/envelope.pdf" "396 squares"
+check "as SVG its plan" gives size --envelope Tower "$site" --draw "$scratch/envelope.svg"
+check "with all cells" sh -c "grep -c '<path' '$scratch/envelope.svg' | awk '{ exit \$1 < 50 }'"
+check "of a height nothing is drawn" refuses 2 "--draw is of --envelope" \
+    size --obstruction Tower --draw "$scratch/no.svg" "$site"
+check "to what is no drawing" refuses 2 ".pdf, .svg or .png" \
+    size --envelope Tower --draw "$scratch/no.txt" "$site"
+check "a window to be sized has no envelope" refuses 2 "draw" \
+    size --target 2% --draw "$scratch/no.svg" "$deep"
+
 check "--before of a chart that compares nothing" refuses 2 "shows a room as it is" \
     chart section --before existing "$site" -o "$scratch/no.svg"
 check "--line of another chart" refuses 2 "--line is of a plan" \

@@ -13,6 +13,7 @@ void pp_site_sheet_clear(struct pp_site_sheet *sheet)
         free(sheet->gardens[i].corners);
         pp_curve_list_clear(&sheet->gardens[i].dark);
     }
+    free(sheet->cells);
     free(sheet->gardens);
     free(sheet->shapes);
     free(sheet->windows);

@@ -48,6 +48,12 @@ struct pp_site_garden {
     const char *name; /* NULL: it has none */
 };
 
+/* A part of a plot, and how high may be built on it: 0 where nothing may stand. */
+struct pp_site_cell {
+    double corners[4][2];
+    double height_m;
+};
+
 struct pp_site_sheet {
     const char *title;
     double north_rad;             /* bearing of +y */
@@ -59,6 +65,9 @@ struct pp_site_sheet {
     int window_count;
     struct pp_site_garden *gardens;
     int garden_count;
+    struct pp_site_cell *cells; /* of the plot that the drawing is about; NULL: none */
+    int cell_count;
+    double cells_m3; /* what they hold */
 };
 
 void pp_site_sheet_clear(struct pp_site_sheet *sheet);

@@ -1,0 +1,130 @@
+/* draw_envelope.c - see draw_envelope.h. */
+#include "api/draw_envelope.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "charts/drawing_board/waldram_chart.h"
+#include "charts/site/site_chart.h"
+#include "methods/waldram/waldram_sheet_fill.h"
+#include "model/room/room_light.h"
+#include "studies/site/envelope_sheet.h"
+#include "studies/site/site_study.h"
+
+/* The rooms of the building as it stands, each resolved. */
+struct standing_rooms {
+    struct pp_study_room *list;
+    const struct pp_study_room **before; /* nothing is known of any */
+    int count;
+};
+
+static void clear(struct standing_rooms *rooms)
+{
+    for (int i = 0; i < rooms->count; i++)
+        pp_study_room_clear(&rooms->list[i]);
+    free(rooms->list);
+    free(rooms->before);
+}
+
+static enum pp_status add_room(struct standing_rooms *rooms,
+                               struct pp_building *building, int index,
+                               const char *file, struct pp_error *err)
+{
+    const struct pp_room *room = pp_building_room(building, index);
+    struct pp_world *world = NULL;
+    struct pp_outside_light light;
+    struct pp_mistakes mistakes;
+    pp_mistakes_init(&mistakes, file);
+    enum pp_status status = pp_world_create(&world, room, &mistakes, err);
+    pp_mistakes_clear(&mistakes);
+    if (status == PP_OK)
+        status = pp_room_light(&light, room, err);
+    if (status != PP_OK) {
+        pp_world_destroy(world);
+        return status;
+    }
+    pp_study_room_init(&rooms->list[rooms->count++], file, building, index, room, world,
+                       &light);
+    return PP_OK;
+}
+
+static enum pp_status resolve(struct standing_rooms *rooms,
+                              struct pp_building *building, const char *file,
+                              struct pp_error *err)
+{
+    int count = pp_building_room_count(building);
+    enum pp_status status = PP_OK;
+    rooms->list = calloc((size_t)count + 1, sizeof *rooms->list);
+    rooms->before = calloc((size_t)count + 1, sizeof(struct pp_study_room *));
+    if (!rooms->list || !rooms->before)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count && status == PP_OK; i++)
+        status = add_room(rooms, building, i, file, err);
+    return status;
+}
+
+static enum pp_status draw_plan(struct pp_canvas *canvas,
+                                const struct standing_rooms *rooms,
+                                const struct pp_plot_envelope *found, const char *block,
+                                struct pp_error *err)
+{
+    const struct pp_site_rooms site = {rooms->list, rooms->before, rooms->count};
+    struct pp_site_sheet sheet;
+    enum pp_status status = pp_site_study_make(&sheet, &site, err);
+    if (status == PP_OK)
+        status = pp_envelope_sheet_add(&sheet, found, block, err);
+    if (status == PP_OK)
+        status = pp_site_chart_draw(canvas, &sheet, err);
+    pp_site_sheet_clear(&sheet);
+    return status;
+}
+
+/* The deciding window's room, and its number there; NULL: there is none. */
+static const struct pp_world *find_deciding(int *opening,
+                                            const struct standing_rooms *rooms,
+                                            const struct pp_plot_envelope *found)
+{
+    if (found->deciding < 0)
+        return NULL;
+    const struct pp_sky_due *due = &found->dues.list[found->deciding];
+    for (int i = 0; i < rooms->count; i++) {
+        const struct pp_study_room *room = &rooms->list[i];
+        if (pp_building_place(room->building, room->index) != due->place)
+            continue;
+        for (*opening = 0; *opening < room->world->opening_count; ++*opening)
+            if (room->world->openings[*opening].line == due->line)
+                return room->world;
+    }
+    return NULL;
+}
+
+static enum pp_status draw_sky(struct pp_canvas *canvas, const struct pp_world *world,
+                               int opening, struct pp_error *err)
+{
+    struct pp_waldram_sheet sheet = {0};
+    enum pp_status status = pp_canvas_next_sheet(canvas, err);
+    if (status == PP_OK)
+        status = pp_waldram_sheet_fill_site(&sheet, world, opening, err);
+    if (status == PP_OK)
+        status = pp_waldram_chart_draw(canvas, &sheet, err);
+    pp_board_sheets_waldram_clear(&sheet);
+    return status;
+}
+
+enum pp_status pp_draw_envelope(struct pp_canvas *canvas,
+                                const struct pp_plot_envelope *found,
+                                const struct pp_plot_envelope_task *task,
+                                const char *file, struct pp_error *err)
+{
+    struct standing_rooms rooms = {0};
+    int opening = 0;
+    enum pp_status status = resolve(&rooms, task->building, file, err);
+    if (status == PP_OK)
+        status = draw_plan(canvas, &rooms, found, task->block, err);
+    if (status == PP_OK && pp_canvas_has_sheets(canvas)) {
+        const struct pp_world *world = find_deciding(&opening, &rooms, found);
+        status = world ? draw_sky(canvas, world, opening, err) : PP_OK;
+    }
+    clear(&rooms);
+    return status;
+}
