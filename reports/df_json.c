@@ -10,13 +10,12 @@
 #include "reports/parts/format.h"
 #include "reports/parts/json.h"
 #include "reports/parts/print_band.h"
-#include "methods/variant.h"
-#include "reports/parts/json_room.h"
 #include "reports/parts/print_reliability.h"
 #include "methods/variant.h"
 #include "reports/parts/json_room.h"
 #include "methods/method.h"
 #include "model/light/sky.h"
+#include "studies/engines/engine.h"
 
 /* As numbers and units are written outside: per cent and degrees. */
 static bool add_step(struct json_object *object, const struct pp_calculation_step *step)
@@ -63,14 +62,19 @@ static bool add_contents(struct json_object *object, const char *name)
 }
 
 /* { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." }; name is the
- * column's; with "band": [1.1, 1.6] where that is known. With external_lux over 0, the illuminance that is its share. */
+ * column's; with "band": [1.1, 1.6] where that is known. With truth, another engine's reading
+ * there, "apart": how far the two are apart. With external_lux over 0, the illuminance that
+ * is its share. */
 static struct json_object *entry(const struct pp_reading *reading, const char *name,
+                                 const struct pp_reading *truth,
                                  struct pp_band_ends band, double external_lux)
 {
     struct json_object *object = json_object_new_object();
     bool good = object && pp_json_number(object, "value", 100.0 * reading->value);
     if (good && isfinite(reading->std_error))
         good = pp_json_number(object, "se", 100.0 * reading->std_error);
+    if (good && truth && isfinite(pp_reading_apart(reading, truth)))
+        good = pp_json_number(object, "apart", pp_reading_apart(reading, truth));
     good = good && pp_print_band_json(object, band);
     if (good && external_lux > 0.0)
         good = pp_json_number(object, "lux", external_lux * reading->value);
@@ -99,6 +103,18 @@ static struct pp_band_ends band_of(const struct pp_column *column, int index)
                                          : pp_band_none();
 }
 
+/* What an engine's daylight factors are held against; NULL: they are the truth, or no
+ * engine's. */
+static const struct pp_column *truth_for(const struct pp_report *report,
+                                         const struct pp_column *column)
+{
+    const struct pp_column *truth = pp_engine_truth(report);
+    return column->component == PP_DF && column != truth
+                   && pp_engine_of_column(column->name)
+               ? truth
+               : NULL;
+}
+
 /* Adds "sc" ... "df" with what every method says there; a component that no method
  * speaks of is left out. */
 static bool add_readings(struct json_object *object, const struct pp_report *report,
@@ -116,8 +132,10 @@ static bool add_readings(struct json_object *object, const struct pp_report *rep
                 return false;
             pp_json_on_one_line(*component);
         }
+        const struct pp_column *truth = truth_for(report, column);
         if (!pp_json_add(*component, column->name,
                          entry(reading_of(column, index), column->name,
+                               truth ? reading_of(truth, index) : NULL,
                                band_of(column, index),
                                column->component == PP_DF ? external_lux : 0.0)))
             return false;

@@ -17,6 +17,7 @@
 #include "reports/parts/table.h"
 #include "reports/parts/format.h"
 #include "model/base/text.h"
+#include "studies/engines/engine.h"
 
 struct titles {
     const char *full, *brief;
@@ -29,8 +30,8 @@ static const struct titles titles[PP_COMPONENT_COUNT] = {
     [PP_DF] = {"daylight factor", "DF"},
 };
 
-static const char off_title[] = "from traced, %";
 static const char off_brief[] = "off, %";
+static const char apart_title[] = "apart, in se";
 static const char band_title[] = "95 % band";
 
 /* ---- numbers as people read them ---- */
@@ -70,6 +71,17 @@ static void put_distance(char cell[PP_CELL_BYTES], const struct pp_reading *read
         snprintf(cell, PP_CELL_BYTES, fabs(off) < 99.95 ? "%+.1f" : "%+.0f", off);
 }
 
+/* How far two simulated values are apart, in standard errors of their difference. */
+static void put_apart(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
+                      const struct pp_reading *truth)
+{
+    double apart = pp_reading_apart(reading, truth);
+    if (isfinite(apart))
+        snprintf(cell, PP_CELL_BYTES, "%+.1f", apart);
+    else
+        snprintf(cell, PP_CELL_BYTES, "-");
+}
+
 /* Lux, in three significant digits or whole ones. */
 static void put_lux(char cell[PP_CELL_BYTES], double lux)
 {
@@ -83,11 +95,6 @@ static void put_lux(char cell[PP_CELL_BYTES], double lux)
 
 /* ---- the table ---- */
 
-static bool is_simulated(const struct pp_column *column)
-{
-    return strcmp(column->name, "traced") == 0 || strcmp(column->name, "cached") == 0;
-}
-
 static bool add_values(struct pp_table *table, const struct pp_report *report,
                        const struct pp_column *column, bool utf8)
 {
@@ -96,7 +103,7 @@ static bool add_values(struct pp_table *table, const struct pp_report *report,
         pp_table_add(table, title->full, title->brief, column->name);
     if (!shown)
         return false;
-    bool with_error = is_simulated(column) && column->component == PP_DF;
+    bool with_error = pp_engine_of_column(column->name) && column->component == PP_DF;
     for (int row = 0; row <= report->receiver_count; row++) {
         const struct pp_reading *reading = pp_print_notes_reading(report, column, row);
         if (reading && with_error)
@@ -108,18 +115,35 @@ static bool add_values(struct pp_table *table, const struct pp_report *report,
 }
 
 static bool add_distances(struct pp_table *table, const struct pp_report *report,
-                          const struct pp_column *column,
-                          const struct pp_column *traced)
+                          const struct pp_column *column, const struct pp_column *truth)
 {
-    struct pp_table_column *shown =
-        pp_table_add(table, off_title, off_brief, column->name);
+    char title[64];
+    snprintf(title, sizeof title, "from %s, %%", truth->name);
+    struct pp_table_column *shown = pp_table_add(table, title, off_brief, column->name);
     if (!shown)
         return false;
     for (int row = 0; row <= report->receiver_count; row++) {
         const struct pp_reading *reading = pp_print_notes_reading(report, column, row);
         if (reading)
             put_distance(shown->cells[row], reading,
-                         pp_print_notes_reading(report, traced, row));
+                         pp_print_notes_reading(report, truth, row));
+    }
+    return true;
+}
+
+/* Of an engine's column. */
+static bool add_apart(struct pp_table *table, const struct pp_report *report,
+                      const struct pp_column *column, const struct pp_column *truth)
+{
+    struct pp_table_column *shown =
+        pp_table_add(table, apart_title, apart_title, column->name);
+    if (!shown)
+        return false;
+    for (int row = 0; row <= report->receiver_count; row++) {
+        const struct pp_reading *reading = pp_print_notes_reading(report, column, row);
+        if (reading)
+            put_apart(shown->cells[row], reading,
+                      pp_print_notes_reading(report, truth, row));
     }
     return true;
 }
@@ -200,12 +224,16 @@ static bool fill_table(struct pp_table *table, const struct pp_report *report,
             && !add_illuminances(table, report, &report->columns[i], lux_title,
                                  external_lux))
             return false;
-    const struct pp_column *traced = pp_report_find(report, PP_DF, "traced");
-    for (int i = 0; traced && i < report->column_count; i++) {
+    const struct pp_column *truth = pp_engine_truth(report);
+    for (int i = 0; truth && i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
-        if (column->component == PP_DF && column != traced && !column->of_all_surfaces
-            && !is_stood_in_for(report, column)
-            && !add_distances(table, report, column, traced))
+        if (column->component != PP_DF || column == truth || column->of_all_surfaces
+            || is_stood_in_for(report, column))
+            continue;
+        if (!add_distances(table, report, column, truth))
+            return false;
+        if (pp_engine_of_column(column->name)
+            && !add_apart(table, report, column, truth))
             return false;
     }
     return true;
@@ -221,32 +249,49 @@ static bool is_interpolated(const struct pp_report *report,
     return false;
 }
 
+/* "traced: by simulation, ± one standard error, seed 1" */
+static void say_engine(char *text, size_t size, const struct pp_report *report,
+                       const struct pp_column *column,
+                       const struct pp_study_options *options, bool utf8)
+{
+    const struct pp_engine *engine = pp_engine_of_column(column->name);
+    const bool interpolated = is_interpolated(report, column);
+    pp_text_append(text, size, "%s%s: %s, %s%s %s", text[0] ? "; " : "", column->name,
+                   engine->said,
+                   interpolated ? "interpolated at the points, with no error known; "
+                                : "",
+                   utf8 ? "\xc2\xb1" : "+-", engine->deviation);
+    if (engine->is_sampled)
+        pp_text_append(text, size, ", seed %llu", (unsigned long long)options->seed);
+}
+
+/* By which engines, and what stands beside their figures; nothing without any. */
 static void print_simulation(const struct pp_result *result,
                              const struct pp_study_options *options, bool utf8,
                              int width, FILE *out)
 {
-    char text[512] = "";
-    const char *error = utf8 ? "\xc2\xb1" : "+-";
-    unsigned long long seed = options->seed;
-    bool traced = pp_report_find(&result->report, PP_DF, "traced");
-    if (traced)
+    const struct pp_report *report = &result->report;
+    const struct pp_column *truth = pp_engine_truth(report);
+    char text[1024] = "";
+    int engines = 0;
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (column->component != PP_DF || !pp_engine_of_column(column->name))
+            continue;
+        engines++;
+        say_engine(text, sizeof text, report, column, options, utf8);
+        if (column == truth)
+            pp_text_append(text, sizeof text,
+                           "; off, from %s: how far a method is from it", column->name);
+    }
+    if (engines == 0)
+        return;
+    if (truth && engines > 1)
         pp_text_append(text, sizeof text,
-                       "traced: by simulation, %s one standard error, seed %llu; "
-                       "off, from traced: how far a method is from it",
-                       error, seed);
-    const struct pp_column *cached = pp_report_find(&result->report, PP_DF, "cached");
-    if (cached)
-        pp_text_append(text, sizeof text,
-                       "%scached: through the irradiance cache, %s%s the standard "
-                       "error of the sampling%s, seed %llu",
-                       traced ? "; " : "",
-                       is_interpolated(&result->report, cached)
-                           ? "interpolated at the points, with no error known; "
-                           : "",
-                       error,
-                       is_interpolated(&result->report, cached) ? "" : " at the point",
-                       seed);
-    if (!result->report.finished)
+                       "; apart: how far an engine is from %s, in standard errors of "
+                       "the difference",
+                       truth->name);
+    if (!report->finished)
         pp_text_append(text, sizeof text, "; NOT FINISHED, interrupted");
     else if (result->by_clock)
         pp_text_append(text, sizeof text,
@@ -347,9 +392,7 @@ static enum pp_status print_room(const struct pp_result *result,
     pp_df_plane_summary(report, width, utf8, out);
     print_margin(report, utf8, width, out);
 
-    if (pp_report_find(report, PP_DF, "traced")
-        || pp_report_find(report, PP_DF, "cached"))
-        print_simulation(result, options, utf8, width, out);
+    print_simulation(result, options, utf8, width, out);
     pp_formula_list_variants(options->method_options.variants, width, out);
     pp_df_steps(report, width, utf8, out);
     if (!pp_print_notes(report, width, out))

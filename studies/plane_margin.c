@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "model/geometry/clipper.h"
+#include "studies/engines/engine.h"
 
 static const double MARGIN_M = 0.5;
 
@@ -34,16 +35,11 @@ void pp_plane_margin_clear(struct pp_plane_margin *margin)
     *margin = (struct pp_plane_margin){.has_plane = false};
 }
 
-static bool is_simulated(const struct pp_column *column)
-{
-    return strcmp(column->name, "traced") == 0 || strcmp(column->name, "cached") == 0;
-}
-
 /* A daylight factor that is no pair's. */
 static bool is_of_the_whole_plane(const struct pp_column *column)
 {
     return column->component == PP_DF && !strchr(column->name, '+')
-           && !is_simulated(column);
+           && !pp_engine_of_column(column->name);
 }
 
 enum pp_status pp_plane_margin_take(struct pp_report *report,

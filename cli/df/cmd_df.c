@@ -113,23 +113,23 @@ static void help_on_methods(FILE *out)
                          out);
 }
 
-/* By light paths, through the cache, or both. */
+/* By each engine that was asked for; the cache is kept. */
 static enum pp_status simulate(struct pp_report *report, bool *by_clock,
                                const struct pp_study_options *study,
                                const struct pp_engine_choice *choice,
                                struct pp_error *err)
 {
-    const struct pp_engine_options cached = {.cache = choice->cache.options,
-                                             .interpolate = choice->interpolate,
-                                             .cache_file = choice->cache.file};
+    const struct pp_engine_options options = {.cache = choice->cache.options,
+                                              .interpolate = choice->interpolate,
+                                              .cache_file = choice->cache.file};
     struct pp_kept_bytes kept = {0};
     enum pp_status status = PP_OK;
-    if (choice->path)
-        status = pp_study_report_traced(report, study, by_clock, err);
-    if (status == PP_OK && choice->cached)
-        status =
-            pp_study_report_simulate(report, &pp_engine_cache, cached, study, by_clock,
-                                     choice->cache.file ? &kept : NULL, err);
+    const struct pp_engine *engine;
+    for (int i = 0; (engine = pp_engine_at(i)) != NULL && status == PP_OK; i++)
+        if (pp_engine_choice_has(choice, i))
+            status = pp_study_report_simulate(
+                report, engine, options, study, by_clock,
+                engine->keep && choice->cache.file ? &kept : NULL, err);
     if (status == PP_OK && kept.bytes && report->finished)
         status = pp_cache_choice_write(&choice->cache, kept.bytes, kept.length, err);
     free(kept.bytes);

@@ -4,21 +4,67 @@
 
 #include <string.h>
 
+#include "model/base/text.h"
+#include "studies/engines/engine.h"
+
+static enum pp_status refuse(struct pp_error *err)
+{
+    char names[128] = "";
+    const struct pp_engine *engine;
+    for (int i = 0; (engine = pp_engine_at(i)) != NULL; i++)
+        pp_text_append(names, sizeof names, "%s%s",
+                       i == 0                ? ""
+                       : pp_engine_at(i + 1) ? ", "
+                                             : " or ",
+                       engine->name);
+    return pp_fail(err, PP_BAD_INPUT, "%s, or several with commas between", names);
+}
+
+/* The engine's place in the list, -1: none has that name. */
+static int find_engine(const char *name, size_t length)
+{
+    const struct pp_engine *engine;
+    for (int i = 0; (engine = pp_engine_at(i)) != NULL; i++)
+        if (strlen(engine->name) == length && strncmp(engine->name, name, length) == 0)
+            return i;
+    return -1;
+}
+
 static enum pp_status read_engines(const char *text, void *place, struct pp_error *err)
 {
-    static const char *const lists[] = {"path", "cache", "path,cache", "cache,path"};
-    for (int i = 0; i < 4; i++)
-        if (strcmp(text, lists[i]) == 0) {
-            *(const char **)place = lists[i];
-            return PP_OK;
-        }
-    return pp_fail(err, PP_BAD_INPUT, "path, cache or path,cache");
+    unsigned engines = 0;
+    for (const char *at = text;; at++) {
+        size_t length = strcspn(at, ",");
+        int engine = find_engine(at, length);
+        if (engine < 0 || engines & 1u << engine)
+            return refuse(err);
+        engines |= 1u << engine;
+        at += length;
+        if (!*at)
+            break;
+    }
+    *(unsigned *)place = engines;
+    return PP_OK;
+}
+
+bool pp_engine_choice_has(const struct pp_engine_choice *choice, int engine)
+{
+    return choice->engines ? choice->engines >> engine & 1u
+                           : pp_engine_at(engine) == &pp_engine_path;
+}
+
+static bool has_cache(const struct pp_engine_choice *choice)
+{
+    for (int i = 0; pp_engine_at(i); i++)
+        if (pp_engine_at(i) == &pp_engine_cache)
+            return pp_engine_choice_has(choice, i);
+    return false;
 }
 
 const struct pp_option pp_engine_options[] = {
     {"engine", 0, "LIST",
      "What simulates: path (default), without bias; cache, through an irradiance "
-     "cache; or path,cache, and how far they are apart.",
+     "cache; several as path,cache, and how far they are apart.",
      read_engines, offsetof(struct pp_engine_choice, engines)},
     {"interpolate", 0, NULL,
      "Interpolate what is reflected at the points, too, from the cache.", NULL,
@@ -29,17 +75,16 @@ const struct pp_option pp_engine_options[] = {
 enum pp_status pp_engine_choice_settle(struct pp_engine_choice *words, bool simulate,
                                        struct pp_error *err)
 {
-    words->cached = words->engines && strstr(words->engines, "cache");
-    words->path = !words->engines || strstr(words->engines, "path");
+    const bool cached = has_cache(words);
     if (words->engines && !simulate)
         return pp_fail(err, PP_BAD_INPUT,
                        "--engine says what simulates; it needs --simulate");
-    if (words->interpolate && !words->cached)
+    if (words->interpolate && !cached)
         return pp_fail(err, PP_BAD_INPUT, "--interpolate needs --engine cache");
     const char *used = pp_cache_choice_used(&words->cache);
     if (!used && words->cache.options.bounces != pp_irradiance_cache_defaults().bounces)
         used = "--bounces"; /* the tracer has no limit */
-    if (used && !words->cached)
+    if (used && !cached)
         return pp_fail(err, PP_BAD_INPUT, "%s needs --engine cache", used);
     return pp_cache_choice_settle(&words->cache, err);
 }

@@ -6,11 +6,12 @@
 #include "cli/options.h"
 
 struct pp_engine_choice {
-    const char *engines; /* as typed: path, cache or path,cache; NULL: path */
+    unsigned engines; /* a bit by the place in the list of engines; 0: path */
     bool interpolate;
     struct pp_cache_choice cache;
-    bool path, cached; /* settled */
 };
+
+bool pp_engine_choice_has(const struct pp_engine_choice *choice, int engine);
 
 /* --engine, --interpolate; values are a struct pp_engine_choice. */
 extern const struct pp_option pp_engine_options[];

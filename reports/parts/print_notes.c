@@ -8,6 +8,7 @@
 
 #include "reports/parts/print.h"
 #include "methods/method.h"
+#include "studies/engines/engine.h"
 #include "model/base/text.h"
 #include "model/base/array.h"
 
@@ -177,7 +178,7 @@ static bool says_something(const struct pp_report *report)
 {
     for (int i = 0; i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
-        if (column->component != PP_DF || strcmp(column->name, "traced") == 0)
+        if (column->component != PP_DF || pp_engine_of_column(column->name))
             continue;
         for (int row = 0; row <= report->receiver_count; row++) {
             const struct pp_reading *reading =
@@ -196,7 +197,7 @@ static void print_hint(const struct pp_report *report, int width, FILE *out)
     bool any_df = false;
     for (int i = 0; i < report->column_count; i++)
         any_df |= report->columns[i].component == PP_DF
-                  && strcmp(report->columns[i].name, "traced") != 0;
+                  && !pp_engine_of_column(report->columns[i].name);
     if (!any_df || says_something(report)
         || pp_report_find(report, PP_DF, "exact+split-flux"))
         return;

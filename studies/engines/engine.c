@@ -21,3 +21,20 @@ const struct pp_engine *pp_engine_find(const char *name)
             return engines[i];
     return NULL;
 }
+
+const struct pp_engine *pp_engine_of_column(const char *column)
+{
+    for (int i = 0; engines[i]; i++)
+        if (strcmp(engines[i]->column, column) == 0)
+            return engines[i];
+    return NULL;
+}
+
+const struct pp_column *pp_engine_truth(const struct pp_report *report)
+{
+    const struct pp_column *truth = NULL;
+    for (int i = 0; engines[i] && !truth; i++)
+        if (engines[i]->is_truth)
+            truth = pp_report_find(report, PP_DF, engines[i]->column);
+    return truth;
+}

@@ -3,7 +3,8 @@
  *
  * The scene is without light from outside: made once of a world, it serves any number of
  * runs of any engine, under one sky after another. The caller holds the loop
- * (studies/simulation.h): create, advance until done, read, destroy. A new engine is a file like engine_path.c, and a line in engine.c.
+ * (studies/simulation.h): create, advance until done, read, destroy. A new engine
+ * is a file like engine_path.c, and a line in engine.c.
  */
 #ifndef PP_STUDIES_ENGINES_ENGINE_H
 #define PP_STUDIES_ENGINES_ENGINE_H
@@ -33,6 +34,10 @@ struct pp_engine {
     const char *name;   /* as typed: "path" */
     const char *column; /* of its results: "traced" */
     const char *summary;
+    const char *said;      /* of its figures, below a table: "by simulation" */
+    const char *deviation; /* what the error beside a figure is: "one standard error" */
+    bool is_truth;         /* is it what hand figures may be held against? */
+    bool is_sampled;       /* does another seed give other figures? */
 
     /* At the report's receivers and over its working plane, under the report's light,
      * in the world's matt scene. *run is made on success only; scene and receivers must
@@ -66,5 +71,12 @@ extern const struct pp_engine pp_engine_path, pp_engine_cache;
 
 const struct pp_engine *pp_engine_at(int index);          /* NULL behind the last */
 const struct pp_engine *pp_engine_find(const char *name); /* NULL: there is none */
+
+/* Whose columns have that name; NULL: no engine's, but a method's. */
+const struct pp_engine *pp_engine_of_column(const char *column);
+
+/* The column of daylight factors that others are held against: the first engine's of the
+ * list that gives the truth and is in the report; NULL: none. */
+const struct pp_column *pp_engine_truth(const struct pp_report *report);
 
 #endif

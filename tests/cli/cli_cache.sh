@@ -16,6 +16,23 @@ check "both engines beside each other" \
     shows "cached: through the irradiance cache" df --simulate --engine path,cache \
     --samples 16 -ad 64 --points "1.5,2" "$deep"
 check "with their difference" grep -q "from traced, %" "$scratch/out"
+check "in standard errors of the difference" grep -q "apart, in se" "$scratch/out"
+check "as in JSON" gives df --simulate --engine cache,path --samples 16 -ad 64 --points "1.5,2" \
+    --format json "$deep"
+check "which is the difference over the root of the squares of both" \
+    sh -c "tr -d ' \\n' <'$scratch/out' | sed 's/\"points\"/\\n/; s/\"average\".*//' |
+    tail -n 1 | sed 's/.*\"df\"/\"df\"/; s/[{}]//g; s/[:,]/ /g' | awk '{
+        for (i = 1; i <= NF; i++) {
+            if (\$i ~ /traced|cached/) of = \$i
+            if (\$i ~ /value|se\"|apart/) is[of, \$i] = \$(i + 1)
+        }
+        t = \"\\\"traced\\\"\"; c = \"\\\"cached\\\"\"; v = \"\\\"value\\\"\"; e = \"\\\"se\\\"\"
+        z = (is[c, v] - is[t, v]) / sqrt(is[c, e] ^ 2 + is[t, e] ^ 2)
+        d = z - is[c, \"\\\"apart\\\"\"]
+        exit !(z != 0 && d * d < 1e-4 && is[t, \"\\\"apart\\\"\"] == \"\")
+    }'"
+check "an engine twice is refused" refuses 2 "with commas between" \
+    df --simulate --engine path,path "$deep"
 check "interpolated at the points, if asked for" gives df $few --interpolate "$deep"
 check "what is interpolated has no error" nothing \
     "$(tr -d '\r' <"$scratch/out" | grep -E '^[^,]*,[^,]*,[0-9].*,(irc|df),cached,[^,]*,[0-9]')"
@@ -97,8 +114,8 @@ check "so do its bounces" \
     refuses 2 "--bounces needs --engine cache" df --simulate -ab 0 "$deep"
 check "and its constant" \
     refuses 2 "--ambient needs --engine cache" df --simulate -av 0.1 "$deep"
-check "another engine is refused" refuses 2 "expected path, cache or path,cache" \
-    df --simulate --engine radiosity "$deep"
+check "another engine is refused" refuses 2 "expected path or cache, or several with commas between" \
+    df --simulate --engine path,rays "$deep"
 check "more rays than a number holds are refused" refuses 2 "expected a whole number" \
     df $few -ad 1e300 "$deep"
 check "accuracy 0 is refused" refuses 2 "-aa is \"0\"" df $few -aa 0 "$deep"
