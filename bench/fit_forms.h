@@ -6,9 +6,10 @@
 #include "bench/fit_model.h"
 
 struct pp_fit_form {
-    const char *name;                         /* of the method */
-    struct pp_fit_model model;                /* with values to begin from */
-    enum pp_fit_source printed;               /* that it is compared with */
+    const char *name;           /* of the method */
+    struct pp_fit_model model;  /* with values to begin from */
+    enum pp_fit_source printed; /* that it is compared with */
+    const char *upward;         /* of fitted_constants.h, where u is fitted */
     const char *constants[PP_FIT_MOST_TERMS]; /* of fitted_constants.h, by term */
 };
 

@@ -61,6 +61,8 @@ static void print_model(const struct pp_fit_model *model)
     if (model->source >= PP_FIT_SPHERE_NOW)
         printf("  c %.3f  b %.3f  g %.3f", value[PP_FIT_START_C], value[PP_FIT_SHADE_B],
                value[PP_FIT_SHADE_G]);
+    if (model->upward)
+        printf("  u %.3f", value[PP_FIT_UPWARD_U]);
     for (int j = 0; j < model->count; j++)
         printf("  %s %.3f", pp_fit_forms_terms[model->terms[j]],
                value[PP_FIT_FIRST_TERM + j]);
@@ -307,6 +309,9 @@ static void print_constants(const struct pp_fit_form *form,
         "PP_FITTED_DEPTH", "PP_FITTED_SIDE", "PP_FITTED_START", "PP_FITTED_SHADE"};
     for (int j = 0; j < PP_FIT_SHADE_G && all; j++)
         printf("  %s \"%.3f\"  +- %.3f\n", common[j], model->value[j], spread[j]);
+    if (model->upward)
+        printf("  %s \"%.3f\"  +- %.3f\n", form->upward, model->value[PP_FIT_UPWARD_U],
+               spread[PP_FIT_UPWARD_U]);
     for (int j = 0; j < model->count; j++) {
         double value = model->value[PP_FIT_FIRST_TERM + j],
                off = spread[PP_FIT_FIRST_TERM + j];
@@ -326,7 +331,7 @@ static void fit_shipped(const struct pp_fit_rooms *rooms, int *times)
         printed.of_df = model.of_df;
         if (i > 0) {
             model.held = true;
-            memcpy(model.value, first.value, PP_FIT_FIRST_TERM * sizeof(double));
+            memcpy(model.value, first.value, PP_FIT_UPWARD_U * sizeof(double));
         }
         for (int k = 0; k < rooms->count; k++)
             times[k] = rooms->rows[k].room % 2 == 0;

@@ -39,11 +39,12 @@ static double place_of(const struct pp_fit_model *model, const struct pp_fit_ope
 
 /* The source, its parts in the shade that they stand in. */
 static double source_of(const struct pp_fit_model *model,
-                        const struct pp_fit_opening *o, double b, double g)
+                        const struct pp_fit_opening *o, const double *value)
 {
-    const double *part = o->source[model->source];
+    const double *part = o->source[model->source], b = value[PP_FIT_SHADE_B];
     return part[0] + part[1] * pow(o->v, b)
-           + part[2] * pow(o->v, model->one_shade ? b : g);
+           + part[2] * (model->upward ? value[PP_FIT_UPWARD_U] : 1.0)
+                 * pow(o->v, model->one_shade ? b : value[PP_FIT_SHADE_G]);
 }
 
 static double terms_of(const struct pp_fit_model *model, const struct pp_fit_opening *o)
@@ -61,8 +62,7 @@ double pp_fit_model_value(const struct pp_fit_model *model,
     double sum = 0.0;
     for (int i = 0; i < row->count; i++) {
         const struct pp_fit_opening *o = row->openings + i;
-        sum += source_of(model, o, value[PP_FIT_SHADE_B], value[PP_FIT_SHADE_G])
-               * terms_of(model, o)
+        sum += source_of(model, o, value) * terms_of(model, o)
                * (row->average ? 1.0
                                : place_of(model, o, value[PP_FIT_DEPTH_K],
                                           value[PP_FIT_SIDE_S], value[PP_FIT_START_C]));
@@ -77,11 +77,11 @@ static double derive(const struct pp_fit_model *model, const struct pp_fit_row *
     const double step = 1e-5, *value = model->value;
     double k = value[PP_FIT_DEPTH_K], s = value[PP_FIT_SIDE_S],
            c = value[PP_FIT_START_C];
-    double b = value[PP_FIT_SHADE_B], g = value[PP_FIT_SHADE_G], sum = 0.0;
+    double sum = 0.0;
     memset(slope, 0, PP_FIT_PARAMETERS * sizeof *slope);
     for (int i = 0; i < row->count; i++) {
         const struct pp_fit_opening *o = row->openings + i;
-        double terms = terms_of(model, o), source = source_of(model, o, b, g), f = 1.0;
+        double terms = terms_of(model, o), source = source_of(model, o, value), f = 1.0;
         if (!row->average) {
             f = place_of(model, o, k, s, c);
             double in_step = source * terms / step;
@@ -90,8 +90,12 @@ static double derive(const struct pp_fit_model *model, const struct pp_fit_row *
             slope[PP_FIT_START_C] += in_step * (place_of(model, o, k, s, c + step) - f);
         }
         double in_step = terms * f / step;
-        slope[PP_FIT_SHADE_B] += in_step * (source_of(model, o, b + step, g) - source);
-        slope[PP_FIT_SHADE_G] += in_step * (source_of(model, o, b, g + step) - source);
+        for (int j = PP_FIT_SHADE_B; j <= PP_FIT_UPWARD_U; j++) {
+            double stepped[PP_FIT_PARAMETERS];
+            memcpy(stepped, value, sizeof stepped);
+            stepped[j] += step;
+            slope[j] += in_step * (source_of(model, o, stepped) - source);
+        }
         double power = source * terms * f;
         sum += power;
         for (int j = 0; j < model->count; j++)
@@ -195,6 +199,8 @@ static bool step_on(struct pp_fit_model *model, const struct pp_fit_rooms *rooms
         if (!model->one_shade)
             free_ones[n++] = PP_FIT_SHADE_G;
     }
+    if (model->upward)
+        free_ones[n++] = PP_FIT_UPWARD_U;
     for (int j = 0; j < model->count; j++)
         free_ones[n++] = PP_FIT_FIRST_TERM + j;
     normal(model, rooms, times, a, b);

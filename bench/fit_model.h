@@ -1,10 +1,10 @@
 /* fit_model.h - a form of the internally reflected component, fitted to traced rooms by
  * least squares of the logarithm of its ratio to the traced value.
  *
- *     irc = sum over openings of (S_V + S_b v^b + S_g v^g) f_d(k) f_s(s)
+ *     irc = sum over openings of (S_V + S_b v^b + u S_g v^g) f_d(k) f_s(s)
  *                                times exp(sum over terms of c_j t_j)
  *
- * k, s, c, b, g and the c_j are fitted, by the method of Levenberg and Marquardt.
+ * k, s, c, b, g, u and the c_j are fitted, by the method of Levenberg and Marquardt.
  */
 #ifndef PP_BENCH_FIT_MODEL_H
 #define PP_BENCH_FIT_MODEL_H
@@ -28,6 +28,7 @@ enum {
     PP_FIT_START_C,
     PP_FIT_SHADE_B,
     PP_FIT_SHADE_G,
+    PP_FIT_UPWARD_U,
     PP_FIT_FIRST_TERM,
     PP_FIT_MOST_TERMS = 8,
     PP_FIT_PARAMETERS = PP_FIT_FIRST_TERM + PP_FIT_MOST_TERMS
@@ -40,11 +41,12 @@ struct pp_fit_model {
     double power;   /* of 1 - R in q: 0, 1/4, 1/2, 1 */
     bool sideways;  /* is there an f_s? */
     bool one_shade; /* is g b? */
+    bool upward;    /* is u fitted? Else it is 1 */
     bool of_df;     /* of the average daylight factor, not of the component */
     int count;
     enum pp_fit_term terms[PP_FIT_MOST_TERMS];
     double value[PP_FIT_PARAMETERS]; /* where a fit begins and ends */
-    bool held;                       /* k, s, c, b and g are as they are, not fitted */
+    bool held;                       /* k, s, c, b, g are as they are, not fitted */
 };
 
 /* The model's figure for a row. */

@@ -7,7 +7,8 @@
  *          reflects 0.1
  *   irc_m  mean over the working plane
  *
- * A window high up, with more of the room below it, lights more of it. f_d and f_s:
+ * The ground's light counts nearly twice: it falls on the ceiling first, which the working plane
+ * faces. A window high up, with more of the room below it, lights more of it. f_d and f_s:
  * fitted_position.h. Scope and allowances are those of `bre`, but for panes that spread
  * light.
  */
@@ -35,7 +36,9 @@ static const struct pp_formula_quantity quantities[] = {
 
 static const struct pp_formula light_ratio = {
     .symbol = "L",
-    .sum = "((V + E_b) R_fw + E_g R_cw) / (C R_fw + " PP_BRE_TERMS_GROUND ")",
+    .sum = "((V + E_b) R_fw + " PP_FITTED_BRE_UPWARD
+           " E_g R_cw) / (C R_fw + " PP_BRE_TERMS_GROUND ")",
+    .source = "ATLAS",
     .unit = PP_UNIT_NUMBER,
     .what = "light that enters, over that of the printed formula",
     .quantities = quantities,

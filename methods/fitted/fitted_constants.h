@@ -21,9 +21,10 @@
 #define PP_FITTED_PARTS "0.40"
 #define PP_FITTED_REVEAL "0.47"
 
-/* Of `bre-atlas`: factor, parts. */
-#define PP_FITTED_BRE "0.885"
-#define PP_FITTED_BRE_PARTS "0.36"
+/* Of `bre-atlas`: factor, parts, how often the ground's light counts. */
+#define PP_FITTED_BRE "0.71"
+#define PP_FITTED_BRE_PARTS "0.40"
+#define PP_FITTED_BRE_UPWARD "1.9"
 
 /* Of `split-flux-atlas`: factor, low glass. */
 #define PP_FITTED_FLUX "0.915"

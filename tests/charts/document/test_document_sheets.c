@@ -101,7 +101,7 @@ static void a_table_over_sheets_repeats_its_head_and_has_every_row_once(void **s
     assert_int_equal(sheets_with(&sheets, "Sunlight"), sheets.count);
     assert_int_equal(sheets_with(&sheets, "Gardens"), 1);
     for (int i = 0; i < ROWS; i++) {
-        char row[16];
+        char row[32];
         snprintf(row, sizeof row, "row-%03d.", i);
         assert_int_equal(sheets_with(&sheets, row), 1);
     }
