@@ -13,6 +13,7 @@ static const struct pp_chart_kind *const kinds[] = {
     &pp_draw_pepper_pot,
     &pp_draw_protractor,
     &pp_draw_nomogram,
+    &pp_draw_position_nomogram,
     &pp_draw_brs_table,
     &pp_draw_vertical_sky,
     &pp_draw_skylight_indicator,

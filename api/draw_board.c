@@ -214,27 +214,43 @@ static enum pp_status draw_brs_table(struct pp_canvas *canvas,
     return status;
 }
 
+static enum pp_status draw_one_nomogram(struct pp_canvas *canvas,
+                                        struct pp_study_room *room,
+                                        enum pp_nomogram_kind kind,
+                                        struct pp_error *err)
+{
+    const struct pp_nomogram_spacing spacing = {
+        pp_nomogram_chart_height_mm(canvas), pp_canvas_width_mm(canvas),
+        pp_nomogram_chart_fine_mm(canvas), pp_nomogram_chart_number_mm(canvas)};
+    struct pp_nomogram_sheet sheet;
+    enum pp_status status =
+        room ? pp_nomogram_sheet_fill_room(&sheet, kind, room->world, &room->light,
+                                           room->receivers, spacing, err)
+             : pp_nomogram_sheet_fill_blank(&sheet, kind, spacing, err);
+    if (status == PP_OK)
+        status = pp_nomogram_chart_draw(canvas, &sheet, err);
+    pp_nomogram_sheet_clear(&sheet);
+    return status;
+}
+
 static enum pp_status draw_nomogram(struct pp_canvas *canvas,
                                     struct pp_study_room *room,
                                     const struct pp_study_options *study,
                                     const struct pp_chart_choice *choice,
                                     bool *finished, struct pp_error *err)
 {
-    const struct pp_board_options *options = &choice->board;
-    (void)study;
-    (void)finished;
-    const struct pp_nomogram_spacing spacing = {pp_nomogram_chart_height_mm(canvas),
-                                                pp_nomogram_chart_fine_mm(canvas),
-                                                pp_nomogram_chart_number_mm(canvas)};
-    struct pp_nomogram_sheet sheet;
-    enum pp_status status =
-        room ? pp_nomogram_sheet_fill_room(&sheet, options->nomogram, room->world,
-                                           &room->light, spacing, err)
-             : pp_nomogram_sheet_fill_blank(&sheet, options->nomogram, spacing, err);
-    if (status == PP_OK)
-        status = pp_nomogram_chart_draw(canvas, &sheet, err);
-    pp_nomogram_sheet_clear(&sheet);
-    return status;
+    (void)study, (void)finished;
+    return draw_one_nomogram(canvas, room, choice->board.nomogram, err);
+}
+
+static enum pp_status draw_position_nomogram(struct pp_canvas *canvas,
+                                             struct pp_study_room *room,
+                                             const struct pp_study_options *study,
+                                             const struct pp_chart_choice *choice,
+                                             bool *finished, struct pp_error *err)
+{
+    (void)study, (void)choice, (void)finished;
+    return draw_one_nomogram(canvas, room, PP_NOMOGRAM_POSITION, err);
 }
 
 const struct pp_chart_kind pp_draw_waldram = {
@@ -269,6 +285,16 @@ const struct pp_chart_kind pp_draw_nomogram = {
         "nomogram of the internally reflected component, blank or with a room's lines",
     .board = true,
     .draw = draw_nomogram,
+};
+
+const struct pp_chart_kind pp_draw_position_nomogram = {
+    .name = "position-nomogram",
+    .summary =
+        "nomogram of the internally reflected component at a point, by irc-atlas",
+    .board = true,
+    .from_point = true,
+    .landscape = true,
+    .draw = draw_position_nomogram,
 };
 
 const struct pp_chart_kind pp_draw_brs_table = {

@@ -37,6 +37,7 @@ done
 for which in average minimum rooflight; do
     blank nomogram-$which nomogram --which $which
 done
+blank position-nomogram position-nomogram
 blank vertical-sky vertical-sky
 blank skylight-indicator skylight-indicator
 blank waldram-inclined waldram --inclined 30
@@ -62,6 +63,8 @@ for format; do
         -o "$out/deep-office-obstructed-nomogram.$format"
     "$program" chart nomogram --which rooflight ${CHART_OPTIONS-} \
         "$(dirname "$0")/studio.xml" -o "$out/studio-nomogram.$format"
+    "$program" chart position-nomogram --points 1.5,6 ${CHART_OPTIONS-} \
+        "$(dirname "$0")/deep-office.xml" -o "$out/deep-office-position-nomogram.$format"
 done
 for format; do
     "$program" chart brs-table --points 1.4,1.5 ${CHART_OPTIONS-} \

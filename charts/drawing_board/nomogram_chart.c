@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "charts/drawing_board/nomogram_curve.h"
 #include "charts/drawing_board/nomogram_notes.h"
 #include "charts/sheet/page.h"
 
@@ -28,22 +29,14 @@ double pp_nomogram_chart_number_mm(const struct pp_canvas *canvas)
     return 1.5 * style.text[PP_TEXT_SMALL];
 }
 
-/* The nomogram while it is drawn: where its scales stand on paper. */
-struct nomogram_drawing {
-    cairo_t *cr;
-    struct pp_style style;
-    const struct pp_nomogram_sheet *sheet;
-    double left, width, bottom, height; /* mm */
-};
-
-static double x_of(const struct nomogram_drawing *drawing, int stem)
+static double x_of(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
-    return drawing->left + drawing->sheet->nomogram.stems[stem].x * drawing->width;
+    return pp_nomogram_curve_x(drawing, drawing->sheet->nomogram.stems[stem].x);
 }
 
-static double y_of(const struct nomogram_drawing *drawing, double y)
+static double y_of(const struct pp_nomogram_curve_frame *drawing, double y)
 {
-    return drawing->bottom - y * drawing->height;
+    return pp_nomogram_curve_y(drawing, y);
 }
 
 /* Numbers of the first stem stand left of it, all others right; readings on the other
@@ -56,7 +49,7 @@ static double side_of(int stem)
 /* --- scales --------------------------------------------------------------------------
  */
 
-static void draw_marks(const struct nomogram_drawing *drawing, int stem)
+static void draw_marks(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     static const double length[] = {1.1, 1.8, 2.6};
     cairo_t *cr = drawing->cr;
@@ -71,7 +64,7 @@ static void draw_marks(const struct nomogram_drawing *drawing, int stem)
     cairo_stroke(cr);
 }
 
-static void write_numbers(const struct nomogram_drawing *drawing, int stem)
+static void write_numbers(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     const struct pp_nomogram_scale *scale = &drawing->sheet->scales[stem];
     double side = side_of(stem);
@@ -91,7 +84,8 @@ static void write_numbers(const struct nomogram_drawing *drawing, int stem)
 }
 
 /* The y of the ends of a stem: where its values end, or its marks. */
-static void ends_of(const struct nomogram_drawing *drawing, int stem, double ends[2])
+static void ends_of(const struct pp_nomogram_curve_frame *drawing, int stem,
+                    double ends[2])
 {
     const struct pp_nomogram_scale *scale = &drawing->sheet->scales[stem];
     ends[0] = ends[1] = y_of(drawing, scale->marks[0].y);
@@ -102,7 +96,8 @@ static void ends_of(const struct nomogram_drawing *drawing, int stem, double end
 }
 
 /* Letter and tag of a stem above its upper end. */
-static void write_head(const struct nomogram_drawing *drawing, int stem, double top)
+static void write_head(const struct pp_nomogram_curve_frame *drawing, int stem,
+                       double top)
 {
     const struct pp_style *style = &drawing->style;
     const struct pp_nomogram *nomogram = &drawing->sheet->nomogram;
@@ -122,7 +117,7 @@ static double head_height(const struct pp_style *style)
     return 2.6 * style->text[PP_TEXT_SMALL] + 1.3 * style->text[PP_TEXT_HEAD];
 }
 
-static void draw_stem(const struct nomogram_drawing *drawing, int stem)
+static void draw_stem(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     double ends[2], x = x_of(drawing, stem);
     ends_of(drawing, stem, ends);
@@ -138,7 +133,7 @@ static void draw_stem(const struct nomogram_drawing *drawing, int stem)
 /* --- a room's lines ------------------------------------------------------------------
  */
 
-static void draw_edges(const struct nomogram_drawing *drawing)
+static void draw_edges(const struct pp_nomogram_curve_frame *drawing)
 {
     const struct pp_nomogram_sheet *sheet = drawing->sheet;
     for (int i = 0; i < sheet->window_count; i++)
@@ -187,7 +182,7 @@ static void spread(struct note *notes, int count, double gap)
 enum { NOTED_MOST = 12 };
 
 /* Is the stem set or read for a window? */
-static bool stem_used(const struct nomogram_drawing *drawing,
+static bool stem_used(const struct pp_nomogram_curve_frame *drawing,
                       const struct pp_nomogram_window *window, int stem)
 {
     const struct pp_nomogram *nomogram = &drawing->sheet->nomogram;
@@ -202,7 +197,7 @@ static bool stem_used(const struct nomogram_drawing *drawing,
 
 /* Which way a reading keeps off the line that leaves the stem on its side: up, -1, or
  * down. */
-static double off_line(const struct nomogram_drawing *drawing,
+static double off_line(const struct pp_nomogram_curve_frame *drawing,
                        const struct pp_nomogram_window *window, int stem)
 {
     const struct pp_nomogram *nomogram = &drawing->sheet->nomogram;
@@ -220,7 +215,7 @@ static double off_line(const struct nomogram_drawing *drawing,
 }
 
 /* The nearest stem on the readings' side of one, or -1. */
-static int neighbour(const struct nomogram_drawing *drawing, int stem)
+static int neighbour(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     double side = -side_of(stem), gap = INFINITY;
     int nearest = -1;
@@ -241,7 +236,7 @@ static double figures_mm(const struct pp_style *style)
 }
 
 /* Is there less room beside a stem, on the readings' side, than "3: 0.0155" takes? */
-static bool narrow(const struct nomogram_drawing *drawing, int stem)
+static bool narrow(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     int next = neighbour(drawing, stem);
     return next >= 0
@@ -251,7 +246,7 @@ static bool narrow(const struct nomogram_drawing *drawing, int stem)
 }
 
 /* Would a reading at this height cover figures of the next stem? */
-static bool covers_figures(const struct nomogram_drawing *drawing, int stem,
+static bool covers_figures(const struct pp_nomogram_curve_frame *drawing, int stem,
                            double width, double y)
 {
     const struct pp_style *style = &drawing->style;
@@ -271,7 +266,7 @@ static bool covers_figures(const struct nomogram_drawing *drawing, int stem,
 
 /* The height near `y`, further up or down the way it is off the line, at which a lone
  * reading covers nothing. */
-static double clear_height(const struct nomogram_drawing *drawing, int stem,
+static double clear_height(const struct pp_nomogram_curve_frame *drawing, int stem,
                            double wanted, double y, double width)
 {
     double way = y > wanted ? 1.0 : -1.0,
@@ -282,7 +277,7 @@ static double clear_height(const struct nomogram_drawing *drawing, int stem,
     return y;
 }
 
-static void write_readings(const struct nomogram_drawing *drawing, int stem)
+static void write_readings(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     const struct pp_nomogram_sheet *sheet = drawing->sheet;
     const struct pp_style *style = &drawing->style;
@@ -339,10 +334,11 @@ enum pp_status pp_nomogram_chart_draw(struct pp_canvas *canvas,
                                       struct pp_error *err)
 {
     (void)err;
-    struct nomogram_drawing drawing = {.cr = pp_canvas_cairo(canvas),
-                                       .style = pp_page_style(canvas),
-                                       .sheet = sheet,
-                                       .height = pp_nomogram_chart_height_mm(canvas)};
+    struct pp_nomogram_curve_frame drawing = {.cr = pp_canvas_cairo(canvas),
+                                              .style = pp_page_style(canvas),
+                                              .sheet = sheet,
+                                              .height =
+                                                  pp_nomogram_chart_height_mm(canvas)};
     const struct pp_style *style = &drawing.style;
     char foot[4000] = "", subtitle[256] = "", title[32];
     pp_nomogram_notes_title(title, sizeof title, sheet);
@@ -369,6 +365,8 @@ enum pp_status pp_nomogram_chart_draw(struct pp_canvas *canvas,
     drawing.bottom = box.y + taken + (rest + drawing.height) / 2.0;
 
     draw_edges(&drawing);
+    pp_nomogram_curve_draw(&drawing);
+    pp_nomogram_curve_edges(&drawing);
     for (int i = 0; i < sheet->nomogram.stem_count; i++)
         draw_stem(&drawing, i);
     for (int i = 0; i < sheet->nomogram.stem_count; i++)

@@ -6,16 +6,18 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "charts/sheet/page.h"
 #include "model/geometry/vec.h"
 #include "model/base/text.h"
+#include "model/results/step_text.h"
 
 const char *pp_nomogram_notes_stem_label(const struct pp_nomogram *nomogram, int stem)
 {
     switch (nomogram->stems[stem].quantity) {
     case PP_NOMOGRAM_GLASS:
-        return "W/A";
+        return nomogram->kind == PP_NOMOGRAM_POSITION ? "TW/A" : "W/A";
     case PP_NOMOGRAM_REFLECTANCE:
         return "R";
     case PP_NOMOGRAM_OBSTRUCTION:
@@ -24,11 +26,23 @@ const char *pp_nomogram_notes_stem_label(const struct pp_nomogram *nomogram, int
         return "\u03b2, degrees";
     case PP_NOMOGRAM_WALLS:
         return "walls";
+    case PP_NOMOGRAM_LOSS:
+        return "R";
+    case PP_NOMOGRAM_GAIN:
+        return "A/(1 \u2212 R)";
+    case PP_NOMOGRAM_LIGHT:
+        return "L, %";
+    case PP_NOMOGRAM_FACTOR:
+        return "f";
+    case PP_NOMOGRAM_PLACE:
+        return "x/d, 2y/w";
     case PP_NOMOGRAM_COMPONENT:
         break;
     }
     if (stem == nomogram->edges[PP_NOMOGRAM_EDGES - 1].read)
-        return "min., %";
+        return nomogram->kind == PP_NOMOGRAM_POSITION ? "IRC, %" : "min., %";
+    if (nomogram->kind == PP_NOMOGRAM_POSITION)
+        return "mean, %";
     return "IRC, %";
 }
 
@@ -36,6 +50,7 @@ static const char *const numbers[PP_NOMOGRAMS] = {
     [PP_NOMOGRAM_AVERAGE] = "I",
     [PP_NOMOGRAM_MINIMUM] = "II",
     [PP_NOMOGRAM_ROOFLIGHT] = "III",
+    [PP_NOMOGRAM_POSITION] = "IV",
 };
 
 void pp_nomogram_notes_title(char *text, size_t room,
@@ -53,12 +68,15 @@ void pp_nomogram_notes_subtitle(char *text, size_t room,
             "average and minimum internally reflected component, side-lit room",
         [PP_NOMOGRAM_ROOFLIGHT] =
             "average internally reflected component, top-lit room",
+        [PP_NOMOGRAM_POSITION] =
+            "internally reflected component at a point, side-lit room",
     };
     *text = 0;
     if (!sheet->blank)
         pp_page_say(text, room, "Nomogram %s:", numbers[sheet->nomogram.kind]);
-    pp_page_say(text, room, "%s; CIE overcast sky, clear single glass",
-                what[sheet->nomogram.kind]);
+    pp_page_say(text, room, "%s; CIE overcast sky%s", what[sheet->nomogram.kind],
+                sheet->nomogram.kind == PP_NOMOGRAM_POSITION ? ""
+                                                             : ", clear single glass");
 }
 
 void pp_nomogram_notes_instructions(char *text, size_t room,
@@ -66,6 +84,14 @@ void pp_nomogram_notes_instructions(char *text, size_t room,
 {
     bool top = nomogram->kind == PP_NOMOGRAM_ROOFLIGHT;
     *text = 0;
+    if (nomogram->kind == PP_NOMOGRAM_POSITION) {
+        pp_page_say(
+            text, room,
+            "Straight-edge from A to B: read C. From C to D: read E, the mean over "
+            "the working plane. From H through q: read F, by the depth and again "
+            "sideways. From E to the product of both on F: read G, at the point.");
+        return;
+    }
     pp_page_say(text, room,
                 "Straight-edge from A to B: read C, %s. From C to D: read E, %s.",
                 top ? "for horizontal glass" : "without obstruction",
@@ -78,6 +104,44 @@ void pp_nomogram_notes_instructions(char *text, size_t room,
 
 /* --- the foot ------------------------------------------------------------------------
  */
+
+static void say_position_letters(char *text, size_t room)
+{
+    pp_page_say(
+        text, room,
+        "A: diffuse transmittance T of the glass (clear single 0.83) times its net "
+        "area W, "
+        "over the area of all inside surfaces A. B: their mean reflectance R, openings "
+        "0.1. "
+        "D: light L on the glass as it counts. H: place of the point, x from the wall "
+        "of "
+        "the window over the depth d of the room, then y from the middle of the window "
+        "along that wall over half its breadth w.");
+    pp_page_say(
+        text, room,
+        "Off scale A: set ten times or a tenth, and shift the point of the "
+        "component back. Multiply by a factor for dirt; add up several windows.\n");
+}
+
+/* The formulae that are worked out on paper, in the units of print. */
+static void say_formulae(char *text, size_t room, const struct pp_nomogram_sheet *sheet)
+{
+    for (int i = 0; sheet->formulae[i]; i++) {
+        const struct pp_formula *formula = sheet->formulae[i];
+        char sum[512] = "";
+        pp_step_text_add(sum, sizeof sum, formula->sum, (int)strlen(formula->sum),
+                         true);
+        pp_page_say(text, room, "%s = %s%s", formula->symbol, sum,
+                    sheet->formulae[i + 1] ? ";" : ".");
+    }
+    pp_page_say(
+        text, room,
+        "V, C_b, C_g: on the glass from the sky, from what stands outside and from "
+        "the ground, without shade on either; \u03c1_l, A_l, \u03c1_u, A_u: reflectance "
+        "and area of what is below and above the middle of the window; d, w, h of L: "
+        "its reveal, breadth and height; d_r, w_r, h_r: the room's. The formula "
+        "irc-atlas, fitted to traced rooms: pepperpot.");
+}
 
 static void say_letters(char *text, size_t room, const struct pp_nomogram *nomogram)
 {
@@ -131,18 +195,16 @@ static void say_number(char *text, size_t room, const struct pp_nomogram_sheet *
 {
     switch (sheet->nomogram.stems[stem].quantity) {
     case PP_NOMOGRAM_COMPONENT:
+    case PP_NOMOGRAM_LIGHT:
         snprintf(text, room, "%.4g\u00a0%%", 100.0 * value);
         return;
     case PP_NOMOGRAM_OBSTRUCTION:
     case PP_NOMOGRAM_SLOPE:
         snprintf(text, room, "%.3g\u00b0", value / PP_RAD);
         return;
-    case PP_NOMOGRAM_GLASS:
-    case PP_NOMOGRAM_REFLECTANCE:
-    case PP_NOMOGRAM_WALLS:
-        break;
+    default:
+        snprintf(text, room, "%.4g", value);
     }
-    snprintf(text, room, "%.4g", value);
 }
 
 void pp_nomogram_notes_value(char *text, size_t room,
@@ -152,17 +214,29 @@ void pp_nomogram_notes_value(char *text, size_t room,
     char number[32];
     enum pp_nomogram_quantity quantity = sheet->nomogram.stems[stem].quantity;
     double value = sheet->windows[window].read.value[stem];
-    if (quantity == PP_NOMOGRAM_COMPONENT)
+    if (quantity == PP_NOMOGRAM_COMPONENT || quantity == PP_NOMOGRAM_LIGHT)
         snprintf(number, sizeof number, "%.4g", 100.0 * value);
     else
         say_number(number, sizeof number, sheet, stem, value);
-    bool of_room = quantity == PP_NOMOGRAM_REFLECTANCE || quantity == PP_NOMOGRAM_WALLS;
+    bool of_room = quantity == PP_NOMOGRAM_REFLECTANCE || quantity == PP_NOMOGRAM_WALLS
+                   || quantity == PP_NOMOGRAM_LOSS;
     if (sheet->window_count == 1 || of_room)
         snprintf(text, room, "%s", number);
     else if (briefly)
         snprintf(text, room, "%d", window + 1);
     else
         snprintf(text, room, "%d: %s", window + 1, number);
+}
+
+/* "F 1.2 by the depth (x/d 0.3, q 0.92)". */
+static void say_places(char *text, size_t room,
+                       const struct pp_nomogram_place places[2])
+{
+    pp_page_say(
+        text, room,
+        "F %.4g by the depth (H %.4g, q %.4g) and %.4g sideways (H %.4g, q %.4g);",
+        places[0].factor, places[0].share, places[0].q, places[1].factor,
+        places[1].share, places[1].q);
 }
 
 /* "A 0.0155, B 0.522: C 0.54 %" and so on, of one window. */
@@ -181,8 +255,9 @@ static void say_window(char *text, size_t room, const struct pp_nomogram_sheet *
     if (read->tens)
         snprintf(shift, sizeof shift, ", set %s %.0f",
                  read->tens > 0 ? "times" : "over", pow(10.0, abs(read->tens)));
-    pp_text_append(text, room, "): W/A = %.2f/%.2f = %.4f%s;", read->glass_m2,
-                   read->inside_m2, read->ratio, shift);
+    pp_text_append(text, room, "): %sW/A = %.2f/%.2f = %.4f%s;",
+                   sheet->curve.count ? "T" : "", read->glass_m2, read->inside_m2,
+                   read->ratio, shift);
     for (int k = 0; k < sheet->nomogram.edge_count; k++) {
         const struct pp_nomogram_edge *edge = &sheet->nomogram.edges[k];
         char words[3][32];
@@ -191,6 +266,8 @@ static void say_window(char *text, size_t room, const struct pp_nomogram_sheet *
         say_number(words[0], 32, sheet, edge->from, read->value[edge->from]);
         say_number(words[1], 32, sheet, edge->to, read->value[edge->to]);
         say_number(words[2], 32, sheet, edge->read, read->value[edge->read]);
+        if (k == 2 && sheet->curve.count)
+            say_places(text, room, read->places);
         const struct pp_nomogram_stem *stems = sheet->nomogram.stems;
         if (k == 0)
             pp_page_say(text, room, "A %s and B %s: C %s;", words[0], words[1],
@@ -201,12 +278,12 @@ static void say_window(char *text, size_t room, const struct pp_nomogram_sheet *
     }
     double settled = window->allowance * read->component;
     char least[32] = "";
-    if (isfinite(read->minimum))
+    if (isfinite(read->further))
         snprintf(least, sizeof least, " and %.3g\u00a0%%",
-                 100.0 * window->allowance * read->minimum);
-    pp_page_say(text, room, "\u00d7 %.3g for its glass and dirt = %.3g\u00a0%%%s%s.",
-                window->allowance, 100.0 * settled, least,
-                window->alike > 1 ? " each" : "");
+                 100.0 * window->allowance * read->further);
+    pp_page_say(text, room, "\u00d7 %.3g for %sdirt = %.3g\u00a0%%%s%s.",
+                window->allowance, sheet->curve.count ? "" : "its glass and ",
+                100.0 * settled, least, window->alike > 1 ? " each" : "");
 }
 
 enum { WINDOWS_SAID = 6 };
@@ -222,8 +299,10 @@ static void say_room(char *text, size_t room, const struct pp_nomogram_sheet *sh
                     sheet->decorations);
     pp_page_say(text, room, "Together: average IRC %.3g\u00a0%%",
                 100.0 * sheet->component);
-    if (isfinite(sheet->minimum))
-        pp_page_say(text, room, "and minimum %.3g\u00a0%%", 100.0 * sheet->minimum);
+    if (isfinite(sheet->further))
+        pp_page_say(text, room, "and %s %.3g\u00a0%%",
+                    sheet->curve.count ? "at the point" : "minimum",
+                    100.0 * sheet->further);
     pp_page_say(text, room, "as read to a fifth of a division.");
     if (sheet->left_out)
         pp_page_say(text, room, "%d %s not for this nomogram.", sheet->left_out,
@@ -238,6 +317,11 @@ void pp_nomogram_notes_foot(char *text, size_t room,
     *text = 0;
     if (!sheet->blank)
         say_room(text, room, sheet);
+    if (sheet->formulae) {
+        say_position_letters(text, room);
+        say_formulae(text, room, sheet);
+        return;
+    }
     say_letters(text, room, &sheet->nomogram);
     say_formula(text, room, &sheet->nomogram);
 }

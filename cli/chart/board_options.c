@@ -81,13 +81,13 @@ enum pp_status pp_board_options_read_inclined(const char *text, void *place,
 enum pp_status pp_board_options_read_nomogram(const char *text, void *place,
                                               struct pp_error *err)
 {
-    static const char *const names[PP_NOMOGRAMS] = {
+    static const char *const names[PP_NOMOGRAM_POSITION] = {
         [PP_NOMOGRAM_AVERAGE] = "average",
         [PP_NOMOGRAM_MINIMUM] = "minimum",
         [PP_NOMOGRAM_ROOFLIGHT] = "rooflight",
     };
     struct pp_board_options *board = place;
-    for (int i = 0; i < PP_NOMOGRAMS; i++)
+    for (int i = 0; i < PP_NOMOGRAM_POSITION; i++)
         if (strcmp(text, names[i]) == 0) {
             board->nomogram = (enum pp_nomogram_kind)i;
             board->nomogram_said = true;
@@ -157,6 +157,7 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
         strcmp(kind->name, "waldram") == 0 || strcmp(kind->name, "vertical-sky") == 0;
     bool overlay = strcmp(kind->name, "overlay") == 0;
     bool nomogram = strcmp(kind->name, "nomogram") == 0;
+    bool position = strcmp(kind->name, "position-nomogram") == 0;
     const char *needless =
         options->study.simulate  ? "--simulate"
         : options->study.methods ? "--methods"
@@ -166,14 +167,15 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
         : !pepper_pot && board->fine             ? "--fine"
         : !pepper_pot && board->vertical         ? "--receiver"
         : !pepper_pot && board->viewing_mm > 0.0 ? "--viewing-distance"
-        : (protractor || nomogram || kind->of_window) && board->glazed ? "--glazed"
-        : (blank || !kind->from_point) && board->unsolved              ? "--unsolved"
-        : (blank || !kind->of_window) && board->window                 ? "--window"
-        : !blank && kind->of_window && options->study.sky              ? "--sky"
-        : !nomogram && board->nomogram_said                            ? "--which"
-        : !protractor && board->number                                 ? "--number"
-        : !protractor && board->glazing                                ? "--glazing"
-        : !protractor && board->slope_said                             ? "--slope"
+        : (protractor || nomogram || position || kind->of_window) && board->glazed
+            ? "--glazed"
+        : (blank || position || !kind->from_point) && board->unsolved ? "--unsolved"
+        : (blank || !kind->of_window) && board->window                ? "--window"
+        : !blank && kind->of_window && options->study.sky             ? "--sky"
+        : !nomogram && board->nomogram_said                           ? "--which"
+        : !protractor && board->number                                ? "--number"
+        : !protractor && board->glazing                               ? "--glazing"
+        : !protractor && board->slope_said                            ? "--slope"
         : !overlay && board->overlay.typed ? board->overlay.typed
         : !waldram && board->inclined      ? "--inclined"
         : overlay && board->glazed         ? "--glazed"
@@ -192,7 +194,7 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
                        "%s is for a blank diagram; a room has its own",
                        board->glazed ? "--glazed" : "--receiver");
     enum pp_status status = set_sky(&board->sky, options->study.sky, err);
-    if (status == PP_OK && nomogram && board->sky.kind != PP_SKY_OVERCAST)
+    if (status == PP_OK && (nomogram || position) && board->sky.kind != PP_SKY_OVERCAST)
         status = pp_fail(err, PP_BAD_INPUT,
                          "--sky is \"%.60s\"; nomograms are made for the overcast sky",
                          options->study.sky);

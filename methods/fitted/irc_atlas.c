@@ -1,8 +1,8 @@
 /* irc_atlas.c - `irc-atlas`: internally reflected component by position, a formula of six
  * terms for paper, whose constants were fitted to traced rooms [ATLAS].
  *
- *     irc = tau Ag / (A (1 - R)) ((V + E_b) rho_l + E_g) sqrt(rho_u)
- *           ((A_l / A_u)^c exp(-e d (1/w + 1/h)))^(1 - R) f_d f_s
+ *     L   = ((V + E_b) rho_l + E_g) sqrt(rho_u) ((A_l / A_u)^c exp(-e d (1/w + 1/h)))^(1 - R)
+ *     irc = tau Ag L / (A (1 - R)) f_d f_s
  *
  *   E_b, E_g           light of what stands outside and of the ground, in its shade
  *   (A_l / A_u)^c      a low opening lights less of what the plane sees than a high one
@@ -11,7 +11,7 @@
  *
  * Light of the sky falls on the lower part of the room and is reflected by it and by the
  * upper part before it comes to the working plane; light of the ground by the upper part
- * only. The first line is the formula of `sphere` with the light outside parted by what it
+ * only. The second line is the formula of `sphere` with the light outside parted by what it
  * comes from (fitted_light.h) and the root of rho_u, which a fit finds as 0.51; the six
  * terms that were fitted have one constant each. In a furnace, R to 1 under an open sky, it
  * is the energy balance tau Ag (V + C_g)/(A (1 - R)) everywhere, whatever was fitted. No
@@ -21,6 +21,8 @@
  * up. The formula contains the opening's glass and, through Ag, the frame; no dirt, no
  * deterioration of decorations.
  */
+#include "methods/fitted/irc_atlas.h"
+
 #include <stdlib.h>
 
 #include "methods/allowance.h"
@@ -41,15 +43,25 @@ static const struct pp_formula_quantity quantities[] = {
     PP_FITTED_LIGHT_QUANTITIES,
     PP_FITTED_OPENING_REVEAL,
     PP_FITTED_POSITION_QUANTITIES,
+    {"L", PP_UNIT_SHARE, "light on the opening as it counts"},
     {"irc_m", PP_UNIT_SHARE, "mean over the working plane"},
     {0},
 };
 
-static const struct pp_formula mean = {
-    .symbol = "irc_m",
-    .sum = "tau Ag / (A (1 - R)) ((V + E_b) rho_l + E_g) sqrt(rho_u) "
+const struct pp_formula pp_irc_atlas_light = {
+    .symbol = "L",
+    .sum = "((V + E_b) rho_l + E_g) sqrt(rho_u) "
            "((A_l / A_u)^" PP_FITTED_PARTS " exp(-" PP_FITTED_REVEAL
            " d (1 / w + 1 / h)))^(1 - R)",
+    .unit = PP_UNIT_SHARE,
+    .source = "ATLAS",
+    .what = "light on the opening as it counts",
+    .quantities = quantities,
+};
+
+static const struct pp_formula mean = {
+    .symbol = "irc_m",
+    .sum = "tau Ag L / (A (1 - R))",
     .unit = PP_UNIT_SHARE,
     .source = "ATLAS",
     .what = "mean internally reflected component",
@@ -68,6 +80,7 @@ static const struct pp_formula at_point = {
 static const struct pp_formula *const formulae[] = {&pp_allowance_glass_Ag,
                                                     PP_FITTED_LIGHT_FORMULAE,
                                                     PP_FITTED_POSITION_FORMULAE,
+                                                    &pp_irc_atlas_light,
                                                     &mean,
                                                     &at_point,
                                                     NULL};
@@ -88,6 +101,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     pp_interior_put(sheet, &all);
     pp_fitted_parts_put(sheet, world, opening);
     pp_fitted_opening_put_reveal(sheet, opening);
+    pp_worksheet_work(sheet, &pp_irc_atlas_light, "light on it as it counts");
     part->value =
         pp_fitted_position_work(sheet, &mean, &at_point, world, opening, receiver);
     return PP_OK;

@@ -27,8 +27,8 @@ const struct pp_formula pp_nomogram_reading_ratio = {
 };
 
 /* Reads a stem where the straight-edge crosses it, laid on the values of two others. */
-static void lay_edge(struct pp_nomogram_reading *reading,
-                     const struct pp_nomogram *nomogram, int index)
+void pp_nomogram_reading_lay(struct pp_nomogram_reading *reading,
+                             const struct pp_nomogram *nomogram, int index)
 {
     const struct pp_nomogram_edge *edge = &nomogram->edges[index];
     double y_from =
@@ -51,6 +51,15 @@ static double shifted(const struct pp_nomogram_stem *stem, double ratio, int *te
     for (; ratio > stem->high && *tens > -9; --*tens)
         ratio /= 10.0;
     return ratio;
+}
+
+void pp_nomogram_reading_set_room(struct pp_nomogram_reading *reading,
+                                  const struct pp_nomogram *nomogram, double R)
+{
+    reading->value[PP_STEM_A] = pp_nomogram_scale_read(
+        nomogram, PP_STEM_A,
+        shifted(&nomogram->stems[PP_STEM_A], reading->ratio, &reading->tens));
+    reading->value[PP_STEM_B] = pp_nomogram_scale_read(nomogram, PP_STEM_B, R);
 }
 
 const char *pp_nomogram_reading_refuses_room(const struct pp_world *world)
@@ -84,26 +93,23 @@ enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *readin
     reading->ratio =
         pp_formula_value(&pp_nomogram_reading_ratio,
                          (const double[]){reading->glass_m2, reading->inside_m2});
-    value[PP_STEM_A] = pp_nomogram_scale_read(
-        nomogram, PP_STEM_A,
-        shifted(&nomogram->stems[PP_STEM_A], reading->ratio, &reading->tens));
-    value[PP_STEM_B] = pp_nomogram_scale_read(nomogram, PP_STEM_B, all.reflectance);
-    lay_edge(reading, nomogram, 0);
+    pp_nomogram_reading_set_room(reading, nomogram, all.reflectance);
+    pp_nomogram_reading_lay(reading, nomogram, 0);
 
     value[PP_STEM_D] = pp_nomogram_scale_read(nomogram, PP_STEM_D, angle_rad);
     if (value[PP_STEM_D] > 0.0)
-        lay_edge(reading, nomogram, 1);
+        pp_nomogram_reading_lay(reading, nomogram, 1);
     else /* without an obstruction E is C */
         value[PP_STEM_E] = value[PP_STEM_C];
 
     double back = pow(10.0, -reading->tens);
     reading->component = back * value[PP_STEM_E];
-    reading->minimum = NAN;
+    reading->further = NAN;
     if (nomogram->kind == PP_NOMOGRAM_MINIMUM) {
         value[PP_STEM_F] = pp_nomogram_scale_read(
             nomogram, PP_STEM_F, pp_interior_role(world, PP_WALL).reflectance);
-        lay_edge(reading, nomogram, 2);
-        reading->minimum = back * value[PP_STEM_G];
+        pp_nomogram_reading_lay(reading, nomogram, 2);
+        reading->further = back * value[PP_STEM_G];
     }
     return PP_OK;
 }

@@ -24,4 +24,12 @@ enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *readin
                                               const struct pp_opening *opening,
                                               struct pp_error *err);
 
+/* Lays straight-edge `index` on the values of its two stems and reads the third. */
+void pp_nomogram_reading_lay(struct pp_nomogram_reading *reading,
+                             const struct pp_nomogram *nomogram, int index);
+
+/* Sets W/A times the power of ten that brings it on to scale A, and R on scale B. */
+void pp_nomogram_reading_set_room(struct pp_nomogram_reading *reading,
+                                  const struct pp_nomogram *nomogram, double R);
+
 #endif

@@ -50,6 +50,25 @@
  *   G is wanted at x_G between E and F: likewise m_F.
  *   D and F are shorter than the height and stand in its middle.
  *
+ * NOMOGRAM IV has the formula of `irc-atlas`, per cent,
+ *
+ *     IRC_m = T W/(A (1 - R)) L,   IRC = IRC_m f_d f_s                         (5)
+ *
+ * with L the light on the glass as it counts, worked out below the scales: C is a = T W/(A (1 -
+ * R)), D is L, E is IRC_m, F a factor of the place and G what F makes of E. Both factors are
+ *
+ *     f = q exp(-q u)/(1 - exp(-q)),   log f = h(q) - q u log e
+ *
+ * of the place u: x/d_r by the depth, with q_d, and 2 y/w_r sideways, with q_s. Let the stem H
+ * of the places stand at x_H, y = y_0 + m_H u, and F at x_F, y = y_1 + m_F log f. All lines that
+ * join a u and its f for one q meet in a point: at the share t of the way from H to F
+ *
+ *     y = (1 - t)(y_0 + m_H u) + t (y_1 + m_F (h - q u log e))
+ *
+ * does not depend on u if t = m_H/(m_H + m_F q log e). The points of all q are a curve between
+ * H and F, which it crosses at q = 0, f = 1; rooms that are brighter at their back have a q
+ * below 0, beyond F.
+ *
  * Since A and B are the ends of the first line, D and F of the others, the scale that
  * is read always lies between the scales that are set, so that their errors are
  * averaged and not magnified.
@@ -69,6 +88,13 @@
 static const double least_glass = 0.005, most_glass = 0.2;
 static const double most_obstruction_rad = 80.0 * PP_RAD;
 static const double darkest_walls = 0.2, lightest_walls = 0.8;
+static const double least_light = 0.001, most_light = 0.5;
+static const double least_component = 5e-5, most_component = 0.5;
+static const double least_factor = 0.03, most_factor = 4.0;
+
+/* The foot of H, which has no other stem to fit, its height a unit, and its end: a point
+ * before the far end of a wall, the opening at the near one. */
+static const double places_foot = 0.04, places_unit = 0.46, most_place = 2.0;
 
 /* The formula (1) for W = A, R = 0. */
 static double by_formula(double C, double R_fw, double R_cw)
@@ -99,7 +125,14 @@ static double function_of(enum pp_nomogram_quantity quantity, double value)
     switch (quantity) {
     case PP_NOMOGRAM_GLASS:
     case PP_NOMOGRAM_COMPONENT:
+    case PP_NOMOGRAM_GAIN:
+    case PP_NOMOGRAM_LIGHT:
+    case PP_NOMOGRAM_FACTOR:
         break;
+    case PP_NOMOGRAM_LOSS:
+        return 1.0 / (1.0 - value);
+    case PP_NOMOGRAM_PLACE: /* an even scale */
+        return pow(10.0, value);
     case PP_NOMOGRAM_REFLECTANCE:
         return value / (1.0 - value);
     case PP_NOMOGRAM_OBSTRUCTION:
@@ -176,11 +209,57 @@ static double decade_for(const struct pp_nomogram_stem *from, double x_read,
     return from->decade * (1.0 - t) / t;
 }
 
+static void name_stems(struct pp_nomogram *nomogram)
+{
+    for (int i = 0; i < nomogram->stem_count; i++)
+        nomogram->stems[i].letter = (char)('A' + i);
+}
+
+static struct pp_nomogram make_position(void)
+{
+    struct pp_nomogram nomogram = {
+        .kind = PP_NOMOGRAM_POSITION,
+        .stem_count = 8,
+        .edge_count = 3,
+        .edges = {{PP_STEM_A, PP_STEM_B, PP_STEM_C},
+                  {PP_STEM_C, PP_STEM_D, PP_STEM_E},
+                  {PP_STEM_E, PP_STEM_F, PP_STEM_G}},
+    };
+    struct pp_nomogram_stem *stem = nomogram.stems;
+    stem[PP_STEM_A] = whole_stem(PP_NOMOGRAM_GLASS, 0.0, least_glass, most_glass);
+    stem[PP_STEM_B] =
+        whole_stem(PP_NOMOGRAM_LOSS, 0.24, PP_NOMOGRAM_LEAST_R, PP_NOMOGRAM_MOST_R);
+    stem[PP_STEM_C] = between(&stem[PP_STEM_A], &stem[PP_STEM_B], 1.0);
+    stem[PP_STEM_C].quantity = PP_NOMOGRAM_GAIN;
+    stem[PP_STEM_D] =
+        middle_stem(PP_NOMOGRAM_LIGHT, 0.55, decade_for(&stem[PP_STEM_C], 0.33, 0.55),
+                    least_light, most_light);
+    stem[PP_STEM_E] = between(&stem[PP_STEM_C], &stem[PP_STEM_D], 1.0);
+    stem[PP_STEM_F] =
+        middle_stem(PP_NOMOGRAM_FACTOR, 0.78, decade_for(&stem[PP_STEM_E], 0.465, 0.78),
+                    least_factor, most_factor);
+    stem[PP_STEM_G] = between(&stem[PP_STEM_E], &stem[PP_STEM_F], 1.0);
+    for (int i = PP_STEM_E; i <= PP_STEM_G; i += PP_STEM_G - PP_STEM_E) {
+        stem[i].low = least_component;
+        stem[i].high = most_component;
+    }
+    stem[PP_STEM_H] = (struct pp_nomogram_stem){.quantity = PP_NOMOGRAM_PLACE,
+                                                .x = 1.0,
+                                                .foot = places_foot,
+                                                .decade = places_unit,
+                                                .low = 0.0,
+                                                .high = most_place};
+    name_stems(&nomogram);
+    return nomogram;
+}
+
 struct pp_nomogram pp_nomogram_scale_make(enum pp_nomogram_kind kind)
 {
+    if (kind == PP_NOMOGRAM_POSITION)
+        return make_position();
     /* The x of the stems B, E, D and, for the minimum, G, F, chosen by trial for even
      * spacing. */
-    static const double places[PP_NOMOGRAMS][5] = {
+    static const double places[PP_NOMOGRAM_POSITION][5] = {
         [PP_NOMOGRAM_AVERAGE] = {0.78, 0.61, 1.0},
         [PP_NOMOGRAM_MINIMUM] = {0.74, 0.52, 0.87, 0.63, 1.0},
         [PP_NOMOGRAM_ROOFLIGHT] = {0.78, 0.56, 1.0},
@@ -216,9 +295,25 @@ struct pp_nomogram pp_nomogram_scale_make(enum pp_nomogram_kind kind)
                                       darkest_walls, lightest_walls);
         stem[PP_STEM_G] = between(&stem[PP_STEM_E], &stem[PP_STEM_F], 1.0);
     }
-    for (int i = 0; i < nomogram.stem_count; i++)
-        stem[i].letter = (char)('A' + i);
+    name_stems(&nomogram);
     return nomogram;
+}
+
+/* log10(q/(1 - exp(-q))). */
+static double log_mean(double q)
+{
+    return fabs(q) < 1e-9 ? 0.0 : log10(q / -expm1(-q));
+}
+
+void pp_nomogram_scale_curve(const struct pp_nomogram *nomogram, double q, double *x,
+                             double *y)
+{
+    const struct pp_nomogram_stem *places = &nomogram->stems[PP_STEM_H],
+                                  *factors = &nomogram->stems[PP_STEM_F];
+    double t =
+        places->decade / (places->decade + factors->decade * q * log10(exp(1.0)));
+    *x = places->x + t * (factors->x - places->x);
+    *y = (1.0 - t) * places->foot + t * (factors->foot + factors->decade * log_mean(q));
 }
 
 double pp_nomogram_scale_position(const struct pp_nomogram *nomogram, int index,
@@ -254,16 +349,14 @@ double pp_nomogram_scale_printed_unit(enum pp_nomogram_quantity quantity)
 {
     switch (quantity) {
     case PP_NOMOGRAM_COMPONENT:
+    case PP_NOMOGRAM_LIGHT:
         return 100.0;
     case PP_NOMOGRAM_OBSTRUCTION:
     case PP_NOMOGRAM_SLOPE:
         return 1.0 / PP_RAD;
-    case PP_NOMOGRAM_GLASS:
-    case PP_NOMOGRAM_REFLECTANCE:
-    case PP_NOMOGRAM_WALLS:
-        break;
+    default:
+        return 1.0;
     }
-    return 1.0;
 }
 
 /* The stretch between bold figures that holds a value: 1, 2, 5, 10 ... on a
@@ -274,10 +367,11 @@ static void find_stretch(enum pp_nomogram_quantity quantity, double printed,
 {
     double even = 0.0;
     switch (quantity) {
-    case PP_NOMOGRAM_GLASS:
-    case PP_NOMOGRAM_COMPONENT:
+    default:
         break;
     case PP_NOMOGRAM_REFLECTANCE:
+    case PP_NOMOGRAM_LOSS:
+    case PP_NOMOGRAM_PLACE:
         even = 0.1;
         break;
     case PP_NOMOGRAM_WALLS:

@@ -2,8 +2,9 @@
  * [GEEBELEN], derived from the BRE formula, and readings of them.
  *
  * Nomogram I is for the average in side-lit rooms, II for the average and the minimum,
- * III for the average in top-lit rooms; CIE overcast sky, clear single glass. The
- * derivation is in nomogram_scale.c.
+ * III for the average in top-lit rooms; CIE overcast sky, clear single glass. Nomogram IV is
+ * for a point of a side-lit room, by the formula of `irc-atlas` [ATLAS]. The derivation is in
+ * nomogram_scale.c.
  *
  * Values are in the units of enum pp_nomogram_quantity: ratios, fractions, radians.
  */
@@ -22,7 +23,16 @@
 #define PP_NOMOGRAM_MOST_R 0.9
 
 /* Indices of the stems of a nomogram, which are in the order of their letters. */
-enum { PP_STEM_A, PP_STEM_B, PP_STEM_C, PP_STEM_D, PP_STEM_E, PP_STEM_F, PP_STEM_G };
+enum {
+    PP_STEM_A,
+    PP_STEM_B,
+    PP_STEM_C,
+    PP_STEM_D,
+    PP_STEM_E,
+    PP_STEM_F,
+    PP_STEM_G,
+    PP_STEM_H
+};
 
 struct pp_nomogram pp_nomogram_scale_make(enum pp_nomogram_kind kind);
 
@@ -37,6 +47,14 @@ double pp_nomogram_scale_value(const struct pp_nomogram *nomogram, int stem, dou
  * crosses the stem at x. */
 double pp_nomogram_scale_crossing(const struct pp_nomogram *nomogram, int edge,
                                   double y_from, double y_to, double x);
+
+/* The ends of the curve of nomogram IV: q, in ranges of the light. */
+#define PP_NOMOGRAM_LEAST_Q (-1.0)
+#define PP_NOMOGRAM_MOST_Q 6.0
+
+/* Where q stands on the curve of nomogram IV. */
+void pp_nomogram_scale_curve(const struct pp_nomogram *nomogram, double q, double *x,
+                             double *y);
 
 /* Is the value on the stem, its ends included? */
 bool pp_nomogram_scale_contains(const struct pp_nomogram *nomogram, int stem,

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "methods/method.h"
+#include "methods/nomogram/nomogram_position.h"
 #include "methods/nomogram/nomogram_reading.h"
 #include "methods/nomogram/nomogram_scale.h"
 #include "methods/refusals.h"
@@ -82,6 +83,32 @@ static enum pp_status make_marks(struct pp_nomogram_sheet *sheet,
     return PP_OK;
 }
 
+/* Of the curve of IV, a whole number after the other, each divided as there is room. */
+static enum pp_status make_curve(struct pp_nomogram_sheet *sheet,
+                                 struct pp_nomogram_spacing spacing,
+                                 struct pp_error *err)
+{
+    struct pp_nomogram_scale *curve = &sheet->curve;
+    curve->marks = calloc(MARKS_MOST, sizeof *curve->marks);
+    if (!curve->marks)
+        return pp_fail_memory(err);
+    for (double from = PP_NOMOGRAM_LEAST_Q; from < PP_NOMOGRAM_MOST_Q; from += 1.0) {
+        double step =
+            pp_nomogram_position_division(&sheet->nomogram, from, spacing.width_mm,
+                                          spacing.height_mm, spacing.fine_mm);
+        int count = (int)rint(1.0 / step), last = from + 1.0 >= PP_NOMOGRAM_MOST_Q;
+        for (int i = 0; i < count + last; i++) {
+            struct pp_nomogram_mark *mark = &curve->marks[curve->count++];
+            mark->number = from + i * step;
+            mark->rank = i % count == 0   ? PP_MARK_LABELLED
+                         : 2 * i == count ? PP_MARK_MIDDLE
+                                          : PP_MARK_FINE;
+            pp_nomogram_scale_curve(&sheet->nomogram, mark->number, &mark->x, &mark->y);
+        }
+    }
+    return PP_OK;
+}
+
 enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
                                             enum pp_nomogram_kind kind,
                                             struct pp_nomogram_spacing spacing,
@@ -90,8 +117,13 @@ enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
     *sheet = (struct pp_nomogram_sheet){.nomogram = pp_nomogram_scale_make(kind),
                                         .blank = true,
                                         .component = NAN,
-                                        .minimum = NAN};
-    return make_marks(sheet, spacing, err);
+                                        .further = NAN};
+    if (kind == PP_NOMOGRAM_POSITION)
+        sheet->formulae = pp_nomogram_position_formulae;
+    enum pp_status status = make_marks(sheet, spacing, err);
+    return status == PP_OK && kind == PP_NOMOGRAM_POSITION
+               ? make_curve(sheet, spacing, err)
+               : status;
 }
 
 /* ---- a room ---- */
@@ -104,24 +136,57 @@ static bool same_lines(const struct pp_nomogram_window *a,
     for (int i = 0; i < PP_NOMOGRAM_STEMS && same; i++)
         same = a->read.value[i] == b->read.value[i]
                || (isnan(a->read.value[i]) && isnan(b->read.value[i]));
+    for (int i = 0; i < 2 && same; i++)
+        same = a->read.places[i].q == b->read.places[i].q
+               && a->read.places[i].share == b->read.places[i].share;
     return same;
 }
 
-static enum pp_status add_window(struct pp_nomogram_sheet *sheet,
-                                 const struct pp_world *world,
-                                 const struct pp_outside_light *light,
+/* A room, and what reads it. */
+struct room_on_sheet {
+    struct pp_nomogram_sheet *sheet;
+    const struct pp_method *method; /* whose figures it gives */
+    const struct pp_world *world;
+    const struct pp_outside_light *light;
+    const struct pp_receiver *receiver;
+    void *tools; /* of the method, of IV; else NULL */
+};
+
+static enum pp_status read_window(struct pp_nomogram_reading *reading,
+                                  const struct room_on_sheet *room,
+                                  const struct pp_opening *opening,
+                                  struct pp_error *err)
+{
+    const struct pp_nomogram *nomogram = &room->sheet->nomogram;
+    if (nomogram->kind != PP_NOMOGRAM_POSITION)
+        return pp_nomogram_reading_of_opening(reading, nomogram, room->world,
+                                              room->light, opening, err);
+    const char *why =
+        room->method->refuses(room->world, room->light, opening, room->receiver);
+    enum pp_status status = PP_OK;
+    if (!why)
+        status =
+            pp_nomogram_position_read(reading, &why, nomogram, room->world, room->light,
+                                      opening, room->receiver, room->tools, err);
+    return why ? pp_fail(err, PP_BAD_INPUT,
+                         "the nomogram does not serve here: the opening on line %d %s",
+                         opening->line, why)
+               : status;
+}
+
+static enum pp_status add_window(const struct room_on_sheet *room,
                                  const struct pp_opening *opening, struct pp_error *err)
 {
+    struct pp_nomogram_sheet *sheet = room->sheet;
     struct pp_nomogram_window window = {
         .line = opening->line,
         .alike = 1,
-        .allowance = pp_allowance_factor(pp_method_nomogram.allowances, opening)};
-    enum pp_status status = pp_nomogram_reading_of_opening(
-        &window.read, &sheet->nomogram, world, light, opening, err);
+        .allowance = pp_allowance_factor(room->method->allowances, opening)};
+    enum pp_status status = read_window(&window.read, room, opening, err);
     if (status != PP_OK)
         return status;
     sheet->component += sheet->decorations * window.allowance * window.read.component;
-    sheet->minimum += sheet->decorations * window.allowance * window.read.minimum;
+    sheet->further += sheet->decorations * window.allowance * window.read.further;
     for (int i = 0; i < sheet->window_count; i++)
         if (same_lines(&sheet->windows[i], &window)) {
             sheet->windows[i].alike++;
@@ -134,41 +199,63 @@ static enum pp_status add_window(struct pp_nomogram_sheet *sheet,
     return PP_OK;
 }
 
+/* The room's openings that the nomogram is made for. */
+static enum pp_status add_windows(struct room_on_sheet *room, struct pp_error *err)
+{
+    struct pp_nomogram_sheet *sheet = room->sheet;
+    const struct pp_world *world = room->world;
+    const bool top = sheet->nomogram.kind == PP_NOMOGRAM_ROOFLIGHT;
+    enum pp_status status = PP_OK;
+    if (sheet->nomogram.kind == PP_NOMOGRAM_POSITION)
+        status = room->method->prepare(&room->tools, world, room->light, err);
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        bool upright = pp_refusals_unless_vertical(opening) == NULL;
+        if (upright != top)
+            status = add_window(room, opening, err);
+        else
+            sheet->left_out++;
+    }
+    if (room->tools)
+        room->method->destroy_tools(room->tools);
+    if (status == PP_OK && sheet->window_count == 0)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            top ? "no opening is a rooflight; --which average and minimum are "
+                  "for windows"
+            : room->tools ? "no opening is vertical"
+                          : "no opening is vertical; --which rooflight is for others");
+    return status;
+}
+
 enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
                                            enum pp_nomogram_kind kind,
                                            const struct pp_world *world,
                                            const struct pp_outside_light *light,
+                                           const struct pp_receiver *receiver,
                                            struct pp_nomogram_spacing spacing,
                                            struct pp_error *err)
 {
+    const bool position = kind == PP_NOMOGRAM_POSITION;
     enum pp_status status = pp_nomogram_sheet_fill_blank(sheet, kind, spacing, err);
     sheet->blank = false;
     sheet->name = world->name;
     sheet->decorations = world->decorations;
     sheet->component = 0.0;
-    sheet->minimum = kind == PP_NOMOGRAM_MINIMUM ? 0.0 : NAN;
+    sheet->further = kind == PP_NOMOGRAM_MINIMUM || position ? 0.0 : NAN;
     if (status != PP_OK)
         return status;
-    const char *why = pp_method_nomogram.refuses_room(world, light, NULL);
+    struct room_on_sheet room = {.sheet = sheet,
+                                 .method = position ? &pp_method_irc_atlas
+                                                    : &pp_method_nomogram,
+                                 .world = world,
+                                 .light = light,
+                                 .receiver = receiver};
+    const char *why = room.method->refuses_room(world, light, receiver);
+    if (!why && position)
+        why = pp_nomogram_reading_refuses_room(world);
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "no nomogram serves here: %s", why);
     sheet->windows = calloc((size_t)world->opening_count + 1, sizeof *sheet->windows);
-    if (!sheet->windows)
-        return pp_fail_memory(err);
-    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
-        const struct pp_opening *opening = &world->openings[i];
-        bool upright = pp_refusals_unless_vertical(opening) == NULL;
-        if (upright == (kind != PP_NOMOGRAM_ROOFLIGHT))
-            status = add_window(sheet, world, light, opening, err);
-        else
-            sheet->left_out++;
-    }
-    if (status == PP_OK && sheet->window_count == 0)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            kind == PP_NOMOGRAM_ROOFLIGHT
-                ? "no opening is a rooflight; --which average and minimum are "
-                  "for windows"
-                : "no opening is vertical; --which rooflight is for others");
-    return status;
+    return sheet->windows ? add_windows(&room, err) : pp_fail_memory(err);
 }

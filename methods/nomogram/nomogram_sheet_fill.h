@@ -8,9 +8,9 @@
 #include "model/results/nomogram_sheet.h"
 #include "model/room/world.h"
 
-/* The height of the scales, and the least distances of marks and of numbered marks. */
+/* The height of the scales, their breadth, and the least distances of marks and of numbered marks. */
 struct pp_nomogram_spacing {
-    double height_mm, fine_mm, number_mm;
+    double height_mm, width_mm, fine_mm, number_mm;
 };
 
 /* A sheet without readings. Even after a failure the sheet can be cleared. */
@@ -19,14 +19,16 @@ enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
                                             struct pp_nomogram_spacing spacing,
                                             struct pp_error *err);
 
-/* With the readings of the room's openings: vertical ones on I and II, all others on
- * III. The world must outlive the sheet. PP_BAD_INPUT where the sky is not overcast,
+/* With the readings of the room's openings: vertical ones on I, II and IV, all others on
+ * III. receiver: the point that IV is for; else not used. The world must outlive the sheet. PP_BAD_INPUT where the sky is not overcast,
  * the mean reflectance is outside scale B, or the room has no opening for that
- * nomogram. The sum of I is the component by the method `nomogram`. */
+ * nomogram or one whose figures leave its scales. The sum of I is the component by the method
+ * `nomogram`, those of IV are what `irc-atlas` says of the room and of the point. */
 enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
                                            enum pp_nomogram_kind kind,
                                            const struct pp_world *world,
                                            const struct pp_outside_light *light,
+                                           const struct pp_receiver *receiver,
                                            struct pp_nomogram_spacing spacing,
                                            struct pp_error *err);
 

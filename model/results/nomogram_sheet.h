@@ -5,6 +5,8 @@
 
 #include <stdbool.h>
 
+#include "model/results/formula.h"
+
 /* How much a mark of a scale stands out. */
 enum pp_mark_rank { PP_MARK_FINE, PP_MARK_MIDDLE, PP_MARK_LABELLED };
 
@@ -20,6 +22,7 @@ enum pp_nomogram_kind {
     PP_NOMOGRAM_AVERAGE,   /* I: average component of a side-lit room */
     PP_NOMOGRAM_MINIMUM,   /* II: its minimum, too */
     PP_NOMOGRAM_ROOFLIGHT, /* III: average of a top-lit room */
+    PP_NOMOGRAM_POSITION,  /* IV: at a point of a side-lit room */
     PP_NOMOGRAMS,
 };
 
@@ -30,6 +33,11 @@ enum pp_nomogram_quantity {
     PP_NOMOGRAM_OBSTRUCTION, /* altitude of the obstruction, radians */
     PP_NOMOGRAM_SLOPE,       /* of the glass, 0 horizontal, radians */
     PP_NOMOGRAM_WALLS,       /* mean reflectance of the walls */
+    PP_NOMOGRAM_LOSS,        /* mean reflectance R, by 1/(1 - R) */
+    PP_NOMOGRAM_GAIN,        /* glass over what is lost, W/(A (1 - R)): a ratio */
+    PP_NOMOGRAM_LIGHT,       /* on the glass, as it counts, over Eh */
+    PP_NOMOGRAM_FACTOR,      /* of the place of a point */
+    PP_NOMOGRAM_PLACE,       /* of a point: its share of the depth or half breadth */
 };
 
 struct pp_nomogram_stem {
@@ -45,7 +53,7 @@ struct pp_nomogram_edge {
     int from, to, read;
 };
 
-enum { PP_NOMOGRAM_STEMS = 7, PP_NOMOGRAM_EDGES = 3 };
+enum { PP_NOMOGRAM_STEMS = 8, PP_NOMOGRAM_EDGES = 3 };
 
 struct pp_nomogram {
     enum pp_nomogram_kind kind;
@@ -54,6 +62,14 @@ struct pp_nomogram {
     int stem_count, edge_count;
     struct pp_nomogram_stem stems[PP_NOMOGRAM_STEMS];
     struct pp_nomogram_edge edges[PP_NOMOGRAM_EDGES];
+};
+
+/* The factor of a point's place, of IV: a straight-edge from the place's stem through a
+ * curve, that of the room's depth (or half its breadth) q in ranges of the light, gives it. */
+struct pp_nomogram_place {
+    double q, share, factor;  /* as set and read */
+    double x, y;              /* of q on its curve */
+    double share_y, factor_y; /* on their stems */
 };
 
 /* What a person reads of one opening. Values are in the order of the stems, as set and
@@ -65,12 +81,15 @@ struct pp_nomogram_reading {
     double value[PP_NOMOGRAM_STEMS];
     bool used[PP_NOMOGRAM_EDGES]; /* which lines were laid */
     double component;             /* average, over 10^tens, before allowances */
-    double minimum;               /* the same of the minimum, by II; else NAN */
+    double
+        further; /* the same of the minimum, by II, or at the point, by IV; else NAN */
+    struct pp_nomogram_place places[2]; /* of IV: by the depth, and sideways */
 };
 
 /* ---- the sheet: scales with their marks, and the readings of a room ---- */
 
 struct pp_nomogram_mark {
+    double x;      /* on a curve: of the sheet's width, from the left */
     double y;      /* of the scales' height, from the bottom */
     double number; /* as it is printed: per cent, degrees, or the value itself */
     enum pp_mark_rank rank;
@@ -93,14 +112,18 @@ struct pp_nomogram_window {
 struct pp_nomogram_sheet {
     struct pp_nomogram nomogram;
     struct pp_nomogram_scale scales[PP_NOMOGRAM_STEMS];
-    const char *name; /* the room's, or NULL; not owned */
-    bool blank;       /* no room */
+    struct pp_nomogram_scale curve;           /* of IV, from end to end; else empty */
+    const struct pp_formula *const *formulae; /* what is worked out before it is set, of
+                                               * IV; ends with NULL; NULL: nothing */
+    const char *name;                         /* the room's, or NULL; not owned */
+    bool blank;                               /* no room */
     int window_count;
     struct pp_nomogram_window *windows; /* owned */
     int left_out;       /* openings of the room that the nomogram is not made for */
     double decorations; /* D: share that their deterioration leaves, of all windows */
     double component;   /* average of all windows, allowances settled */
-    double minimum;     /* of II: the least of all windows; else NAN */
+    double
+        further; /* of II: the minimum; of IV: at the point; of all windows, else NAN */
 };
 
 void pp_nomogram_sheet_clear(struct pp_nomogram_sheet *sheet);

@@ -90,6 +90,12 @@ static const struct pp_worksheet_figure *find_symbol(const struct pp_worksheet *
     return NULL;
 }
 
+double pp_worksheet_printed(const struct pp_worksheet *sheet, const char *symbol)
+{
+    const struct pp_worksheet_figure *figure = find_symbol(sheet, symbol);
+    return figure ? figure->printed : NAN;
+}
+
 /* The formula's text with the number of its part behind each symbol that has one. */
 static void write_sum(char *text, size_t room, const struct pp_worksheet *sheet,
                       const char *sum)

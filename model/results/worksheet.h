@@ -53,4 +53,7 @@ void pp_worksheet_note(struct pp_worksheet *sheet, enum pp_step_unit unit, doubl
 double pp_worksheet_work(struct pp_worksheet *sheet, const struct pp_formula *formula,
                          const char *what, ...) __attribute__((format(printf, 3, 4)));
 
+/* The latest figure of that name, in the units of print; NAN: there is none. */
+double pp_worksheet_printed(const struct pp_worksheet *sheet, const char *symbol);
+
 #endif

@@ -246,6 +246,27 @@ check "a nomogram is for the whole room" \
     refuses 2 "--points" chart nomogram -p 1,1 -o "$file" "$deep"
 check "there are three nomograms" \
     refuses 2 "average, minimum or rooflight" chart nomogram --which most -o "$file"
+cat >"$scratch/gallery.xml" <<'END'
+<room version="1"><plan width="9" depth="36" height="6"/>
+<finishes floor="0.2" walls="0.3" ceiling="0.5"/>
+<window wall="south" left="3" sill="1" width="3" height="3"/></room>
+END
+for format in pdf svg png; do
+    file="$scratch/position.$format"
+    check "a blank nomogram by position becomes $format" quietly chart position-nomogram -o "$file"
+    check "with a room's point, too" \
+        quietly chart position-nomogram -p 1.5,6 -o "$file" "$deep"
+done
+run chart position-nomogram -p 1.5,6 -o "$scratch/position.pdf" "$deep"
+check_words "with what is read" "$scratch/position.pdf" "at the point 0.58"
+check "it is for one point" refuses 2 "drawn from one point" chart position-nomogram -o "$file" "$deep"
+check "and solved" refuses 2 "--unsolved" \
+    chart position-nomogram -p 1.5,6 --unsolved -o "$file" "$deep"
+check "under the overcast sky" refuses 2 "overcast" \
+    chart position-nomogram --sky uniform -o "$file"
+check "a point whose factor leaves the scale is refused with its window" \
+    refuses 1 "the opening on line 3 gives the point a factor" \
+    chart position-nomogram -p 1.5,35 -o "$file" "$scratch/gallery.xml"
 check "a plan has none of them" refuses 2 "--which" chart waldram --which average -o "$file"
 run chart nomogram -o "$scratch/nomogram.pdf" "$deep"
 check_words "rule and reading stand on the sheet, as text" "$scratch/nomogram.pdf" "k = 1.5"

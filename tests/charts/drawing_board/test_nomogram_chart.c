@@ -94,9 +94,9 @@ static struct pp_nomogram_spacing spacing_of(enum pp_paper paper)
     struct pp_canvas *canvas;
     const struct pp_sheet page = {.format = PP_CHART_PDF, .paper = paper};
     assert_int_equal(pp_canvas_create(&canvas, &page, NULL), PP_OK);
-    struct pp_nomogram_spacing spacing = {pp_nomogram_chart_height_mm(canvas),
-                                          pp_nomogram_chart_fine_mm(canvas),
-                                          pp_nomogram_chart_number_mm(canvas)};
+    struct pp_nomogram_spacing spacing = {
+        pp_nomogram_chart_height_mm(canvas), pp_canvas_width_mm(canvas),
+        pp_nomogram_chart_fine_mm(canvas), pp_nomogram_chart_number_mm(canvas)};
     pp_canvas_destroy(canvas);
     return spacing;
 }
@@ -142,7 +142,15 @@ static double function_of(enum pp_nomogram_quantity quantity, double number)
     case PP_NOMOGRAM_REFLECTANCE:
         return number / (1.0 - number);
     case PP_NOMOGRAM_COMPONENT:
+    case PP_NOMOGRAM_LIGHT:
         return number / 100.0;
+    case PP_NOMOGRAM_LOSS:
+        return 1.0 / (1.0 - number);
+    case PP_NOMOGRAM_GAIN:
+    case PP_NOMOGRAM_FACTOR:
+        return number;
+    case PP_NOMOGRAM_PLACE:
+        return pow(10.0, number);
     case PP_NOMOGRAM_OBSTRUCTION:
         return (100.0 * pp_obstruction_factor(b) + 5.0 * k) / (39.0 + 5.0 * k);
     case PP_NOMOGRAM_SLOPE:
@@ -308,7 +316,7 @@ static void sum_of_a_room_is_that_of_the_method(void **state)
         struct pp_nomogram_sheet sheet;
         assert_int_equal(
             pp_nomogram_sheet_fill_room(&sheet, (enum pp_nomogram_kind)kind, world,
-                                        &light, spacing_of(PP_PAPER_A4), NULL),
+                                        &light, NULL, spacing_of(PP_PAPER_A4), NULL),
             PP_OK);
         assert_int_equal(sheet.window_count, 3);
         assert_int_equal(sheet.windows[2].alike, 2);
@@ -316,9 +324,9 @@ static void sum_of_a_room_is_that_of_the_method(void **state)
         assert_relative(sheet.component, average->average.value, kind ? 0.02 : 1e-12);
         /* The rule and the reading: 15 %. */
         if (kind)
-            assert_relative(sheet.minimum, least->points[0].value, 0.15);
+            assert_relative(sheet.further, least->points[0].value, 0.15);
         else
-            assert_true(isnan(sheet.minimum));
+            assert_true(isnan(sheet.further));
         pp_nomogram_sheet_clear(&sheet);
     }
     pp_report_clear(&report);
@@ -345,8 +353,8 @@ static void rooms_that_a_nomogram_is_not_made_for(void **state)
         struct pp_nomogram_sheet sheet;
         struct pp_error err = {0};
         assert_int_equal(pp_nomogram_sheet_fill_room(&sheet, cases[i].kind, world,
-                                                     &light, spacing_of(PP_PAPER_A4),
-                                                     &err),
+                                                     &light, NULL,
+                                                     spacing_of(PP_PAPER_A4), &err),
                          PP_BAD_INPUT);
         assert_non_null(strstr(err.message, cases[i].why));
         pp_nomogram_sheet_clear(&sheet);

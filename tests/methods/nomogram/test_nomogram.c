@@ -3,9 +3,11 @@
 #include <stdio.h>
 
 #include "methods/reflected/interior.h"
+#include "methods/evaluate.h"
 #include "methods/method.h"
 #include "methods/nomogram/nomogram_reading.h"
 #include "methods/nomogram/nomogram_scale.h"
+#include "methods/nomogram/nomogram_sheet_fill.h"
 #include "methods/reflected/obstruction.h"
 #include "model/geometry/vec.h"
 
@@ -80,6 +82,119 @@ static void straight_edge_gives_the_formula_for_top_light(void **state)
                + 4.0 / (7.0 * PP_PI) * (sqrt(0.75) + PP_PI * 2.0 / 3.0 * 0.5));
         assert_relative(across(&nomogram, 1, C, PP_PI / 3.0),
                         formula(0.031, R, at_60, 2.5, k), 1e-12);
+    }
+}
+
+/* By hand: T W 3 m2 over 100 m2 and R 0.5: 0.03/0.5 = 0.06; light of 20 %: 1.2 %; by a factor
+ * of 0.5: 0.6 %. */
+static void straight_edge_gives_the_component_at_a_point(void **state)
+{
+    (void)state;
+    struct pp_nomogram nomogram = pp_nomogram_scale_make(PP_NOMOGRAM_POSITION);
+    double C = across(&nomogram, 0, 0.03, 0.5);
+    assert_relative(C, 0.06, 1e-12);
+    double E = across(&nomogram, 1, C, 0.2);
+    assert_relative(E, 0.012, 1e-12);
+    assert_relative(across(&nomogram, 2, E, 0.5), 0.006, 1e-12);
+}
+
+/* All lines from a place to its factor go through one point of the curve, by hand q 2 at the
+ * place 0.5: 2 exp(-1)/(1 - exp(-2)) = 0.85092; rooms that are brighter at their back, too. */
+static void lines_of_one_depth_meet_on_the_curve(void **state)
+{
+    (void)state;
+    struct pp_nomogram nomogram = pp_nomogram_scale_make(PP_NOMOGRAM_POSITION);
+    double x_H = nomogram.stems[PP_STEM_H].x, x_F = nomogram.stems[PP_STEM_F].x;
+    for (double q = PP_NOMOGRAM_LEAST_Q; q <= PP_NOMOGRAM_MOST_Q; q += 0.47)
+        for (double u = 0.0; u <= 2.0; u += 0.25) {
+            double f = q * exp(-q * u) / (1.0 - exp(-q)), x, y;
+            double y_H = pp_nomogram_scale_position(&nomogram, PP_STEM_H, u);
+            pp_nomogram_scale_curve(&nomogram, q, &x, &y);
+            double y_F = y_H + (y - y_H) * (x_F - x_H) / (x - x_H);
+            assert_relative(pp_nomogram_scale_value(&nomogram, PP_STEM_F, y_F), f,
+                            1e-9);
+        }
+    double x, y, y_H = pp_nomogram_scale_position(&nomogram, PP_STEM_H, 0.5);
+    pp_nomogram_scale_curve(&nomogram, 2.0, &x, &y);
+    assert_near(pp_nomogram_scale_value(&nomogram, PP_STEM_F,
+                                        y_H + (y - y_H) * (x_F - x_H) / (x - x_H)),
+                0.85092, 5e-6);
+    pp_nomogram_scale_curve(&nomogram, 0.0, &x, &y);
+    assert_near(x, x_F, 1e-12);
+    assert_near(y, pp_nomogram_scale_position(&nomogram, PP_STEM_F, 1.0), 1e-12);
+}
+
+/* Read to a fifth of a division, the sum of a room's windows is what irc-atlas says: within 3 %
+ * at any point. */
+static void point_of_a_room_is_read_as_the_formula_has_it(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='4' depth='7' height='3'/>"
+                "<window wall='south' left='1' sill='0.9' width='2' height='1.5'/>"
+                "<window wall='west' left='2' sill='1' width='1' height='1.2' "
+                "reveal='0.2'/><skyline wall='south' angle='27'/>"
+                "<point x='2' y='0.5'/><point x='1' y='3'/><point x='3.5' y='6.5'/>"
+                "</room>");
+    struct pp_report report = {.world = world,
+                               .light = light,
+                               .receivers = world->receivers,
+                               .receiver_count = world->receiver_count};
+    assert_int_equal(pp_methods_evaluate(&report, "irc-atlas", NULL), PP_OK);
+    const struct pp_column *column = pp_report_find(&report, PP_IRC, "irc-atlas");
+    for (int i = 0; i < 3; i++) {
+        struct pp_nomogram_sheet sheet;
+        const struct pp_nomogram_spacing spacing = {200.0, 240.0, 0.9, 3.0};
+        assert_int_equal(
+            pp_nomogram_sheet_fill_room(&sheet, PP_NOMOGRAM_POSITION, world, &light,
+                                        &world->receivers[i], spacing, NULL),
+            PP_OK);
+        assert_relative(sheet.further, column->points[i].value, 0.03);
+        assert_relative(sheet.component, column->average.value, 0.03);
+        pp_nomogram_sheet_clear(&sheet);
+    }
+    pp_report_clear(&report);
+    pp_world_destroy(world);
+}
+
+static void what_leaves_the_scales_is_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *room, *why;
+    } cases[] = {
+        {"<plan width='3' depth='40' height='2.5'/><window wall='south' left='1' "
+         "sill='1' width='1' height='1'/>",
+         "not on the curve"},
+        {"<plan width='3' depth='4' height='2.5'/><finishes walls='0.01' floor='0.01' "
+         "ceiling='0.01'/><window wall='south' left='1' sill='1' width='1' "
+         "height='1'/>",
+         "0.1 to 0.9"},
+        {"<plan width='3' depth='4' height='2.5'/><sky type='uniform'/><window "
+         "wall='south' left='1' sill='1' width='1' height='1'/>",
+         "overcast"},
+        {"<plan width='3' depth='4' height='2.5'/><rooflight x='1' y='1' width='1' "
+         "depth='1'/>",
+         "vertical"},
+    };
+    for (int i = 0; i < 4; i++) {
+        char xml[500];
+        struct pp_outside_light light;
+        struct pp_nomogram_sheet sheet;
+        struct pp_error err = {0};
+        const struct pp_nomogram_spacing spacing = {200.0, 240.0, 0.9, 3.0};
+        snprintf(xml, sizeof xml, "<room version='1'>%s<point x='1' y='2'/></room>",
+                 cases[i].room);
+        struct pp_world *world = pp_test_lit_world(&light, xml);
+        assert_int_equal(pp_nomogram_sheet_fill_room(&sheet, PP_NOMOGRAM_POSITION,
+                                                     world, &light, world->receivers,
+                                                     spacing, &err),
+                         PP_BAD_INPUT);
+        if (!strstr(err.message, cases[i].why))
+            fail_msg("%s", err.message);
+        pp_nomogram_sheet_clear(&sheet);
+        pp_world_destroy(world);
     }
 }
 
@@ -305,6 +420,10 @@ int main(void)
         cmocka_unit_test(straight_edge_does_the_sum_worked_by_hand),
         cmocka_unit_test(straight_edge_gives_the_formula_with_its_rule),
         cmocka_unit_test(straight_edge_gives_the_formula_for_top_light),
+        cmocka_unit_test(straight_edge_gives_the_component_at_a_point),
+        cmocka_unit_test(lines_of_one_depth_meet_on_the_curve),
+        cmocka_unit_test(point_of_a_room_is_read_as_the_formula_has_it),
+        cmocka_unit_test(what_leaves_the_scales_is_refused),
         cmocka_unit_test(scales_keep_to_the_sheet),
         cmocka_unit_test(divisions_can_be_told_apart),
         cmocka_unit_test(k_is_what_agrees_best_in_typical_rooms),

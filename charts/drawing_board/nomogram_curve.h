@@ -1,0 +1,27 @@
+/* nomogram_curve.h - a nomogram while it is drawn, and what only nomogram IV has: the curve
+ * of the room's depth in ranges of the light, and the lines through it. */
+#ifndef PP_CHARTS_DRAWING_BOARD_NOMOGRAM_CURVE_H
+#define PP_CHARTS_DRAWING_BOARD_NOMOGRAM_CURVE_H
+
+#include "charts/sheet/style.h"
+#include "model/results/nomogram_sheet.h"
+
+/* Where the scales stand on paper: x from the left, y down, in mm. */
+struct pp_nomogram_curve_frame {
+    cairo_t *cr;
+    struct pp_style style;
+    const struct pp_nomogram_sheet *sheet;
+    double left, width, bottom, height;
+};
+
+/* Of fractions of the sheet's width and the scales' height. */
+double pp_nomogram_curve_x(const struct pp_nomogram_curve_frame *frame, double x);
+double pp_nomogram_curve_y(const struct pp_nomogram_curve_frame *frame, double y);
+
+/* The curve with its marks and figures; nothing where the sheet has none. */
+void pp_nomogram_curve_draw(const struct pp_nomogram_curve_frame *frame);
+
+/* The straight-edges through the curve, of all windows: "d" by the depth, "s" sideways. */
+void pp_nomogram_curve_edges(const struct pp_nomogram_curve_frame *frame);
+
+#endif
