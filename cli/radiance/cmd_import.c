@@ -13,6 +13,7 @@
 #include "reports/import_report.h"
 #include "cli/progress.h"
 #include "cli/room_options.h"
+#include "cli/radiance/import_building.h"
 #include "cli/radiance/sensor_points.h"
 #include "model/base/clock.h"
 #include "model/light/scene_horizontal.h"
@@ -24,7 +25,9 @@ static const char about[] =
     "the open level ground. SCENE files are read one after the other as if they were "
     "one; - is standard input. Lines that begin with \"!\" (gensky, genbox, xform) are "
     "worked out, and nothing is executed. Without --points-file the scene is summed "
-    "up.";
+    "up. A gbXML file, known by its first letter, becomes a room file: what is missing "
+    "in "
+    "it, and the default taken, is said on standard error.";
 
 /* Paths of a point in each randomisation, at most. */
 static const long MOST_SAMPLES = 1 << 26;
@@ -180,9 +183,21 @@ static bool is_finished(const void *data)
     return !run->imported.readings || run->imported.finished;
 }
 
+/* One of the files is XML: a building, not a scene. */
+static bool is_building(char **files, int file_count)
+{
+    for (int i = 0; i < file_count; i++)
+        if (pp_import_building_is(files[i]))
+            return true;
+    return false;
+}
+
 static enum pp_exit run(void *values, char **files, int file_count)
 {
     const struct import_options *options = values;
+    if (is_building(files, file_count))
+        return pp_import_building_run(files[0], options->room.output,
+                                      options->room.quiet);
     struct import_run run = {
         .options = options,
         .imported = {.files = files,
@@ -197,6 +212,23 @@ static enum pp_exit run(void *values, char **files, int file_count)
     return exit_status;
 }
 
+static enum pp_status check_building(const struct import_options *options,
+                                     int file_count, struct pp_error *err)
+{
+    const char *stray = options->points_file                ? "--points-file"
+                        : options->summary                  ? "--summary"
+                        : options->by_chance                ? "--lamps"
+                        : options->format != PP_FORMAT_TEXT ? "--format"
+                                                            : NULL;
+    if (stray)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is of Radiance's scenes; a gbXML file becomes a room file",
+                       stray);
+    if (file_count > 1)
+        return pp_fail(err, PP_BAD_INPUT, "a gbXML file is imported by itself");
+    return PP_OK;
+}
+
 static enum pp_status check(void *values, char **files, int file_count,
                             struct pp_error *err)
 {
@@ -205,6 +237,8 @@ static enum pp_status check(void *values, char **files, int file_count,
     if (file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a scene file, or - for standard input");
+    if (is_building(files, file_count))
+        return check_building(options, file_count, err);
     bool from_input = options->points_file && strcmp(options->points_file, "-") == 0;
     for (int i = 0; i < file_count; i++)
         if (strcmp(files[i], "-") == 0) {
@@ -247,7 +281,7 @@ static void clear(void *values)
 
 const struct pp_command pp_command_import = {
     .name = "import",
-    .summary = "sensor points in a scene of Radiance's",
+    .summary = "sensor points in a scene of Radiance's; a gbXML file as a room file",
     .operands = "SCENE...",
     .about = about,
     .groups = groups,

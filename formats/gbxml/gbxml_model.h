@@ -1,0 +1,64 @@
+/* gbxml_model.h - what of a gbXML file [GBXML] bears on daylight, in metres. Inside
+ * formats/gbxml/ only.
+ *
+ * Texts are those of the document, which has to live as long; lists are owned.
+ */
+#ifndef PP_FORMATS_GBXML_GBXML_MODEL_H
+#define PP_FORMATS_GBXML_GBXML_MODEL_H
+
+#include <stdbool.h>
+
+#include "model/base/error.h"
+#include "model/base/mistakes.h"
+#include "model/geometry/vec.h"
+
+struct pp_gbxml_polygon {
+    struct pp_vec3 *corners;
+    int count;
+};
+
+struct pp_gbxml_opening {
+    int line;
+    const char *name; /* NULL: none */
+    struct pp_gbxml_polygon outline;
+    double transmittance; /* visible, at normal incidence; NAN: the default */
+    bool left_out;        /* the room cannot have it, as has been said */
+};
+
+enum { PP_GBXML_NEIGHBOURS = 2 };
+
+struct pp_gbxml_surface {
+    int line;
+    const char *type; /* "ExteriorWall"; empty where there is none */
+    const char *spaces[PP_GBXML_NEIGHBOURS]; /* ids, NULL: none */
+    struct pp_gbxml_polygon outline;
+    double reflectance; /* visible, inside; NAN: the default */
+    struct pp_gbxml_opening *openings;
+    int opening_count;
+    bool left_out; /* it cannot stand outside, as has been said */
+};
+
+struct pp_gbxml_space {
+    int line;
+    const char *id, *name; /* name: of people; NULL: none */
+    const char *type;      /* "OfficeEnclosed"; NULL: none */
+    struct pp_gbxml_polygon
+        *shell; /* of its ShellGeometry; where surfaces do not close */
+    int shell_count;
+    struct pp_gbxml_polygon floor; /* of its PlanarGeometry; empty: none */
+    bool left_out;                 /* no room comes of it, as has been said */
+};
+
+struct pp_gbxml_model {
+    const char *name;           /* of the building; NULL: none */
+    double latitude, longitude; /* degrees; NAN: not given */
+    double north_deg;           /* bearing of +y */
+    struct pp_gbxml_space *spaces;
+    int space_count;
+    struct pp_gbxml_surface *surfaces;
+    int surface_count;
+};
+
+void pp_gbxml_model_clear(struct pp_gbxml_model *model);
+
+#endif

@@ -1,0 +1,55 @@
+/* gbxml_room.h - a space of a gbXML file as a room: its faces with their roles and names, and
+ * its openings in them. Inside formats/gbxml/ only. */
+#ifndef PP_FORMATS_GBXML_GBXML_ROOM_H
+#define PP_FORMATS_GBXML_GBXML_ROOM_H
+
+#include "formats/gbxml/gbxml_shell.h"
+
+enum pp_gbxml_role { PP_GBXML_FLOOR, PP_GBXML_WALL, PP_GBXML_CEILING };
+
+struct pp_gbxml_room_face {
+    enum pp_gbxml_role role;
+    char name[32];
+    double reflectance; /* NAN: that of its role */
+    bool inner;         /* is another space behind it? */
+};
+
+struct pp_gbxml_room_opening {
+    struct pp_gbxml_opening *opening; /* of the model */
+    int face;
+    struct pp_vec3
+        *corners; /* in the face's plane, counter-clockwise seen from inside */
+    int count;
+};
+
+/* In the axes of the building but where said otherwise. */
+struct pp_gbxml_room {
+    struct pp_gbxml_shell shell;
+    struct pp_gbxml_room_face *faces; /* of the shell */
+    struct pp_gbxml_room_opening *openings;
+    int opening_count;
+    struct pp_vec3 origin; /* its own */
+    double rotate_rad;     /* how far its own axes are turned; 0 but for boxes */
+    bool is_box;           /* width, depth and height then */
+    double width_m, depth_m, height_m;
+};
+
+/* Of a space: the surfaces about it or, where those do not close, its ShellGeometry. What is
+ * taken so is noted; *why as of pp_gbxml_shell_make. The room can be cleared whatever comes. */
+enum pp_status pp_gbxml_room_make(struct pp_gbxml_room *room, const char **why,
+                                  struct pp_gbxml_model *model,
+                                  const struct pp_gbxml_space *space,
+                                  struct pp_mistakes *notes, struct pp_error *err);
+void pp_gbxml_room_clear(struct pp_gbxml_room *room);
+
+/* In the room's own axes. */
+struct pp_vec3 pp_gbxml_room_own(const struct pp_gbxml_room *room, struct pp_vec3 at);
+
+/* Is the surface one of the space's, that is no column or shade? */
+bool pp_gbxml_room_has(const struct pp_gbxml_surface *surface,
+                       const struct pp_gbxml_space *space);
+
+/* Is the surface between that space and what is outside? */
+bool pp_gbxml_room_is_outer(const struct pp_gbxml_surface *surface);
+
+#endif

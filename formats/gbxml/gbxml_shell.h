@@ -1,0 +1,34 @@
+/* gbxml_shell.h - polygons about a space made into a closed envelope: corners that are meant
+ * to be one become one, edges that meet within another edge divide it, what lacks is closed, and
+ * all faces look inwards. Inside formats/gbxml/ only. */
+#ifndef PP_FORMATS_GBXML_GBXML_SHELL_H
+#define PP_FORMATS_GBXML_GBXML_SHELL_H
+
+#include "formats/gbxml/gbxml_model.h"
+
+struct pp_gbxml_face {
+    int *corners; /* of the shell's list, counter-clockwise seen from inside */
+    int count;
+    int from; /* which polygon it is; -1: it closes the shell where one lacks */
+};
+
+struct pp_gbxml_shell {
+    struct pp_vec3 *corners;
+    int corner_count;
+    struct pp_gbxml_face *faces;
+    int face_count;
+    int lacking; /* how many faces were added to close it */
+};
+
+/* Of `count` polygons, which are left as they are. *why: why no envelope comes of them, as the
+ * end of a sentence that begins with "the space"; NULL: one did. The shell can be cleared
+ * whatever comes. */
+enum pp_status pp_gbxml_shell_make(struct pp_gbxml_shell *shell, const char **why,
+                                   const struct pp_gbxml_polygon *polygons, int count,
+                                   struct pp_error *err);
+void pp_gbxml_shell_clear(struct pp_gbxml_shell *shell);
+
+/* Twice the face's area times its unit normal, which looks inwards. */
+struct pp_vec3 pp_gbxml_shell_normal(const struct pp_gbxml_shell *shell, int face);
+
+#endif
