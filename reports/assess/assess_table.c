@@ -120,8 +120,10 @@ static enum pp_status print_table(const char *title, const struct heading *headi
             column->is_words = h->shown <= OF || h->shown == VERDICT;
     }
     fprintf(out, "\n  %s\n\n", title);
-    if (good)
+    if (good) {
+        pp_table_fit(&table, width);
         pp_table_print(&table, width, out);
+    }
     pp_table_clear(&table);
     return good ? PP_OK : pp_fail_memory(err);
 }

@@ -344,6 +344,72 @@ static void print_panel(const struct panel *panel, FILE *out)
     }
 }
 
+/* ---- Keys shortened, so that a table fits its line ---- */
+
+/* Takes characters from the middle of a cell, for two dots, so that it is `columns`
+ * wide. */
+static void shorten(char cell[PP_CELL_BYTES], int columns)
+{
+    char text[PP_CELL_BYTES];
+    memcpy(text, cell, PP_CELL_BYTES);
+    int head = 0, tail = (int)strlen(text), all = pp_format_utf8_width(text);
+    if (all <= columns)
+        return;
+    for (int kept = 0; kept < (columns - 2) / 2; kept++)
+        head += pp_format_utf8_length(text + head);
+    while (tail > head) {
+        int before = tail - 1;
+        while (before > head && ((unsigned char)text[before] & 0xc0) == 0x80)
+            before--;
+        if (piece_width(text, head) + 2 + pp_format_utf8_width(text + before) > columns)
+            break;
+        tail = before;
+    }
+    snprintf(cell, PP_CELL_BYTES, "%.*s..%s", head, text, text + tail);
+}
+
+/* Do cells of column k that differ do so still when they are so wide? */
+static bool tells_apart(const struct pp_table *table, int k, int columns)
+{
+    const struct pp_table_column *column = &table->columns[k];
+    char(*cut)[PP_CELL_BYTES] = malloc((size_t)table->row_count * sizeof *cut);
+    bool apart = cut != NULL;
+    for (int i = 0; i < table->row_count && apart; i++) {
+        memcpy(cut[i], column->cells[i], sizeof *cut);
+        shorten(cut[i], columns);
+        for (int j = 0; j < i && apart; j++)
+            apart = strcmp(cut[i], cut[j]) != 0
+                    || strcmp(column->cells[i], column->cells[j]) == 0;
+    }
+    free(cut);
+    return apart;
+}
+
+void pp_table_fit(struct pp_table *table, int width)
+{
+    enum { KEY_LEAST = 9 };
+    measure(table);
+    int needed = keys_width(table);
+    for (int i = table->key_count; i < table->column_count; i++)
+        needed += gap_before(table, i, table->key_count) + table->columns[i].width;
+    while (needed > width) {
+        int widest = -1;
+        for (int i = 0; i < table->key_count; i++)
+            if (table->columns[i].width > KEY_LEAST
+                && (widest < 0
+                    || table->columns[i].width > table->columns[widest].width)
+                && tells_apart(table, i, table->columns[i].width - 1))
+                widest = i;
+        if (widest < 0)
+            return;
+        table->columns[widest].width--;
+        needed--;
+    }
+    for (int i = 0; i < table->key_count; i++)
+        for (int row = 0; row < table->row_count; row++)
+            shorten(table->columns[i].cells[row], table->columns[i].width);
+}
+
 void pp_table_print(struct pp_table *table, int width, FILE *out)
 {
     measure(table);

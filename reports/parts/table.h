@@ -35,6 +35,11 @@ void pp_table_clear(struct pp_table *table);
 struct pp_table_column *pp_table_add(struct pp_table *table, const char *group,
                                      const char *group_short, const char *heading);
 
+/* Shortens the words of keys in their middle ("south, l..winter"), the widest first, so
+ * that all of the table stands side by side on lines of `width`; cells that differ do so
+ * still. Nothing is done to a table that cannot be made to fit so. */
+void pp_table_fit(struct pp_table *table, int width);
+
 /* Prints it, each line indented by two; no line is wider than `width` unless a single
  * group is. */
 void pp_table_print(struct pp_table *table, int width, FILE *out);

@@ -131,6 +131,55 @@ static void a_group_too_wide_for_any_line_is_broken(void **state)
     pp_table_clear(&table);
 }
 
+/* Keys of 11 and 21 columns, figures and verdicts of 6 and 10, and gaps of 9: 57 in all.
+ * On a line of 51 the longer key gives up 6 columns, in its middle, where letters of more
+ * bytes stay whole; "year" and "winter" at its end are still there. */
+static void keys_are_shortened_in_the_middle_until_the_table_fits(void **state)
+{
+    (void)state;
+    struct pp_table table;
+    pp_table_init(&table, 2);
+    add(&table, NULL, "room", "Living room");
+    add(&table, NULL, "of",
+        "s\xc3\xbc"
+        "d, l\xc3\xa4ngs 12, winter");
+    snprintf(table.columns[1].cells[1], PP_CELL_BYTES,
+             "s\xc3\xbc"
+             "d, l\xc3\xa4ngs 12, year");
+    table.key_count = 2;
+    add(&table, one, "figure", "11.1 %");
+    add(&table, one, "verdict", "not judged");
+    table.columns[3].is_words = table.columns[0].is_words = table.columns[1].is_words =
+        true;
+    pp_table_fit(&table, 51);
+    shows(&table, 51,
+          "                                 one\n"
+          "                                 ------------------\n"
+          "  room         of                figure  verdict\n"
+          "  -------------------------------------------------\n"
+          "  Living room  s\xc3\xbc"
+          "d, l.. winter   11.1 %  not judged\n"
+          "  Living room  s\xc3\xbc"
+          "d, l..2, year   11.1 %  not judged\n");
+}
+
+/* Two windows that differ in the middle of their names alone cannot be cut there: the
+ * table is left as it is, and goes on below. */
+static void keys_that_would_become_the_same_are_left_whole(void **state)
+{
+    (void)state;
+    struct pp_table table;
+    pp_table_init(&table, 2);
+    add(&table, NULL, "of", "window 1234 of the south");
+    snprintf(table.columns[0].cells[1], PP_CELL_BYTES, "window 5678 of the south");
+    table.key_count = 1;
+    add(&table, one, "exact", "12.30");
+    pp_table_fit(&table, 20);
+    assert_string_equal(table.columns[0].cells[0], "window 1234 of the south");
+    assert_string_equal(table.columns[0].cells[1], "window 5678 of the south");
+    pp_table_clear(&table);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -138,6 +187,8 @@ int main(void)
         cmocka_unit_test(a_group_that_does_not_fit_goes_below_with_the_keys),
         cmocka_unit_test(titles_of_narrow_groups_keep_apart),
         cmocka_unit_test(a_group_too_wide_for_any_line_is_broken),
+        cmocka_unit_test(keys_are_shortened_in_the_middle_until_the_table_fits),
+        cmocka_unit_test(keys_that_would_become_the_same_are_left_whole),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
