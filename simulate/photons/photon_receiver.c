@@ -85,8 +85,8 @@ struct pp_rgb pp_photon_receiver_takes(struct pp_photon_state *state,
     if (!(here > 0.0 && there > 0.0))
         return none;
     struct pp_light_ray ray = {place->point, place->normal, to, place->space};
-    bool seen = place->clear >= 0 && state->scene->panes[place->clear].seen_by_all
-                && receiver->space == PP_INDOORS;
+    bool seen = state->sources->all_seen && receiver->space == PP_INDOORS
+                && place->space == PP_INDOORS;
     if (!seen && !passes(state, ray, distance, here, &light))
         return none;
     if (place->clear >= 0)

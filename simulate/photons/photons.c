@@ -5,15 +5,25 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "simulate/estimate/common_variance.h"
 #include "simulate/estimate/planner.h"
 #include "simulate/photons/photon_counter.h"
 #include "simulate/photons/photon_gather.h"
+#include "simulate/photons/photon_store.h"
 #include "simulate/scene/unsampled.h"
 
 /* The estimators, and the sums of their paths: of straight light PP_SC and PP_ERC, of
  * photons PP_ERC and PP_IRC, of rays from the receiver all three. */
 enum { DIRECT, PHOTONS, GATHER, ESTIMATORS };
 enum { SUM_DIRECT = 0, SUM_PHOTONS = 2, SUM_GATHER = 4 };
+
+/* Photons of a randomisation, at most, that receivers share: some 5 MB a randomisation in
+ * a bright room, of which 64 are there at a time. Where that is not enough, there are
+ * more. */
+enum { MOST_SHARED = 1024 };
+
+/* What one of them costs a receiver, in rays, as if some 25 receivers had it. */
+static const double SHARED_COST = 0.3;
 
 /* The least standard error that is wanted, over Eh: 0.002 % daylight factor. */
 static const double LEAST_ERROR = 0.00002;
@@ -33,7 +43,10 @@ struct pp_photons {
     struct pp_photon_sources *sources;
     struct photon_point *points; /* the receivers, then the average if it is wanted */
     double *chances;             /* of openings, by receiver */
+    struct pp_photon_store *store;
+    bool shares; /* are there receivers that are points? */
     int point_count, receiver_count;
+    struct pp_sampler sampler;
     struct pp_planner *planner;
 };
 
@@ -52,31 +65,16 @@ static void take_direct(struct pp_photon_state *state, const struct photon_point
     sums[last == PP_PHOTON_FROM_SKY ? PP_SC : PP_ERC] += pp_rgb_luminance(light);
 }
 
-/* Adds to sums[PP_ERC] and on, by what the photon has last come from. */
-static void take_place(struct pp_photon_state *state, const struct photon_point *point,
-                       const struct pp_photon_place *place, double *sums)
+/* Of a photon that all receivers share. Adds to sums[PP_ERC] and on, by what it has last
+ * come from. */
+static void take_photon(struct pp_photon_state *state, const struct photon_point *point,
+                        const struct pp_photon_place *places, int count, double *sums)
 {
     enum pp_photon_last last;
-    struct pp_rgb light =
-        pp_photon_receiver_takes(state, &point->receiver, place, 0, &last);
-    sums[last == PP_PHOTON_FROM_INSIDE] += pp_rgb_luminance(light);
-}
-
-static void take_photon(struct pp_photon_state *state, const struct photon_point *point,
-                        double *sums)
-{
-    struct pp_photon photon;
-    struct pp_photon_place place;
-    if (!pp_photon_begin(state, state->sources->count, 0, &photon, &place))
-        return;
-    if (state->sources->list[place.source].pane < 0)
-        take_place(state, point, &place, sums);
-    while (pp_photon_arrive(state, &photon)) {
-        for (int side = 0; side < 2; side++)
-            if (pp_photon_leaves(state, &photon, side, &place))
-                take_place(state, point, &place, sums);
-        if (!pp_photon_turn(state, &photon))
-            return;
+    for (int i = 0; i < count; i++) {
+        struct pp_rgb light =
+            pp_photon_receiver_takes(state, &point->receiver, &places[i], 0, &last);
+        sums[last == PP_PHOTON_FROM_INSIDE] += pp_rgb_luminance(light);
     }
 }
 
@@ -134,25 +132,52 @@ static uint64_t seed_of(const void *client, int point)
     return ((const struct pp_photons *)client)->points[point].seed;
 }
 
+/* One path of an estimator. */
+static void follow_one(const struct pp_photons *photons, struct pp_photon_state *state,
+                       const struct pp_path_range *range, double *sums)
+{
+    const struct photon_point *point = &photons->points[range->point];
+    bool counts = point->counter.area_m2 > 0.0;
+    if (range->estimator == DIRECT)
+        (counts ? count_direct : take_direct)(state, point, sums + SUM_DIRECT);
+    else if (range->estimator == GATHER && !counts)
+        pp_photon_gather(state, &point->receiver, 0, sums + SUM_GATHER);
+    else if (range->estimator == PHOTONS && counts)
+        count_photon(state, point, sums + SUM_PHOTONS);
+    else if (range->estimator == PHOTONS) {
+        int count;
+        const struct pp_photon_place *places = pp_photon_store_places(
+            photons->store, range->randomisation, state->index, &count);
+        take_photon(state, point, places, count, sums + SUM_PHOTONS);
+    }
+}
+
 static void follow(const void *client, void *data, const struct pp_path_range *range,
                    struct pp_randomisation *randomisation)
 {
-    const struct photon_point *point =
-        &((const struct pp_photons *)client)->points[range->point];
     struct pp_photon_state *state = data;
-    double *sums = randomisation->sums;
     long rays = state->rays, leaks = state->leaks;
-    bool counts = point->counter.area_m2 > 0.0;
     state->sequence = range->sequence;
     for (state->index = range->first; state->index < range->end; state->index++)
-        if (range->estimator == DIRECT)
-            (counts ? count_direct : take_direct)(state, point, sums + SUM_DIRECT);
-        else if (range->estimator == PHOTONS)
-            (counts ? count_photon : take_photon)(state, point, sums + SUM_PHOTONS);
-        else if (!counts)
-            pp_photon_gather(state, &point->receiver, 0, sums + SUM_GATHER);
+        follow_one(client, state, range, randomisation->sums);
     randomisation->rays[range->estimator] += state->rays - rays;
     randomisation->leaks += state->leaks - leaks;
+}
+
+static enum pp_status prepare(const void *client, int stage, int first, int count,
+                              const struct pp_counts *wanted, struct pp_crew *crew,
+                              struct pp_error *err)
+{
+    const struct pp_photons *photons = client;
+    uint32_t *each = malloc((size_t)count * sizeof *each);
+    if (!each)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++)
+        each[i] = wanted[i].of[PHOTONS];
+    enum pp_status status =
+        pp_photon_store_extend(photons->store, stage, first, count, each, crew, err);
+    free(each);
+    return status;
 }
 
 /* The share of an estimator in a component. */
@@ -205,7 +230,8 @@ static double bound_of(const void *client, int point, int component, unsigned fo
                                      paths[DIRECT], paths[PHOTONS]);
 }
 
-static const struct pp_sampler sampler = {
+/* Where photons are counted alone. */
+static const struct pp_sampler counting = {
     .estimators = ESTIMATORS,
     .values = PP_COMPONENT_COUNT,
     .fall = {1.3, 1.05, 1.05}, /* measured, on the safe side */
@@ -219,6 +245,17 @@ static const struct pp_sampler sampler = {
     .part = part_of,
     .bound = bound_of,
 };
+
+/* Where receivers share them. */
+static struct pp_sampler sharing(void)
+{
+    struct pp_sampler sampler = counting;
+    sampler.most.of[PHOTONS] = MOST_SHARED;
+    sampler.cost[PHOTONS] = SHARED_COST;
+    sampler.cost_of_more = SHARED_COST * MOST_SHARED;
+    sampler.prepare = prepare;
+    return sampler;
+}
 
 /* ---- making ---- */
 
@@ -261,6 +298,7 @@ static enum pp_status fill(struct pp_photons *photons,
                            const struct pp_photons_options *options,
                            struct pp_error *err)
 {
+    struct pp_photon_state state;
     const struct pp_light_scene *scene = photons->scene;
     size_t panes = (size_t)photons->sources->pane_count;
     uint64_t seed = seed_of_room(options->seed, scene->world);
@@ -275,7 +313,10 @@ static enum pp_status fill(struct pp_photons *photons,
                                          seed, photons->chances + (size_t)i * panes);
     if (photons->point_count > count)
         photons->points[count] = plane_of(photons, seed);
-    return PP_OK;
+    photons->shares = count > 0 && options->sensor_m == 0.0;
+    photons->sampler = photons->shares ? sharing() : counting;
+    begin(photons, &state);
+    return pp_photon_store_create(&photons->store, &state, pp_hash(seed, 1), err);
 }
 
 static enum pp_status make(struct pp_photons *photons,
@@ -296,7 +337,7 @@ static enum pp_status make(struct pp_photons *photons,
     if (status == PP_OK)
         status = fill(photons, receivers, options, err);
     if (status == PP_OK)
-        status = pp_planner_create(&photons->planner, &sampler, photons,
+        status = pp_planner_create(&photons->planner, &photons->sampler, photons,
                                    photons->point_count, &planned, err);
     return status;
 }
@@ -327,6 +368,7 @@ void pp_photons_destroy(struct pp_photons *photons)
     if (!photons)
         return;
     pp_planner_destroy(photons->planner);
+    pp_photon_store_destroy(photons->store);
     pp_photon_sources_destroy(photons->sources);
     free(photons->points);
     free(photons->chances);
@@ -367,8 +409,32 @@ void pp_photons_read(const struct pp_photons *photons, int index,
                           : pp_reading_none("no average was asked for");
 }
 
+double pp_photons_common(const struct pp_photons *photons)
+{
+    if (!photons->shares)
+        return 0.0;
+    return pp_common_variance_of_all(photons->planner, photons->receiver_count);
+}
+
+double pp_photons_common_near(const struct pp_photons *photons)
+{
+    int count = photons->receiver_count;
+    if (!photons->shares)
+        return 0.0;
+    struct pp_vec3 *places = calloc((size_t)count, sizeof *places);
+    if (!places)
+        return 1.0; /* on the safe side */
+    for (int i = 0; i < count; i++)
+        places[i] = photons->points[i].receiver.point;
+    double common = pp_common_variance_of_near(photons->planner, places, count);
+    free(places);
+    return common;
+}
+
 struct pp_photons_work pp_photons_work(const struct pp_photons *photons)
 {
     struct pp_path_work work = pp_planner_work(photons->planner);
-    return (struct pp_photons_work){work.paths, work.rays, work.leaks};
+    long long rays, leaks;
+    pp_photon_store_work(photons->store, &rays, &leaks);
+    return (struct pp_photons_work){work.paths, work.rays + rays, work.leaks + leaks};
 }

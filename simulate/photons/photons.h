@@ -3,7 +3,8 @@
  *
  * Photons enter by the openings in proportion to the luminance outside and the projected
  * opening, or leave a lamp, and are followed from surface to surface. At each they bring
- * every receiver what the surface then sends there (photon_receiver.h); or they are
+ * every receiver what the surface then sends there (photon_receiver.h), the same photons
+ * all of them (photon_store.h); or they are
  * counted where they cross a sensor of finite size (photon_counter.h), as they always are
  * for the average over the working plane. What openings bring straight is an estimator of
  * its own, and what connections leave out a third (photon_gather.h). No estimate has a
@@ -66,6 +67,12 @@ double pp_photons_error(const struct pp_photons *photons);
  * index -1: readings[PP_SC] ... readings[PP_DF]. */
 void pp_photons_read(const struct pp_photons *photons, int index,
                      struct pp_reading readings[PP_COMPONENT_COUNT]);
+
+/* The share of the variance of their daylight factors that receivers have in common, 0 to 1
+ * (common_variance.h), since they share photons: all of them; and those that are near each
+ * other. */
+double pp_photons_common(const struct pp_photons *photons);
+double pp_photons_common_near(const struct pp_photons *photons);
 
 /* The work done so far: photons and rays from receivers; rays; and those lost between the
  * edges of two surfaces. */

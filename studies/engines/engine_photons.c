@@ -88,6 +88,18 @@ static void read(const void *data, int index,
     pp_photons_read(run->photons, index, readings);
 }
 
+static double common(const void *data)
+{
+    const struct photon_run *run = data;
+    return pp_photons_common(run->photons);
+}
+
+static double common_near(const void *data)
+{
+    const struct photon_run *run = data;
+    return pp_photons_common_near(run->photons);
+}
+
 const struct pp_engine pp_engine_photons = {
     .name = "photons",
     .column = "photons",
@@ -98,5 +110,7 @@ const struct pp_engine pp_engine_photons = {
     .progress = progress,
     .error = error,
     .read = read,
+    .common = common,
+    .common_near = common_near,
     .destroy = destroy,
 };

@@ -415,6 +415,61 @@ static void threads_do_not_change_a_bit(void **state)
     pp_world_destroy(world);
 }
 
+/* Photons are the same for all, whoever they are followed for. */
+static void receivers_do_not_change_each_other(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_random_room(&light, 78, 6);
+    struct pp_photons_options options = {.error = 0.05, .seed = 9, .threads = 1};
+    struct pp_reading(*all)[4] =
+        pp_test_photons(world, &light, world->receivers, 6, &options, NULL);
+    struct pp_reading(*alone)[4] =
+        pp_test_photons(world, &light, &world->receivers[3], 1, &options, NULL);
+    for (int k = 0; k < PP_COMPONENT_COUNT; k++) {
+        assert_true(alone[0][k].value == all[3][k].value);
+        assert_true(alone[0][k].std_error == all[3][k].std_error);
+    }
+    free(all);
+    free(alone);
+    pp_world_destroy(world);
+}
+
+/* Deep in a room receivers that are near each other take the same light of the same
+ * photons: much of their variance is one. Sensors have photons of their own. */
+static void receivers_deep_in_a_room_go_wrong_together(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='3.1' depth='9' height='2.6'/>"
+                "<window wall='south' left='0.4' sill='0.9' width='2.2' "
+                "height='1.4'/></room>");
+    struct pp_receiver receivers[12];
+    for (int i = 0; i < 12; i++)
+        receivers[i] = pp_test_receiver(1.1 + 0.1 * i, 7.7, 0.85, 0.0, 0.0, 1.0);
+    struct pp_light_scene *scene = pp_test_matt_scene(world);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
+    for (int counted = 0; counted < 2; counted++) {
+        struct pp_photons_options options = photons_of(64);
+        struct pp_photons *photons;
+        options.sensor_m = counted ? 0.05 : 0.0;
+        assert_int_equal(pp_photons_create(&photons, scene, environment, receivers, 12,
+                                           &options, NULL),
+                         PP_OK);
+        while (!pp_photons_done(photons))
+            assert_int_equal(pp_photons_advance(photons, 1.0, NULL), PP_OK);
+        double common = pp_photons_common(photons);
+        double near = pp_photons_common_near(photons);
+        assert_near(near, common, 0.01); /* a dozen are all */
+        assert_true(counted ? common == 0.0 : common > 0.2 && common <= 1.0);
+        pp_photons_destroy(photons);
+    }
+    pp_environment_destroy(environment);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -432,6 +487,8 @@ int main(void)
         cmocka_unit_test(a_sensor_of_negative_size_is_refused),
         cmocka_unit_test(photons_and_paths_agree),
         cmocka_unit_test(threads_do_not_change_a_bit),
+        cmocka_unit_test(receivers_do_not_change_each_other),
+        cmocka_unit_test(receivers_deep_in_a_room_go_wrong_together),
     };
     return cmocka_run_group_tests_name("photons", tests, NULL, NULL);
 }
