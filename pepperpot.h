@@ -178,8 +178,8 @@ enum pp_status pp_study_simulate(struct pp_study *study,
                                  struct pp_error *err);
 
 /* Works for about `seconds` by the clock; after each call the columns ("traced" of
- * engine "path", "cached" of engine "cache") hold what is known so far. Whoever wants to
- * stop does not call it again. */
+ * engine "path", "cached" of engine "cache", "photons" of engine "photons") hold what is
+ * known so far. Whoever wants to stop does not call it again. */
 enum pp_status pp_study_advance(struct pp_study *study, double seconds,
                                 struct pp_error *err);
 bool pp_study_done(const struct pp_study *study);

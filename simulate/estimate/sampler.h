@@ -18,7 +18,7 @@
 #include "model/base/error.h"
 #include "simulate/sampling/sobol.h"
 
-enum { PP_ESTIMATORS_MOST = 4, PP_VALUES_MOST = 4, PP_SUMS_MOST = 6 };
+enum { PP_ESTIMATORS_MOST = 4, PP_VALUES_MOST = 4, PP_SUMS_MOST = 7 };
 
 /* Numbers of paths, by estimator. */
 struct pp_counts {

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "simulate/estimate/common_variance.h"
 #include "simulate/estimate/planner.h"
-#include "simulate/estimate/spread.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/scene/light_scene_parts.h"
@@ -360,55 +360,22 @@ double pp_tracer_common(const struct pp_tracer *tracer)
 {
     if (!tracer->shared)
         return 0.0;
-    struct pp_sampled *list = calloc((size_t)tracer->receiver_count + 1, sizeof *list);
-    if (!list)
-        return 1.0; /* on the safe side */
-    for (int i = 0; i < tracer->receiver_count; i++)
-        list[i] = pp_planner_sampled(tracer->planner, i);
-    double common = pp_spread_common(list, tracer->receiver_count);
-    free(list);
-    return common;
-}
-
-/* The receivers nearest to one, itself among them; how many there are. */
-static int find_nearest(int nearest[PP_TRACER_NEAREST], const struct pp_tracer *tracer,
-                        int of)
-{
-    double away[PP_TRACER_NEAREST];
-    int count = 0;
-    for (int i = 0; i < tracer->receiver_count; i++) {
-        double off = pp_vec_length(pp_vec_sub(tracer->points[i].start.position,
-                                              tracer->points[of].start.position));
-        int at = count;
-        for (; at > 0 && off < away[at - 1]; at--)
-            if (at < PP_TRACER_NEAREST) {
-                away[at] = away[at - 1];
-                nearest[at] = nearest[at - 1];
-            }
-        if (at == PP_TRACER_NEAREST)
-            continue;
-        away[at] = off;
-        nearest[at] = i;
-        count += count < PP_TRACER_NEAREST;
-    }
-    return count;
+    return pp_common_variance_of_all(tracer->planner, tracer->receiver_count);
 }
 
 double pp_tracer_common_near(const struct pp_tracer *tracer)
 {
-    enum { ASKED = 500 }; /* receivers at most, evenly from the list */
-    int step = tracer->receiver_count / ASKED + 1, asked = 0;
-    double sum = 0.0;
-    for (int i = 0; i < tracer->receiver_count && tracer->shared; i += step) {
-        int nearest[PP_TRACER_NEAREST];
-        struct pp_sampled list[PP_TRACER_NEAREST];
-        int count = find_nearest(nearest, tracer, i);
-        for (int k = 0; k < count; k++)
-            list[k] = pp_planner_sampled(tracer->planner, nearest[k]);
-        sum += pp_spread_common(list, count);
-        asked++;
-    }
-    return asked ? sum / asked : 0.0;
+    if (!tracer->shared)
+        return 0.0;
+    int count = tracer->receiver_count;
+    struct pp_vec3 *places = calloc((size_t)count + 1, sizeof *places);
+    if (!places)
+        return 1.0; /* on the safe side */
+    for (int i = 0; i < count; i++)
+        places[i] = tracer->points[i].start.position;
+    double common = pp_common_variance_of_near(tracer->planner, places, count);
+    free(places);
+    return common;
 }
 
 struct pp_tracer_work pp_tracer_work(const struct pp_tracer *tracer)

@@ -67,10 +67,9 @@ struct pp_tracer_work {
 struct pp_tracer_work pp_tracer_work(const struct pp_tracer *tracer);
 
 /* The share of the variance of their daylight factors that receivers have in common, 0 to 1
- * (model/results/common_error.h): all of them; and one with the PP_TRACER_NEAREST - 1 that
- * are nearest to it, on average. What is near takes the same light of shared points, so that
- * the latter is much larger where that light makes most of the variance. */
-enum { PP_TRACER_NEAREST = 12 };
+ * (common_variance.h): all of them; and those that are near each other. What is near takes
+ * the same light of shared points, so that the latter is much larger where that light makes
+ * most of the variance. */
 double pp_tracer_common(const struct pp_tracer *tracer);
 double pp_tracer_common_near(const struct pp_tracer *tracer);
 

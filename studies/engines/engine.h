@@ -24,6 +24,9 @@ struct pp_engine_options {
     uint64_t seed;
     int threads; /* 0: as many as there are processors */
 
+    double sensor_m; /* photons are counted on discs of this radius round the receivers;
+                      * 0: the receivers are points */
+
     struct pp_cache_options cache; /* its seed and threads are those above */
     bool interpolate;              /* what is reflected at the points from the cache */
     const char *cache_file; /* records to begin with, where there is such a file; NULL:
@@ -67,7 +70,7 @@ struct pp_engine {
     void (*destroy)(void *run); /* NULL is allowed */
 };
 
-extern const struct pp_engine pp_engine_path, pp_engine_cache;
+extern const struct pp_engine pp_engine_path, pp_engine_cache, pp_engine_photons;
 
 const struct pp_engine *pp_engine_at(int index);          /* NULL behind the last */
 const struct pp_engine *pp_engine_find(const char *name); /* NULL: there is none */

@@ -1,4 +1,5 @@
 /* test_shared_light.c - what receivers share is what each of them would find alone. */
+#include "simulate/estimate/common_variance.h"
 #include "simulate/tracer/shared_light.h"
 
 #include <math.h>
@@ -309,7 +310,7 @@ static void what_points_have_in_common_is_known(void **state)
 static void near_points_have_more_in_common_than_all(void **state)
 {
     (void)state;
-    enum { DOZEN = PP_TRACER_NEAREST, POINTS = 3 * DOZEN };
+    enum { DOZEN = PP_COMMON_VARIANCE_NEAREST, POINTS = 3 * DOZEN };
     static const double corner[3][2] = {{1.4, 2.9}, {0.2, 4.3}, {2.4, 1.2}};
     struct shared_room room;
     init(&room, ROOM);

@@ -1,0 +1,21 @@
+/* common_variance.h - the share of their variance that the points of a planner have in
+ * common (model/results/common_error.h), 0 to 1: where they share what they are sampled
+ * by, they go wrong together.
+ */
+#ifndef PP_SIMULATE_ESTIMATE_COMMON_VARIANCE_H
+#define PP_SIMULATE_ESTIMATE_COMMON_VARIANCE_H
+
+#include "model/geometry/vec.h"
+#include "simulate/estimate/planner.h"
+
+enum { PP_COMMON_VARIANCE_NEAREST = 12 };
+
+/* Of the first `count` points. */
+double pp_common_variance_of_all(const struct pp_planner *planner, int count);
+
+/* Of one with the PP_COMMON_VARIANCE_NEAREST - 1 that are nearest to it, on average.
+ * places: of the points. */
+double pp_common_variance_of_near(const struct pp_planner *planner,
+                                  const struct pp_vec3 *places, int count);
+
+#endif

@@ -1,0 +1,116 @@
+/* long_photons.c - photons and paths differ by as many standard errors as two independent
+ * simulations of one truth do: in every room of examples/ and in 200 random ones. */
+#include <glob.h>
+
+#include "tests/lib/photons_of.h"
+#include "tests/lib/random_rooms.h"
+
+enum { MOST_POINTS = 6 };
+
+/* Differences in standard errors of the two together. */
+struct differences {
+    int count, beyond_2, beyond_5;
+    double sum, squares;
+};
+
+static void compare(struct differences *all, const struct pp_world *world,
+                    const struct pp_outside_light *light, double error, uint64_t seed)
+{
+    int points =
+        world->receiver_count < MOST_POINTS ? world->receiver_count : (int)MOST_POINTS;
+    bool average = world->plane.count > 0;
+    struct pp_tracer_options paths = {.error = error, .seed = seed, .average = average};
+    struct pp_photons_options forwards = {
+        .error = error, .seed = seed, .average = average};
+    struct pp_reading(*traced)[4] =
+        pp_test_trace(world, light, world->receivers, points, &paths, NULL);
+    struct pp_reading(*found)[4] =
+        pp_test_photons(world, light, world->receivers, points, &forwards, NULL);
+    for (int i = 0; i < points + average; i++) {
+        double z = (found[i][PP_DF].value - traced[i][PP_DF].value)
+                   / hypot(found[i][PP_DF].std_error, traced[i][PP_DF].std_error);
+        all->count++;
+        all->sum += z;
+        all->squares += z * z;
+        all->beyond_2 += fabs(z) > 2.0;
+        all->beyond_5 += fabs(z) > 5.0;
+    }
+    free(traced);
+    free(found);
+}
+
+/* Student's t with 31 degrees of freedom has been taken for a normal distribution by its
+ * variance: 5 % are beyond two, within three of the count's own deviations. What points
+ * of a room share makes their paths' errors go together: the mean's has room for four. */
+static void assert_normal(const struct differences *all)
+{
+    double n = all->count, mean = all->sum / n;
+    double variance = all->squares / n - mean * mean;
+    print_message("# %d differences: mean %.3f, variance %.3f, %.1f %% beyond 2\n",
+                  all->count, mean, variance, 100.0 * all->beyond_2 / n);
+    assert_near(mean, 0.0, 4.0 / sqrt(n));
+    assert_near(variance, 1.0, 4.0 * sqrt(2.0 / n));
+    assert_near(all->beyond_2 / n, 0.045, 3.0 * sqrt(0.045 / n) + 0.005);
+    assert_int_equal(all->beyond_5, 0);
+}
+
+static void photons_and_paths_agree_in_200_random_rooms(void **state)
+{
+    (void)state;
+    struct differences all = {.count = 0};
+    for (uint64_t room = 3000; room < 3200; room++) {
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_random_room(&light, room, 4);
+        compare(&all, world, &light, 0.005, room);
+        pp_world_destroy(world);
+    }
+    assert_normal(&all);
+}
+
+static void compare_file(struct differences *all, const char *file)
+{
+    struct pp_building *building = NULL;
+    struct pp_mistakes mistakes;
+    pp_mistakes_init(&mistakes, file);
+    assert_int_equal(pp_building_read(&building, file, &mistakes, NULL), PP_OK);
+    for (int i = 0; i < pp_building_room_count(building); i++) {
+        struct pp_world *world = NULL;
+        struct pp_outside_light light;
+        pp_world_create(&world, pp_building_room(building, i), &mistakes, NULL);
+        assert_non_null(world);
+        assert_int_equal(pp_room_light(&light, pp_building_room(building, i), NULL),
+                         PP_OK);
+        compare(all, world, &light, 0.01, (uint64_t)i);
+        pp_world_destroy(world);
+    }
+    pp_mistakes_clear(&mistakes);
+    pp_building_destroy(building);
+}
+
+static void photons_and_paths_agree_in_the_examples(void **state)
+{
+    (void)state;
+    static const char *const folders[] = {"", "/situations", "/sites"};
+    const char *top = getenv("srcdir");
+    struct differences all = {.count = 0};
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
+        char pattern[4096];
+        glob_t files;
+        snprintf(pattern, sizeof pattern, "%s/examples%s/*.xml", top ? top : ".",
+                 folders[i]);
+        assert_int_equal(glob(pattern, 0, NULL, &files), 0);
+        for (size_t k = 0; k < files.gl_pathc; k++)
+            compare_file(&all, files.gl_pathv[k]);
+        globfree(&files);
+    }
+    assert_normal(&all);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(photons_and_paths_agree_in_200_random_rooms),
+        cmocka_unit_test(photons_and_paths_agree_in_the_examples),
+    };
+    return cmocka_run_group_tests_name("long_photons", tests, NULL, NULL);
+}
