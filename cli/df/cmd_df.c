@@ -119,7 +119,8 @@ static enum pp_status simulate(struct pp_report *report, bool *by_clock,
                                const struct pp_engine_choice *choice,
                                struct pp_error *err)
 {
-    const struct pp_engine_options options = {.cache = choice->cache.options,
+    const struct pp_engine_options options = {.sensor_m = choice->sensor_m,
+                                              .cache = choice->cache.options,
                                               .interpolate = choice->interpolate,
                                               .cache_file = choice->cache.file};
     struct pp_kept_bytes kept = {0};

@@ -53,19 +53,33 @@ bool pp_engine_choice_has(const struct pp_engine_choice *choice, int engine)
                            : pp_engine_at(engine) == &pp_engine_path;
 }
 
-static bool has_cache(const struct pp_engine_choice *choice)
+static bool has(const struct pp_engine_choice *choice, const struct pp_engine *engine)
 {
     for (int i = 0; pp_engine_at(i); i++)
-        if (pp_engine_at(i) == &pp_engine_cache)
+        if (pp_engine_at(i) == engine)
             return pp_engine_choice_has(choice, i);
     return false;
 }
 
+static enum pp_status read_sensor(const char *text, void *place, struct pp_error *err)
+{
+    double radius;
+    if (!pp_text_parse_number(text, &radius) || !(radius >= 0.001 && radius <= 10.0))
+        return pp_fail(err, PP_BAD_INPUT, "a radius of 0.001 to 10 m");
+    *(double *)place = radius;
+    return PP_OK;
+}
+
 const struct pp_option pp_engine_options[] = {
     {"engine", 0, "LIST",
-     "What simulates: path (default), without bias; cache, through an irradiance "
-     "cache; several as path,cache, and how far they are apart.",
+     "What simulates: path (default), light paths from the points, without bias; "
+     "photons, light followed from the openings, without bias; cache, through an "
+     "irradiance cache; several as path,photons, and how far they are apart.",
      read_engines, offsetof(struct pp_engine_choice, engines)},
+    {"sensor", 0, "RADIUS",
+     "Count photons on discs of that radius, in metres, round the points, in place of "
+     "what each brings the points themselves.",
+     read_sensor, offsetof(struct pp_engine_choice, sensor_m)},
     {"interpolate", 0, NULL,
      "Interpolate what is reflected at the points, too, from the cache.", NULL,
      offsetof(struct pp_engine_choice, interpolate)},
@@ -75,10 +89,12 @@ const struct pp_option pp_engine_options[] = {
 enum pp_status pp_engine_choice_settle(struct pp_engine_choice *words, bool simulate,
                                        struct pp_error *err)
 {
-    const bool cached = has_cache(words);
+    const bool cached = has(words, &pp_engine_cache);
     if (words->engines && !simulate)
         return pp_fail(err, PP_BAD_INPUT,
                        "--engine says what simulates; it needs --simulate");
+    if (words->sensor_m > 0.0 && !has(words, &pp_engine_photons))
+        return pp_fail(err, PP_BAD_INPUT, "--sensor needs --engine photons");
     if (words->interpolate && !cached)
         return pp_fail(err, PP_BAD_INPUT, "--interpolate needs --engine cache");
     const char *used = pp_cache_choice_used(&words->cache);

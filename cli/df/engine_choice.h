@@ -8,12 +8,13 @@
 struct pp_engine_choice {
     unsigned engines; /* a bit by the place in the list of engines; 0: path */
     bool interpolate;
+    double sensor_m; /* radius of the discs that photons are counted on; 0: points */
     struct pp_cache_choice cache;
 };
 
 bool pp_engine_choice_has(const struct pp_engine_choice *choice, int engine);
 
-/* --engine, --interpolate; values are a struct pp_engine_choice. */
+/* --engine, --sensor, --interpolate; values are a struct pp_engine_choice. */
 extern const struct pp_option pp_engine_options[];
 
 /* What is set without --engine cache, two rooms in one cache file ...: PP_BAD_INPUT. */

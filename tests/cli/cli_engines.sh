@@ -1,0 +1,31 @@
+#!/bin/sh
+# df by several engines, side by side: what each says and how far they are apart.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+here='--points 1.5,2;1.5,7'
+check "photons stand beside paths" shows "photons: by photons from the openings" \
+    df -s --engine path,photons -m exact+bre --error 2% "$here" "$deep"
+check "with their distance in standard errors" grep -q "apart, in se" "$scratch/out"
+
+# No farther apart than four standard errors of the difference, which is one in 16,000.
+check "as JSON" gives df -s --engine path,photons,cache -m exact+bre --error 2% "$here" \
+    --format json "$deep"
+check "and agree with them" sh -c "tr ',{}' '\\n\\n\\n' <'$scratch/out' | awk -F: '
+    /\"apart\"/ { n++; if (\$2 > 4 || \$2 < -4) bad = 1 } END { exit bad || n < 6 }'"
+check "the same by 1, 2 and 4 threads" same_by_threads "1 2 4" \
+    df -s --engine photons --samples 32 "$here" --format csv "$deep"
+check "photons alone are what hand figures are held against" \
+    shows "from photons, %" df -s --engine photons -m exact+bre --error 3% "$here" "$deep"
+check "counted on discs" gives df -s --engine photons --sensor 0.2 --error 3% "$here" \
+    --format csv "$deep"
+check "which are near what the points get" sh -c "awk -F, '\$12 == \"photons\" &&
+    \$11 == \"df\" && \$3 == \"point\" { n++; v[n] = \$13 }
+    END { exit !(n == 2 && v[1] > 5 && v[1] < 6.2 && v[2] > 0.36 && v[2] < 0.5) }' '$scratch/out'"
+check "paths have no discs" refuses 2 "--sensor needs --engine photons" \
+    df -s --sensor 0.2 "$deep"
+check "a disc has a radius" refuses 2 "0.001 to 10 m" \
+    df -s --engine photons --sensor 0 "$deep"
+check "an engine that there is not" refuses 2 "path, cache or photons" \
+    df -s --engine rays "$deep"
+tap_done
