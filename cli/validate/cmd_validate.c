@@ -10,6 +10,7 @@
 #include "cli/watch.h"
 #include "cli/format_option.h"
 #include "cli/df/formula_option.h"
+#include "cli/validate/validate_engines.h"
 #include "cli/validate/validate_rooms.h"
 #include "cli/rooms.h"
 #include "methods/evaluate.h"
@@ -21,8 +22,9 @@ static const char about[] =
     "skies, closed forms of windows, light in a closed room, worked examples). With "
     "the name of a suite in its place: analytic, published or cie171, each case with "
     "what was expected, the difference, its limit and the verdict; so do rooms FILE, "
-    "each method against the simulation within the bands of the atlas, and radiance "
-    "FILE, the simulation against Radiance's. With room files alone: each method "
+    "each method against the simulation within the bands of the atlas, engines FILE, "
+    "what simulates beside each other, and radiance FILE, the simulation against "
+    "Radiance's. With room files alone: each method "
     "against the simulation, at the reference points and for the average over the "
     "working plane: bias, spread and the worst point, and how much of it comes of what "
     "the method assumes of ground and surroundings, how much of its formula. FILE is a "
@@ -77,11 +79,14 @@ static enum pp_exit compare(struct validate_options *options, char **files,
         pp_rooms_load(&rooms, "validate", files, file_count, of_rooms);
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
-    if (options->against)
+    if (options->against || options->suite == &pp_suite_engines)
         of_rooms->study.methods = "exact";
     if (options->against && options->suite)
         exit_status =
             pp_against_radiance_suite(&rooms, of_rooms, options->format, options->page);
+    else if (options->suite == &pp_suite_engines)
+        exit_status =
+            pp_validate_engines(&rooms, of_rooms, options->format, options->page);
     else if (options->against)
         exit_status = pp_against_radiance(&rooms, of_rooms, options->format);
     else if (options->suite)
@@ -197,11 +202,11 @@ static enum pp_status check_against(const struct validate_options *options,
     const char *excluded = options->room.study.methods   ? "--methods"
                            : options->formulae.count > 0 ? "--formula"
                                                          : NULL;
-    if (!options->against || !excluded)
+    bool alone = options->against || options->suite == &pp_suite_engines;
+    if (!alone || !excluded)
         return PP_OK;
-    return pp_fail(err, PP_BAD_INPUT,
-                   "--against compares the simulation alone; expected it without %s",
-                   excluded);
+    return pp_fail(err, PP_BAD_INPUT, "%s the simulation alone; expected it without %s",
+                   options->against ? "--against compares" : "engines is of", excluded);
 }
 
 static enum pp_status check(void *values, char **operands, int count,

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "studies/bands/band_features.h"
+#include "studies/engines/engine.h"
 #include "studies/validation/comparison.h"
 
 static const double STD_ERRORS = 3.0;
@@ -18,6 +19,9 @@ static struct pp_known_case *last_of(struct pp_known_cases *cases)
 {
     return cases->whole ? &cases->list[cases->count - 1] : NULL;
 }
+
+/* What an engine that is no truth may be off by, of it. */
+static const double CACHE_SHARE = 0.02;
 
 static double known_error(struct pp_reading reading)
 {
@@ -101,6 +105,50 @@ void pp_room_cases_of_methods(struct pp_known_cases *cases, const char *file,
             pp_report_find(report, column->component, "traced");
         if (traced && traced != column)
             add_column(cases, file, report, column, traced, worlds);
+    }
+}
+
+static void add_engine_figure(struct pp_known_cases *cases, const char *file,
+                              const struct pp_report *report,
+                              const struct pp_column *column, int point,
+                              const struct pp_reading *figure,
+                              const struct pp_reading *truth)
+{
+    const struct pp_engine *engine = pp_engine_of_column(column->name);
+    double error = hypot(figure->std_error, truth->std_error);
+    char what[sizeof cases->list->what] = "df, average";
+    if (!isfinite(error) || !isfinite(figure->value - truth->value))
+        return;
+    if (point >= 0)
+        snprintf(what, sizeof what, "df at %.2f, %.2f",
+                 report->receivers[point].position.x,
+                 report->receivers[point].position.y);
+    cases->group = column->name;
+    pp_known_case_add(cases, what, column->name, figure->value, truth->value,
+                      STD_ERRORS * error + ROUNDING
+                          + (engine->is_truth ? 0.0 : CACHE_SHARE * truth->value));
+    struct pp_known_case *one = last_of(cases);
+    if (!one)
+        return;
+    one->std_error = error;
+    one->room = report->world->name;
+    one->file = file;
+}
+
+void pp_room_cases_of_engines(struct pp_known_cases *cases, const char *file,
+                              const struct pp_report *report)
+{
+    const struct pp_column *truth = pp_engine_truth(report);
+    for (int i = 0; truth && i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (column == truth || column->component != PP_DF
+            || !pp_engine_of_column(column->name))
+            continue;
+        for (int k = 0; k < report->receiver_count; k++)
+            add_engine_figure(cases, file, report, column, k, &column->points[k],
+                              &truth->points[k]);
+        add_engine_figure(cases, file, report, column, -1, &column->average,
+                          &truth->average);
     }
 }
 

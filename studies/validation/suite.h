@@ -25,7 +25,7 @@ const struct pp_suite *pp_suite_at(int index);
 const struct pp_suite *pp_suite_find(const char *name);
 
 /* The suites of a user's rooms. */
-extern const struct pp_suite pp_suite_rooms, pp_suite_radiance;
+extern const struct pp_suite pp_suite_rooms, pp_suite_radiance, pp_suite_engines;
 
 /* What takes a second or two: closed forms and worked examples. */
 extern const struct pp_suite pp_suite_quick;

@@ -3,7 +3,7 @@
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-here='--points 1.5,2;1.5,7'
+here='--points=1.5,2;1.5,7'
 check "photons stand beside paths" shows "photons: by photons from the openings" \
     df -s --engine path,photons -m exact+bre --error 2% "$here" "$deep"
 check "with their distance in standard errors" grep -q "apart, in se" "$scratch/out"
@@ -16,11 +16,11 @@ check "and agree with them" sh -c "tr ',{}' '\\n\\n\\n' <'$scratch/out' | awk -F
 check "the same by 1, 2 and 4 threads" same_by_threads "1 2 4" \
     df -s --engine photons --samples 32 "$here" --format csv "$deep"
 check "photons alone are what hand figures are held against" \
-    shows "from photons, %" df -s --engine photons -m exact+bre --error 3% "$here" "$deep"
+    shows "off, %" df -s --engine photons -m exact+bre --error 3% "$here" "$deep"
 check "counted on discs" gives df -s --engine photons --sensor 0.2 --error 3% "$here" \
     --format csv "$deep"
-check "which are near what the points get" sh -c "awk -F, '\$12 == \"photons\" &&
-    \$11 == \"df\" && \$3 == \"point\" { n++; v[n] = \$13 }
+check "which are near what the points get" sh -c "awk -F, '\$11 == \"photons\" &&
+    \$10 == \"df\" && \$3 == \"point\" { n++; v[n] = \$12 }
     END { exit !(n == 2 && v[1] > 5 && v[1] < 6.2 && v[2] > 0.36 && v[2] < 0.5) }' '$scratch/out'"
 check "paths have no discs" refuses 2 "--sensor needs --engine photons" \
     df -s --sensor 0.2 "$deep"
@@ -28,4 +28,12 @@ check "a disc has a radius" refuses 2 "0.001 to 10 m" \
     df -s --engine photons --sensor 0 "$deep"
 check "an engine that there is not" refuses 2 "path, cache or photons" \
     df -s --engine rays "$deep"
+
+# In a suite, room by room.
+check "a suite of all engines" gives validate engines --error 2% --samples 64 "$deep" \
+    --format csv
+check "holds photons and cache against paths" sh -c \
+    "grep -c ',photons,' '$scratch/out' | grep -qx 18 && grep -c ',cached,' '$scratch/out' | grep -qx 18"
+check "without hand methods" refuses 2 "engines is of the simulation alone" \
+    validate engines -m bre "$deep"
 tap_done
