@@ -268,6 +268,46 @@ static void at_the_window_half_the_view_is_sky(void **state)
     pp_world_destroy(world);
 }
 
+/* Across a court, by three windows in a row, one sees the sky once: from the first one,
+ * through the other wing, or from the last one, through the court, but not twice. By the
+ * midpoint rule over the last window, whose outline is all that limits the view; all else
+ * is black. */
+static void through_three_windows_one_sees_the_sky_once(void **state)
+{
+    (void)state;
+    enum { CELLS = 200 };
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan height='4'><vertex x='0' y='0'/>"
+                "<vertex x='2' y='0'/><vertex x='2' y='4'/><vertex x='5' y='4'/>"
+                "<vertex x='5' y='0'/><vertex x='7' y='0'/><vertex x='7' y='6'/>"
+                "<vertex x='0' y='6'/></plan>"
+                "<window wall='2' left='1.6' sill='0.8' width='0.8' height='1.4' "
+                "glazing='none'/>"
+                "<window wall='4' left='1.6' sill='0.8' width='0.8' height='1.4' "
+                "glazing='none'/>"
+                "<window wall='6' left='1.6' sill='0.8' width='0.8' height='1.4' "
+                "glazing='none'/></room>");
+    struct pp_receiver receiver = pp_test_receiver(0.3, 2.0, 1.5, 1.0, 0.0, 0.0);
+    light.ground_reflectance = 0.0;
+    for (int i = 0; i < world->surface_count; i++)
+        world->surfaces[i].front = world->surfaces[i].back = 0.0;
+    double sky = 0.0;
+    for (int i = 0; i < CELLS; i++)
+        for (int k = 0; k < CELLS; k++) {
+            struct pp_vec3 to =
+                pp_vec(6.7, 0.8 * ((i + 0.5) / CELLS - 0.5), 0.7 * (k + 0.5) / CELLS);
+            double r = pp_vec_length(to), cosine = 6.7 / r;
+            sky += pp_sky_luminance(&light.sky, pp_vec_scale(to, 1.0 / r)) * cosine
+                   * cosine / (r * r) * 0.8 * 0.7 / (CELLS * CELLS);
+        }
+    struct pp_reading readings[4];
+    follow_one(world, &light, receiver, 1024, readings);
+    assert_traced(readings[PP_SC], sky, 0.02 * sky);
+    assert_traced(readings[PP_DF], sky, 0.02 * sky);
+    pp_world_destroy(world);
+}
+
 /* ---- sensors of finite size ---- */
 
 /* A disc's count is the mean over the disc, here by 4 x 16 points on rings of equal
@@ -483,6 +523,7 @@ int main(void)
         cmocka_unit_test(equilibrium_behind_a_diffusing_pane),
         cmocka_unit_test(openings_show_the_sky_of_quadrature),
         cmocka_unit_test(at_the_window_half_the_view_is_sky),
+        cmocka_unit_test(through_three_windows_one_sees_the_sky_once),
         cmocka_unit_test(a_disc_counts_the_mean_over_it),
         cmocka_unit_test(a_sensor_of_negative_size_is_refused),
         cmocka_unit_test(photons_and_paths_agree),
