@@ -42,6 +42,31 @@ static void trace(cairo_t *cr, const struct pp_room_elevation *elevation,
     cairo_close_path(cr);
 }
 
+/* Doors and dados: a thin line round each, and lines aslant over it. */
+static void draw_covers(cairo_t *cr, const struct pp_style *style,
+                        const struct pp_room_elevation *elevation)
+{
+    const struct pp_world *world = elevation->world;
+    for (int i = world->face_count; i < world->surface_count; i++) {
+        const struct pp_surface *cover = &world->surfaces[i];
+        double x0, y0, x1, y1, apart = 2.0 * style->scale;
+        if (cover->role != PP_COVER || cover->owner != elevation->first->face)
+            continue;
+        trace(cr, elevation, &cover->outline);
+        pp_style_line(cr, style->thin, PP_INK);
+        cairo_stroke_preserve(cr);
+        cairo_path_extents(cr, &x0, &y0, &x1, &y1);
+        cairo_save(cr);
+        cairo_clip(cr);
+        for (double x = x0 - (y1 - y0); x < x1; x += apart) {
+            cairo_move_to(cr, x, y1);
+            cairo_line_to(cr, x + (y1 - y0), y0);
+        }
+        cairo_stroke(cr);
+        cairo_restore(cr);
+    }
+}
+
 void pp_room_elevation_draw(cairo_t *cr, const struct pp_style *style,
                             const struct pp_room_elevation *elevation)
 {
@@ -56,6 +81,7 @@ void pp_room_elevation_draw(cairo_t *cr, const struct pp_style *style,
             trace(cr, elevation, &world->openings[i].inner);
     pp_style_line(cr, style->medium, PP_INK);
     cairo_stroke(cr);
+    draw_covers(cr, style, elevation);
     pp_style_line(cr, style->thin, PP_INK);
     cairo_set_dash(cr, dashes, 2, 0.0);
     cairo_move_to(cr, elevation->x + elevation->extent.low[0] * scale, elevation->y);

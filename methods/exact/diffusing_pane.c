@@ -97,7 +97,7 @@ static enum pp_status find_borders(struct borders *borders,
         const struct pp_surface *surface = &world->surfaces[i];
         const struct pp_polygon *outline = &surface->outline;
         if (i == opening->face || surface->role == PP_REVEAL
-            || !is_in_front(outline, &plane))
+            || surface->role == PP_COVER || !is_in_front(outline, &plane))
             continue;
         borders->surfaces++;
         add_border(borders, &plane, outline->normal,

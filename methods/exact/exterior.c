@@ -17,7 +17,7 @@ static bool has_surface_in_front(const struct pp_world *world, struct pp_vec3 po
 {
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        if (i == face || surface->role == PP_REVEAL)
+        if (i == face || surface->role == PP_REVEAL || surface->role == PP_COVER)
             continue;
         for (int k = 0; k < surface->outline.count; k++)
             if (pp_vec_dot(pp_vec_sub(surface->outline.vertices[k], position), normal)

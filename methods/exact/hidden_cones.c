@@ -122,7 +122,8 @@ enum pp_status pp_hidden_cones_init(struct pp_hidden_cones *cones,
         const struct pp_surface *surface = &world->surfaces[i];
         bool own = view->opening && surface->role == PP_REVEAL
                    && &world->openings[surface->owner] == view->opening;
-        if (i != view->face && (surface->role != PP_REVEAL || own))
+        if (i != view->face && surface->role != PP_COVER
+            && (surface->role != PP_REVEAL || own))
             status = add_surface(cones, surface, view, err);
     }
     for (int i = 0; i < world->skyline_count && status == PP_OK; i++)

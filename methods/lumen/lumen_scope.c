@@ -227,5 +227,11 @@ double pp_lumen_scope_wall_reflectance(const struct pp_world *world, int left_ou
         sum += face->front * face->outline.area_m2;
         area_m2 += face->outline.area_m2;
     }
+    for (int i = world->face_count; i < world->surface_count; i++) {
+        const struct pp_surface *cover = &world->surfaces[i];
+        if (cover->role == PP_COVER && cover->owner != left_out)
+            sum += (cover->front - world->surfaces[cover->owner].front)
+                   * cover->outline.area_m2;
+    }
     return sum / area_m2;
 }

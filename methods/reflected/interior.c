@@ -92,6 +92,24 @@ static void add_split(struct sums *lower, struct sums *upper,
     add(upper, share * (outline->area_m2 - below_m2), reflectance);
 }
 
+/* Adds the covers of a role's faces but one (-1: of none) in the place of what they
+ * cover. PP_ROLE_COUNT: of all roles. */
+static void add_covers(struct sums *lower, struct sums *upper,
+                       const struct pp_world *world, double z, enum pp_role role,
+                       int left_out)
+{
+    for (int i = world->face_count; i < world->surface_count; i++) {
+        const struct pp_surface *cover = &world->surfaces[i];
+        if (cover->role != PP_COVER || cover->owner == left_out)
+            continue;
+        const struct pp_surface *face = &world->surfaces[cover->owner];
+        if (role != PP_ROLE_COUNT && face->role != role)
+            continue;
+        add_split(lower, upper, &cover->outline, z, 1.0, cover->front);
+        add_split(lower, upper, &cover->outline, z, -1.0, face->front);
+    }
+}
+
 static struct pp_interior_parts split(const struct pp_world *world, double z,
                                       int left_out, bool with_openings)
 {
@@ -103,7 +121,8 @@ static struct pp_interior_parts split(const struct pp_world *world, double z,
                                     : i == left_out;
         bool of_well =
             surface->role == PP_REVEAL && pp_well_is(world->openings + surface->owner);
-        if (!surface->inside || of_face_left_out || of_well)
+        if (!surface->inside || surface->role == PP_COVER || of_face_left_out
+            || of_well)
             continue;
         add_split(&lower, &upper, &surface->outline, z, 1.0, surface->front);
         if (surface->role == PP_FREE_SURFACE)
@@ -118,6 +137,7 @@ static struct pp_interior_parts split(const struct pp_world *world, double z,
         if (with_openings)
             add_split(&lower, &upper, &opening->inner, z, 1.0, PP_OPENING_REFLECTANCE);
     }
+    add_covers(&lower, &upper, world, z, PP_ROLE_COUNT, left_out);
     return (struct pp_interior_parts){mean(lower), mean(upper)};
 }
 
@@ -145,6 +165,7 @@ struct pp_interior pp_interior_role(const struct pp_world *world, enum pp_role r
         if (face->role == role)
             add(&sums, -world->openings[i].inner.area_m2, face->front);
     }
+    add_covers(&sums, &sums, world, INFINITY, role, -1);
     return mean(sums);
 }
 
@@ -164,6 +185,7 @@ struct pp_interior pp_interior_role_above(const struct pp_world *world,
         add_split(&lower, &upper, &opening->inner, z, -1.0, face->front);
         add_split(&lower, &upper, &opening->inner, z, 1.0, PP_OPENING_REFLECTANCE);
     }
+    add_covers(&lower, &upper, world, z, role, -1);
     return mean(upper);
 }
 

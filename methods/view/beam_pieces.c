@@ -299,7 +299,8 @@ enum pp_status pp_beam_pieces_find(struct pp_beam *beam, struct pp_error *err)
     if (status == PP_OK)
         status = add_plane(beam, err);
     for (int i = 0; i < world->surface_count && status == PP_OK; i++)
-        if (i != opening->face && world->surfaces[i].role != PP_REVEAL)
+        if (i != opening->face && world->surfaces[i].role != PP_REVEAL
+            && world->surfaces[i].role != PP_COVER)
             status = add_surface(beam, &world->surfaces[i], err);
     for (int i = 0; beam->with_outside && i < world->skyline_count; i++)
         beam->skylines += world->skylines[i].face == opening->face;

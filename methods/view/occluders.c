@@ -321,7 +321,8 @@ enum pp_status pp_occluders_collect(struct pp_occluders *inside,
         const struct pp_surface *surface = &world->surfaces[i];
         if (surface->role == PP_BLOCK)
             status = collect_blocks(inside, outside, scene, err);
-        else if (i != scene->face && surface->role != PP_REVEAL)
+        else if (i != scene->face && surface->role != PP_REVEAL
+                 && surface->role != PP_COVER)
             status = collect_surface(inside, outside, scene, surface, err);
     }
     return status;

@@ -100,6 +100,8 @@ static const char *fault_on_surface(enum pp_role role)
         return "lies in a block";
     case PP_FACADE:
         return "lies in a facade";
+    case PP_COVER:
+        return "lies in a door or a dado";
     case PP_FREE_SURFACE:
     case PP_ROLE_COUNT:
         break;
@@ -130,8 +132,10 @@ const char *pp_position_receiver_fault(const struct pp_world *world,
             return fault_on_surface(PP_BLOCK);
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        if (!(fabs(pp_polygon_height(&surface->outline, position)) < PP_TOUCH_M
-              && pp_polygon_distance(&surface->outline, position) < PP_TOUCH_M))
+        /* On the wall behind a door, too. */
+        double near_m = surface->role == PP_COVER ? 2.0 * PP_TOUCH_M : PP_TOUCH_M;
+        if (!(fabs(pp_polygon_height(&surface->outline, position)) < near_m
+              && pp_polygon_distance(&surface->outline, position) < near_m))
             continue;
         if (!lies_on(surface, normal))
             return fault_on_surface(surface->role);

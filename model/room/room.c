@@ -85,6 +85,11 @@ static void copy_parts(struct pp_room *room, bool *good)
     COPY_LIST(room->fittings, room->fitting_count, good);
     for (int i = 0; i < room->fitting_count; i++)
         copy_text(&room->fittings[i].name, good);
+    COPY_LIST(room->covers, room->cover_count, good);
+    for (int i = 0; i < room->cover_count; i++) {
+        copy_text(&room->covers[i].name, good);
+        copy_text(&room->covers[i].wall, good);
+    }
     COPY_LIST(room->gardens, room->garden_count, good);
     for (int i = 0; i < room->garden_count; i++) {
         copy_text(&room->gardens[i].name, good);

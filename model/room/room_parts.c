@@ -56,6 +56,10 @@ void pp_room_parts_clear(struct pp_room *room)
         free(room->blocks[i].name);
     for (int i = 0; i < room->fitting_count; i++)
         free(room->fittings[i].name);
+    for (int i = 0; i < room->cover_count; i++) {
+        free(room->covers[i].name);
+        free(room->covers[i].wall);
+    }
     for (int i = 0; i < room->garden_count; i++)
         pp_room_parts_clear_garden(&room->gardens[i]);
     for (int i = 0; i < room->surface_count; i++)
@@ -69,6 +73,7 @@ void pp_room_parts_clear(struct pp_room *room)
     free(room->facades);
     free(room->blocks);
     free(room->fittings);
+    free(room->covers);
     free(room->gardens);
     free(room->surfaces);
     free(room->receivers);

@@ -155,6 +155,20 @@ struct pp_receiver_part {
     int line;
 };
 
+enum pp_cover_kind { PP_DOOR, PP_DADO };
+
+/* What covers a part of a wall, in another reflectance (build/covers.h). */
+struct pp_cover_part {
+    enum pp_cover_kind kind;
+    char *name;             /* NULL where not given */
+    char *wall;             /* NULL: a dado of all walls that have no other */
+    double left_m, width_m; /* of a door, as a window's */
+    double height_m;        /* from the foot of the wall */
+    double reflectance;
+    const struct pp_finish *finish;
+    int line;
+};
+
 enum pp_fitting_kind { PP_FURNITURE, PP_COLUMN, PP_PARTITION };
 
 /* What stands in a room: a box, or a round column (build/fittings.h). */
@@ -213,6 +227,8 @@ struct pp_room {
     int surface_count;
     struct pp_fitting_part *fittings;
     int fitting_count;
+    struct pp_cover_part *covers;
+    int cover_count;
     struct pp_garden_part *gardens;
     int garden_count;
     struct pp_receiver_part *receivers;

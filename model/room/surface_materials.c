@@ -18,6 +18,8 @@ static const char *name_of(const struct pp_surface *surface)
         return "ceiling";
     case PP_REVEAL:
         return "reveal";
+    case PP_COVER:
+        return surface->name;
     case PP_FREE_SURFACE:
         return "surface";
     case PP_BLOCK:
@@ -43,7 +45,8 @@ struct pp_material pp_surface_materials_of(const struct pp_world *world, int ind
     double reflectance = front ? surface->front : surface->back;
     struct pp_material material = pp_material_diffuse(pp_rgb_grey(reflectance));
     if (surface->finish
-        && (front || !surface->inside || surface->role == PP_FREE_SURFACE))
+        && (front || !surface->inside || surface->role == PP_FREE_SURFACE
+            || surface->role == PP_COVER))
         material = pp_material_finish(surface->finish, reflectance);
     if (surface->exitance > 0.0) {
         material.emits = PP_EMITS_EXTENDED;

@@ -8,6 +8,7 @@
 #include "model/geometry/convex_parts.h"
 #include "model/room/outside/blocks.h"
 #include "model/room/build/corners.h"
+#include "model/room/build/covers.h"
 #include "model/room/build/envelope.h"
 #include "model/room/outside/facades.h"
 #include "model/room/build/fittings.h"
@@ -101,6 +102,7 @@ static bool is_comparable(struct pp_resolver *r)
     const struct pp_room *room = r->room;
     double faces = 6.0 * room->plan.vertices.count + 24.0, openings = 0.0,
            surfaces = 0.0;
+    openings += 4.0 * room->cover_count;
     for (int i = 0; i < room->plan.face_count; i++)
         faces += room->plan.faces[i].vertices.count;
     for (int i = 0; i < room->opening_count; i++)
@@ -139,9 +141,9 @@ static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
         resolve_site,           pp_build_envelope,       pp_build_corners,
         pp_build_watertight,    pp_build_place_openings, pp_build_reveals,
         pp_build_facades,       pp_build_blocks,         pp_build_skylines,
-        pp_build_free_surfaces, pp_build_fittings,       pp_build_inner_walls,
-        pp_build_shades,        pp_build_gardens,        pp_build_working_plane,
-        pp_build_receivers,     find_triangles};
+        pp_build_free_surfaces, pp_build_fittings,       pp_build_covers,
+        pp_build_inner_walls,   pp_build_shades,         pp_build_gardens,
+        pp_build_working_plane, pp_build_receivers,      find_triangles};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);

@@ -25,6 +25,7 @@ enum pp_role {
     PP_WALL,         /* of the room's own envelope */
     PP_CEILING,      /* of the room's own envelope */
     PP_REVEAL,       /* a side of an opening's depth */
+    PP_COVER,        /* a door or a piece of a dado, right before a wall, inside */
     PP_FREE_SURFACE, /* a <surface>, inside or outside */
     PP_BLOCK,        /* a side of a <block> */
     PP_FACADE,       /* a piece of a <facade>: of its sheet, or a rim */
@@ -50,8 +51,8 @@ struct pp_surface {
                                      * sides of blocks and free-standing surfaces; NULL:
                                      * grey and without gloss. The reflectance is that
                                      * of `front` anyhow */
-    int owner;     /* reveal: its opening; block: its block; facade: its
-                                     * facade; else -1 */
+    int owner;     /* reveal: its opening; cover: its wall's surface; block: its block;
+                    * facade: its facade; else -1 */
     bool is_inner; /* of a wall: behind it is another room, or another's house */
     int line;      /* in the room file; 0 where none */
 };

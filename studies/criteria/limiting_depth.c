@@ -95,8 +95,12 @@ static enum pp_status rear_reflectance(double *mean, const struct pp_world *worl
         const struct pp_surface *surface = &world->surfaces[i];
         if (!surface->inside || surface->role == PP_REVEAL)
             continue;
+        double cover[2] = {0.0, 0.0}, *to = surface->role == PP_COVER ? cover : sums;
+        double behind =
+            surface->role == PP_COVER ? world->surfaces[surface->owner].front : 0.0;
         enum pp_status status =
-            add_rear(sums, &surface->outline, into, from, surface->front, err);
+            add_rear(to, &surface->outline, into, from, surface->front - behind, err);
+        sums[1] += cover[1]; /* in the place of its wall, whose area has been counted */
         if (status == PP_OK && surface->role == PP_FREE_SURFACE)
             status = add_rear(sums, &surface->outline, into, from, surface->back, err);
         if (status != PP_OK)

@@ -108,7 +108,8 @@ double pp_section_angle(const struct pp_world *world, const struct pp_opening *o
     }
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        bool free_inside = surface->role == PP_FREE_SURFACE && surface->inside;
+        bool free_inside = surface->role == PP_COVER
+                           || (surface->role == PP_FREE_SURFACE && surface->inside);
         bool own_facade =
             surface->role == PP_FACADE && surface->owner == opening->facade;
         if (i != opening->face && surface->role != PP_REVEAL && !free_inside

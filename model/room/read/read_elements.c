@@ -6,6 +6,7 @@
 
 #include "model/base/text.h"
 #include "model/room/read/element_form.h"
+#include "model/room/read/read_cover.h"
 #include "model/room/read/read_fitting.h"
 #include "model/room/read/read_opening.h"
 #include "model/room/read/read_outside.h"
@@ -192,6 +193,8 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
         {&pp_rule_furniture, pp_read_fitting_furniture},
         {&pp_rule_column, pp_read_fitting_column},
         {&pp_rule_partition, pp_read_fitting_partition},
+        {&pp_rule_door, pp_read_cover_door},
+        {&pp_rule_dado, pp_read_cover_dado},
         {&pp_rule_working_plane, read_working_plane},
     };
     for (size_t i = 0; i < sizeof plain / sizeof *plain; i++)

@@ -282,6 +282,23 @@ static const struct pp_attribute_rule partition_rows[] = {
 };
 LEAF(partition, "partition", partition_rows);
 
+static const struct pp_attribute_rule door_rows[] = {
+    {"wall", &wall, REQUIRED, IN(cover, wall)},
+    {"left", &pp_room_values_coordinate, REQUIRED, IN(cover, left_m)},
+    {"width", &pp_room_values_size, OR(0.9), IN(cover, width_m)},
+    {"height", &pp_room_values_size, OR(2.1), IN(cover, height_m)},
+    {"reflectance", &pp_room_values_reflectance, OR(0.3), IN(cover, finish)},
+    {"name", &text, OR(NAN), IN(cover, name)},
+};
+LEAF(door, "door", door_rows);
+static const struct pp_attribute_rule dado_rows[] = {
+    {"wall", &wall, OR(NAN), IN(cover, wall)},
+    {"height", &pp_room_values_size, OR(1), IN(cover, height_m)},
+    {"reflectance", &pp_room_values_reflectance, REQUIRED, IN(cover, finish)},
+    {"name", &text, OR(NAN), IN(cover, name)},
+};
+LEAF(dado, "dado", dado_rows);
+
 static const struct pp_attribute_rule point_rows[] = {
     {"x", &pp_room_values_coordinate, REQUIRED, IN(receiver, x)},
     {"y", &pp_room_values_coordinate, REQUIRED, IN(receiver, y)},
@@ -329,6 +346,7 @@ static const struct pp_child_rule room_children[] = {
     {&pp_rule_block, 0, 0},         {&pp_rule_surface, 0, 0},
     {&pp_rule_garden, 0, 0},        {&pp_rule_furniture, 0, 0},
     {&pp_rule_column, 0, 0},        {&pp_rule_partition, 0, 0},
+    {&pp_rule_door, 0, 0},          {&pp_rule_dado, 0, 0},
     {&pp_rule_working_plane, 0, 1}, {&pp_rule_point, 0, 0},
     {&pp_rule_line, 0, 0},          {&pp_rule_grid, 0, 0},
 };

@@ -207,6 +207,13 @@ struct pp_fitting_form {
     struct pp_finish_value finish;
 };
 
+/* A door or a dado. */
+struct pp_cover_form {
+    const char *name, *wall;
+    double left_m, width_m, height_m;
+    struct pp_finish_value finish;
+};
+
 /* A point, a line or a grid. */
 struct pp_receiver_form {
     double x, y, z, nx, ny, nz;
@@ -219,8 +226,8 @@ extern const struct pp_element_rule pp_rule_building, pp_rule_building_room,
     pp_rule_room, pp_rule_site, pp_rule_sky, pp_rule_plan, pp_rule_plan_vertex,
     pp_rule_envelope, pp_rule_face, pp_rule_vertex, pp_rule_finishes, pp_rule_finish,
     pp_rule_window, pp_rule_rooflight, pp_rule_opening, pp_rule_skyline,
-    pp_rule_furniture, pp_rule_column, pp_rule_partition, pp_rule_facade,
-    pp_rule_garden, pp_rule_block, pp_rule_footprint, pp_rule_surface,
+    pp_rule_furniture, pp_rule_column, pp_rule_partition, pp_rule_door, pp_rule_dado,
+    pp_rule_facade, pp_rule_garden, pp_rule_block, pp_rule_footprint, pp_rule_surface,
     pp_rule_working_plane, pp_rule_wall, pp_rule_overhang, pp_rule_fin, pp_rule_balcony,
     pp_rule_shelf, pp_rule_point, pp_rule_line, pp_rule_grid;
 

@@ -160,7 +160,7 @@ static void many_mistakes_of_one_file_are_all_told(void **state)
                               "          sill='low'\n"
                               "          width='1.2' height='9,5' glazing='double'/>\n"
                               "  <sky type='iso-12'/>\n"
-                              "  <door/>\n"
+                              "  <gate/>\n"
                               "  <finish wall='east' reflectance='1.2'/>\n"
                               "  words\n"
                               "  <point x='1'/>\n"
@@ -177,7 +177,7 @@ static void many_mistakes_of_one_file_are_all_told(void **state)
         {5, "height is \"9,5\""},
         {5, "did you mean \"clear-double\""},
         {6, "where the sun stands"},
-        {7, "\"door\" is not known"},
+        {7, "\"gate\" is not known"},
         {8, "reflectance is \"1.2\""},
         {9, "text \"words\""},
         {10, "y is missing"},
