@@ -30,7 +30,7 @@ check "an engine that there is not" refuses 2 "path, cache or photons" \
     df -s --engine rays "$deep"
 
 # In a suite, room by room.
-check "a suite of all engines" gives validate engines --error 2% --samples 64 "$deep" \
+check "a suite of all engines" gives validate engines --samples 64 "$deep" \
     --format csv
 check "holds photons and cache against paths" sh -c \
     "grep -c ',photons,' '$scratch/out' | grep -qx 18 && grep -c ',cached,' '$scratch/out' | grep -qx 18"

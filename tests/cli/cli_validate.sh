@@ -46,7 +46,7 @@ check "a suite has its own rooms" refuses 2 "no file behind it" validate analyti
 check "and no options of rooms" refuses 2 "--sky is about a room" \
     validate published --sky uniform
 check "rooms want files" refuses 2 "expected room files" validate rooms
-check "a page is of a suite" refuses 2 "cie171, rooms or radiance" \
+check "a page is of a suite" refuses 2 "cie171, rooms, radiance or engines" \
     validate --page "$scratch/x.html" "$deep"
 check "radiance wants one" refuses 2 "expected room files" validate radiance
 check "a page in the report's file is refused" refuses 2 "are one file" \
