@@ -382,6 +382,19 @@ enum pp_status pp_options_read_lux(const char *text, void *place, struct pp_erro
     return PP_OK;
 }
 
+enum pp_status pp_options_read_metres(const char *text, void *place,
+                                      struct pp_error *err)
+{
+    static const char *const endings[] = {" m", "m", "", NULL};
+    double metres;
+    int which;
+    if (!read_with_unit(text, endings, &metres, &which)
+        || !(metres >= 0.1 && metres <= 10.0))
+        return pp_fail(err, PP_BAD_INPUT, "a height from 0.1 to 10 m, such as 1.6");
+    *(double *)place = metres;
+    return PP_OK;
+}
+
 enum pp_status pp_options_read_seconds(const char *text, void *place,
                                        struct pp_error *err)
 {

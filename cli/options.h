@@ -70,7 +70,8 @@ pp_option_reader pp_options_read_threads; /* int, 1 to 1024 */
 pp_option_reader pp_options_read_seed;    /* uint64_t, any */
 pp_option_reader
     pp_options_read_per_cent; /* double, a fraction, above 0 to 1; "1%" or "1" */
-pp_option_reader pp_options_read_lux; /* double, 1 to 200000; "5000" or "5000 lx" */
+pp_option_reader pp_options_read_lux;    /* double, 1 to 200000; "5000" or "5000 lx" */
+pp_option_reader pp_options_read_metres; /* double, 0.1 to 10; "1.6" or "1.6 m" */
 pp_option_reader
     pp_options_read_seconds; /* double, above 0; "10s", "2m", "500ms", "1h", "10" */
 

@@ -42,28 +42,33 @@ static void trace(cairo_t *cr, const struct pp_room_elevation *elevation,
     cairo_close_path(cr);
 }
 
-/* Doors and dados: a thin line round each, and lines aslant over it. */
+void pp_room_elevation_hatch(cairo_t *cr, const struct pp_style *style)
+{
+    double x0, y0, x1, y1, apart = 2.0 * style->scale;
+    cairo_path_extents(cr, &x0, &y0, &x1, &y1);
+    cairo_save(cr);
+    cairo_stroke_preserve(cr);
+    cairo_clip(cr);
+    for (double x = x0 - (y1 - y0); x < x1; x += apart) {
+        cairo_move_to(cr, x, y1);
+        cairo_line_to(cr, x + (y1 - y0), y0);
+    }
+    cairo_stroke(cr);
+    cairo_restore(cr);
+}
+
+/* Doors and dados of the wall. */
 static void draw_covers(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_elevation *elevation)
 {
     const struct pp_world *world = elevation->world;
+    pp_style_line(cr, style->thin, PP_INK);
     for (int i = world->face_count; i < world->surface_count; i++) {
         const struct pp_surface *cover = &world->surfaces[i];
-        double x0, y0, x1, y1, apart = 2.0 * style->scale;
         if (cover->role != PP_COVER || cover->owner != elevation->first->face)
             continue;
         trace(cr, elevation, &cover->outline);
-        pp_style_line(cr, style->thin, PP_INK);
-        cairo_stroke_preserve(cr);
-        cairo_path_extents(cr, &x0, &y0, &x1, &y1);
-        cairo_save(cr);
-        cairo_clip(cr);
-        for (double x = x0 - (y1 - y0); x < x1; x += apart) {
-            cairo_move_to(cr, x, y1);
-            cairo_line_to(cr, x + (y1 - y0), y0);
-        }
-        cairo_stroke(cr);
-        cairo_restore(cr);
+        pp_room_elevation_hatch(cr, style);
     }
 }
 

@@ -30,4 +30,8 @@ void pp_room_elevation_init(struct pp_room_elevation *elevation,
 void pp_room_elevation_draw(cairo_t *cr, const struct pp_style *style,
                             const struct pp_room_elevation *elevation);
 
+/* Strokes the path with the pen that is set, and lines aslant over what is in it: a door
+ * or a dado. Leaves no path. */
+void pp_room_elevation_hatch(cairo_t *cr, const struct pp_style *style);
+
 #endif

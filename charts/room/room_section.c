@@ -2,6 +2,7 @@
  * the cut and behind it, the working plane, and the line of sight to obstructions.
  */
 #include "charts/room/room_section.h"
+#include "charts/room/room_elevation.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -255,6 +256,37 @@ static int draw_openings_behind(const struct section_drawing *drawing)
     return drawn;
 }
 
+/* Does it stand on the side that the section is looked at towards? */
+static bool is_behind(const struct pp_section_cut *cut,
+                      const struct pp_polygon *outline)
+{
+    struct pp_vec3 middle = pp_polygon_middle(outline);
+    return (middle.y - cut->origin[1]) * cut->along[0]
+           > (middle.x - cut->origin[0]) * cut->along[1];
+}
+
+/* Doors and dados in elevation behind the section: a thin line round each and lines
+ * aslant over it. */
+static void draw_covers_behind(const struct section_drawing *drawing)
+{
+    const struct pp_world *world = drawing->section->world;
+    const struct pp_section_cut *cut = drawing->section->cut;
+    cairo_set_dash(drawing->cr, NULL, 0, 0.0);
+    pp_style_line(drawing->cr, drawing->style->thin, PP_GREY_LINE);
+    for (int i = world->face_count; i < world->surface_count; i++) {
+        const struct pp_polygon *outline = &world->surfaces[i].outline;
+        if (world->surfaces[i].role != PP_COVER || !is_behind(cut, outline))
+            continue;
+        cairo_new_path(drawing->cr);
+        for (int k = 0; k < outline->count; k++)
+            cairo_line_to(drawing->cr,
+                          at_s(drawing, pp_section_cut_s(cut, outline->vertices[k])),
+                          at_z(drawing, outline->vertices[k].z));
+        cairo_close_path(drawing->cr);
+        pp_room_elevation_hatch(drawing->cr, drawing->style);
+    }
+}
+
 /* Glass as two thin lines; the sides of a reveal out to it. */
 static void draw_openings_cut(const struct section_drawing *drawing)
 {
@@ -432,6 +464,7 @@ void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
                     section->height_mm + section->head_mm);
     cairo_clip(cr);
     int behind = draw_openings_behind(&drawing);
+    draw_covers_behind(&drawing);
     draw_ground(&drawing);
     stroke_cuts(&drawing, PP_CUT_OUTSIDE, style->medium, PP_INK, CAIRO_LINE_CAP_SQUARE);
     for (int near = 1; near >= 0 && !section->no_sights; near--)

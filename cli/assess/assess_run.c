@@ -45,6 +45,7 @@ static enum pp_status compute(void *data, struct pp_error *err)
         .profile = run->words->profile,
         .place = run->words->place,
         .median_lux = run->words->median_lux,
+        .french_m = run->words->french_m,
         .sunshine = run->words->sunshine.known ? &run->words->sunshine : NULL,
         .of_weather = run->words->weather != NULL};
     enum pp_status status = PP_OK;

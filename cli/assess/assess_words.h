@@ -19,6 +19,7 @@ struct pp_assess_words {
     const char *before;  /* the file with the room as it was; NULL: none */
     const char *place;   /* a capital of the standard's table; NULL: the room's site */
     double median_lux;   /* instead; 0: not given */
+    double french_m;     /* height of the point of French windows; 0: the middle */
     const char *weather; /* or the weather file that it is taken from; NULL: none */
     struct pp_sunshine sunshine; /* of that file */
     enum pp_format format;

@@ -47,6 +47,8 @@ static void put_choice(const struct pp_assess_words *words, FILE *out)
     if (words->median_lux > 0.0 && !words->weather)
         fprintf(out, " --median-diffuse %.10g", words->median_lux);
     put_option("--weather", words->weather, out);
+    if (words->french_m > 0.0)
+        fprintf(out, " --vsc-point-french %.10g", words->french_m);
     put_option("--room", words->room.room, out);
     put_option("--state", states[words->room.state], out);
 }

@@ -78,7 +78,8 @@ static enum pp_status gather(struct pp_assessment *assessment,
 
 static enum pp_status judge(struct pp_assessment *assessment,
                             const bool chosen[PP_CRITERIA_MOST], const char *country,
-                            const struct pp_sunshine *sunshine, struct pp_error *err)
+                            const struct pp_assess_options *options,
+                            struct pp_error *err)
 {
     const struct pp_inquiry inquiry = {
         .world = assessment->room->world,
@@ -87,7 +88,8 @@ static enum pp_status judge(struct pp_assessment *assessment,
         .pairs = assessment->pairs,
         .factors = assessment->has_factors ? &assessment->report : NULL,
         .median = assessment->median,
-        .sunshine = sunshine,
+        .sunshine = options->sunshine,
+        .french_m = options->french_m,
         .country = country,
     };
     assessment->answers = calloc(PP_CRITERIA_MOST, sizeof *assessment->answers);
@@ -162,7 +164,7 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
                               ? options->profile->country
                               : world->country;
     if (status == PP_OK)
-        status = judge(assessment, chosen, country, options->sunshine, err);
+        status = judge(assessment, chosen, country, options, err);
     assessment->has_gains =
         !options->criteria && !options->profile && !options->verdicts_only;
     if (status == PP_OK && assessment->has_gains)

@@ -21,6 +21,7 @@ struct pp_assess_options {
     const struct pp_profile *profile; /* not owned; NULL: all */
     const char *place; /* a capital of the standard's table; NULL: the room's site */
     double median_lux; /* instead; 0: not given */
+    double french_m;   /* as an inquiry's */
     bool of_weather;   /* is that median a weather file's? */
     const struct pp_sunshine *sunshine; /* not owned; NULL: not known */
     bool verdicts_only;                 /* what would help is not looked for */

@@ -32,7 +32,9 @@ struct pp_inquiry {
     const struct pp_report *factors;
     struct pp_median median;            /* outside, at the room's site */
     const struct pp_sunshine *sunshine; /* at the site; NULL: not known */
-    const char *country;                /* whose rules hold; "": not known */
+    double french_m; /* above the floor, where the vertical sky component of a window
+                      * down to it is taken; 0: at its middle */
+    const char *country; /* whose rules hold; "": not known */
 };
 
 struct pp_criterion {

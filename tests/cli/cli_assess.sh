@@ -174,6 +174,39 @@ check "but not where it is met" sh -c "
 check "as CSV a finding a line" \
     shows "Deep office,,,vertical-sky,\"south, line 10\",10," \
     assess --by-hand -c vsc --format csv "$deep"
+# A wall 4 m away and 6 m high, as good as endless: the tangent of its altitude is 4.4/4 from
+# 1.6 m, 4.95/4 from the middle of a French window of 2.1 m, 4.45/4 from that of the other.
+cat >"$scratch/french.xml" <<'EOF'
+<room version="1"><plan width="4.3" depth="5.1" height="2.7"/>
+<window wall="south" left="0.4" sill="0" width="1.5" height="2.1"/>
+<window wall="south" left="2.6" sill="0.9" width="1.1" height="1.3"/>
+<block x="-20000" y="-5" width="40000" depth="1" height="6"/></room>
+EOF
+# VSC = 3/(7 pi) times the sum over the sky that is left of (1 + 2 sin z) cos2 z cos phi.
+vsc_of() {
+    awk -v tan="$1" 'BEGIN { pi = atan2(0, -1); n = 400
+        for (i = 0; i < n; i++) for (k = 0; k < n; k++) {
+            phi = (i + 0.5) / n * pi / 2; z = (k + 0.5) / n * pi / 2
+            if (sin(z) / (cos(z) * cos(phi)) > tan)
+                sum += (1 + 2 * sin(z)) * cos(z) ^ 2 * cos(phi) }
+        printf "%.2f", 100 * 3 / (7 * pi) * 2 * sum * (pi / 2 / n) ^ 2 }'
+}
+components() {
+    "$pepperpot" assess -q -c vsc -f csv "$@" "$scratch/french.xml" >"$scratch/french.csv"
+    awk -F, 'FNR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /^figure/) f = i; next }
+        { printf "%.2f ", $(f + 1) }' "$scratch/french.csv"
+}
+near() {
+    set -- $(components $3) "$1" "$2"
+    echo "# $*"
+    awk -v a="$1" -v b="$2" -v c="$3" -v d="$4" \
+        'BEGIN { exit !(a - c < 0.05 && c - a < 0.05 && b - d < 0.05 && d - b < 0.05) }'
+}
+check "a French window is judged at its middle" near "$(vsc_of 1.2375)" "$(vsc_of 1.1125)"
+check "or at the height asked for, and others at theirs" \
+    near "$(vsc_of 1.1)" "$(vsc_of 1.1125)" "--vsc-point-french 1.6"
+check "a height of 20 m is none" refuses 2 "a height from 0.1 to 10 m" \
+    assess --vsc-point-french 20 "$scratch/french.xml"
 check "the help has every criterion" sh -c "
     '$pepperpot' assess --help | grep -qE '^  rights-of-light '"
 tap_done

@@ -23,6 +23,7 @@
 
 #define VSC_WANTED 0.27
 #define FORMER_SHARE_WANTED 0.8
+#define FRENCH_FOOT_M 0.2
 #define NO_SKY 1e-6 /* less than this is no sky, and a ratio to it means nothing */
 #define ANGLE_WANTED (25.0 * PP_RAD)
 
@@ -42,6 +43,35 @@ enum pp_status pp_vertical_sky_component(double *share, const struct pp_world *w
     return pp_exterior_sky_on_plane(share, world, opening,
                                     pp_vec_scale(opening->inner.normal, -1.0),
                                     &overcast, err);
+}
+
+/* Is the window one to be judged at french_m? */
+static bool is_french(const struct pp_opening *opening, double french_m)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < opening->inner.count; i++) {
+        low = fmin(low, opening->inner.vertices[i].z);
+        high = fmax(high, opening->inner.vertices[i].z);
+    }
+    return french_m > 0.0 && low <= FRENCH_FOOT_M && high > french_m;
+}
+
+enum pp_status pp_vertical_sky_at_point(double *share, const struct pp_world *world,
+                                        const struct pp_opening *opening,
+                                        double french_m, struct pp_error *err)
+{
+    if (!is_french(opening, french_m))
+        return pp_vertical_sky_component(share, world, opening, err);
+    const struct pp_outside_light light = {.sky = pp_sky_overcast()}; /* no ground */
+    struct pp_vec3 point = pp_exterior_opening_centroid(opening);
+    struct pp_exterior_light outside;
+    point.z = french_m;
+    enum pp_status status = pp_exterior_light_on_plane(
+        &outside, world, &light, point, pp_vec_scale(opening->inner.normal, -1.0),
+        opening->face, err);
+    if (status == PP_OK)
+        *share = outside.sky;
+    return status;
 }
 
 /* Adds a finding for each opening: made by `find` for upright ones, not judged for all
@@ -79,8 +109,9 @@ static enum pp_status find_component(struct pp_finding *finding,
                                      const char *what, struct pp_error *err)
 {
     double share;
-    enum pp_status status = pp_vertical_sky_component(
-        &share, inquiry->world, &inquiry->world->openings[opening], err);
+    enum pp_status status = pp_vertical_sky_at_point(&share, inquiry->world,
+                                                     &inquiry->world->openings[opening],
+                                                     inquiry->french_m, err);
     if (status != PP_OK)
         return status;
     *finding = pp_finding_of(PP_FIGURE_FACTOR, share, VSC_WANTED, false, "%s", what);
@@ -100,12 +131,13 @@ static enum pp_status find_loss(struct pp_finding *finding,
                                 const char *what, struct pp_error *err)
 {
     double now, then;
-    enum pp_status status = pp_vertical_sky_component(
-        &now, inquiry->world, &inquiry->world->openings[opening], err);
+    enum pp_status status = pp_vertical_sky_at_point(&now, inquiry->world,
+                                                     &inquiry->world->openings[opening],
+                                                     inquiry->french_m, err);
     if (status == PP_OK)
-        status = pp_vertical_sky_component(
+        status = pp_vertical_sky_at_point(
             &then, inquiry->before, &inquiry->before->openings[inquiry->pairs[opening]],
-            err);
+            inquiry->french_m, err);
     if (status != PP_OK)
         return status;
     if (!(then > NO_SKY)) {

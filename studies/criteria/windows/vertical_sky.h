@@ -13,4 +13,12 @@ enum pp_status pp_vertical_sky_component(double *share, const struct pp_world *w
                                          const struct pp_opening *opening,
                                          struct pp_error *err);
 
+/* The same; but of a window that begins within 0.2 m of the room's floor (chosen) and
+ * ends above french_m (m over that floor, greater than 0), at that height in its middle.
+ * Where 0, all are taken at their middle. Recalled from practice with [BR209], of which
+ * no text is at hand: 1.6 m for French windows and patio doors. */
+enum pp_status pp_vertical_sky_at_point(double *share, const struct pp_world *world,
+                                        const struct pp_opening *opening,
+                                        double french_m, struct pp_error *err);
+
 #endif
