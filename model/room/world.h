@@ -13,6 +13,7 @@
 
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
+#include "model/geometry/bounds.h"
 #include "model/geometry/polygon.h"
 #include "model/geometry/region.h"
 #include "model/geometry/vec.h"
@@ -20,16 +21,16 @@
 #include "model/room/placement.h"
 #include "model/room/room_use.h"
 
-enum pp_role {
-    PP_FLOOR,        /* of the room's own envelope */
-    PP_WALL,         /* of the room's own envelope */
-    PP_CEILING,      /* of the room's own envelope */
-    PP_REVEAL,       /* a side of an opening's depth */
-    PP_FREE_SURFACE, /* a <surface>, inside or outside */
-    PP_BLOCK,        /* a side of a <block> */
-    PP_FACADE,       /* a piece of a <facade>: of its sheet, or a rim */
-    PP_ROLE_COUNT
-};
+    enum pp_role {
+        PP_FLOOR,        /* of the room's own envelope */
+        PP_WALL,         /* of the room's own envelope */
+        PP_CEILING,      /* of the room's own envelope */
+        PP_REVEAL,       /* a side of an opening's depth */
+        PP_FREE_SURFACE, /* a <surface>, inside or outside */
+        PP_BLOCK,        /* a side of a <block> */
+        PP_FACADE,       /* a piece of a <facade>: of its sheet, or a rim */
+        PP_ROLE_COUNT
+    };
 
 /* Opaque, diffuse, seen from both sides. A face of the envelope stands whole here; the
  * openings name it. */
@@ -119,6 +120,15 @@ struct pp_block {
     int first_side, side_count;
 };
 
+/* Triangles of a file, outside; they stand together among the surfaces too, behind all
+ * others. */
+struct pp_world_mesh {
+    char *name; /* NULL where it has none */
+    struct pp_bounds3 bounds;
+    int first_side, side_count; /* where among the surfaces */
+    int line;
+};
+
 /* The outside of a wall and of what continues it beyond the room; its pieces stand
  * among the surfaces. */
 struct pp_facade {
@@ -179,6 +189,8 @@ struct pp_world {
     int facade_count;
     struct pp_block *blocks; /* their sides stand together among the surfaces */
     int block_count;
+    struct pp_world_mesh *meshes;
+    int mesh_count;
     struct pp_garden *gardens;
     int garden_count;
 
@@ -188,6 +200,9 @@ struct pp_world {
     struct pp_receiver *receivers; /* the file's, or the default grid */
     int receiver_count;
 };
+
+/* How many surfaces there are before those of meshes, which are the last. */
+int pp_world_before_meshes(const struct pp_world *world);
 
 /* The surface behind surface i; behind a side of a block, the first that is none. */
 int pp_world_next_but_blocks(const struct pp_world *world, int i);
