@@ -88,6 +88,9 @@ room '<mesh file="street.obj"/><grid spacing="0.3" margin="0"/>' >"$scratch/fine
 check "of too many points the exact method does, too" \
     shows "too many triangles" df --methods exact "$scratch/fine.xml"
 
+check "contours over the plane are refused in words" refuses 1 \
+    "too many to be cut to the view of all points" chart plan "$scratch/street.xml" -o "$scratch/plan.svg"
+
 room '<mesh file="none.obj"/>' >"$scratch/wrong.xml"
 check "a file that is not there" refuses 1 'wrong.xml:4: mesh: ' df "$scratch/wrong.xml"
 room '<mesh file="box.obj" scale="0.001" y="12"/>' >"$scratch/wrong.xml"
