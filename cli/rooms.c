@@ -242,10 +242,9 @@ static enum pp_exit load_existing(struct loading *loading, const char *file,
     struct pp_mistakes mistakes;
     struct pp_building *building = NULL;
     struct pp_error err = {0};
-    size_t length;
-    const char *text = pp_building_text(proposed, &length);
     pp_mistakes_init(&mistakes, strcmp(file, "-") == 0 ? "standard input" : file);
-    enum pp_status status = pp_building_parse(&building, text, length, &mistakes, &err);
+    enum pp_status status =
+        pp_building_read_again(&building, proposed, &mistakes, &err);
     if (status == PP_OK)
         status = pp_building_set_state(building, PP_STATE_EXISTING, &err);
     enum pp_exit result = status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);

@@ -89,6 +89,22 @@ static enum pp_status check_method(const struct pp_method *method,
     return PP_OK;
 }
 
+/* Contours over the plane take 1.0 s before 200 triangles and 3.4 s before 500. */
+static const double mesh_triangles_most = 700.0;
+
+static enum pp_status check_meshes(const struct pp_world *world, struct pp_error *err)
+{
+    int triangles = world->surface_count - pp_world_before_meshes(world);
+    if ((double)triangles * world->opening_count <= mesh_triangles_most)
+        return PP_OK;
+    return pp_fail(
+        err, PP_BAD_INPUT,
+        "the meshes outside have %d triangles, too many to be cut to the view "
+        "of all points of the working plane through each opening; expected "
+        "%.0f over the number of openings at most, or figures at single points",
+        triangles, mesh_triangles_most);
+}
+
 enum pp_status pp_direct_plane_create(struct pp_direct_plane **plane,
                                       const struct pp_world *world,
                                       const struct pp_outside_light *light,
@@ -98,7 +114,9 @@ enum pp_status pp_direct_plane_create(struct pp_direct_plane **plane,
     const struct pp_bounds2 box = pp_region_bounds(&world->plane);
     double diagonal = hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]);
     *plane = NULL;
-    enum pp_status status = check_method(method, world, light, err);
+    enum pp_status status = check_meshes(world, err);
+    if (status == PP_OK)
+        status = check_method(method, world, light, err);
     if (status != PP_OK)
         return status;
     struct pp_direct_plane *made = calloc(1, sizeof *made);

@@ -23,6 +23,14 @@ const char *pp_refusals_unless_up(const struct pp_receiver *receiver);
  * self-luminous surface. */
 const char *pp_refusals_if_luminous(const struct pp_world *world);
 
+/* For methods that draw what is outside as upright rectangles: refuses a world with
+ * meshes, whose triangles are none. */
+const char *pp_refusals_if_mesh(const struct pp_world *world);
+
+/* For methods that cut the view of each of the world's receivers by what is outside: refuses
+ * meshes of so many triangles that it would take more than some 5 s. */
+const char *pp_refusals_if_fine_mesh(const struct pp_world *world);
+
 /* refuses_room of methods that refuse self-luminous surfaces only. */
 const char *pp_refusals_luminous_room(const struct pp_world *world,
                                       const struct pp_outside_light *light,

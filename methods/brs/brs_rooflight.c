@@ -66,6 +66,7 @@ static const char *refuses_room(const struct pp_world *world,
                                 const struct pp_receiver *receiver)
 {
     const char *why = pp_refusals_unless_overcast_and_up(light, receiver);
+    why = why ? why : pp_refusals_if_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
 }
 

@@ -17,6 +17,7 @@
  * each receiver anew; the numbers are the same.
  */
 #include "methods/method.h"
+#include "methods/refusals.h"
 
 #include <stdlib.h>
 
@@ -262,6 +263,14 @@ static enum pp_status average(const struct pp_world *world,
     return status;
 }
 
+static const char *refuses_room(const struct pp_world *world,
+                                const struct pp_outside_light *light,
+                                const struct pp_receiver *receiver)
+{
+    (void)light, (void)receiver;
+    return pp_refusals_if_fine_mesh(world);
+}
+
 const struct pp_method pp_method_exact = {
     .name = "exact",
     .summary = "direct component by closed form or quadrature",
@@ -269,6 +278,7 @@ const struct pp_method pp_method_exact = {
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_OWN_GLASS,
+    .refuses_room = refuses_room,
     .prepare = prepare,
     .prepare_for_plane = prepare_for_plane,
     .destroy_tools = destroy_tools,

@@ -69,7 +69,8 @@ static const char *refuses_room(const struct pp_world *world,
         return "the diagram holds the overcast and the uniform sky only";
     if (receiver && !is_upright(receiver->normal) && pp_refusals_unless_up(receiver))
         return "the diagram holds points that face up or are upright";
-    return pp_refusals_if_luminous(world);
+    const char *why = pp_refusals_if_fine_mesh(world);
+    return why ? why : pp_refusals_if_luminous(world);
 }
 
 static const char *refuses(const struct pp_world *world,

@@ -74,7 +74,8 @@ static const char *refuses_room(const struct pp_world *world,
                                 const struct pp_receiver *receiver)
 {
     (void)light, (void)receiver;
-    return pp_refusals_if_luminous(world);
+    const char *why = pp_refusals_if_fine_mesh(world);
+    return why ? why : pp_refusals_if_luminous(world);
 }
 
 static const char *refuses(const struct pp_world *world,

@@ -85,6 +85,7 @@ static const char *refuses_room(const struct pp_world *world,
     if (light->sky.kind == PP_SKY_ISO)
         return "there are protractors for the overcast and the uniform sky only";
     const char *why = pp_refusals_unless_up(receiver);
+    why = why ? why : pp_refusals_if_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
 }
 

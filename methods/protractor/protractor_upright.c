@@ -144,7 +144,8 @@ static const char *refuses_room(const struct pp_world *world,
         return "there are protractors for the overcast and the uniform sky only";
     if (receiver && fabs(receiver->normal.z) > 1e-9)
         return "it is made for points that stand only";
-    return pp_refusals_if_luminous(world);
+    const char *why = pp_refusals_if_mesh(world);
+    return why ? why : pp_refusals_if_luminous(world);
 }
 
 static const char *refuses(const struct pp_world *world,

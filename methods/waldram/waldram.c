@@ -54,6 +54,7 @@ static const char *refuses_room(const struct pp_world *world,
     if (pp_sky_has_azimuth(&light->sky))
         return "the diagram holds skies that are the same in all azimuths";
     const char *why = pp_refusals_unless_up(receiver);
+    why = why ? why : pp_refusals_if_fine_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
 }
 

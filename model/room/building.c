@@ -12,17 +12,19 @@
 #include "model/room/read/xml.h"
 #include "model/room/room_parts.h"
 
-enum pp_status pp_building_parse(struct pp_building **building, const char *bytes,
-                                 size_t length, struct pp_mistakes *mistakes,
-                                 struct pp_error *err)
+static enum pp_status parse(struct pp_building **building, const char *bytes,
+                            size_t length, const char *folder,
+                            struct pp_mistakes *mistakes, struct pp_error *err)
 {
     int before = mistakes->count;
     *building = NULL;
     struct pp_building *made = calloc(1, sizeof *made);
     if (made)
         made->text = malloc(length + 1);
-    if (!made || !made->text) {
-        free(made);
+    if (made && folder)
+        made->folder = strdup(folder);
+    if (!made || !made->text || (folder && !made->folder)) {
+        pp_building_destroy(made);
         return pp_fail_memory(err);
     }
     memcpy(made->text, bytes, length);
@@ -32,7 +34,7 @@ enum pp_status pp_building_parse(struct pp_building **building, const char *byte
     struct pp_xml xml;
     enum pp_status status = pp_xml_parse(&xml, bytes, length, mistakes, err);
     if (status == PP_OK)
-        status = pp_read_elements(made, &xml, mistakes, err);
+        status = pp_read_elements(made, &xml, folder, mistakes, err);
     if (status == PP_OK)
         status = pp_building_site_settle(made, PP_STATE_PROPOSED, err);
     bool whole = status == PP_OK && xml.whole && made->read_count > 0;
@@ -55,6 +57,21 @@ enum pp_status pp_building_parse(struct pp_building **building, const char *byte
     return PP_OK;
 }
 
+enum pp_status pp_building_parse(struct pp_building **building, const char *bytes,
+                                 size_t length, struct pp_mistakes *mistakes,
+                                 struct pp_error *err)
+{
+    return parse(building, bytes, length, NULL, mistakes, err);
+}
+
+/* The folder that a path leads to, with the / behind it: "" for the one that we are in. To be
+ * freed; NULL: no memory. */
+static char *folder_of(const char *path)
+{
+    const char *end = strrchr(path, '/');
+    return strndup(path, end ? (size_t)(end - path) + 1 : 0);
+}
+
 enum pp_status pp_building_read(struct pp_building **building, const char *path,
                                 struct pp_mistakes *mistakes, struct pp_error *err)
 {
@@ -62,10 +79,22 @@ enum pp_status pp_building_read(struct pp_building **building, const char *path,
     size_t length;
     *building = NULL;
     enum pp_status status = pp_read_file(&bytes, &length, path, PP_XML_BYTES_MOST, err);
+    char *folder = status == PP_OK ? folder_of(path) : NULL;
     if (status == PP_OK)
-        status = pp_building_parse(building, bytes, length, mistakes, err);
+        status = folder ? parse(building, bytes, length, folder, mistakes, err)
+                        : pp_fail_memory(err);
+    free(folder);
     free(bytes);
     return status;
+}
+
+enum pp_status pp_building_read_again(struct pp_building **building,
+                                      const struct pp_building *other,
+                                      struct pp_mistakes *mistakes,
+                                      struct pp_error *err)
+{
+    return parse(building, other->text, other->text_length, other->folder, mistakes,
+                 err);
 }
 
 void pp_building_destroy(struct pp_building *building)
@@ -78,6 +107,7 @@ void pp_building_destroy(struct pp_building *building)
     free(building->read);
     pp_room_parts_clear(&building->common);
     free(building->name);
+    free(building->folder);
     free(building->text);
     free(building);
 }
@@ -133,7 +163,8 @@ enum pp_status pp_building_set_state(struct pp_building *building,
 static struct pp_room *holder(const struct pp_building *building)
 {
     bool lone = building->read_count == 1 && building->common.block_count == 0
-                && building->common.surface_count == 0;
+                && building->common.surface_count == 0
+                && building->common.mesh_count == 0;
     struct pp_building *own = (struct pp_building *)building;
     if (!lone)
         return &own->common;

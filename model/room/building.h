@@ -28,6 +28,12 @@ enum pp_status pp_building_read(struct pp_building **building, const char *path,
 enum pp_status pp_building_parse(struct pp_building **building, const char *bytes,
                                  size_t length, struct pp_mistakes *mistakes,
                                  struct pp_error *err);
+
+/* The same of the text that another was read from, in its folder. */
+enum pp_status pp_building_read_again(struct pp_building **building,
+                                      const struct pp_building *other,
+                                      struct pp_mistakes *mistakes,
+                                      struct pp_error *err);
 void pp_building_destroy(struct pp_building *building); /* NULL is allowed */
 
 const char *pp_building_name(

@@ -100,6 +100,12 @@ static void copy_parts(struct pp_room *room, bool *good)
         copy_text(&room->surfaces[i].name, good);
         copy_vertices(&room->surfaces[i].vertices, good);
     }
+    COPY_LIST(room->meshes, room->mesh_count, good);
+    for (int i = 0; i < room->mesh_count; i++) {
+        room->meshes[i].file->holders++;
+        copy_text(&room->meshes[i].path, good);
+        copy_text(&room->meshes[i].name, good);
+    }
     COPY_LIST(room->receivers, room->receiver_count, good);
 }
 
@@ -292,7 +298,9 @@ void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *wor
         free(room->skylines[i].wall);
     for (int i = 0; i < room->block_count; i++)
         free(room->blocks[i].name);
-    room->skyline_count = room->block_count = 0;
+    for (int i = 0; i < room->mesh_count; i++)
+        pp_room_parts_clear_mesh(&room->meshes[i]);
+    room->skyline_count = room->block_count = room->mesh_count = 0;
 
     /* The world has the free-standing surfaces in the file's order. */
     int kept = 0, index = 0;

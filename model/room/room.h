@@ -77,7 +77,7 @@ enum pp_status pp_room_add_skyline(struct pp_room *room, const char *wall,
                                    double angle_rad, double reflectance,
                                    struct pp_error *err);
 
-/* Removes skylines, blocks and the surfaces that stand outside in `world`, which is the
+/* Removes skylines, blocks, meshes and the surfaces that stand outside in `world`, which is the
  * room's. Facades stay: they are the building's own. */
 void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *world);
 

@@ -17,6 +17,17 @@ void pp_room_parts_clear_garden(struct pp_garden_part *garden)
     *garden = (struct pp_garden_part){0};
 }
 
+void pp_room_parts_clear_mesh(struct pp_mesh_part *mesh)
+{
+    if (mesh->file && --mesh->file->holders == 0) {
+        pp_mesh_triangles_clear(&mesh->file->mesh);
+        free(mesh->file);
+    }
+    free(mesh->path);
+    free(mesh->name);
+    *mesh = (struct pp_mesh_part){0};
+}
+
 void pp_room_parts_clear_surface(struct pp_surface_part *surface)
 {
     free(surface->name);
@@ -64,6 +75,8 @@ void pp_room_parts_clear(struct pp_room *room)
         pp_room_parts_clear_garden(&room->gardens[i]);
     for (int i = 0; i < room->surface_count; i++)
         pp_room_parts_clear_surface(&room->surfaces[i]);
+    for (int i = 0; i < room->mesh_count; i++)
+        pp_room_parts_clear_mesh(&room->meshes[i]);
     for (int i = 0; i < room->wall_kind_count; i++)
         free(room->wall_kinds[i].name);
     free(room->wall_kinds);
@@ -76,6 +89,7 @@ void pp_room_parts_clear(struct pp_room *room)
     free(room->covers);
     free(room->gardens);
     free(room->surfaces);
+    free(room->meshes);
     free(room->receivers);
     *room = (struct pp_room){0};
 }

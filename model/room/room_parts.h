@@ -18,6 +18,7 @@
 #include "model/room/room_use.h"
 #include "model/room/sky_words.h"
 #include "model/geometry/vec.h"
+#include "model/mesh/mesh_triangles.h"
 #include "model/room/placement.h"
 #include "model/room/world.h"
 
@@ -186,6 +187,28 @@ struct pp_fitting_part {
     int line;
 };
 
+/* A file of triangles, as several rooms may hold it: begins with one holder. */
+struct pp_shared_mesh {
+    struct pp_mesh_triangles mesh;
+    int holders;
+};
+
+/* Triangles of a file that stand outside: p = corner + R(rotate) scale q, q with z up. */
+struct pp_mesh_part {
+    struct pp_shared_mesh *file;
+    char *path; /* as the room file has it */
+    char *name; /* NULL where not given */
+    struct pp_vec3 corner;
+    double scale; /* metres of one unit */
+    double rotate_rad;
+    bool y_is_up; /* in the file, and its -z is y then */
+    double reflectance;
+    const struct pp_finish *finish;
+    bool is_of_site; /* given by a building, for all of its rooms */
+    enum pp_site_state state;
+    int line;
+};
+
 /* A piece of ground that the sun is to reach. */
 struct pp_garden_part {
     char *name;                  /* NULL where not given */
@@ -225,6 +248,8 @@ struct pp_room {
     int block_count;
     struct pp_surface_part *surfaces;
     int surface_count;
+    struct pp_mesh_part *meshes;
+    int mesh_count;
     struct pp_fitting_part *fittings;
     int fitting_count;
     struct pp_cover_part *covers;
@@ -240,6 +265,7 @@ struct pp_room {
 void pp_room_parts_clear(struct pp_room *room);
 void pp_room_parts_clear_plan(struct pp_plan_part *plan);
 void pp_room_parts_clear_surface(struct pp_surface_part *surface);
+void pp_room_parts_clear_mesh(struct pp_mesh_part *mesh);
 void pp_room_parts_clear_garden(struct pp_garden_part *garden);
 void pp_room_parts_clear_vertices(struct pp_vertices *vertices);
 

@@ -18,6 +18,7 @@
 #include "model/room/build/place_openings.h"
 #include "model/room/build/receivers.h"
 #include "model/room/build/resolve.h"
+#include "model/room/outside/meshes.h"
 #include "model/room/outside/shades.h"
 #include "model/room/build/reveals.h"
 #include "model/room/outside/skylines.h"
@@ -42,6 +43,9 @@ void pp_world_destroy(struct pp_world *world)
     free(world->surfaces);
     for (int i = 0; i < world->block_count; i++)
         free(world->blocks[i].name);
+    for (int i = 0; i < world->mesh_count; i++)
+        free(world->meshes[i].name);
+    free(world->meshes);
     for (int i = 0; i < world->garden_count; i++) {
         pp_polygon_clear(&world->gardens[i].outline);
         free(world->gardens[i].name);
@@ -56,6 +60,11 @@ void pp_world_destroy(struct pp_world *world)
     free(world->ref);
     pp_region_clear(&world->plane);
     free(world);
+}
+
+int pp_world_before_meshes(const struct pp_world *world)
+{
+    return world->mesh_count > 0 ? world->meshes[0].first_side : world->surface_count;
 }
 
 int pp_world_next_but_blocks(const struct pp_world *world, int i)
@@ -143,7 +152,8 @@ static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
         pp_build_facades,       pp_build_blocks,         pp_build_skylines,
         pp_build_free_surfaces, pp_build_fittings,       pp_build_covers,
         pp_build_inner_walls,   pp_build_shades,         pp_build_gardens,
-        pp_build_working_plane, pp_build_receivers,      find_triangles};
+        pp_build_working_plane, pp_build_receivers,      find_triangles,
+        pp_build_meshes};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);

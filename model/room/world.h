@@ -13,6 +13,7 @@
 
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
+#include "model/geometry/bounds.h"
 #include "model/geometry/polygon.h"
 #include "model/geometry/region.h"
 #include "model/geometry/vec.h"
@@ -120,6 +121,15 @@ struct pp_block {
     int first_side, side_count;
 };
 
+/* Triangles of a file, outside; they stand together among the surfaces too, behind all
+ * others. */
+struct pp_world_mesh {
+    char *name; /* NULL where it has none */
+    struct pp_bounds3 bounds;
+    int first_side, side_count; /* where among the surfaces */
+    int line;
+};
+
 /* The outside of a wall and of what continues it beyond the room; its pieces stand
  * among the surfaces. */
 struct pp_facade {
@@ -180,6 +190,8 @@ struct pp_world {
     int facade_count;
     struct pp_block *blocks; /* their sides stand together among the surfaces */
     int block_count;
+    struct pp_world_mesh *meshes;
+    int mesh_count;
     struct pp_garden *gardens;
     int garden_count;
 
@@ -189,6 +201,9 @@ struct pp_world {
     struct pp_receiver *receivers; /* the file's, or the default grid */
     int receiver_count;
 };
+
+/* How many surfaces there are before those of meshes, which are the last. */
+int pp_world_before_meshes(const struct pp_world *world);
 
 /* The surface behind surface i; behind a side of a block, the first that is none. */
 int pp_world_next_but_blocks(const struct pp_world *world, int i);

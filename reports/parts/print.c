@@ -237,12 +237,17 @@ static void tell_outside(const struct pp_world *world,
         pp_text_append(text, TEXT_BYTES, "; %d block%s", world->block_count,
                        world->block_count > 1 ? "s" : "");
     int loose = 0;
-    for (int i = 0; i < world->surface_count; i++)
+    for (int i = 0; i < pp_world_before_meshes(world); i++)
         loose +=
             world->surfaces[i].role == PP_FREE_SURFACE && !world->surfaces[i].inside;
     if (loose > 0)
         pp_text_append(text, TEXT_BYTES, "; %d surface%s", loose, loose > 1 ? "s" : "");
-    if (world->skyline_count + world->block_count + loose == 0)
+    int triangles = world->surface_count - pp_world_before_meshes(world);
+    if (triangles > 0)
+        pp_text_append(text, TEXT_BYTES, "; %d mesh%s of %d triangle%s",
+                       world->mesh_count, world->mesh_count > 1 ? "es" : "", triangles,
+                       triangles > 1 ? "s" : "");
+    if (world->skyline_count + world->block_count + loose + triangles == 0)
         pp_text_append(text, TEXT_BYTES, "; nothing in the way");
     tell(listener, "outside", "%s", text);
 }

@@ -15,7 +15,8 @@ places='
 model/base
 model/geometry      model/base
 model/light         model/base model/geometry
-model/room          model/base model/geometry model/light
+model/mesh          model/base model/geometry
+model/room          model/base model/geometry model/light model/mesh
 model/pictures      model/base model/geometry model/light
 model/results       model/base model/geometry model/light model/room model/pictures
 formats             model

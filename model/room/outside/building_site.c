@@ -113,6 +113,26 @@ static enum pp_status add_surface(struct pp_room *room,
     return PP_OK;
 }
 
+static enum pp_status add_mesh(struct pp_room *room, const struct pp_mesh_part *part,
+                               struct pp_error *err)
+{
+    struct pp_mesh_part added = *part;
+    added.name = part->name ? strdup(part->name) : NULL;
+    added.path = strdup(part->path);
+    added.file->holders++;
+    added.is_of_site = true;
+    added.corner = pp_placement_to_room(&room->placement, part->corner);
+    added.rotate_rad -= room->placement.rotate_rad;
+    if ((part->name && !added.name) || !added.path
+        || pp_array_append(&room->meshes, room->mesh_count, sizeof *room->meshes, NULL)
+               != PP_OK) {
+        pp_room_parts_clear_mesh(&added);
+        return pp_fail_memory(err);
+    }
+    room->meshes[room->mesh_count++] = added;
+    return PP_OK;
+}
+
 static enum pp_status add_garden(struct pp_room *room,
                                  const struct pp_garden_part *part,
                                  struct pp_error *err)
@@ -183,6 +203,9 @@ static enum pp_status add_common(struct pp_room *room, const struct shell *shell
     for (int i = 0; i < common->block_count && status == PP_OK; i++)
         if (stands_in(common->blocks[i].state, state))
             status = add_block(room, &common->blocks[i], err);
+    for (int i = 0; i < common->mesh_count && status == PP_OK; i++)
+        if (stands_in(common->meshes[i].state, state))
+            status = add_mesh(room, &common->meshes[i], err);
     for (int i = 0; i < common->surface_count && status == PP_OK; i++) {
         struct pp_surface_part part = common->surfaces[i];
         part.is_of_site = true;
@@ -244,6 +267,13 @@ static void keep_state(struct pp_room *room, enum pp_site_state state)
             pp_room_parts_clear_surface(&room->surfaces[i]);
     room->surface_count = kept;
     kept = 0;
+    for (int i = 0; i < room->mesh_count; i++)
+        if (stands_in(room->meshes[i].state, state))
+            room->meshes[kept++] = room->meshes[i];
+        else
+            pp_room_parts_clear_mesh(&room->meshes[i]);
+    room->mesh_count = kept;
+    kept = 0;
     for (int i = 0; i < room->garden_count; i++)
         if (stands_in(room->gardens[i].state, state))
             room->gardens[kept++] = room->gardens[i];
@@ -261,6 +291,8 @@ static bool has_states(const struct pp_room *room)
         some |= room->blocks[i].state != PP_STATE_BOTH;
     for (int i = 0; i < room->surface_count; i++)
         some |= room->surfaces[i].state != PP_STATE_BOTH;
+    for (int i = 0; i < room->mesh_count; i++)
+        some |= room->meshes[i].state != PP_STATE_BOTH;
     for (int i = 0; i < room->garden_count; i++)
         some |= room->gardens[i].state != PP_STATE_BOTH;
     return some;
@@ -270,7 +302,7 @@ static bool has_states(const struct pp_room *room)
 static bool holds(const struct pp_room *common)
 {
     return common->skyline_count + common->block_count + common->surface_count
-               + common->garden_count
+               + common->mesh_count + common->garden_count
            > 0;
 }
 

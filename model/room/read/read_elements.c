@@ -8,6 +8,7 @@
 #include "model/room/read/element_form.h"
 #include "model/room/read/read_cover.h"
 #include "model/room/read/read_fitting.h"
+#include "model/room/read/read_mesh.h"
 #include "model/room/read/read_opening.h"
 #include "model/room/read/read_outside.h"
 #include "model/room/read/read_shape.h"
@@ -189,6 +190,7 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
         {&pp_rule_facade, pp_read_outside_facade},
         {&pp_rule_block, pp_read_outside_block},
         {&pp_rule_surface, pp_read_outside_surface},
+        {&pp_rule_mesh, pp_read_mesh},
         {&pp_rule_garden, pp_read_outside_garden},
         {&pp_rule_furniture, pp_read_fitting_furniture},
         {&pp_rule_column, pp_read_fitting_column},
@@ -326,9 +328,10 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
 }
 
 enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xml *xml,
-                                struct pp_mistakes *mistakes, struct pp_error *err)
+                                const char *folder, struct pp_mistakes *mistakes,
+                                struct pp_error *err)
 {
-    struct pp_reader r = {.mistakes = mistakes, .per_metre = 1.0};
+    struct pp_reader r = {.mistakes = mistakes, .per_metre = 1.0, .folder = folder};
     const struct pp_xml_element *root = xml->root;
     if (!root)
         return PP_OK;

@@ -24,13 +24,17 @@ struct pp_building {
     bool *moved;           /* and has it moved from there? */
     int room_count;
     bool has_states; /* does anything stand there in one state only? */
-    char *text;      /* of the file, with a 0 behind it */
+    char *folder; /* that its paths are relative to, "" or with a / behind it; NULL: it
+                      * was in memory */
+    char *text;   /* of the file, with a 0 behind it */
     size_t text_length;
 };
 
-/* Fills building, which is empty, from the file's elements. PP_OK also where there are
+/* Fills building, which is empty, from the file's elements; folder is what its paths are
+ * relative to, NULL: it is in memory. PP_OK also where there are
  * mistakes; fails when memory is out. Either way the caller destroys the building. */
 enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xml *xml,
-                                struct pp_mistakes *mistakes, struct pp_error *err);
+                                const char *folder, struct pp_mistakes *mistakes,
+                                struct pp_error *err);
 
 #endif

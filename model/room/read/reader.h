@@ -18,7 +18,8 @@ struct pp_reader {
     struct pp_mistakes *mistakes;
     int bad_elements;
     bool out_of_memory;
-    double per_metre; /* of the file's lengths: 1, or 1000 for millimetres */
+    double per_metre;   /* of the file's lengths: 1, or 1000 for millimetres */
+    const char *folder; /* that its paths are relative to; NULL: it is in memory */
 
     /* The table's glazings that have been asked for (panes > 0), so that each is
      * integrated once. */

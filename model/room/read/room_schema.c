@@ -16,6 +16,8 @@ static const struct pp_value_kind wall = {.reading = PP_VALUE_NAME,
                                           .expected = "the name of a wall"};
 static const struct pp_value_kind face_name = {.reading = PP_VALUE_NAME,
                                                .expected = "a name"};
+static const struct pp_value_kind file_name = {.reading = PP_VALUE_NAME,
+                                               .expected = "the name of a file"};
 /* Elements */
 
 #define REQUIRED true, NAN
@@ -235,6 +237,21 @@ static const struct pp_attribute_rule surface_rows[] = {
 };
 RULE(surface, "surface", surface_rows, polygon);
 
+static const struct pp_attribute_rule mesh_rows[] = {
+    {"file", &file_name, REQUIRED, IN(mesh, file)},
+    {"scale", &pp_room_values_scale, OR(NAN),
+     IN(mesh, scale)}, /* then the file's unit */
+    {"x", &pp_room_values_coordinate, OR(0), IN(mesh, x)},
+    {"y", &pp_room_values_coordinate, OR(0), IN(mesh, y)},
+    {"z", &pp_room_values_coordinate, OR(0), IN(mesh, z)},
+    {"rotate", &pp_room_values_bearing, OR(0), IN(mesh, rotate_rad)},
+    {"up", &pp_room_values_up, OR(0), IN(mesh, up)},
+    {"reflectance", &pp_room_values_reflectance, OR(0.2), IN(mesh, finish)},
+    {"name", &text, OR(NAN), IN(mesh, name)},
+    {"state", &pp_room_values_state, OR(0), IN(mesh, state)},
+};
+LEAF(mesh, "mesh", mesh_rows);
+
 static const struct pp_attribute_rule garden_rows[] = {
     {"name", &text, OR(NAN), IN(garden, name)},
     {"state", &pp_room_values_state, OR(0), IN(garden, state)},
@@ -337,18 +354,19 @@ static const struct pp_attribute_rule room_rows[] = {
 };
 enum { BUILDING_ROWS = 5 };
 static const struct pp_child_rule room_children[] = {
-    {&pp_rule_site, 0, 1},          {&pp_rule_sky, 0, 1},
-    {&pp_rule_plan, 0, 1},          {&pp_rule_envelope, 0, 1},
-    {&pp_rule_finishes, 0, 1},      {&pp_rule_finish, 0, 0},
-    {&pp_rule_wall, 0, 0},          {&pp_rule_window, 0, 0},
-    {&pp_rule_rooflight, 0, 0},     {&pp_rule_opening, 0, 0},
-    {&pp_rule_skyline, 0, 0},       {&pp_rule_facade, 0, 0},
-    {&pp_rule_block, 0, 0},         {&pp_rule_surface, 0, 0},
-    {&pp_rule_garden, 0, 0},        {&pp_rule_furniture, 0, 0},
-    {&pp_rule_column, 0, 0},        {&pp_rule_partition, 0, 0},
-    {&pp_rule_door, 0, 0},          {&pp_rule_dado, 0, 0},
-    {&pp_rule_working_plane, 0, 1}, {&pp_rule_point, 0, 0},
-    {&pp_rule_line, 0, 0},          {&pp_rule_grid, 0, 0},
+    {&pp_rule_site, 0, 1},      {&pp_rule_sky, 0, 1},
+    {&pp_rule_plan, 0, 1},      {&pp_rule_envelope, 0, 1},
+    {&pp_rule_finishes, 0, 1},  {&pp_rule_finish, 0, 0},
+    {&pp_rule_wall, 0, 0},      {&pp_rule_window, 0, 0},
+    {&pp_rule_rooflight, 0, 0}, {&pp_rule_opening, 0, 0},
+    {&pp_rule_skyline, 0, 0},   {&pp_rule_facade, 0, 0},
+    {&pp_rule_block, 0, 0},     {&pp_rule_surface, 0, 0},
+    {&pp_rule_mesh, 0, 0},      {&pp_rule_garden, 0, 0},
+    {&pp_rule_furniture, 0, 0}, {&pp_rule_column, 0, 0},
+    {&pp_rule_partition, 0, 0}, {&pp_rule_door, 0, 0},
+    {&pp_rule_dado, 0, 0},      {&pp_rule_working_plane, 0, 1},
+    {&pp_rule_point, 0, 0},     {&pp_rule_line, 0, 0},
+    {&pp_rule_grid, 0, 0},
 };
 enum { ROOM_ROWS = sizeof room_rows / sizeof *room_rows };
 const struct pp_element_rule pp_rule_building_room = {
@@ -365,7 +383,7 @@ static const struct pp_attribute_rule building_rows[] = {
     {"north", &pp_room_values_bearing, OR(NAN), IN(building, north_rad)},
 };
 static const struct pp_child_rule building_children[] = {
-    {&pp_rule_site, 0, 1},         {&pp_rule_sky, 0, 1},     {&pp_rule_skyline, 0, 0},
-    {&pp_rule_block, 0, 0},        {&pp_rule_surface, 0, 0}, {&pp_rule_garden, 0, 0},
-    {&pp_rule_building_room, 1, 0}};
+    {&pp_rule_site, 0, 1},   {&pp_rule_sky, 0, 1},          {&pp_rule_skyline, 0, 0},
+    {&pp_rule_block, 0, 0},  {&pp_rule_surface, 0, 0},      {&pp_rule_mesh, 0, 0},
+    {&pp_rule_garden, 0, 0}, {&pp_rule_building_room, 1, 0}};
 RULE(building, "building", building_rows, building_children);

@@ -194,6 +194,15 @@ struct pp_surface_form {
     int state; /* enum pp_site_state */
 };
 
+struct pp_mesh_form {
+    const char *file, *name;
+    double scale; /* NAN: not given */
+    double x, y, z, rotate_rad;
+    int up; /* 0 z, 1 y */
+    struct pp_finish_value finish;
+    int state; /* enum pp_site_state */
+};
+
 struct pp_plane_form {
     double height_m;
 };
@@ -228,7 +237,7 @@ extern const struct pp_element_rule pp_rule_building, pp_rule_building_room,
     pp_rule_window, pp_rule_rooflight, pp_rule_opening, pp_rule_skyline,
     pp_rule_furniture, pp_rule_column, pp_rule_partition, pp_rule_door, pp_rule_dado,
     pp_rule_facade, pp_rule_garden, pp_rule_block, pp_rule_footprint, pp_rule_surface,
-    pp_rule_working_plane, pp_rule_wall, pp_rule_overhang, pp_rule_fin, pp_rule_balcony,
-    pp_rule_shelf, pp_rule_point, pp_rule_line, pp_rule_grid;
+    pp_rule_mesh, pp_rule_working_plane, pp_rule_wall, pp_rule_overhang, pp_rule_fin,
+    pp_rule_balcony, pp_rule_shelf, pp_rule_point, pp_rule_line, pp_rule_grid;
 
 #endif

@@ -1,0 +1,47 @@
+/* dxf_shapes.h - the entities of a DXF file that are surfaces, as faces of a mesh. Inside
+ * model/mesh/ only. */
+#ifndef PP_MODEL_MESH_DXF_SHAPES_H
+#define PP_MODEL_MESH_DXF_SHAPES_H
+
+#include "model/mesh/dxf_tags.h"
+#include "model/mesh/mesh_triangles.h"
+
+/* From the coordinates of an entity to the file's: p = origin + x axes[0] + y axes[1]
+ * + z axes[2]. */
+struct pp_dxf_move {
+    struct pp_vec3 origin, axes[3];
+};
+
+struct pp_vec3 pp_dxf_shapes_moved(const struct pp_dxf_move *move, struct pp_vec3 p);
+
+/* One entity of a file: its tags are from ... to - 1, the first says what it is. */
+struct pp_dxf_entity {
+    struct pp_mesh_triangles *mesh;
+    const struct pp_dxf_tags *tags;
+    const struct pp_mesh_lines *lines;
+    const struct pp_dxf_move *move;
+    int from, to;
+};
+
+/* Three numbers of the entity, of codes `first`, first + 10 and first + 20; 0 where not
+ * given. */
+enum pp_status pp_dxf_shapes_point(struct pp_vec3 *point,
+                                   const struct pp_dxf_entity *entity, int first,
+                                   struct pp_error *err);
+
+/* The entity's own axes, whose z is its extrusion (210), in the file's, by the arbitrary
+ * axis algorithm of. */
+enum pp_status pp_dxf_shapes_axes(struct pp_dxf_move *move,
+                                  const struct pp_dxf_entity *entity,
+                                  struct pp_error *err);
+
+enum pp_status pp_dxf_shapes_face(const struct pp_dxf_entity *entity,
+                                  struct pp_error *err);
+enum pp_status pp_dxf_shapes_lwpolyline(const struct pp_dxf_entity *entity,
+                                        struct pp_error *err);
+
+/* entity->to is the end of its SEQEND. */
+enum pp_status pp_dxf_shapes_polyline(const struct pp_dxf_entity *entity,
+                                      struct pp_error *err);
+
+#endif

@@ -1,0 +1,21 @@
+/* mesh_dxf.h - the surfaces of a DXF file of text, of AutoCAD R12 and later.
+ *
+ * Of ENTITIES are read: 3DFACE; POLYLINE that is a polyface or a polygon mesh; LWPOLYLINE and
+ * POLYLINE with a thickness, raised by that along their own normal, with a lid where they
+ * are closed; INSERT, by the entities of its block, moved, scaled and turned. Entities that
+ * hold a surface which is not read (3DSOLID, REGION, MESH, ...), arcs in outlines that are raised,
+ * and blocks that are repeated or from another file are refused by name and line; lines,
+ * texts and the like are passed over. The unit is $INSUNITS.
+ */
+#ifndef PP_MODEL_MESH_MESH_DXF_H
+#define PP_MODEL_MESH_MESH_DXF_H
+
+#include "model/mesh/mesh_triangles.h"
+#include "model/mesh/mesh_lines.h"
+
+/* Fills an empty mesh, which the caller clears, after a failure too. PP_BAD_INPUT names
+ * file and line. */
+enum pp_status pp_mesh_dxf_read(struct pp_mesh_triangles *mesh,
+                                struct pp_mesh_lines *lines, struct pp_error *err);
+
+#endif

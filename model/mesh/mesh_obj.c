@@ -1,0 +1,153 @@
+/* mesh_obj.c - see mesh_obj.h. */
+#include "model/mesh/mesh_obj.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/array.h"
+#include "model/base/text.h"
+
+static const char blanks[] = " \t\v\f";
+
+/* The statement's lines in one: a \ at the end of a line and the break behind it become
+ * blanks. NULL as pp_mesh_lines_next. *line: the statement's first. */
+static char *next_statement(struct pp_mesh_lines *lines, int *line)
+{
+    char *statement = pp_mesh_lines_next(lines), *end = statement;
+    *line = lines->line;
+    while (end) {
+        end += strlen(end);
+        if (end == statement || end[-1] != '\\')
+            return statement;
+        end[-1] = ' ';
+        char *more = pp_mesh_lines_next(lines);
+        if (!more)
+            return lines->left > 0 ? NULL : statement;
+        memset(end, ' ', (size_t)(more - end));
+        end = more;
+    }
+    return NULL;
+}
+
+/* The next word of the text, which is cut there; NULL: there is none. */
+static char *next_word(char **text)
+{
+    char *word = *text + strspn(*text, blanks);
+    if (*word == '\0')
+        return NULL;
+    *text = word + strcspn(word, blanks);
+    if (**text != '\0')
+        *(*text)++ = '\0';
+    return word;
+}
+
+static enum pp_status read_corner(struct pp_mesh_triangles *mesh,
+                                  struct pp_mesh_lines *lines, int line, char *text,
+                                  struct pp_error *err)
+{
+    double xyz[3];
+    for (int i = 0; i < 3; i++) {
+        char shown[160];
+        const char *word = next_word(&text);
+        if (!word)
+            return pp_mesh_lines_fail(lines, line, err,
+                                      "v: has %d number%s; expected x, y and z", i,
+                                      i == 1 ? "" : "s");
+        if (!pp_text_parse_number(word, &xyz[i]))
+            return pp_mesh_lines_fail(lines, line, err,
+                                      "v: \"%s\" is no number; expected x, y and z",
+                                      pp_text_excerpt(shown, sizeof shown, word));
+    }
+    return pp_mesh_lines_say(
+        lines, line, pp_mesh_triangles_add_corner(mesh, pp_vec(xyz[0], xyz[1], xyz[2])),
+        err);
+}
+
+/* Which corner does a word of a face name ("7", "7/3/2", "-1")? -1: none there is. */
+static int corner_of(const struct pp_mesh_triangles *mesh, const char *word)
+{
+    char *end;
+    long index = strtol(word, &end, 10);
+    if (end == word || (*end != '\0' && *end != '/'))
+        return -1;
+    if (index < 0 && index >= -(long)mesh->corner_count)
+        return mesh->corner_count + (int)index;
+    return index > 0 && index <= mesh->corner_count ? (int)index - 1 : -1;
+}
+
+/* The corners of a face, in a list that serves one face after another. */
+struct corners {
+    int *list, count, space;
+};
+
+static enum pp_status read_face(struct pp_mesh_triangles *mesh, struct corners *corners,
+                                struct pp_mesh_lines *lines, int line, char *text,
+                                struct pp_error *err)
+{
+    corners->count = 0;
+    for (const char *word; (word = next_word(&text));) {
+        char shown[160];
+        int corner = corner_of(mesh, word);
+        if (corner < 0)
+            return pp_mesh_lines_fail(
+                lines, line, err,
+                "f: \"%s\" names no corner; expected one of the %d before it, from 1 "
+                "or, counted back, from -1",
+                pp_text_excerpt(shown, sizeof shown, word), mesh->corner_count);
+        if (pp_array_reserve(&corners->list, &corners->space, corners->count + 1,
+                             sizeof *corners->list, err)
+            != PP_OK)
+            return PP_SYSTEM;
+        corners->list[corners->count++] = corner;
+    }
+    if (corners->count < 3)
+        return pp_mesh_lines_fail(lines, line, err,
+                                  "f: has %d corner%s; expected 3 or more",
+                                  corners->count, corners->count == 1 ? "" : "s");
+    return pp_mesh_lines_say(
+        lines, line, pp_mesh_triangles_add_face(mesh, corners->list, corners->count),
+        err);
+}
+
+static enum pp_status read_statement(struct pp_mesh_triangles *mesh,
+                                     struct corners *corners,
+                                     struct pp_mesh_lines *lines, int line,
+                                     char *statement, struct pp_error *err)
+{
+    static const char *const refused[] = {"curv", "curv2", "surf", "bzp", "bsp",
+                                          "cdc",  "cdp",   "res",  "call"};
+    const char *word = next_word(&statement);
+    if (!word || *word == '#')
+        return PP_OK;
+    if (strcmp(word, "v") == 0)
+        return read_corner(mesh, lines, line, statement, err);
+    if (strcmp(word, "f") == 0 || strcmp(word, "fo") == 0)
+        return read_face(mesh, corners, lines, line, statement, err);
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
+        if (strcmp(word, refused[i]) == 0)
+            return pp_mesh_lines_fail(lines, line, err,
+                                      "%s: is not read; expected faces (v and f) alone",
+                                      word);
+    return PP_OK;
+}
+
+enum pp_status pp_mesh_obj_read(struct pp_mesh_triangles *mesh,
+                                struct pp_mesh_lines *lines, struct pp_error *err)
+{
+    struct corners corners = {0};
+    enum pp_status status = PP_OK;
+    int line;
+    for (char *statement;
+         status == PP_OK && (statement = next_statement(lines, &line));)
+        status = read_statement(mesh, &corners, lines, line, statement, err);
+    free(corners.list);
+    if (status == PP_OK && lines->left > 0)
+        status =
+            pp_mesh_lines_fail(lines, lines->line, err,
+                               "holds a byte 0; expected an OBJ file, which is text");
+    if (status == PP_OK && mesh->triangle_count == 0)
+        status = pp_mesh_lines_fail(lines, lines->line, err,
+                                    "the file has no face; expected v and f");
+    return status;
+}

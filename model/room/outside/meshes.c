@@ -1,0 +1,168 @@
+/* meshes.c - see meshes.h. */
+#include "model/room/outside/meshes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/text.h"
+#include "model/geometry/tolerance.h"
+#include "model/room/build/free_surfaces.h"
+
+/* Triangles within the room's bounds are compared with each of its faces, a millisecond for
+ * some hundreds. More pairs than this would take seconds. */
+static const double near_pairs_most = 1e5;
+
+static struct pp_bounds3 bounds_of_room(const struct pp_world *world)
+{
+    struct pp_bounds3 bounds = pp_bounds3_empty();
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++)
+            pp_bounds3_add(&bounds, world->surfaces[i].outline.vertices[k]);
+    return bounds;
+}
+
+/* Does the triangle come near the room? */
+static bool is_near(const struct pp_bounds3 *room, const struct pp_vec3 triangle[3])
+{
+    const double hair = 2.0 * PP_SAME_M;
+    struct pp_bounds3 own = pp_bounds3_empty();
+    for (int k = 0; k < 3; k++)
+        pp_bounds3_add(&own, triangle[k]);
+    return own.low.x < room->high.x + hair && own.high.x > room->low.x - hair
+           && own.low.y < room->high.y + hair && own.high.y > room->low.y - hair
+           && own.low.z < room->high.z + hair && own.high.z > room->low.z - hair;
+}
+
+/* A corner of the file in the room's axes. */
+static struct pp_vec3 place(const struct pp_mesh_part *part, struct pp_vec3 q)
+{
+    if (part->y_is_up)
+        q = pp_vec(q.x, -q.z, q.y);
+    q = pp_placement_turn(pp_vec_scale(q, part->scale), part->rotate_rad);
+    return pp_vec_add(part->corner, q);
+}
+
+static enum pp_status add_far(struct pp_resolver *r, const struct pp_mesh_part *part,
+                              const struct pp_vec3 triangle[3], struct pp_error *err)
+{
+    struct pp_surface surface = {.role = PP_FREE_SURFACE,
+                                 .front = part->reflectance,
+                                 .back = part->reflectance,
+                                 .finish = part->finish,
+                                 .owner = -1,
+                                 .line = part->line};
+    return pp_resolve_add_face(r, surface, triangle, 3, err);
+}
+
+static enum pp_status add_near(struct pp_resolver *r, const struct pp_mesh_part *part,
+                               const struct pp_vec3 triangle[3], struct pp_error *err)
+{
+    struct pp_vec3 corners[3] = {triangle[0], triangle[1], triangle[2]};
+    int lines[3] = {part->line, part->line, part->line};
+    struct pp_surface_part surface = {.vertices = {corners, lines, 3},
+                                      .reflectance = part->reflectance,
+                                      .finish = part->finish,
+                                      .is_of_block = true,
+                                      .is_of_site = part->is_of_site,
+                                      .line = part->line};
+    return pp_build_free_surfaces_add(r, &surface, "mesh", err);
+}
+
+static void say(struct pp_resolver *r, const struct pp_mesh_part *part,
+                const char *what)
+{
+    char shown[64];
+    pp_mistakes_add(r->mistakes, part->line, "mesh: \"%s\" %s",
+                    pp_text_excerpt(shown, sizeof shown, part->path), what);
+}
+
+/* Adds the triangles until one of them stands in the room. */
+static enum pp_status add_triangles(struct pp_resolver *r, struct pp_world_mesh *made,
+                                    const struct pp_mesh_part *part,
+                                    struct pp_error *err)
+{
+    const struct pp_mesh_triangles *mesh = &part->file->mesh;
+    const struct pp_bounds3 room = bounds_of_room(r->world);
+    int before = r->mistakes->count;
+    double pairs = 0.0;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < mesh->triangle_count && status == PP_OK; i++) {
+        struct pp_vec3 triangle[3];
+        for (int k = 0; k < 3; k++) {
+            triangle[k] = place(part, mesh->corners[mesh->triangles[i][k]]);
+            pp_bounds3_add(&made->bounds, triangle[k]);
+        }
+        /* Less than a square millimetre hides nothing. */
+        if (!(2.0 * PP_SAME_M * PP_SAME_M
+              < pp_vec_length(pp_vec_cross(pp_vec_sub(triangle[1], triangle[0]),
+                                           pp_vec_sub(triangle[2], triangle[0])))))
+            continue;
+        bool near = is_near(&room, triangle);
+        pairs += near ? r->world->face_count : 0;
+        if (pairs > near_pairs_most) {
+            say(r, part,
+                "has too many triangles within the room's own bounds to compare with "
+                "its "
+                "faces; expected it beside the room");
+            return PP_OK;
+        }
+        status =
+            near ? add_near(r, part, triangle, err) : add_far(r, part, triangle, err);
+        if (r->mistakes->count > before)
+            return status;
+    }
+    return status;
+}
+
+static bool is_far_away(const struct pp_bounds3 *bounds)
+{
+    double most = fmax(fabs(bounds->low.x), fabs(bounds->high.x));
+    most = fmax(most, fmax(fabs(bounds->low.y), fabs(bounds->high.y)));
+    return !(fmax(most, fmax(fabs(bounds->low.z), fabs(bounds->high.z))) <= 1e5);
+}
+
+static enum pp_status add_mesh(struct pp_resolver *r, const struct pp_mesh_part *part,
+                               struct pp_error *err)
+{
+    struct pp_world *world = r->world;
+    struct pp_world_mesh *made = &world->meshes[world->mesh_count];
+    *made = (struct pp_world_mesh){.name = part->name ? strdup(part->name) : NULL,
+                                   .bounds = pp_bounds3_empty(),
+                                   .first_side = world->surface_count,
+                                   .line = part->line};
+    world->mesh_count++;
+    if (part->name && !made->name)
+        return pp_fail_memory(err);
+    enum pp_status status = add_triangles(r, made, part, err);
+    made->side_count = world->surface_count - made->first_side;
+    if (status == PP_OK && is_far_away(&made->bounds))
+        say(r, part,
+            "reaches farther than 100000 m; expected a \"scale\" in metres for one "
+            "unit, "
+            "and \"x\", \"y\" and \"z\" that bring it near");
+    return status;
+}
+
+enum pp_status pp_build_meshes(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_room *room = r->room;
+    double triangles = 0.0;
+    r->world->meshes = calloc((size_t)room->mesh_count + 1, sizeof *r->world->meshes);
+    if (!r->world->meshes)
+        return pp_fail_memory(err);
+    for (int i = 0; i < room->mesh_count; i++)
+        triangles += room->meshes[i].file->mesh.triangle_count;
+    if (triangles > PP_MESH_MOST) {
+        pp_mistakes_add(
+            r->mistakes, room->line,
+            "room: has %.0f triangles of meshes outside; expected %d at most",
+            triangles, PP_MESH_MOST);
+        return PP_OK;
+    }
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < room->mesh_count && status == PP_OK && r->watertight; i++)
+        if (isfinite(room->meshes[i].reflectance))
+            status = add_mesh(r, &room->meshes[i], err);
+    return status;
+}

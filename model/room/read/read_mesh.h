@@ -1,0 +1,12 @@
+/* read_mesh.h - a mesh: from its element, and the file that this names, to a part. Inside
+ * model/room/ only. */
+#ifndef PP_MODEL_ROOM_READ_READ_MESH_H
+#define PP_MODEL_ROOM_READ_READ_MESH_H
+
+#include "model/room/read/reader.h"
+
+/* What is wrong with its file is a mistake on the element's line, and names the file's. */
+void pp_read_mesh(struct pp_reader *r, struct pp_room *room,
+                  const struct pp_xml_element *e);
+
+#endif

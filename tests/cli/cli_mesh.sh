@@ -1,0 +1,102 @@
+#!/bin/sh
+# Neighbours from files: the same figures as the same block, a street of 100,000 triangles,
+# what is refused.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+LC_ALL=C
+export LC_ALL
+
+# room ELEMENTS: the room with these outside.
+room() {
+    printf '%s\n' '<room version="1" name="Office">' \
+        '<plan width="4.1" depth="6.2" height="2.7"/>' \
+        '<window wall="south" left="0.9" sill="0.8" width="2.4" height="1.5"/>' \
+        "$1" '<point x="2.1" y="1.3"/><point x="1.1" y="3.4"/></room>'
+}
+# houses COUNT: houses with five faces of two triangles each, in rows of 200.
+houses() {
+    awk -v count="$1" 'BEGIN {
+        for (i = 0; i < count; i++) {
+            x = i % 200 * 2 - 200; y = -20 - int(i / 200) * 3; h = 3 + i * 7 % 90 / 10
+            for (k = 0; k < 8; k++)
+                print "v", x + 1.6 * (k % 4 == 1 || k % 4 == 2), y - 1.9 * (k % 4 > 1),
+                    h * (k > 3)
+            print "f -8 -7 -3 -4\nf -7 -6 -2 -3\nf -6 -5 -1 -2\nf -5 -8 -4 -1\nf -4 -3 -2 -1"
+        }
+    }'
+}
+# figures METHOD WORDS: lines of value and, where there is one, standard error by the
+# method, of all components, points and the average.
+figures() {
+    method=$1
+    shift
+    "$pepperpot" df --format json --methods exact "$@" 2>"$scratch/err" |
+        grep -o "\"$method\": { \"value\": [^,}]*\(, \"se\": [^,}]*\)*" |
+        sed 's/[^:]*: { "value": //; s/, "se": / /'
+}
+# near FILE FILE: the same values to 1e-8 per cent, what ten digits and the cuts between two
+# triangles of a side leave of them, and some of them.
+near() {
+    paste "$1" "$2" | awk '
+        NF != 2 { bad = 1 }
+        { d = $1 - $2; if (d > 1e-8 || -d > 1e-8) bad = 1 }
+        END { exit bad || NR < 6 }'
+}
+# within FILE FILE: the same values to 3 of their standard errors, and some of them.
+within() {
+    paste "$1" "$2" | awk '
+        NF != 4 { bad = 1 }
+        { d = $1 - $3; e = 3 * sqrt($2 * $2 + $4 * $4); if (d > e || -d > e) bad = 1 }
+        END { exit bad || NR < 6 }'
+}
+# differs COMMAND: does it fail?
+differs() {
+    ! "$@"
+}
+
+printf 'v -4100 -14200 0\nv 5900 -14200 0\nv 5900 -8200 0\nv -4100 -8200 0
+v -4100 -14200 8300\nv 5900 -14200 8300\nv 5900 -8200 8300\nv -4100 -8200 8300
+f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 5 6 7 8\n' >"$scratch/box.obj"
+room '<block x="-4.1" y="-14.2" width="10" depth="6" height="8.3"/>' >"$scratch/block.xml"
+room '<mesh file="box.obj" scale="0.001"/>' >"$scratch/mesh.xml"
+room '' >"$scratch/open.xml"
+# The same with y up, and another origin, turned by a right angle.
+awk '/^v/ { print "v", $3, $4, $2; next } 1' "$scratch/box.obj" >"$scratch/up.obj"
+room '<mesh file="up.obj" up="y" scale="0.001" rotate="90"/>' >"$scratch/up.xml"
+
+for of in block mesh up open; do
+    figures exact "$scratch/$of.xml" >"$scratch/$of"
+done
+check "a box of a file has the exact figures of the block" near "$scratch/block" "$scratch/mesh"
+check "whatever its axes" near "$scratch/block" "$scratch/up"
+check "and not those of the open sky" differs near "$scratch/block" "$scratch/open"
+seed=1
+for of in block mesh open; do
+    figures traced --simulate --error 2% --seed $seed "$scratch/$of.xml" >"$scratch/$of"
+    seed=$((seed + 1))
+done
+check "traced it is the block within 3 errors" within "$scratch/block" "$scratch/mesh"
+check "and not the open sky" differs within "$scratch/block" "$scratch/open"
+
+houses 10000 >"$scratch/street.obj"
+room '<mesh file="street.obj" name="Street"/>' >"$scratch/street.xml"
+check "a street of 100,000 triangles is simulated" gives df --simulate --error 5% \
+    --methods exact,brs-table "$scratch/street.xml"
+check "and told of" grep -q "1 mesh of 100000 triangles" "$scratch/out"
+check "the table refuses it in words" grep -q "upright rectangles" "$scratch/out"
+room '<mesh file="street.obj"/><grid spacing="0.3" margin="0"/>' >"$scratch/fine.xml"
+check "of too many points the exact method does, too" \
+    shows "too many triangles" df --methods exact "$scratch/fine.xml"
+
+check "contours over the plane are refused in words" refuses 1 \
+    "too many to be cut to the view of all points" chart plan "$scratch/street.xml" -o "$scratch/plan.svg"
+
+room '<mesh file="none.obj"/>' >"$scratch/wrong.xml"
+check "a file that is not there" refuses 1 'wrong.xml:4: mesh: ' df "$scratch/wrong.xml"
+room '<mesh file="box.obj" scale="0.001" y="12"/>' >"$scratch/wrong.xml"
+check "a mesh in the room" refuses 1 'wrong.xml:4: mesh: goes through a ' df "$scratch/wrong.xml"
+room '<mesh file="box.obj" scale="1000"/>' >"$scratch/wrong.xml"
+check "a mesh out of scale" refuses 1 'reaches farther than 100000 m' df "$scratch/wrong.xml"
+check "from standard input, from where we are" sh -c \
+    "cd '$scratch' && '$pepperpot' df --methods exact - <mesh.xml | grep -q '1 mesh of 10 '"
+tap_done

@@ -1,0 +1,195 @@
+/* test_mesh_file.c - files of triangles, as other programs write them and as they should
+ * not be. */
+#include "model/mesh/mesh_file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/lib/near.h"
+
+static enum pp_status parse(struct pp_mesh_triangles *mesh, const char *text,
+                            const char *name, struct pp_error *err)
+{
+    char *bytes = strdup(text);
+    *mesh = (struct pp_mesh_triangles){0};
+    enum pp_status status = pp_mesh_file_parse(mesh, bytes, strlen(text), name, err);
+    free(bytes);
+    return status;
+}
+
+/* Area of the triangles (in the file's unit), and the height of the highest. */
+static double area_of(const struct pp_mesh_triangles *mesh, double *top)
+{
+    double area = 0.0;
+    *top = -INFINITY;
+    for (int i = 0; i < mesh->triangle_count; i++) {
+        const int *of = mesh->triangles[i];
+        struct pp_vec3 a = mesh->corners[of[0]], b = mesh->corners[of[1]],
+                       c = mesh->corners[of[2]];
+        area += pp_vec_length(pp_vec_cross(pp_vec_sub(b, a), pp_vec_sub(c, a))) / 2.0;
+        *top = fmax(*top, fmax(a.z, fmax(b.z, c.z)));
+    }
+    return area;
+}
+
+static void assert_surface(const char *text, const char *name, double area, double top)
+{
+    struct pp_mesh_triangles mesh;
+    struct pp_error err = {0};
+    double highest;
+    if (parse(&mesh, text, name, &err) != PP_OK)
+        fail_msg("%s", err.message);
+    assert_near(area_of(&mesh, &highest), area, 1e-12 * area);
+    assert_near(highest, top, 1e-12);
+    pp_mesh_triangles_clear(&mesh);
+}
+
+/* 2.3 by 1.7, at z = 3.1, as Blender and as SketchUp write it: with normals and texture,
+ * CR LF, groups, and indices that count back; a notch of 0.8 by 0.7 makes it an L. */
+static void outlines_of_obj_keep_their_area(void **state)
+{
+    (void)state;
+    assert_surface("# Blender 4.1.1 OBJ File: 'street.blend'\nmtllib street.mtl\n"
+                   "o Roof\nv 0 0 3.1\nv 2.3 0 3.1\nv 2.3 1.7 3.1\nv 0 1.7 3.1\n"
+                   "vn 0 0 1\nvt 0 0\ns 0\nusemtl None\nf 1/1/1 2/1/1 3/1/1 4/1/1\n",
+                   "a.obj", 2.3 * 1.7, 3.1);
+    assert_surface("# File units = meters\r\ng Mesh1 Group1 Model\r\nv 0 0 3.1\r\n"
+                   "vt 0 0\r\nvn 0 0 1\r\nv 2.3 0 3.1\r\nv 2.3 1.7 3.1\r\n"
+                   "v 0 1.7 3.1\r\nf -4//-1 -3//-1 -2//-1\r\nf -4 \\\r\n -2 -1\r\n",
+                   "B.OBJ", 2.3 * 1.7, 3.1);
+    assert_surface("v 0 0 3.1\nv 2.3 0 3.1\nv 2.3 1 3.1\nv 1.5 1 3.1\nv 1.5 1.7 3.1\n"
+                   "v 0 1.7 3.1\nf 1 2 3 4 5 6\n",
+                   "l.obj", 2.3 * 1.7 - 0.8 * 0.7, 3.1);
+}
+
+#define SECTION(name, tags) "  0\nSECTION\n  2\n" name "\n" tags "  0\nENDSEC\n"
+#define DXF(tags) SECTION("ENTITIES", tags) "  0\nEOF\n"
+#define RING "10\n0\n20\n0\n10\n2.3\n20\n0\n10\n2.3\n20\n1.7\n10\n0\n20\n1.7\n"
+#define RAISED "0\nLWPOLYLINE\n8\nHouses\n90\n4\n70\n1\n38\n0.4\n39\n3.1\n" RING
+#define CORNER(x, y, z) "0\nVERTEX\n10\n" #x "\n20\n" #y "\n30\n" #z "\n70\n192\n"
+
+static const double raised_m2 = 2.0 * 2.3 * 1.7 + 2.0 * (2.3 + 1.7) * 3.1;
+
+static void outlines_of_dxf_are_raised_by_their_thickness(void **state)
+{
+    (void)state;
+    assert_surface(DXF(RAISED), "a.dxf", raised_m2, 3.5);
+    /* A line on the ground hides nothing; one of R12, open, is a wall. */
+    assert_surface(DXF("0\nLINE\n10\n0\n20\n0\n11\n9\n21\n9\n"
+                       "0\nPOLYLINE\n66\n1\n39\n3.1\n70\n0\n0\nVERTEX\n10\n0\n20\n0\n"
+                       "0\nVERTEX\n10\n2.3\n20\n0\n0\nSEQEND\n"),
+                   "r12.dxf", 2.3 * 3.1, 3.1);
+    /* Its own z is the file's y there, and its y the file's z. */
+    assert_surface(DXF(RAISED "210\n0\n220\n-1\n230\n0\n"), "side.dxf", raised_m2, 1.7);
+}
+
+static void faces_of_dxf_keep_their_area(void **state)
+{
+    (void)state;
+    assert_surface(
+        DXF("0\nPOLYLINE\n8\n0\n66\n1\n70\n64\n71\n4\n72\n1\n" CORNER(0, 0, 1)
+                CORNER(2, 0, 1) CORNER(2, 3, 1) CORNER(
+                    0, 3,
+                    1) "0\nVERTEX\n70\n128\n71\n1\n72\n-2\n73\n3\n74\n4\n0\nSEQEND\n"
+                       "0\n3DFACE\n10\n0\n20\n0\n30\n2\n11\n1\n21\n0\n31\n2\n"
+                       "12\n0\n22\n1\n32\n2\n13\n0\n23\n1\n33\n2\n"),
+        "faces.dxf", 2.0 * 3.0 + 0.5, 2.0);
+}
+
+/* A block of one house, twice as wide and deep, turned: its floor and lid are four times
+ * as large, its walls twice. */
+static void a_block_of_dxf_is_scaled_and_turned(void **state)
+{
+    (void)state;
+    static const char text[] = SECTION("HEADER", "9\n$INSUNITS\n70\n4\n") SECTION(
+        "BLOCKS", "0\nBLOCK\n2\nHouse\n10\n1\n20\n1\n30\n0\n" RAISED "0\nENDBLK\n")
+        DXF("0\nINSERT\n2\nHouse\n10\n50\n20\n60\n30\n7\n41\n2\n42\n2\n50\n33\n");
+    assert_surface(text, "block.dxf", 8.0 * 2.3 * 1.7 + 4.0 * (2.3 + 1.7) * 3.1,
+                   7.0 + 3.5);
+    struct pp_mesh_triangles mesh;
+    assert_int_equal(parse(&mesh, text, "block.dxf", NULL), PP_OK);
+    assert_near(mesh.unit_m, 1e-3, 0.0); /* millimetres */
+    pp_mesh_triangles_clear(&mesh);
+}
+
+static void wrong_files_are_refused_by_line(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *text, *says;
+    } wrong[] = {
+        {"a.obj", "", "a.obj:0: the file has no face"},
+        {"a.obj", "v 0 0\n", "a.obj:1: v: has 2 numbers"},
+        {"a.obj", "v 0 nan 0\n", "a.obj:1: v: \"nan\" is no number"},
+        {"a.obj", "v 0 0 0\nv 1 0 1e308\n", "a.obj:2: a coordinate is beyond"},
+        {"a.obj", "v 0 0 0\nf 1 1 2\n", "a.obj:2: f: \"2\" names no corner"},
+        {"a.obj", "v 0 0 0\nf 1 1 -2\n", "a.obj:2: f: \"-2\" names no corner"},
+        {"a.obj", "v 0 0 0\nf 1 0 1\n", "a.obj:2: f: \"0\" names no corner"},
+        {"a.obj", "v 0 0 0\nf 1 1\n", "a.obj:2: f: has 2 corners"},
+        {"a.obj", "v 0 0 0\nf 99999999999999999999 1 1\n", "names no corner"},
+        {"a.obj", "#\ncurv 0 1 1 2\n", "a.obj:2: curv: is not read"},
+        {"a.ply", "ply\n", "expected a file .obj or .dxf"},
+        {"a.dxf", "", "a.dxf:0: the file breaks off"},
+        {"a.dxf", "AutoCAD Binary DXF\r\n\x1a", "a.dxf:1: is a binary DXF file"},
+        {"a.dxf", "PK\n", "a.dxf:1: \"PK\" is no group code"},
+        {"a.dxf", "0\nEOF\n", "no section ENTITIES"},
+        {"a.dxf", DXF(""), "the file has no surface"},
+        {"a.dxf", "0\nSECTION\n2\nENTITIES\n" RAISED, "the file breaks off"},
+        {"a.dxf", DXF("0\n3DSOLID\n70\n1\n"), "a.dxf:6: 3DSOLID: is not read"},
+        {"a.dxf", DXF("0\nLINE\n39\n2\n"), "a.dxf:6: LINE: has a thickness"},
+        {"a.dxf", DXF("0\nINSERT\n2\nTree\n"), "no block \"Tree\""},
+        {"a.dxf", DXF(RAISED "42\n0.5\n"), "LWPOLYLINE: has an arc"},
+        {"a.dxf", DXF("0\n3DFACE\n10\nnan\n"), "a.dxf:8: \"nan\" is no number"},
+        {"a.dxf", DXF("0\nPOLYLINE\n70\n16\n71\n1e9\n72\n2\n0\nSEQEND\n"),
+         "a mesh of 0"},
+        {"a.dxf", DXF("0\nPOLYLINE\n70\n64\n0\nVERTEX\n70\n128\n71\n1\n72\n2\n73\n3\n"),
+         "names corner 1 of the mesh; expected one of the 0"},
+        {"a.dxf",
+         SECTION("BLOCKS", "0\nBLOCK\n2\nA\n0\nINSERT\n2\nA\n0\nENDBLK\n")
+             DXF("0\nINSERT\n2\nA\n"),
+         "the block \"A\" is one too many"},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        struct pp_mesh_triangles mesh;
+        struct pp_error err = {0};
+        assert_int_equal(parse(&mesh, wrong[i].text, wrong[i].name, &err),
+                         PP_BAD_INPUT);
+        if (!strstr(err.message, wrong[i].says))
+            fail_msg("\"%s\", not \"%s\"", err.message, wrong[i].says);
+        pp_mesh_triangles_clear(&mesh);
+    }
+}
+
+/* Cut off anywhere, a file is read or refused, and never read beyond its end. */
+static void a_file_may_break_off_anywhere(void **state)
+{
+    (void)state;
+    static const char obj[] =
+        "v 0 0 0\r\nv 1 0 0\r\nv 0 1 \\\r\n 0\r\nf 1/1/1 2// \\\n-1";
+    static const char dxf[] = DXF(RAISED "0\n3DFACE\n10\n0\n");
+    for (int kind = 0; kind < 2; kind++)
+        for (size_t k = 0; k < (kind ? sizeof dxf : sizeof obj); k++) {
+            char *bytes = malloc(k + 1);
+            struct pp_mesh_triangles mesh = {0};
+            memcpy(bytes, kind ? dxf : obj, k);
+            bytes[k] = '\0';
+            enum pp_status status =
+                pp_mesh_file_parse(&mesh, bytes, k, kind ? "a.dxf" : "a.obj", NULL);
+            assert_true(status == PP_OK || status == PP_BAD_INPUT);
+            pp_mesh_triangles_clear(&mesh);
+            free(bytes);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(outlines_of_obj_keep_their_area),
+        cmocka_unit_test(outlines_of_dxf_are_raised_by_their_thickness),
+        cmocka_unit_test(faces_of_dxf_keep_their_area),
+        cmocka_unit_test(a_block_of_dxf_is_scaled_and_turned),
+        cmocka_unit_test(wrong_files_are_refused_by_line),
+        cmocka_unit_test(a_file_may_break_off_anywhere),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
