@@ -98,10 +98,11 @@ static enum pp_status print_table(const char *title, const struct heading *headi
                                   const struct pp_site_row *rows, int count, int width,
                                   FILE *out, struct pp_error *err)
 {
-    bool compares = false, has_ref = false, good = true;
+    bool compares = false, has_ref = false, all_have = true, good = true;
     for (int i = 0; i < count; i++) {
         compares |= !isnan(rows[i].existing);
         has_ref |= rows[i].room->room->world->ref != NULL;
+        all_have &= rows[i].room->room->world->ref != NULL;
     }
     if (count == 0)
         return PP_OK;
@@ -110,12 +111,15 @@ static enum pp_status print_table(const char *title, const struct heading *headi
     for (const struct heading *h = headings; h->words && good; h++) {
         if ((h->compares && !compares) || (h->shown == REF && !has_ref))
             continue;
+        /* Findings and their bounds take the line: rooms go by their references. */
+        const bool by_ref = h->shown == ROOM && headings == of_others && all_have;
+        const enum shown shown = by_ref ? REF : h->shown;
         struct pp_table_column *column =
-            pp_table_add(&table, h->group, h->group, h->words);
+            pp_table_add(&table, h->group, h->group, by_ref ? "ref" : h->words);
         good = column != NULL;
         table.key_count += good && !h->group;
         for (int i = 0; i < count && good; i++)
-            put_cell(column->cells[i], &rows[i], h->shown);
+            put_cell(column->cells[i], &rows[i], shown);
         if (good)
             column->is_words = h->shown <= OF || h->shown == VERDICT;
     }

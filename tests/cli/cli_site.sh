@@ -23,9 +23,9 @@ before=$(column 3 "W3, south") now=$(column 2 "W3, south") ratio=$(column 1 "W3,
 check "a ratio is that of its sky components" is "$ratio" \
     "$(awk -v a="$now" -v b="$before" 'BEGIN { print a / b }')" 6e-4
 check "a bathroom's window is in it for no criterion" nothing "$(grep W6 "$scratch/out")"
-check "a workshop is no room of a dwelling" nothing "$(grep 'Workroom.* lx' "$scratch/out")"
-check "a living room with a kitchen is a kitchen" grep -q "Living room *kitchen: 200" "$scratch/out"
-check "and nothing else" nothing "$(grep 'Living room *[bl][a-z ]*: 1' "$scratch/out")"
+check "a workshop is no room of a dwelling" nothing "$(grep '^  0.03 .* lx' "$scratch/out")"
+check "a living room with a kitchen is a kitchen" grep -q "^  0.01 *kitchen: 200" "$scratch/out"
+check "and nothing else" nothing "$(grep '^  0.01 *[bl][a-z ]*: 1' "$scratch/out")"
 
 for state in existing proposed; do
     check "--state $state" gives assess --by-hand -c vsc --table --state $state "$site"

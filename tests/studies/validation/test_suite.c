@@ -113,7 +113,7 @@ static void suites_are_found_by_name(void **state)
         assert_ptr_equal(pp_suite_find(pp_suite_at(count)->name), pp_suite_at(count));
         count++;
     }
-    assert_int_equal(count, 5);
+    assert_int_equal(count, 6);
     assert_null(pp_suite_find("no-such"));
 }
 
