@@ -20,7 +20,14 @@
 #include "model/results/lit_area.h"
 #include "model/room/world.h"
 
-/* Fills area, which the caller clears; empty on failure. No plane: nothing is lit. */
+/* Why the line is not found in that world or in the one before (NULL: there is none), a static
+ * sentence: the meshes outside are too fine for their view from everywhere to be cut within
+ * seconds. NULL: it is. */
+const char *pp_lit_line_refuses(const struct pp_world *world,
+                                const struct pp_world *before);
+
+/* Fills area, which the caller clears; empty on failure. No plane: nothing is lit.
+ * PP_BAD_INPUT where the line is refused. */
 enum pp_status pp_lit_line_find(struct pp_lit_area *area, const struct pp_world *world,
                                 enum pp_lit_line line, struct pp_error *err);
 

@@ -68,11 +68,23 @@ static enum pp_status add_former(const struct sky_view_area *now,
     return pp_finding_list_add(findings, &share, err);
 }
 
+/* The line of the world, or of the one before, is refused. */
+static enum pp_status add_refused(const struct pp_inquiry *inquiry, const char *what,
+                                  struct pp_finding_list *findings,
+                                  struct pp_error *err)
+{
+    struct pp_finding finding = pp_finding_not_judged(
+        pp_lit_line_refuses(inquiry->world, inquiry->before), "%s", what);
+    return pp_finding_list_add(findings, &finding, err);
+}
+
 static enum pp_status evaluate_line(const struct pp_inquiry *inquiry,
                                     struct pp_finding_list *findings,
                                     struct pp_error *err)
 {
     struct sky_view_area view;
+    if (pp_lit_line_refuses(inquiry->world, inquiry->before))
+        return add_refused(inquiry, "area beyond it", findings, err);
     enum pp_status status = find_view(&view, inquiry->world, err);
     if (status != PP_OK)
         return status;
@@ -94,6 +106,8 @@ static enum pp_status evaluate_rule(const struct pp_inquiry *inquiry,
                                     struct pp_error *err)
 {
     struct sky_view_area view;
+    if (pp_lit_line_refuses(inquiry->world, NULL))
+        return add_refused(inquiry, "working plane that sees sky", findings, err);
     enum pp_status status = find_view(&view, inquiry->world, err);
     if (status != PP_OK)
         return status;

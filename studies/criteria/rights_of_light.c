@@ -85,6 +85,11 @@ static enum pp_status evaluate(const struct pp_inquiry *inquiry,
                                struct pp_finding_list *findings, struct pp_error *err)
 {
     struct pp_lit_area now;
+    const char *why = pp_lit_line_refuses(inquiry->world, inquiry->before);
+    if (why) {
+        struct pp_finding finding = pp_finding_not_judged(why, "share of the room");
+        return pp_finding_list_add(findings, &finding, err);
+    }
     enum pp_status status =
         pp_lit_line_find(&now, inquiry->world, PP_LIT_SKY_FACTOR, err);
     if (status != PP_OK)

@@ -230,11 +230,24 @@ static enum pp_status make(struct pp_elevation_sheet *sheet,
     return status;
 }
 
+/* 2,000 triangles before one room take 4.7 s. */
+enum { MESH_TRIANGLES_MOST = 2000 };
+
 enum pp_status pp_elevation_study_make(struct pp_elevation_sheet *sheet,
                                        const struct pp_site_rooms *rooms,
                                        struct pp_error *err)
 {
     *sheet = (struct pp_elevation_sheet){0};
+    for (int i = 0; i < rooms->count; i++) {
+        const struct pp_world *world = rooms->list[i].world;
+        int triangles = world->surface_count - pp_world_before_meshes(world);
+        if (triangles > MESH_TRIANGLES_MOST)
+            return pp_fail(
+                err, PP_BAD_INPUT,
+                "the meshes outside have %d triangles, too many to be cut to "
+                "the view of every place on the walls; expected %d at most",
+                triangles, MESH_TRIANGLES_MOST);
+    }
     enum pp_status status = make(sheet, rooms, err);
     if (status != PP_OK)
         pp_site_sheet_clear_elevations(sheet);

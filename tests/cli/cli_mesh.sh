@@ -91,6 +91,11 @@ check "of too many points the exact method does, too" \
 check "contours over the plane are refused in words" refuses 1 \
     "too many to be cut to the view of all points" chart plan "$scratch/street.xml" -o "$scratch/plan.svg"
 
+check "so are elevations" refuses 1 "expected 2000 at most" \
+    chart elevation "$scratch/street.xml" -o "$scratch/elevation.svg"
+check "the line of what sees sky is not judged" shows "more than 10,000 triangles" \
+    assess --by-hand -c nsl,rights-of-light "$scratch/street.xml"
+
 room '<mesh file="none.obj"/>' >"$scratch/wrong.xml"
 check "a file that is not there" refuses 1 'wrong.xml:4: mesh: ' df "$scratch/wrong.xml"
 room '<mesh file="box.obj" scale="0.001" y="12"/>' >"$scratch/wrong.xml"
