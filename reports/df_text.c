@@ -117,9 +117,8 @@ static bool add_values(struct pp_table *table, const struct pp_report *report,
 static bool add_distances(struct pp_table *table, const struct pp_report *report,
                           const struct pp_column *column, const struct pp_column *truth)
 {
-    char title[64];
-    snprintf(title, sizeof title, "from %s, %%", truth->name);
-    struct pp_table_column *shown = pp_table_add(table, title, off_brief, column->name);
+    struct pp_table_column *shown = pp_table_add(
+        table, pp_engine_of_column(truth->name)->from, off_brief, column->name);
     if (!shown)
         return false;
     for (int row = 0; row <= report->receiver_count; row++) {

@@ -39,6 +39,8 @@ struct pp_engine {
     const char *summary;
     const char *said;      /* of its figures, below a table: "by simulation" */
     const char *deviation; /* what the error beside a figure is: "one standard error" */
+    const char *from;      /* heads what is off from it: "from traced, %"; NULL: nothing
+                            * is, as it is no truth */
     bool is_truth;         /* is it what hand figures may be held against? */
     bool is_sampled;       /* does another seed give other figures? */
 

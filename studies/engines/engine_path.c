@@ -105,6 +105,7 @@ const struct pp_engine pp_engine_path = {
     .summary = "light paths from the points, without bias",
     .said = "by simulation",
     .deviation = "one standard error",
+    .from = "from traced, %",
     .is_truth = true,
     .is_sampled = true,
     .create = create,

@@ -106,6 +106,7 @@ const struct pp_engine pp_engine_photons = {
     .summary = "light followed forwards from the openings, without bias",
     .said = "by photons from the openings",
     .deviation = "one standard error",
+    .from = "from photons, %",
     .is_truth = true,
     .is_sampled = true,
     .create = create,

@@ -164,6 +164,26 @@ check "and where the file says that there is none" sh -c "
 check "in JSON it has no confidence, and a note" sh -c "
     '$pepperpot' assess -q -c uk-annex --format json '$scratch/alone.xml' |
     grep 'bedroom: 100 lx' | grep 'behind a wall' | grep -vq confidence"
+# An overhang takes sky whatever stands opposite: without it the window has what the same wall
+# without one has.
+cat >"$scratch/plain.xml" <<'END'
+<room version="1" name="plain"><plan width="4" depth="5" height="2.7"/>
+<window wall="south" left="1" sill="0.9" width="2" height="1.4">
+</window><block x="-6" y="-14" width="16" depth="4" height="9"/></room>
+END
+sed 's|^</window>|<overhang depth="1.5" left="1" right="1"/></window>|' "$scratch/plain.xml" >"$scratch/over.xml"
+vsc() {
+    "$pepperpot" assess -c vsc --by-hand "$1" | grep -o '[0-9.]* % *[^ ]* 27' | sed 's/ .*//'
+}
+bare=$(vsc "$scratch/plain.xml")
+check "a window under an overhang has less sky" \
+    sh -c "awk 'BEGIN { exit !($(vsc "$scratch/over.xml") < $bare - 5) }'"
+check "what it has without it is said, too" \
+    shows "$(printf %.1f "$bare") % without the overhangs" assess -c vsc --by-hand "$scratch/over.xml"
+sed 's/height="9"/height="2"/' "$scratch/over.xml" >"$scratch/over_before.xml"
+check "and the share of before" shows " without the overhangs and balconies" \
+    assess -c former-sky --by-hand --before "$scratch/over_before.xml" "$scratch/over.xml"
+
 # Of the flat's Bedroom average-df has 1.71 %, where 2 % is wanted and 2.66 % traced.
 check "an average that is not met, with its bound in the band, is open" sh -c "
     '$pepperpot' assess --by-hand -c average --room Bedroom '$examples/building.xml' |

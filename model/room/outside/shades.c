@@ -174,8 +174,11 @@ enum pp_status pp_build_shades(struct pp_resolver *r, struct pp_error *err)
             continue;
         }
         struct window_axes axes = axes_of(world, opening);
+        const int before = world->surface_count;
         for (int k = 0; k < part->shade_count && status == PP_OK; k++)
             status = add_shade(r, &part->shades[k], &axes, err);
+        for (int k = before; k < world->surface_count; k++)
+            world->surfaces[k].is_shade = true;
     }
     return status;
 }

@@ -14,6 +14,8 @@
 #include "studies/criteria/windows/vertical_sky.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
@@ -74,6 +76,44 @@ enum pp_status pp_vertical_sky_at_point(double *share, const struct pp_world *wo
     return status;
 }
 
+/* The world's own lists without what shades its windows: shades stand behind the blocks' sides
+ * and before the meshes' triangles. Both lists are the caller's to free. */
+static bool take_shades_off(struct pp_world *bare, const struct pp_world *world)
+{
+    bare->surfaces = calloc((size_t)world->surface_count + 1, sizeof *bare->surfaces);
+    bare->meshes = calloc((size_t)world->mesh_count + 1, sizeof *bare->meshes);
+    bare->surface_count = 0;
+    if (!bare->surfaces || !bare->meshes)
+        return false;
+    for (int i = 0; i < world->surface_count; i++)
+        if (!world->surfaces[i].is_shade)
+            bare->surfaces[bare->surface_count++] = world->surfaces[i];
+    for (int i = 0; i < world->mesh_count; i++) {
+        bare->meshes[i] = world->meshes[i];
+        bare->meshes[i].first_side -= world->surface_count - bare->surface_count;
+    }
+    return true;
+}
+
+/* As it would be without the overhangs, fins, balconies and shelves of the room's own windows,
+ * which take sky whatever stands opposite: [BR209] has both stated, from memory. NAN: there are
+ * none. */
+static enum pp_status find_unshaded(double *share, const struct pp_world *world,
+                                    const struct pp_opening *opening, double french_m,
+                                    struct pp_error *err)
+{
+    struct pp_world bare = *world;
+    *share = NAN;
+    enum pp_status status = take_shades_off(&bare, world) ? PP_OK : pp_fail_memory(err);
+    if (status == PP_OK && bare.surface_count < world->surface_count)
+        status = pp_vertical_sky_at_point(share, &bare, opening, french_m, err);
+    free(bare.surfaces);
+    free(bare.meshes);
+    return status;
+}
+
+static const char unshaded[] = "without the overhangs and balconies of its own";
+
 /* Adds a finding for each opening: made by `find` for upright ones, not judged for all
  * others. */
 static enum pp_status for_each_window(
@@ -108,14 +148,19 @@ static enum pp_status find_component(struct pp_finding *finding,
                                      const struct pp_inquiry *inquiry, int opening,
                                      const char *what, struct pp_error *err)
 {
-    double share;
-    enum pp_status status = pp_vertical_sky_at_point(&share, inquiry->world,
-                                                     &inquiry->world->openings[opening],
-                                                     inquiry->french_m, err);
+    const struct pp_world *world = inquiry->world;
+    double share, bare;
+    enum pp_status status = pp_vertical_sky_at_point(
+        &share, world, &world->openings[opening], inquiry->french_m, err);
+    if (status == PP_OK)
+        status = find_unshaded(&bare, world, &world->openings[opening],
+                               inquiry->french_m, err);
     if (status != PP_OK)
         return status;
     *finding = pp_finding_of(PP_FIGURE_FACTOR, share, VSC_WANTED, false, "%s", what);
     pp_finding_compares(finding, PP_FIGURE_FACTOR, share, NAN);
+    if (isfinite(bare))
+        pp_finding_note(finding, "%.1f %% %s", 100.0 * bare, unshaded);
     return PP_OK;
 }
 
@@ -130,14 +175,20 @@ static enum pp_status find_loss(struct pp_finding *finding,
                                 const struct pp_inquiry *inquiry, int opening,
                                 const char *what, struct pp_error *err)
 {
-    double now, then;
-    enum pp_status status = pp_vertical_sky_at_point(&now, inquiry->world,
-                                                     &inquiry->world->openings[opening],
-                                                     inquiry->french_m, err);
+    const struct pp_opening *of_now = &inquiry->world->openings[opening];
+    const struct pp_opening *of_then =
+        &inquiry->before->openings[inquiry->pairs[opening]];
+    const double french_m = inquiry->french_m;
+    double now, then, bare_now, bare_then;
+    enum pp_status status =
+        pp_vertical_sky_at_point(&now, inquiry->world, of_now, french_m, err);
     if (status == PP_OK)
-        status = pp_vertical_sky_at_point(
-            &then, inquiry->before, &inquiry->before->openings[inquiry->pairs[opening]],
-            inquiry->french_m, err);
+        status =
+            pp_vertical_sky_at_point(&then, inquiry->before, of_then, french_m, err);
+    if (status == PP_OK)
+        status = find_unshaded(&bare_now, inquiry->world, of_now, french_m, err);
+    if (status == PP_OK)
+        status = find_unshaded(&bare_then, inquiry->before, of_then, french_m, err);
     if (status != PP_OK)
         return status;
     if (!(then > NO_SKY)) {
@@ -153,6 +204,10 @@ static enum pp_status find_loss(struct pp_finding *finding,
         finding->verdict = PP_MET;
         pp_finding_note(finding, "; what is left is 27 %% or more");
     }
+    if (bare_now / bare_then > 0.0)
+        pp_finding_note(finding, "; %.3f %s (%.1f %% and %.1f %%)",
+                        bare_now / bare_then, unshaded, 100.0 * bare_now,
+                        100.0 * bare_then);
     return PP_OK;
 }
 
