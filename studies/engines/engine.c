@@ -7,6 +7,7 @@ static const struct pp_engine *const engines[] = {
     &pp_engine_path,
     &pp_engine_cache,
     &pp_engine_photons,
+    &pp_engine_radiosity,
     NULL,
 };
 

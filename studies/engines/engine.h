@@ -72,7 +72,8 @@ struct pp_engine {
     void (*destroy)(void *run); /* NULL is allowed */
 };
 
-extern const struct pp_engine pp_engine_path, pp_engine_cache, pp_engine_photons;
+extern const struct pp_engine pp_engine_path, pp_engine_cache, pp_engine_photons,
+    pp_engine_radiosity;
 
 const struct pp_engine *pp_engine_at(int index);          /* NULL behind the last */
 const struct pp_engine *pp_engine_find(const char *name); /* NULL: there is none */

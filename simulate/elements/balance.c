@@ -1,0 +1,222 @@
+/* balance.c - see balance.h. */
+#include "simulate/elements/balance.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/array.h"
+
+/* Radiosities that change by less, over the largest, stay. */
+static const double STILL = 1e-9;
+/* More turns than any reflectance below 0.999 takes. */
+enum { MOST_TURNS = 20000 };
+
+static void clear_row(struct pp_balance_row *row)
+{
+    pp_light_sum_clear(&row->openings);
+    pp_light_sum_clear(&row->elements);
+    pp_light_sum_clear(&row->behind);
+    free(row->wanted.list);
+    *row = (struct pp_balance_row){.has_openings = false};
+}
+
+void pp_balance_clear(struct pp_balance *balance)
+{
+    for (int i = 0; i < balance->row_count; i++)
+        clear_row(&balance->rows[i]);
+    free(balance->rows);
+    balance->rows = NULL;
+    balance->row_count = balance->row_room = 0;
+}
+
+/* ---- what elements take ---- */
+
+static struct pp_taker taker_of(const struct pp_balance *balance, int index)
+{
+    const struct pp_element *element = &balance->tree->list[index];
+    return (struct pp_taker){element->middle,
+                             pp_element_tree_normal(balance->tree, element->side),
+                             element->side / 2};
+}
+
+static bool by_openings(void *data, int member, int index)
+{
+    struct pp_balance *balance = data;
+    const struct pp_element *element = &balance->tree->list[index];
+    const struct pp_sheet *sheet = &balance->tree->sheets->list[element->side / 2];
+    struct pp_balance_row *row = &balance->rows[index];
+    struct pp_taker taker = taker_of(balance, index);
+    (void)member;
+    if (row->has_openings || element->part_count > 0)
+        return true;
+    pp_opening_light_add(balance->room, balance->sight, &taker,
+                         &balance->accuracy.openings, &row->openings);
+    if (sheet->through > 0.0) {
+        struct pp_light_ray_start place = {
+            taker.point, pp_vec_scale(taker.normal, -1.0), taker.sheet, false};
+        pp_outside_cells_hemisphere(balance->room, &place, balance->accuracy.directions,
+                                    (unsigned)index, 1.0, PP_DF, &row->behind);
+    }
+    row->has_openings = true;
+    return true;
+}
+
+static bool by_elements(void *data, int member, int index)
+{
+    struct pp_balance *balance = data;
+    struct pp_balance_row *row = &balance->rows[index];
+    struct pp_taker taker = taker_of(balance, index);
+    struct pp_element_light_accuracy accuracy = balance->accuracy.elements;
+    (void)member;
+    pp_light_sum_clear(&row->elements);
+    row->wanted.count = 0;
+    if (balance->tree->list[index].part_count > 0)
+        return true;
+    accuracy.tolerance = balance->accuracy.even * row->illuminance;
+    accuracy.divided = accuracy.tolerance * INFINITY;
+    pp_element_light_add(balance->room, balance->sight, &taker, &accuracy,
+                         &row->elements, &row->wanted);
+    return true;
+}
+
+static enum pp_status make_rows(struct pp_balance *balance, struct pp_error *err)
+{
+    int count = balance->tree->count;
+    enum pp_status status = pp_array_reserve(&balance->rows, &balance->row_room, count,
+                                             sizeof *balance->rows, err);
+    if (status != PP_OK)
+        return status;
+    for (int i = balance->row_count; i < count; i++) {
+        int parent = balance->tree->list[i].parent;
+        balance->rows[i] = (struct pp_balance_row){.has_openings = false};
+        if (parent >= 0 && parent < balance->row_count)
+            balance->rows[i].illuminance = balance->rows[parent].illuminance;
+    }
+    balance->row_count = count;
+    return PP_OK;
+}
+
+enum pp_status pp_balance_gather(struct pp_balance *balance, struct pp_error *err)
+{
+    enum pp_status status = make_rows(balance, err);
+    if (status != PP_OK)
+        return status;
+    int count = balance->row_count;
+    pp_crew_run(balance->crew, 0, count, by_openings, balance);
+    for (int i = 0; status == PP_OK && i < count; i++) {
+        struct pp_balance_row *row = &balance->rows[i];
+        status = pp_outside_cells_resolve(balance->cells, balance->room, &row->openings,
+                                          err);
+        if (status == PP_OK)
+            status = pp_outside_cells_resolve(balance->cells, balance->room,
+                                              &row->behind, err);
+    }
+    if (status == PP_OK)
+        status =
+            pp_outside_cells_gather(balance->cells, balance->room, balance->crew, err);
+    if (status != PP_OK)
+        return status;
+    pp_crew_run(balance->crew, 0, count, by_elements, balance);
+    for (int i = 0; i < count; i++)
+        if (balance->rows[i].elements.failed)
+            return pp_fail_memory(err);
+    return PP_OK;
+}
+
+/* ---- solving ---- */
+
+static double radiosity_of(const struct pp_balance *balance, int source)
+{
+    return source >= 0 ? balance->tree->list[source].radiosity
+                       : balance->cells->list[-1 - source].radiosity;
+}
+
+/* All of a sum. */
+static double total(const struct pp_balance *balance, const struct pp_light_sum *sum)
+{
+    double value = 0.0;
+    for (int i = 0; i < PP_LIGHT_PARTS; i++)
+        value += sum->fixed[i];
+    for (int i = 0; i < sum->term_count; i++)
+        value += sum->terms[i].weight * radiosity_of(balance, sum->terms[i].source);
+    return value;
+}
+
+void pp_balance_value(const struct pp_balance *balance, const struct pp_light_sum *sum,
+                      bool scattered, double value[PP_LIGHT_PARTS])
+{
+    for (int i = 0; i < PP_LIGHT_PARTS; i++)
+        value[i] += sum->fixed[i];
+    for (int i = 0; i < sum->term_count; i++) {
+        const struct pp_light_term *term = &sum->terms[i];
+        double light = radiosity_of(balance, term->source);
+        if (scattered && term->source >= 0) {
+            const struct pp_element *element = &balance->tree->list[term->source];
+            value[PP_SC] += term->weight * element->sky;
+            value[PP_ERC] += term->weight * element->outside;
+            light -= element->sky + element->outside;
+        }
+        value[term->part] += term->weight * light;
+    }
+}
+
+/* One element's equation; returns by how much its radiosity has changed. */
+static double turn_element(struct pp_balance *balance, int index)
+{
+    struct pp_element *element = &balance->tree->list[index];
+    struct pp_balance_row *row = &balance->rows[index];
+    const struct pp_sheet *sheet = &balance->tree->sheets->list[element->side / 2];
+    const struct pp_sheet_side *side = &sheet->side[element->side % 2];
+    double before = element->radiosity;
+    row->illuminance = total(balance, &row->openings) + total(balance, &row->elements);
+    element->radiosity = side->exitance + side->reflectance * row->illuminance;
+    if (sheet->through > 0.0) {
+        double behind[PP_LIGHT_PARTS] = {0.0};
+        pp_balance_value(balance, &row->behind, false, behind);
+        element->sky = sheet->through * behind[PP_SC];
+        element->outside = sheet->through * behind[PP_ERC];
+        element->radiosity +=
+            element->sky + element->outside + sheet->through * behind[PP_IRC];
+    }
+    return fabs(element->radiosity - before);
+}
+
+void pp_balance_solve(struct pp_balance *balance)
+{
+    double change = INFINITY, most = 0.0;
+    for (int turn = 0; turn < MOST_TURNS && change > STILL * most; turn++) {
+        change = most = 0.0;
+        for (int i = 0; i < balance->cells->count; i++) {
+            struct pp_outside_cell *cell = &balance->cells->list[i];
+            double before = cell->radiosity;
+            cell->radiosity =
+                cell->exitance + cell->reflectance * total(balance, &cell->taken);
+            change = fmax(change, fabs(cell->radiosity - before));
+        }
+        for (int i = 0; i < balance->tree->count; i++) {
+            if (balance->tree->list[i].part_count > 0)
+                continue;
+            change = fmax(change, turn_element(balance, i));
+            most = fmax(most, balance->tree->list[i].radiosity);
+        }
+        pp_element_tree_average(balance->tree);
+    }
+}
+
+/* ---- dividing ---- */
+
+enum pp_status pp_balance_divide(struct pp_balance *balance,
+                                 const struct pp_wanted *wanted, int *divided,
+                                 struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; status == PP_OK && i < wanted->count; i++) {
+        int index = wanted->list[i];
+        if (balance->tree->list[index].part_count > 0)
+            continue;
+        status = pp_element_tree_divide(balance->tree, index, err);
+        ++*divided;
+    }
+    return status;
+}

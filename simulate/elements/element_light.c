@@ -1,0 +1,141 @@
+/* element_light.c - down the trees of all sides. */
+#include "simulate/elements/element_light.h"
+
+#include <stdlib.h>
+
+#include "model/base/array.h"
+#include "simulate/elements/form_factor.h"
+
+/* Corners are looked at by this much nearer to the middle: those of neighbours that hide
+ * each other at their common edge would tell nothing. */
+static const double WITHIN = 0.9;
+
+struct gathering {
+    const struct pp_light_room *room;
+    const struct pp_sight *sight;
+    const struct pp_taker *taker;
+    const struct pp_element_light_accuracy *accuracy;
+    struct pp_light_sum *sum;
+    struct pp_wanted *wanted;
+    const int *blockers;
+    int blocker_count;
+};
+
+static double factor_of(const struct gathering *g, const struct pp_vec3 *corners,
+                        int count)
+{
+    return pp_form_factor(g->taker->point, g->taker->normal, corners, count);
+}
+
+static bool sees(const struct gathering *g, struct pp_vec3 point)
+{
+    return pp_sight_is_clear(g->sight, g->blockers, g->blocker_count, g->taker->point,
+                             point);
+}
+
+/* How much of a polygon is seen, by its middle and corners: 0, 1, or something between. */
+static double seen_of(const struct gathering *g, const struct pp_vec3 *corners,
+                      int count, bool by_middle)
+{
+    struct pp_vec3 middle = pp_element_tree_middle(corners, count, NULL);
+    double seen = sees(g, middle);
+    for (int i = 0; !by_middle && i < count; i++)
+        seen += sees(g, pp_vec_along(middle, WITHIN, pp_vec_sub(corners[i], middle)));
+    return by_middle ? seen : seen / (count + 1);
+}
+
+/* The form factor of what is seen of a polygon that lies in element `index`. */
+static double factor_seen(const struct gathering *g, int index,
+                          const struct pp_vec3 *corners, int count)
+{
+    double factor = factor_of(g, corners, count);
+    if (!(factor > 0.0))
+        return 0.0;
+    bool small = factor <= g->accuracy->least_factor;
+    double seen = seen_of(g, corners, count, small);
+    bool settled = factor <= g->accuracy->most_factor && (seen == 0.0 || seen == 1.0);
+    if (small || settled)
+        return factor * seen;
+    struct pp_vec3 parts[PP_ELEMENT_PARTS][64];
+    int counts[PP_ELEMENT_PARTS];
+    const struct pp_sheet *sheet =
+        &g->room->sheets->list[g->room->tree->list[index].side / 2];
+    int n = pp_element_tree_cut(corners, count, sheet->a, sheet->b, parts, counts);
+    double sum = 0.0;
+    for (int i = 0; i < n; i++)
+        sum += factor_seen(g, index, parts[i], counts[i]);
+    return sum;
+}
+
+/* What the light over an element may differ by, as this place takes it: by its spread, in
+ * so far as the form factor too differs from part to part, with size over distance. */
+static double unevenness(const struct gathering *g, const struct pp_element *element,
+                         double factor)
+{
+    double off = pp_vec_length(pp_vec_sub(element->middle, g->taker->point));
+    return factor * element->spread * fmin(1.0, sqrt(element->area_m2) / off);
+}
+
+static void want(const struct gathering *g, int index)
+{
+    struct pp_error err;
+    if (pp_array_reserve(&g->wanted->list, &g->wanted->room, g->wanted->count + 1,
+                         sizeof *g->wanted->list, &err)
+        != PP_OK) {
+        g->sum->failed = true;
+        return;
+    }
+    g->wanted->list[g->wanted->count++] = index;
+}
+
+static void gather(const struct gathering *g, int index)
+{
+    const struct pp_element_tree *tree = g->room->tree;
+    const struct pp_element *element = &tree->list[index];
+    const struct pp_vec3 *corners = &tree->corners[element->first_corner];
+    bool divided = element->part_count > 0, hidden = g->blocker_count > 0;
+    double factor = factor_of(g, corners, element->count);
+    if (!(factor > 0.0))
+        return;
+    bool even = unevenness(g, element, factor) <= g->accuracy->tolerance;
+    if (divided && (!even || (hidden && factor > g->accuracy->most_factor))) {
+        for (int i = 0; i < element->part_count; i++)
+            gather(g, element->first_part + i);
+        return;
+    }
+    if (hidden)
+        factor = factor_seen(g, index, corners, element->count);
+    if (!divided && unevenness(g, element, factor) > g->accuracy->divided)
+        want(g, index);
+    if (factor > 0.0)
+        pp_light_sum_add(g->sum, index, PP_IRC, factor);
+}
+
+void pp_element_light_add(const struct pp_light_room *room,
+                          const struct pp_sight *sight, const struct pp_taker *taker,
+                          const struct pp_element_light_accuracy *accuracy,
+                          struct pp_light_sum *sum, struct pp_wanted *wanted)
+{
+    const struct pp_element_tree *tree = room->tree;
+    int *blockers = malloc(((size_t)sight->count + 1) * sizeof *blockers);
+    struct pp_sight_place place = pp_sight_from(sight, taker->point);
+    struct gathering g = {.room = room,
+                          .sight = sight,
+                          .taker = taker,
+                          .accuracy = accuracy,
+                          .sum = sum,
+                          .wanted = wanted,
+                          .blockers = blockers};
+    sum->failed |= !blockers;
+    for (int i = 0; blockers && i < sight->count; i++) {
+        int sheet = sight->inside[i];
+        double height = pp_sheet_height(&room->sheets->list[sheet], taker->point);
+        int side = 2 * sheet + (height < 0.0);
+        if (sheet == taker->sheet || height == 0.0 || tree->roots[side][1] == 0)
+            continue;
+        g.blocker_count = pp_sight_blockers(sight, &place, i, blockers);
+        for (int k = 0; k < tree->roots[side][1]; k++)
+            gather(&g, tree->roots[side][0] + k);
+    }
+    free(blockers);
+}

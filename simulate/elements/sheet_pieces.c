@@ -1,0 +1,161 @@
+/* sheet_pieces.c - cells between lines through corners, as far as the sheet fills them. */
+#include "simulate/elements/sheet_pieces.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "model/base/array.h"
+#include "model/geometry/convex_parts.h"
+#include "model/room/face_less_openings.h"
+#include "simulate/elements/form_factor.h"
+
+/* Lines nearer to each other than this are one, m. */
+static const double SAME_LINE_M = 1e-6;
+/* Of a cell, that counts as empty or as full. */
+static const double NOTHING = 1e-9;
+
+enum { MOST_LINES = 32 };
+
+struct work {
+    struct pp_sheets *sheets;
+    struct pp_clipper *clipper;
+    const struct pp_polygon *outline;
+    struct pp_face_axes axes;
+    int sheet, face; /* face: whose openings are cut; -1: none */
+};
+
+static enum pp_status append(struct pp_sheets *sheets, int sheet,
+                             const struct pp_vec3 *corners, int count,
+                             struct pp_error *err)
+{
+    enum pp_status status = pp_array_append(&sheets->pieces, sheets->piece_count,
+                                            sizeof *sheets->pieces, err);
+    if (status == PP_OK)
+        status = pp_array_reserve(&sheets->corners, &sheets->corner_room,
+                                  sheets->corner_count + count, sizeof *sheets->corners,
+                                  err);
+    if (status != PP_OK)
+        return status;
+    sheets->pieces[sheets->piece_count++] =
+        (struct pp_piece){sheet, sheets->corner_count, count};
+    for (int i = 0; i < count; i++)
+        sheets->corners[sheets->corner_count++] = corners[i];
+    sheets->list[sheet].piece_count++;
+    return PP_OK;
+}
+
+/* A piece given in the sheet's plane. */
+static enum pp_status append_flat(const struct work *work, const double (*xy)[2],
+                                  int count, struct pp_error *err)
+{
+    const struct pp_world *world = work->sheets->world;
+    struct pp_vec3 corners[4];
+    for (int i = 0; i < count; i++)
+        corners[i] = pp_face_less_openings_corner(&work->axes, xy[i], work->outline,
+                                                  world, work->face);
+    return append(work->sheets, work->sheet, corners, count, err);
+}
+
+static enum pp_status append_triangles(const struct work *work,
+                                       const struct pp_region *region,
+                                       struct pp_error *err)
+{
+    double(*pieces)[3][2] = NULL;
+    int count = 0;
+    enum pp_status status =
+        pp_clipper_triangulate(work->clipper, &pieces, &count, region, err);
+    for (int i = 0; status == PP_OK && i < count; i++)
+        status = append_flat(work, (const double(*)[2])pieces[i], 3, err);
+    free(pieces);
+    return status;
+}
+
+/* ---- lines ---- */
+
+struct lines {
+    double at[MOST_LINES];
+    int count;
+    bool too_many;
+};
+
+static int by_place(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Through the corners of all rings, along one axis. */
+static struct lines lines_of(const struct pp_region *region, int axis)
+{
+    struct lines lines = {.count = 0};
+    for (int r = 0; r < region->count; r++)
+        for (int i = 0; i < region->rings[r].count; i++) {
+            double place = region->rings[r].xy[i][axis];
+            bool known = false;
+            for (int k = 0; !known && k < lines.count; k++)
+                known = fabs(lines.at[k] - place) < SAME_LINE_M;
+            if (!known && lines.count == MOST_LINES)
+                lines.too_many = true;
+            else if (!known)
+                lines.at[lines.count++] = place;
+        }
+    qsort(lines.at, (size_t)lines.count, sizeof *lines.at, by_place);
+    return lines;
+}
+
+/* What the sheet fills of one cell. */
+static enum pp_status cut_cell(const struct work *work, const struct pp_region *region,
+                               double left, double right, double low, double high,
+                               struct pp_error *err)
+{
+    double xy[4][2] = {{left, low}, {right, low}, {right, high}, {left, high}};
+    struct pp_ring ring = {4, xy};
+    struct pp_region cell = {1, &ring}, filled = {0, NULL};
+    double area = (right - left) * (high - low);
+    enum pp_status status =
+        pp_clipper_intersection(work->clipper, &filled, region, &cell, err);
+    if (status == PP_OK && pp_region_area(&filled) > (1.0 - NOTHING) * area)
+        status = append_flat(work, (const double(*)[2])xy, 4, err);
+    else if (status == PP_OK && pp_region_area(&filled) > NOTHING * area)
+        status = append_triangles(work, &filled, err);
+    pp_region_clear(&filled);
+    return status;
+}
+
+static enum pp_status cut(const struct work *work, const struct pp_region *region,
+                          struct pp_error *err)
+{
+    struct lines x = lines_of(region, 0), y = lines_of(region, 1);
+    enum pp_status status = PP_OK;
+    if (x.too_many || y.too_many)
+        return append_triangles(work, region, err);
+    for (int i = 0; i + 1 < x.count; i++)
+        for (int k = 0; status == PP_OK && k + 1 < y.count; k++)
+            status =
+                cut_cell(work, region, x.at[i], x.at[i + 1], y.at[k], y.at[k + 1], err);
+    return status;
+}
+
+enum pp_status pp_sheet_pieces_add(struct pp_sheets *sheets, int index,
+                                   struct pp_clipper *clipper, struct pp_error *err)
+{
+    const struct pp_world *world = sheets->world;
+    struct pp_sheet *sheet = &sheets->list[index];
+    const struct pp_polygon *outline =
+        sheet->opening ? &sheet->opening->outer : &world->surfaces[index].outline;
+    struct work work = {sheets,  clipper,
+                        outline, {sheet->origin, sheet->a, sheet->b},
+                        index,   index < world->face_count ? index : -1};
+    bool whole = true;
+    for (int i = 0; whole && work.face >= 0 && i < world->opening_count; i++)
+        whole = world->openings[i].face != index;
+    sheet->first_piece = sheets->piece_count;
+    enum pp_status status = pp_face_less_openings(&sheet->region, clipper, &work.axes,
+                                                  outline, world, work.face, err);
+    if (status != PP_OK)
+        return status;
+    if (whole && pp_convex_parts_is_convex(outline)
+        && outline->count <= PP_FORM_FACTOR_MOST / 2)
+        return append(sheets, index, outline->vertices, outline->count, err);
+    return cut(&work, &sheet->region, err);
+}

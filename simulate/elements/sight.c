@@ -1,0 +1,146 @@
+/* sight.c - see sight.h. */
+#include "simulate/elements/sight.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* In a plane within this, m. */
+static const double IN_PLANE_M = 1e-7;
+
+enum { MOST_PLANES = 64 };
+
+static int plane_count(const struct pp_sight *sight)
+{
+    return sight->count < MOST_PLANES ? sight->count : MOST_PLANES;
+}
+
+static const struct pp_sheet *inside(const struct pp_sight *sight, int i)
+{
+    return &sight->sheets->list[sight->inside[i]];
+}
+
+/* How low and how high inside[i] reaches over inside[plane], by its pieces' corners. */
+static void reach(const struct pp_sight *sight, int i, int plane, double *low,
+                  double *high)
+{
+    const struct pp_sheets *sheets = sight->sheets;
+    const struct pp_sheet *sheet = inside(sight, i);
+    *low = INFINITY;
+    *high = -INFINITY;
+    for (int k = 0; k < sheet->piece_count; k++) {
+        const struct pp_piece *piece = &sheets->pieces[sheet->first_piece + k];
+        for (int c = 0; c < piece->count; c++) {
+            double height = pp_sheet_height(inside(sight, plane),
+                                            sheets->corners[piece->first_corner + c]);
+            *low = fmin(*low, height);
+            *high = fmax(*high, height);
+        }
+    }
+}
+
+/* Is every sheet part of the room's hull, with all others before it? */
+static bool is_convex(const struct pp_sight *sight)
+{
+    for (int p = 0; p < sight->count; p++) {
+        if (!inside(sight, p)->envelope)
+            return false;
+        for (int i = 0; i < sight->count; i++) {
+            double low, high;
+            reach(sight, i, p, &low, &high);
+            if (low < -IN_PLANE_M)
+                return false;
+        }
+    }
+    return true;
+}
+
+static void set_signs(struct pp_sight *sight, int i)
+{
+    for (int p = 0; p < plane_count(sight); p++) {
+        double low, high;
+        reach(sight, i, p, &low, &high);
+        if (low >= -IN_PLANE_M)
+            sight->above[i] |= UINT64_C(1) << p;
+        if (high <= IN_PLANE_M)
+            sight->below[i] |= UINT64_C(1) << p;
+    }
+}
+
+enum pp_status pp_sight_create(struct pp_sight **result, const struct pp_sheets *sheets,
+                               struct pp_error *err)
+{
+    *result = NULL;
+    struct pp_sight *sight = calloc(1, sizeof *sight);
+    if (!sight)
+        return pp_fail_memory(err);
+    size_t room = (size_t)sheets->count + 1;
+    sight->sheets = sheets;
+    sight->inside = malloc(room * sizeof *sight->inside);
+    sight->above = calloc(room, sizeof *sight->above);
+    sight->below = calloc(room, sizeof *sight->below);
+    if (!sight->inside || !sight->above || !sight->below) {
+        pp_sight_destroy(sight);
+        return pp_fail_memory(err);
+    }
+    for (int i = 0; i < sheets->count; i++)
+        if (sheets->list[i].side[0].indoors || sheets->list[i].side[1].indoors)
+            sight->inside[sight->count++] = i;
+    for (int i = 0; i < sight->count; i++)
+        set_signs(sight, i);
+    sight->all_seen = is_convex(sight);
+    *result = sight;
+    return PP_OK;
+}
+
+void pp_sight_destroy(struct pp_sight *sight)
+{
+    if (!sight)
+        return;
+    free(sight->inside);
+    free(sight->above);
+    free(sight->below);
+    free(sight);
+}
+
+struct pp_sight_place pp_sight_from(const struct pp_sight *sight, struct pp_vec3 point)
+{
+    struct pp_sight_place place = {.point = point};
+    for (int p = 0; p < plane_count(sight); p++) {
+        double height = pp_sheet_height(inside(sight, p), point);
+        if (height >= -IN_PLANE_M)
+            place.above |= UINT64_C(1) << p;
+        if (height <= IN_PLANE_M)
+            place.below |= UINT64_C(1) << p;
+    }
+    return place;
+}
+
+int pp_sight_blockers(const struct pp_sight *sight, const struct pp_sight_place *from,
+                      int target, int *blockers)
+{
+    uint64_t above = from->above & sight->above[target];
+    uint64_t below = from->below & sight->below[target];
+    int count = 0;
+    for (int i = 0; !sight->all_seen && i < sight->count; i++)
+        if (i != target && !(above & sight->below[i]) && !(below & sight->above[i]))
+            blockers[count++] = sight->inside[i];
+    return count;
+}
+
+bool pp_sight_is_clear(const struct pp_sight *sight, const int *blockers, int count,
+                       struct pp_vec3 a, struct pp_vec3 b)
+{
+    for (int i = 0; i < count; i++) {
+        const struct pp_sheet *sheet = &sight->sheets->list[blockers[i]];
+        double at_a = pp_sheet_height(sheet, a), at_b = pp_sheet_height(sheet, b);
+        if (fabs(at_a) < 1e-9 || fabs(at_b) < 1e-9 || (at_a > 0.0) == (at_b > 0.0))
+            continue;
+        struct pp_vec3 crossing =
+            pp_vec_along(a, at_a / (at_a - at_b), pp_vec_sub(b, a));
+        struct pp_vec3 from = pp_vec_sub(crossing, sheet->origin);
+        if (pp_region_contains(&sheet->region, pp_vec_dot(from, sheet->a),
+                               pp_vec_dot(from, sheet->b)))
+            return false;
+    }
+    return true;
+}

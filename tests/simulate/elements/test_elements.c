@@ -1,0 +1,246 @@
+/* test_elements.c - radiosity, against what is known on paper: to 0.1 %. */
+#include "tests/lib/elements_of.h"
+#include "tests/lib/random_rooms.h"
+
+static struct pp_elements_options elements_of(double error)
+{
+    return (struct pp_elements_options){.error = error, .threads = 1};
+}
+
+#define BOX "<plan width='3.1' depth='4.3' height='2.6'/>"
+
+static void a_closed_room_is_dark(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'>" BOX "<point x='1.2' y='2.3'/></room>");
+    struct pp_elements_options options = elements_of(0.01);
+    struct pp_reading(*found)[4] =
+        pp_test_elements(world, &light, world->receivers, 1, &options, NULL);
+    for (int point = 0; point < 2; point++)
+        for (int i = 0; i < PP_COMPONENT_COUNT; i++)
+            assert_near(found[point][i].value, 0.0, 0.0);
+    free(found);
+    pp_world_destroy(world);
+}
+
+static void the_open_sky_is_all_there_is_without_a_room(void **state)
+{
+    (void)state;
+    const struct pp_world world = {0};
+    struct pp_outside_light light = {pp_sky_overcast(), 0.3};
+    const struct pp_receiver receivers[] = {
+        pp_test_receiver(1.0, 2.0, 3.0, 0.0, 0.0, 1.0),
+        pp_test_receiver(1.0, 2.0, 3.0, 0.3, -0.4, 0.0)};
+    struct pp_elements_options options = elements_of(0.0);
+    struct pp_reading(*found)[4] =
+        pp_test_elements(&world, &light, receivers, 2, &options, NULL);
+    assert_near(found[0][PP_SC].value, 1.0, 1e-3);
+    assert_near(found[0][PP_ERC].value, 0.0, 0.0);
+    assert_near(found[1][PP_SC].value, 0.396177, 1e-3);
+    assert_near(found[1][PP_ERC].value, 0.15, 1e-3);
+    free(found);
+}
+
+/* Every surface gives off its own 1 and reflects rho of what it gets:
+ * 1 + rho + rho^2 + ..., wherever one is. */
+static void a_furnace_glows_with_one_over_one_less_rho(void **state)
+{
+    (void)state;
+    const double reflectances[] = {0.0, 0.5, 0.9};
+    const struct pp_receiver receivers[] = {
+        pp_test_receiver(1.2, 2.3, 0.7, 0.2, 0.3, 1.0),
+        pp_test_receiver(0.001, 2.3, 0.7, -1.0, 0.0, 0.0),
+        pp_test_receiver(0.001, 0.001, 0.001, -0.3, -0.5, -0.7),
+    };
+    enum { COUNT = sizeof receivers / sizeof *receivers };
+    struct pp_outside_light light;
+    struct pp_world *world =
+        pp_test_lit_world(&light, "<room version='1'>" BOX "</room>");
+    for (size_t i = 0; i < sizeof reflectances / sizeof *reflectances; i++) {
+        for (int k = 0; k < world->surface_count; k++) {
+            world->surfaces[k].exitance = 1.0;
+            world->surfaces[k].front = reflectances[i];
+        }
+        struct pp_elements_options options = elements_of(0.01);
+        struct pp_reading(*found)[4] =
+            pp_test_elements(world, &light, receivers, COUNT, &options, NULL);
+        for (int k = 0; k <= COUNT; k++)
+            assert_relative(found[k][PP_IRC].value, 1.0 / (1.0 - reflectances[i]),
+                            1e-6);
+        free(found);
+    }
+    pp_world_destroy(world);
+}
+
+/* A long or wide room whose walls are black. */
+static struct pp_world *black_walled(struct pp_outside_light *light, const char *plan,
+                                     const double given[2], const double reflectance[2])
+{
+    char xml[200];
+    snprintf(xml, sizeof xml, "<room version='1'><plan %s/><point x='1' y='1'/></room>",
+             plan);
+    struct pp_world *world = pp_test_lit_world(light, xml);
+    for (int i = 0; i < world->surface_count; i++) {
+        struct pp_surface *surface = &world->surfaces[i];
+        bool upper = surface->role == PP_CEILING, wall = surface->role == PP_WALL;
+        surface->front = wall ? 0.0 : reflectance[upper];
+        surface->exitance = wall ? 0.0 : given[upper];
+    }
+    return world;
+}
+
+/* Far from the edges, floor and ceiling of a wide room are plates without end:
+ *
+ *     B_f = M_f + rho_f B_c,  B_c = M_c + rho_c B_f */
+static void two_plates_light_each_other_by_a_geometric_series(void **state)
+{
+    (void)state;
+    const double given[2] = {0.3, 1.7}, reflectance[2] = {0.4, 0.8};
+    struct pp_outside_light light;
+    struct pp_world *world =
+        black_walled(&light, "width='100' depth='100' height='1'", given, reflectance);
+    const struct pp_receiver receivers[] = {
+        pp_test_receiver(50.0, 50.0, 0.6, 0.0, 0.0, 1.0),
+        pp_test_receiver(48.0, 51.0, 0.4, 0.0, 0.0, -1.0)};
+    struct pp_elements_options options = elements_of(0.0);
+    struct pp_reading(*found)[4] =
+        pp_test_elements(world, &light, receivers, 2, &options, NULL);
+    double more = 1.0 - reflectance[0] * reflectance[1];
+    assert_relative(found[0][PP_IRC].value,
+                    (given[1] + reflectance[1] * given[0]) / more, 1e-3);
+    assert_relative(found[1][PP_IRC].value,
+                    (given[0] + reflectance[0] * given[1]) / more, 1e-3);
+    free(found);
+    pp_world_destroy(world);
+}
+
+/* ---- a corridor ---- */
+
+enum { NODES = 200 };
+
+/* Floor and ceiling of a corridor without end, w wide and h apart, between black walls:
+ * light changes across it alone, and a strip dx' of the other plane brings
+ *
+ *     K(x - x', h) dx',  K(x, h) = h^2 / (2 (x^2 + h^2)^(3/2)),
+ *
+ * so that B_f = M + rho int K B_c, B_c = rho int K B_f: by the midpoint rule and by
+ * iteration. Returns the illuminance from above at x, h - z below the ceiling. */
+static double corridor(double w, double h, double given, double rho, double x, double z)
+{
+    double f[NODES], c[NODES] = {0.0}, step = w / NODES, sum = 0.0;
+    for (int turn = 0; turn < 60; turn++)
+        for (int half = 0; half < 2; half++)
+            for (int i = 0; i < NODES; i++) {
+                double taken = 0.0;
+                for (int k = 0; k < NODES; k++) {
+                    double off = (i - k) * step;
+                    taken += step * h * h / (2.0 * pow(off * off + h * h, 1.5))
+                             * (half ? f[k] : c[k]);
+                }
+                if (half)
+                    c[i] = rho * taken;
+                else
+                    f[i] = given + rho * taken;
+            }
+    for (int k = 0; k < NODES; k++) {
+        double off = x - (k + 0.5) * step, up = h - z;
+        sum += step * up * up / (2.0 * pow(off * off + up * up, 1.5)) * c[k];
+    }
+    return sum;
+}
+
+static void a_corridor_solves_its_integral_equation(void **state)
+{
+    (void)state;
+    const double given[2] = {1.0, 0.0}, reflectance[2] = {0.7, 0.7};
+    struct pp_outside_light light;
+    struct pp_world *world =
+        black_walled(&light, "width='2.2' depth='90' height='1.9'", given, reflectance);
+    const struct pp_receiver receivers[] = {
+        pp_test_receiver(0.6, 45.0, 0.4, 0.0, 0.0, 1.0),
+        pp_test_receiver(1.1, 45.0, 1.1, 0.0, 0.0, 1.0)};
+    struct pp_elements_options options = elements_of(0.01);
+    struct pp_elements *elements;
+    struct pp_reading found[2][PP_COMPONENT_COUNT];
+    assert_int_equal(
+        pp_elements_create(&elements, world, &light, receivers, 2, &options, NULL),
+        PP_OK);
+    assert_int_equal(pp_elements_advance(elements, NULL), PP_OK);
+    for (int i = 0; i < 2; i++)
+        pp_elements_read(elements, i, found[i]);
+    assert_relative(found[0][PP_IRC].value, corridor(2.2, 1.9, 1.0, 0.7, 0.6, 0.4),
+                    1e-3);
+    assert_relative(found[1][PP_IRC].value, corridor(2.2, 1.9, 1.0, 0.7, 1.1, 1.1),
+                    1e-3);
+    pp_elements_destroy(elements);
+    pp_world_destroy(world);
+}
+
+/* ---- sky components ---- */
+
+/* By quadrature, a route of its own (random_rooms.h). */
+static void sky_components_keep_the_error_that_is_stated(void **state)
+{
+    (void)state;
+    int count = 0, kept = 0;
+    for (int room = 0; room < 3; room++) {
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_random_room(&light, 300 + (uint64_t)room, 6);
+        struct pp_elements_options options = elements_of(0.0);
+        struct pp_reading(*found)[4] =
+            pp_test_elements(world, &light, world->receivers, 6, &options, NULL);
+        for (int i = 0; i < 6; i++) {
+            double truth = pp_test_sky_component(world, &light, &world->receivers[i]);
+            kept += fabs(found[i][PP_SC].value - truth) <= found[i][PP_SC].std_error;
+            assert_near(found[i][PP_SC].value, truth, 0.01 * truth + 1e-5);
+            count++;
+        }
+        free(found);
+        pp_world_destroy(world);
+    }
+    assert_true(kept >= 0.9 * count);
+}
+
+/* ---- determinism ---- */
+
+static void threads_change_nothing_to_the_bit(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'>" BOX
+                "<window wall='south' left='0.6' sill='0.9' width='1.5' height='1.2' "
+                "reveal='0.2'/><block x='-5' y='-9' width='12' depth='4' height='6'/>"
+                "<point x='0.9' y='0.7'/><point x='1.7' y='3.9'/></room>");
+    struct pp_reading first[3][4];
+    for (int threads = 1; threads <= 3; threads++) {
+        struct pp_elements_options options = {.error = 0.0, .threads = threads};
+        struct pp_reading(*found)[4] =
+            pp_test_elements(world, &light, world->receivers, 2, &options, NULL);
+        for (int i = 0; i < 3; i++)
+            for (int c = 0; c < PP_COMPONENT_COUNT; c++) {
+                if (threads == 1)
+                    first[i][c] = found[i][c];
+                assert_true(found[i][c].value == first[i][c].value);
+                assert_true(found[i][c].std_error == first[i][c].std_error);
+            }
+        free(found);
+    }
+    pp_world_destroy(world);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_closed_room_is_dark),
+        cmocka_unit_test(the_open_sky_is_all_there_is_without_a_room),
+        cmocka_unit_test(a_furnace_glows_with_one_over_one_less_rho),
+        cmocka_unit_test(two_plates_light_each_other_by_a_geometric_series),
+        cmocka_unit_test(a_corridor_solves_its_integral_equation),
+        cmocka_unit_test(sky_components_keep_the_error_that_is_stated),
+        cmocka_unit_test(threads_change_nothing_to_the_bit),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
