@@ -73,8 +73,9 @@ static enum pp_status read_sensor(const char *text, void *place, struct pp_error
 const struct pp_option pp_engine_options[] = {
     {"engine", 0, "LIST",
      "What simulates: path (default), light paths from the points, without bias; "
-     "photons, light followed from the openings, without bias; cache, through an "
-     "irradiance cache; several as path,photons, and how far they are apart.",
+     "photons, light followed from the openings, without bias; radiosity, finite "
+     "elements; cache, through an irradiance cache; several as path,photons, and how "
+     "far they are apart.",
      read_engines, offsetof(struct pp_engine_choice, engines)},
     {"sensor", 0, "RADIUS",
      "Count photons on discs of that radius, in metres, round the points, in place of "

@@ -44,7 +44,7 @@ static bool by_openings(void *data, int member, int index)
 {
     struct pp_balance *balance = data;
     const struct pp_element *element = &balance->tree->list[index];
-    const struct pp_sheet *sheet = &balance->tree->sheets->list[element->side / 2];
+    const struct pp_facet *facet = &balance->tree->facets->list[element->side / 2];
     struct pp_balance_row *row = &balance->rows[index];
     struct pp_taker taker = taker_of(balance, index);
     (void)member;
@@ -52,9 +52,9 @@ static bool by_openings(void *data, int member, int index)
         return true;
     pp_opening_light_add(balance->room, balance->sight, &taker,
                          &balance->accuracy.openings, &row->openings);
-    if (sheet->through > 0.0) {
+    if (facet->through > 0.0) {
         struct pp_light_ray_start place = {
-            taker.point, pp_vec_scale(taker.normal, -1.0), taker.sheet, false};
+            taker.point, pp_vec_scale(taker.normal, -1.0), taker.facet, false};
         pp_outside_cells_hemisphere(balance->room, &place, balance->accuracy.directions,
                                     (unsigned)index, 1.0, PP_DF, &row->behind);
     }
@@ -166,18 +166,18 @@ static double turn_element(struct pp_balance *balance, int index)
 {
     struct pp_element *element = &balance->tree->list[index];
     struct pp_balance_row *row = &balance->rows[index];
-    const struct pp_sheet *sheet = &balance->tree->sheets->list[element->side / 2];
-    const struct pp_sheet_side *side = &sheet->side[element->side % 2];
+    const struct pp_facet *facet = &balance->tree->facets->list[element->side / 2];
+    const struct pp_facet_side *side = &facet->side[element->side % 2];
     double before = element->radiosity;
     row->illuminance = total(balance, &row->openings) + total(balance, &row->elements);
     element->radiosity = side->exitance + side->reflectance * row->illuminance;
-    if (sheet->through > 0.0) {
+    if (facet->through > 0.0) {
         double behind[PP_LIGHT_PARTS] = {0.0};
         pp_balance_value(balance, &row->behind, false, behind);
-        element->sky = sheet->through * behind[PP_SC];
-        element->outside = sheet->through * behind[PP_ERC];
+        element->sky = facet->through * behind[PP_SC];
+        element->outside = facet->through * behind[PP_ERC];
         element->radiosity +=
-            element->sky + element->outside + sheet->through * behind[PP_IRC];
+            element->sky + element->outside + facet->through * behind[PP_IRC];
     }
     return fabs(element->radiosity - before);
 }

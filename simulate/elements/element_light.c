@@ -10,9 +10,9 @@
  * each other at their common edge would tell nothing. */
 static const double WITHIN = 0.9;
 
-struct gathering {
+struct descent {
     const struct pp_light_room *room;
-    const struct pp_sight *sight;
+    const struct pp_element_sight *sight;
     const struct pp_taker *taker;
     const struct pp_element_light_accuracy *accuracy;
     struct pp_light_sum *sum;
@@ -21,21 +21,21 @@ struct gathering {
     int blocker_count;
 };
 
-static double factor_of(const struct gathering *g, const struct pp_vec3 *corners,
+static double factor_of(const struct descent *g, const struct pp_vec3 *corners,
                         int count)
 {
     return pp_form_factor(g->taker->point, g->taker->normal, corners, count);
 }
 
-static bool sees(const struct gathering *g, struct pp_vec3 point)
+static bool sees(const struct descent *g, struct pp_vec3 point)
 {
-    return pp_sight_is_clear(g->sight, g->blockers, g->blocker_count, g->taker->point,
-                             point);
+    return pp_element_sight_is_clear(g->sight, g->blockers, g->blocker_count,
+                                     g->taker->point, point);
 }
 
 /* How much of a polygon is seen, by its middle and corners: 0, 1, or something between. */
-static double seen_of(const struct gathering *g, const struct pp_vec3 *corners,
-                      int count, bool by_middle)
+static double seen_of(const struct descent *g, const struct pp_vec3 *corners, int count,
+                      bool by_middle)
 {
     struct pp_vec3 middle = pp_element_tree_middle(corners, count, NULL);
     double seen = sees(g, middle);
@@ -45,7 +45,7 @@ static double seen_of(const struct gathering *g, const struct pp_vec3 *corners,
 }
 
 /* The form factor of what is seen of a polygon that lies in element `index`. */
-static double factor_seen(const struct gathering *g, int index,
+static double factor_seen(const struct descent *g, int index,
                           const struct pp_vec3 *corners, int count)
 {
     double factor = factor_of(g, corners, count);
@@ -58,9 +58,9 @@ static double factor_seen(const struct gathering *g, int index,
         return factor * seen;
     struct pp_vec3 parts[PP_ELEMENT_PARTS][64];
     int counts[PP_ELEMENT_PARTS];
-    const struct pp_sheet *sheet =
-        &g->room->sheets->list[g->room->tree->list[index].side / 2];
-    int n = pp_element_tree_cut(corners, count, sheet->a, sheet->b, parts, counts);
+    const struct pp_facet *facet =
+        &g->room->facets->list[g->room->tree->list[index].side / 2];
+    int n = pp_element_tree_cut(corners, count, facet->a, facet->b, parts, counts);
     double sum = 0.0;
     for (int i = 0; i < n; i++)
         sum += factor_seen(g, index, parts[i], counts[i]);
@@ -69,14 +69,14 @@ static double factor_seen(const struct gathering *g, int index,
 
 /* What the light over an element may differ by, as this place takes it: by its spread, in
  * so far as the form factor too differs from part to part, with size over distance. */
-static double unevenness(const struct gathering *g, const struct pp_element *element,
+static double unevenness(const struct descent *g, const struct pp_element *element,
                          double factor)
 {
     double off = pp_vec_length(pp_vec_sub(element->middle, g->taker->point));
     return factor * element->spread * fmin(1.0, sqrt(element->area_m2) / off);
 }
 
-static void want(const struct gathering *g, int index)
+static void want(const struct descent *g, int index)
 {
     struct pp_error err;
     if (pp_array_reserve(&g->wanted->list, &g->wanted->room, g->wanted->count + 1,
@@ -88,7 +88,7 @@ static void want(const struct gathering *g, int index)
     g->wanted->list[g->wanted->count++] = index;
 }
 
-static void gather(const struct gathering *g, int index)
+static void gather(const struct descent *g, int index)
 {
     const struct pp_element_tree *tree = g->room->tree;
     const struct pp_element *element = &tree->list[index];
@@ -112,28 +112,29 @@ static void gather(const struct gathering *g, int index)
 }
 
 void pp_element_light_add(const struct pp_light_room *room,
-                          const struct pp_sight *sight, const struct pp_taker *taker,
+                          const struct pp_element_sight *sight,
+                          const struct pp_taker *taker,
                           const struct pp_element_light_accuracy *accuracy,
                           struct pp_light_sum *sum, struct pp_wanted *wanted)
 {
     const struct pp_element_tree *tree = room->tree;
     int *blockers = malloc(((size_t)sight->count + 1) * sizeof *blockers);
-    struct pp_sight_place place = pp_sight_from(sight, taker->point);
-    struct gathering g = {.room = room,
-                          .sight = sight,
-                          .taker = taker,
-                          .accuracy = accuracy,
-                          .sum = sum,
-                          .wanted = wanted,
-                          .blockers = blockers};
+    struct pp_element_sight_place place = pp_element_sight_from(sight, taker->point);
+    struct descent g = {.room = room,
+                        .sight = sight,
+                        .taker = taker,
+                        .accuracy = accuracy,
+                        .sum = sum,
+                        .wanted = wanted,
+                        .blockers = blockers};
     sum->failed |= !blockers;
     for (int i = 0; blockers && i < sight->count; i++) {
-        int sheet = sight->inside[i];
-        double height = pp_sheet_height(&room->sheets->list[sheet], taker->point);
-        int side = 2 * sheet + (height < 0.0);
-        if (sheet == taker->sheet || height == 0.0 || tree->roots[side][1] == 0)
+        int facet = sight->inside[i];
+        double height = pp_facet_height(&room->facets->list[facet], taker->point);
+        int side = 2 * facet + (height < 0.0);
+        if (facet == taker->facet || height == 0.0 || tree->roots[side][1] == 0)
             continue;
-        g.blocker_count = pp_sight_blockers(sight, &place, i, blockers);
+        g.blocker_count = pp_element_sight_blockers(sight, &place, i, blockers);
         for (int k = 0; k < tree->roots[side][1]; k++)
             gather(&g, tree->roots[side][0] + k);
     }

@@ -13,7 +13,7 @@ static const double NOTHING = 1e-9;
 
 struct pp_vec3 pp_element_tree_normal(const struct pp_element_tree *tree, int side)
 {
-    struct pp_vec3 n = tree->sheets->list[side / 2].normal;
+    struct pp_vec3 n = tree->facets->list[side / 2].normal;
     return side % 2 ? pp_vec_scale(n, -1.0) : n;
 }
 
@@ -118,9 +118,9 @@ enum pp_status pp_element_tree_divide(struct pp_element_tree *tree, int index,
     struct pp_vec3 parts[PP_ELEMENT_PARTS][64];
     int counts[PP_ELEMENT_PARTS];
     struct pp_element element = tree->list[index];
-    const struct pp_sheet *sheet = &tree->sheets->list[element.side / 2];
+    const struct pp_facet *facet = &tree->facets->list[element.side / 2];
     int count = pp_element_tree_cut(&tree->corners[element.first_corner], element.count,
-                                    sheet->a, sheet->b, parts, counts);
+                                    facet->a, facet->b, parts, counts);
     enum pp_status status = PP_OK;
     int first = tree->count;
     for (int i = 0; status == PP_OK && i < count; i++) {
@@ -139,34 +139,34 @@ enum pp_status pp_element_tree_divide(struct pp_element_tree *tree, int index,
 static bool is_too_long(const struct pp_element_tree *tree, int index, double size_m)
 {
     const struct pp_element *element = &tree->list[index];
-    const struct pp_sheet *sheet = &tree->sheets->list[element->side / 2];
+    const struct pp_facet *facet = &tree->facets->list[element->side / 2];
     const struct pp_vec3 *corners = &tree->corners[element->first_corner];
     double left, right, low, high;
-    extent(corners, element->count, sheet->a, &left, &right);
-    extent(corners, element->count, sheet->b, &low, &high);
+    extent(corners, element->count, facet->a, &left, &right);
+    extent(corners, element->count, facet->b, &low, &high);
     double length = fmax(right - left, high - low);
     return length > size_m || length > PP_ELEMENT_LONG * fmin(right - left, high - low);
 }
 
-static bool gives(const struct pp_sheet *sheet, int side)
+static bool gives(const struct pp_facet *facet, int side)
 {
-    return sheet->side[side].indoors
-           && (sheet->side[side].reflectance > 0.0 || sheet->side[side].exitance > 0.0
-               || sheet->through > 0.0);
+    return facet->side[side].indoors
+           && (facet->side[side].reflectance > 0.0 || facet->side[side].exitance > 0.0
+               || facet->through > 0.0);
 }
 
 static enum pp_status add_roots(struct pp_element_tree *tree, struct pp_error *err)
 {
-    const struct pp_sheets *sheets = tree->sheets;
+    const struct pp_facets *facets = tree->facets;
     enum pp_status status = PP_OK;
-    for (int side = 0; status == PP_OK && side < 2 * sheets->count; side++) {
-        const struct pp_sheet *sheet = &sheets->list[side / 2];
+    for (int side = 0; status == PP_OK && side < 2 * facets->count; side++) {
+        const struct pp_facet *facet = &facets->list[side / 2];
         tree->roots[side][0] = tree->count;
-        if (!gives(sheet, side % 2))
+        if (!gives(facet, side % 2))
             continue;
-        for (int i = 0; status == PP_OK && i < sheet->piece_count; i++) {
-            const struct pp_piece *piece = &sheets->pieces[sheet->first_piece + i];
-            status = append(tree, side, -1, &sheets->corners[piece->first_corner],
+        for (int i = 0; status == PP_OK && i < facet->piece_count; i++) {
+            const struct pp_piece *piece = &facets->pieces[facet->first_piece + i];
+            status = append(tree, side, -1, &facets->corners[piece->first_corner],
                             piece->count, err);
         }
         tree->roots[side][1] = tree->count - tree->roots[side][0];
@@ -175,15 +175,15 @@ static enum pp_status add_roots(struct pp_element_tree *tree, struct pp_error *e
 }
 
 enum pp_status pp_element_tree_create(struct pp_element_tree **result,
-                                      const struct pp_sheets *sheets, double size_m,
+                                      const struct pp_facets *facets, double size_m,
                                       struct pp_error *err)
 {
     *result = NULL;
     struct pp_element_tree *tree = calloc(1, sizeof *tree);
     if (!tree)
         return pp_fail_memory(err);
-    tree->sheets = sheets;
-    tree->roots = calloc((size_t)sheets->count * 2 + 1, sizeof *tree->roots);
+    tree->facets = facets;
+    tree->roots = calloc((size_t)facets->count * 2 + 1, sizeof *tree->roots);
     enum pp_status status = tree->roots ? add_roots(tree, err) : pp_fail_memory(err);
     for (int i = 0; status == PP_OK && i < tree->count; i++)
         if (is_too_long(tree, i, size_m))
@@ -214,7 +214,7 @@ static double beyond(const struct pp_element_tree *tree, int index,
 {
     const struct pp_element *element = &tree->list[index];
     const struct pp_vec3 *corners = &tree->corners[element->first_corner];
-    struct pp_vec3 n = tree->sheets->list[element->side / 2].normal;
+    struct pp_vec3 n = tree->facets->list[element->side / 2].normal;
     double most = -INFINITY;
     for (int i = 0; i < element->count; i++) {
         struct pp_vec3 along =
@@ -232,7 +232,7 @@ static bool holds(const struct pp_element_tree *tree, int index, struct pp_vec3 
 {
     const struct pp_element *element = &tree->list[index];
     const struct pp_vec3 *corners = &tree->corners[element->first_corner];
-    struct pp_vec3 n = tree->sheets->list[element->side / 2].normal;
+    struct pp_vec3 n = tree->facets->list[element->side / 2].normal;
     for (int i = 0; i < element->count; i++) {
         const struct pp_vec3 *next = &corners[i + 1 < element->count ? i + 1 : 0];
         struct pp_vec3 out = pp_vec_cross(pp_vec_sub(*next, corners[i]), n);

@@ -7,7 +7,7 @@
 #ifndef PP_SIMULATE_ELEMENTS_ELEMENT_TREE_H
 #define PP_SIMULATE_ELEMENTS_ELEMENT_TREE_H
 
-#include "simulate/elements/sheets.h"
+#include "simulate/elements/facets.h"
 
 enum {
     PP_ELEMENT_PARTS = 4,
@@ -15,7 +15,7 @@ enum {
 };
 
 struct pp_element {
-    int side;                /* of the sheets: twice a sheet, one more for the back */
+    int side;                /* of the facets: twice a facet, one more for the back */
     int first_corner, count; /* of its convex outline, as its piece's */
     struct pp_vec3 middle;   /* centre of area */
     double area_m2;
@@ -30,7 +30,7 @@ struct pp_element {
 };
 
 struct pp_element_tree {
-    const struct pp_sheets *sheets; /* not owned */
+    const struct pp_facets *facets; /* not owned */
     struct pp_element *list;        /* roots first, by sides */
     int count, room;
     struct pp_vec3 *corners;
@@ -38,10 +38,10 @@ struct pp_element_tree {
     int (*roots)[2]; /* of each side: the first, and how many */
 };
 
-/* Elements no longer than `size_m`, nor than PP_ELEMENT_LONG times their breadth. sheets
+/* Elements no longer than `size_m`, nor than PP_ELEMENT_LONG times their breadth. facets
  * must live as long. */
 enum pp_status pp_element_tree_create(struct pp_element_tree **tree,
-                                      const struct pp_sheets *sheets, double size_m,
+                                      const struct pp_facets *facets, double size_m,
                                       struct pp_error *err);
 void pp_element_tree_destroy(struct pp_element_tree *tree); /* NULL is allowed */
 

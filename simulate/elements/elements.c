@@ -39,8 +39,8 @@ struct receiver {
 struct pp_elements {
     struct pp_elements_options options;
     struct pp_outdoors outdoors;
-    struct pp_sheets *sheets;
-    struct pp_sight *sight;
+    struct pp_facets *facets;
+    struct pp_element_sight *sight;
     struct pp_element_tree *tree;
     struct pp_outside_cells cells;
     struct pp_light_room room;
@@ -60,25 +60,8 @@ struct pp_elements {
 
 static double size_of(const struct pp_elements *elements)
 {
-    const struct pp_bounds3 *box = &elements->sheets->room;
+    const struct pp_bounds3 *box = &elements->facets->room;
     return fmax(0.5 * pp_vec_length(pp_vec_sub(box->high, box->low)), 0.1);
-}
-
-/* Of the first elements: no longer than half the room is wide or high, as far as a thousand
- * of them are enough. */
-static double first_element_m(const struct pp_elements *elements)
-{
-    const struct pp_sheets *sheets = elements->sheets;
-    struct pp_vec3 extent = pp_vec_sub(sheets->room.high, sheets->room.low);
-    double least = fmin(extent.x, fmin(extent.y, extent.z)), area = 0.0;
-    for (int i = 0; i < sheets->piece_count; i++) {
-        const struct pp_piece *piece = &sheets->pieces[i];
-        double own;
-        pp_element_tree_middle(&sheets->corners[piece->first_corner], piece->count,
-                               &own);
-        area += own;
-    }
-    return fmax(0.7 * least, fmax(sqrt(area / 1000.0), 0.01));
 }
 
 /* ---- the accuracy of a level ---- */
@@ -183,13 +166,15 @@ static void set_value(struct pp_elements *elements, struct receiver *receiver)
         receiver->df += receiver->openings_value[i] + receiver->elements_value[i];
 }
 
-static enum pp_status receive(struct pp_elements *elements, bool openings,
-                              struct pp_error *err)
+/* What receivers from `first` up to `end` take; what comes by openings is kept from one
+ * round to the next. */
+static enum pp_status receive(struct pp_elements *elements, int first, int end,
+                              bool openings, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     if (openings) {
-        pp_crew_run(elements->crew, 0, elements->count, take_by_openings, elements);
-        for (int i = 0; status == PP_OK && i < elements->count; i++)
+        pp_crew_run(elements->crew, first, end, take_by_openings, elements);
+        for (int i = first; status == PP_OK && i < end; i++)
             status = pp_outside_cells_resolve(&elements->cells, &elements->room,
                                               &elements->receivers[i].openings, err);
         if (status == PP_OK)
@@ -198,8 +183,8 @@ static enum pp_status receive(struct pp_elements *elements, bool openings,
         if (status == PP_OK)
             pp_balance_solve(&elements->balance);
     }
-    pp_crew_run(elements->crew, 0, elements->count, take_by_elements, elements);
-    for (int i = 0; status == PP_OK && i < elements->count; i++) {
+    pp_crew_run(elements->crew, first, end, take_by_elements, elements);
+    for (int i = first; status == PP_OK && i < end; i++) {
         set_value(elements, &elements->receivers[i]);
         if (elements->receivers[i].elements.failed)
             status = pp_fail_memory(err);
@@ -221,7 +206,7 @@ static enum pp_status divide(struct pp_elements *elements, int *divided,
     *divided = 0;
     if (count > MOST_ELEMENTS)
         return PP_OK;
-    for (int i = 0; status == PP_OK && i < elements->count; i++)
+    for (int i = 0; status == PP_OK && i < elements->asked; i++)
         status = pp_balance_divide(&elements->balance, &elements->receivers[i].wanted,
                                    divided, err);
     for (int i = 0; i < count; i++)
@@ -250,10 +235,12 @@ static enum pp_status rounds(struct pp_elements *elements, struct pp_error *err)
         if (status == PP_OK && elements->level == 0 && round == 0)
             status = pp_balance_gather(&elements->balance, err);
         if (status == PP_OK)
-            status = receive(elements, round == 0, err);
+            status = receive(elements, 0, elements->asked, round == 0, err);
         if (status == PP_OK && round < ROUNDS)
             status = divide(elements, &divided, err);
     }
+    if (status == PP_OK)
+        status = receive(elements, elements->asked, elements->count, true, err);
     return status;
 }
 
@@ -296,16 +283,12 @@ static void compare(struct pp_elements *elements)
 {
     for (int c = 0; c < PP_COMPONENT_COUNT; c++) {
         double sum = 0.0;
-        int count = 0;
         for (int i = 0; i < elements->asked; i++) {
             double off = elements->now[i][c] - elements->before[i][c];
-            double df = elements->now[i][PP_DF];
-            if (df > 0.0) {
-                sum += off * off / (df * df);
-                count++;
-            }
+            off /= fmax(elements->now[i][PP_DF], LEAST_FACTOR);
+            sum += off * off / elements->asked;
         }
-        elements->off[c] = count > 0 ? sqrt(sum / count) : 0.0;
+        elements->off[c] = sqrt(sum);
     }
 }
 
@@ -319,7 +302,7 @@ static enum pp_status set_plane(struct pp_elements *elements, struct pp_error *e
     enum pp_status status = PP_OK;
     if (elements->has_room)
         status =
-            pp_plane_points_of(&elements->plane, elements->balance.tree->sheets->world,
+            pp_plane_points_of(&elements->plane, elements->balance.tree->facets->world,
                                PLANE_POINTS << elements->level, err);
     if (status != PP_OK)
         return status;
@@ -360,25 +343,25 @@ enum pp_status pp_elements_advance(struct pp_elements *elements, struct pp_error
 static enum pp_status make(struct pp_elements *elements, const struct pp_world *world,
                            const struct pp_outside_light *light, struct pp_error *err)
 {
-    enum pp_status status = pp_sheets_create(&elements->sheets, world, err);
+    enum pp_status status = pp_facets_create(&elements->facets, world, err);
     if (status == PP_OK)
-        status = pp_sight_create(&elements->sight, elements->sheets, err);
+        status = pp_element_sight_create(&elements->sight, elements->facets, err);
     if (status == PP_OK)
-        status = pp_element_tree_create(&elements->tree, elements->sheets,
-                                        first_element_m(elements), err);
+        status = pp_element_tree_create(&elements->tree, elements->facets,
+                                        pp_facets_element_m(elements->facets), err);
     if (status == PP_OK)
         status = pp_outdoors_init(&elements->outdoors, world, light,
-                                  elements->sheets->reach_m, err);
+                                  elements->facets->reach_m, err);
     if (status == PP_OK)
         status = pp_crew_create(&elements->crew, elements->options.threads, err);
     if (status != PP_OK)
         return status;
     elements->has_room = world->face_count > 0;
     elements->decorations = world->decorations;
-    for (int i = 0; i < elements->sheets->count; i++)
-        elements->has_scattering |= elements->sheets->list[i].through > 0.0;
+    for (int i = 0; i < elements->facets->count; i++)
+        elements->has_scattering |= elements->facets->list[i].through > 0.0;
     elements->room =
-        (struct pp_light_room){elements->sheets, elements->tree, &elements->outdoors};
+        (struct pp_light_room){elements->facets, elements->tree, &elements->outdoors};
     elements->balance = (struct pp_balance){.tree = elements->tree,
                                             .room = &elements->room,
                                             .sight = elements->sight,
@@ -426,8 +409,8 @@ void pp_elements_destroy(struct pp_elements *elements)
     pp_plane_points_clear(&elements->plane);
     pp_outdoors_clear(&elements->outdoors);
     pp_element_tree_destroy(elements->tree);
-    pp_sight_destroy(elements->sight);
-    pp_sheets_destroy(elements->sheets);
+    pp_element_sight_destroy(elements->sight);
+    pp_facets_destroy(elements->facets);
     pp_crew_destroy(elements->crew);
     free(elements->receivers);
     free(elements->now);

@@ -19,15 +19,26 @@ static enum pp_component part_or(enum pp_component part, enum pp_component met)
     return part == PP_DF ? met : part;
 }
 
+/* The facet that the ray comes to first; -1 and INFINITY: none. */
+static int first(const struct pp_facets *facets, const struct pp_light_ray_start *ray,
+                 double *distance)
+{
+    if (!ray->indoors && ray->but >= 0 && facets->list[ray->but].looks_out) {
+        *distance = INFINITY;
+        return -1;
+    }
+    return pp_ray_tree_first(facets->rays, ray->from, ray->to, ray->but, distance);
+}
+
 static void follow(const struct walk *walk, const struct pp_light_ray_start *ray,
                    double weight, enum pp_component part, int panes);
 
-/* What the sheet itself sends back along the ray. */
-static void add_sheet(const struct walk *walk, int side, bool indoors,
+/* What the facet itself sends back along the ray. */
+static void add_facet(const struct walk *walk, int side, bool indoors,
                       struct pp_vec3 point, double weight, enum pp_component part)
 {
-    const struct pp_sheet *sheet = &walk->room->sheets->list[side / 2];
-    const struct pp_sheet_side *own = &sheet->side[side % 2];
+    const struct pp_facet *facet = &walk->room->facets->list[side / 2];
+    const struct pp_facet_side *own = &facet->side[side % 2];
     if (!indoors) {
         if (own->reflectance > 0.0 || own->exitance > 0.0)
             pp_light_sum_hit(walk->sum, side, point, part_or(part, PP_ERC), weight);
@@ -42,10 +53,10 @@ static void add_sheet(const struct walk *walk, int side, bool indoors,
 static void pass(const struct walk *walk, const struct pp_light_ray_start *ray, int met,
                  struct pp_vec3 point, double weight, enum pp_component part, int panes)
 {
-    const struct pp_sheet *pane = &walk->room->sheets->list[met];
+    const struct pp_facet *pane = &walk->room->facets->list[met];
     double across = pp_vec_dot(pane->normal, ray->to), cosine = fmin(fabs(across), 1.0);
-    double straight = weight * pp_sheet_straight(pane, cosine);
-    double mirrored = weight * pp_sheet_mirrored(pane, cosine);
+    double straight = weight * pp_facet_straight(pane, cosine);
+    double mirrored = weight * pp_facet_mirrored(pane, cosine);
     enum pp_component here = part_or(part, ray->indoors ? PP_DF : PP_IRC);
     struct pp_light_ray_start on = {point, ray->to, met, !ray->indoors};
     if (straight > LEAST)
@@ -62,8 +73,7 @@ static void follow(const struct walk *walk, const struct pp_light_ray_start *ray
 {
     const struct pp_light_room *room = walk->room;
     double distance, light, ground_m;
-    int met =
-        pp_ray_tree_first(room->sheets->rays, ray->from, ray->to, ray->but, &distance);
+    int met = first(room->facets, ray, &distance);
     if (!ray->indoors) {
         enum pp_outdoors_end end = pp_outdoors_meet(room->outdoors, ray->from, ray->to,
                                                     distance, &light, &ground_m);
@@ -78,13 +88,13 @@ static void follow(const struct walk *walk, const struct pp_light_ray_start *ray
     }
     if (met < 0)
         return;
-    const struct pp_sheet *sheet = &room->sheets->list[met];
-    int back = pp_vec_dot(ray->to, sheet->normal) > 0.0;
+    const struct pp_facet *facet = &room->facets->list[met];
+    int back = pp_vec_dot(ray->to, facet->normal) > 0.0;
     struct pp_vec3 point = pp_vec_along(ray->from, distance, ray->to);
-    if (sheet->side[back].indoors != ray->indoors)
-        return; /* between the edges of two sheets */
-    add_sheet(walk, 2 * met + back, ray->indoors, point, weight, part);
-    if (sheet->clear && panes < MOST_PANES)
+    if (facet->side[back].indoors != ray->indoors)
+        return; /* between the edges of two facets */
+    add_facet(walk, 2 * met + back, ray->indoors, point, weight, part);
+    if (facet->clear && panes < MOST_PANES)
         pass(walk, ray, met, point, weight, part, panes);
 }
 
@@ -107,10 +117,10 @@ double pp_light_ray_guess(const struct pp_light_room *room,
             sum->terms[i].weight * room->tree->list[sum->terms[i].source].radiosity;
     for (int i = from->hit_count; i < sum->hit_count; i++) {
         int side = sum->hits[i].side;
-        const struct pp_sheet *sheets = room->sheets->list;
+        const struct pp_facet *facets = room->facets->list;
         value += sum->hits[i].weight * GUESS
                  * (side < 0 ? 2.0 * room->outdoors->light.ground_reflectance
-                             : sheets[side / 2].side[side % 2].reflectance);
+                             : facets[side / 2].side[side % 2].reflectance);
     }
     return value;
 }

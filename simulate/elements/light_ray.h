@@ -12,14 +12,14 @@
 
 /* What rays are followed in; nothing of it is owned. */
 struct pp_light_room {
-    const struct pp_sheets *sheets;
+    const struct pp_facets *facets;
     const struct pp_element_tree *tree;
     const struct pp_outdoors *outdoors;
 };
 
 struct pp_light_ray_start {
     struct pp_vec3 from, to; /* to: unit */
-    int but;                 /* the sheet that the ray leaves; -1: none */
+    int but;                 /* the facet that the ray leaves; -1: none */
     bool indoors;            /* does it begin in the room? */
 };
 

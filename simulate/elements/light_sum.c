@@ -37,7 +37,7 @@ void pp_light_sum_hit(struct pp_light_sum *sum, int side, struct pp_vec3 point,
         sum->failed = true;
         return;
     }
-    sum->hits[sum->hit_count++] = (struct pp_light_hit){side, point, part, weight};
+    sum->hits[sum->hit_count++] = (struct pp_outside_hit){side, point, part, weight};
 }
 
 struct pp_light_mark pp_light_sum_mark(const struct pp_light_sum *sum)

@@ -20,8 +20,8 @@ struct pp_light_term {
 };
 
 /* A place outside that is to become a term. */
-struct pp_light_hit {
-    int side; /* of the sheets; -1: the ground */
+struct pp_outside_hit {
+    int side; /* of the facets; -1: the ground */
     struct pp_vec3 point;
     enum pp_component part;
     double weight;
@@ -31,7 +31,7 @@ struct pp_light_sum {
     double fixed[PP_LIGHT_PARTS];
     struct pp_light_term *terms;
     int term_count, term_room;
-    struct pp_light_hit *hits;
+    struct pp_outside_hit *hits;
     int hit_count, hit_room;
     bool failed; /* memory was out: the sum is not whole */
 };

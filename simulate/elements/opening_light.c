@@ -21,11 +21,11 @@ static const double CORNER = 0.25;
 
 struct looking {
     const struct pp_light_room *room;
-    const struct pp_sight *sight;
+    const struct pp_element_sight *sight;
     const struct pp_taker *taker;
     const struct pp_opening_light_accuracy *accuracy;
     struct pp_light_sum *sum;
-    int pane; /* its sheet */
+    int pane; /* its facet */
     const int *blockers;
     int blocker_count;
     bool through_opening; /* is the pane seen through its opening's edges alone? */
@@ -44,20 +44,20 @@ struct cell {
 
 static bool sees(const struct looking *l, struct pp_vec3 point)
 {
-    return pp_sight_is_clear(l->sight, l->blockers, l->blocker_count, l->taker->point,
-                             point);
+    return pp_element_sight_is_clear(l->sight, l->blockers, l->blocker_count,
+                                     l->taker->point, point);
 }
 
 /* Adds the light along the ray through a point of the pane, or what that mirrors. */
 static void add_ray(const struct looking *l, struct pp_vec3 point, bool mirrored,
                     double weight)
 {
-    const struct pp_sheet *pane = &l->room->sheets->list[l->pane];
+    const struct pp_facet *pane = &l->room->facets->list[l->pane];
     struct pp_vec3 to = pp_vec_unit(pp_vec_sub(point, l->taker->point));
     double across = pp_vec_dot(pane->normal, to), cosine = fmin(fabs(across), 1.0);
     struct pp_light_ray_start on = {point, to, l->pane, mirrored};
     weight *=
-        mirrored ? pp_sheet_mirrored(pane, cosine) : pp_sheet_straight(pane, cosine);
+        mirrored ? pp_facet_mirrored(pane, cosine) : pp_facet_straight(pane, cosine);
     if (mirrored)
         on.to = pp_vec_along(to, -2.0 * across, pane->normal);
     if (weight > 0.0)
@@ -126,7 +126,7 @@ static bool corners_agree(const struct looking *l, const struct cell *cell,
 static double divide(const struct looking *l, const struct cell *cell, int depth,
                      double tolerance)
 {
-    const struct pp_sheet *pane = &l->room->sheets->list[l->pane];
+    const struct pp_facet *pane = &l->room->facets->list[l->pane];
     struct pp_vec3 corners[PP_ELEMENT_PARTS][64];
     int counts[PP_ELEMENT_PARTS];
     struct cell parts[PP_ELEMENT_PARTS];
@@ -167,10 +167,10 @@ static int through_opening(const struct looking *l, const struct pp_piece *piece
                            struct pp_vec3 seen[2][PP_FORM_FACTOR_MOST + 1],
                            const struct pp_vec3 **corners)
 {
-    const struct pp_sheets *sheets = l->room->sheets;
-    const struct pp_polygon *inner = &sheets->list[l->pane].opening->inner;
+    const struct pp_facets *facets = l->room->facets;
+    const struct pp_polygon *inner = &facets->list[l->pane].opening->inner;
     int count = piece->count;
-    *corners = &sheets->corners[piece->first_corner];
+    *corners = &facets->corners[piece->first_corner];
     if (!l->through_opening)
         return count;
     for (int i = 0; count >= 3 && i < inner->count; i++) {
@@ -192,12 +192,12 @@ static int through_opening(const struct looking *l, const struct pp_piece *piece
 
 static double add_pane(const struct looking *l)
 {
-    const struct pp_sheets *sheets = l->room->sheets;
-    const struct pp_sheet *pane = &sheets->list[l->pane];
+    const struct pp_facets *facets = l->room->facets;
+    const struct pp_facet *pane = &facets->list[l->pane];
     struct pp_vec3 seen[2][PP_FORM_FACTOR_MOST + 1];
     double light = 0.0;
     for (int i = 0; i < pane->piece_count; i++) {
-        const struct pp_piece *piece = &sheets->pieces[pane->first_piece + i];
+        const struct pp_piece *piece = &facets->pieces[pane->first_piece + i];
         struct cell cell = {.factor = 0.0};
         cell.count = through_opening(l, piece, seen, &cell.corners);
         if (cell.count < 3)
@@ -214,49 +214,50 @@ static double add_pane(const struct looking *l)
 /* Is the taker before the pane, on the side of the room? */
 static bool faces(const struct looking *l)
 {
-    const struct pp_sheet *pane = &l->room->sheets->list[l->pane];
-    return l->taker->sheet != l->pane && pp_sheet_height(pane, l->taker->point) > 0.0;
+    const struct pp_facet *pane = &l->room->facets->list[l->pane];
+    return l->taker->facet != l->pane && pp_facet_height(pane, l->taker->point) > 0.0;
 }
 
 /* Where the taker stands before the face, the opening's edges hide what its face and its
  * reveal may hide, which are no blockers then. */
 static void look_through(struct looking *l, int *blockers)
 {
-    const struct pp_sheets *sheets = l->room->sheets;
-    const struct pp_opening *opening = sheets->list[l->pane].opening;
-    int opening_index = (int)(opening - sheets->world->openings), left = 0;
+    const struct pp_facets *facets = l->room->facets;
+    const struct pp_opening *opening = facets->list[l->pane].opening;
+    int opening_index = (int)(opening - facets->world->openings), left = 0;
     l->through_opening =
         l->blocker_count > 0 && opening->inner.count <= PP_FORM_FACTOR_MOST / 4
         && pp_convex_parts_is_convex(&opening->inner)
-        && pp_sheet_height(&sheets->list[opening->face], l->taker->point) > 1e-9;
+        && pp_facet_height(&facets->list[opening->face], l->taker->point) > 1e-9;
     if (!l->through_opening)
         return;
     for (int i = 0; i < l->blocker_count; i++) {
-        int sheet = blockers[i];
-        bool own = sheet == opening->face
-                   || (sheet < sheets->world->surface_count
-                       && sheets->world->surfaces[sheet].role == PP_REVEAL
-                       && sheets->world->surfaces[sheet].owner == opening_index);
+        int facet = blockers[i];
+        bool own = facet == opening->face
+                   || (facet < facets->world->surface_count
+                       && facets->world->surfaces[facet].role == PP_REVEAL
+                       && facets->world->surfaces[facet].owner == opening_index);
         if (!own)
-            blockers[left++] = sheet;
+            blockers[left++] = facet;
     }
     l->blocker_count = left;
 }
 
 void pp_opening_light_add(const struct pp_light_room *room,
-                          const struct pp_sight *sight, const struct pp_taker *taker,
+                          const struct pp_element_sight *sight,
+                          const struct pp_taker *taker,
                           const struct pp_opening_light_accuracy *accuracy,
                           struct pp_light_sum *sum)
 {
     int *blockers = malloc(((size_t)sight->count + 1) * sizeof *blockers);
-    struct pp_sight_place place = pp_sight_from(sight, taker->point);
+    struct pp_element_sight_place place = pp_element_sight_from(sight, taker->point);
     struct pp_light_sum rough = {.failed = false};
     struct pp_opening_light_accuracy first = {INFINITY, INFINITY, 0, 1.0};
     double light = 0.0;
     sum->failed |= !blockers;
     for (int pass = 0; blockers && pass < 2; pass++)
         for (int i = 0; i < sight->count; i++) {
-            const struct pp_sheet *sheet = &room->sheets->list[sight->inside[i]];
+            const struct pp_facet *facet = &room->facets->list[sight->inside[i]];
             struct looking l = {.room = room,
                                 .sight = sight,
                                 .taker = taker,
@@ -264,9 +265,9 @@ void pp_opening_light_add(const struct pp_light_room *room,
                                 .sum = pass ? sum : &rough,
                                 .pane = sight->inside[i],
                                 .blockers = blockers};
-            if (!sheet->clear || !faces(&l))
+            if (!facet->clear || !faces(&l))
                 continue;
-            l.blocker_count = pp_sight_blockers(sight, &place, i, blockers);
+            l.blocker_count = pp_element_sight_blockers(sight, &place, i, blockers);
             look_through(&l, blockers);
             l.tolerance = pass ? accuracy->error * fmax(light, UNTOLD) : INFINITY;
             double found = add_pane(&l);

@@ -9,7 +9,7 @@
 #define PP_SIMULATE_ELEMENTS_OPENING_LIGHT_H
 
 #include "simulate/elements/light_ray.h"
-#include "simulate/elements/sight.h"
+#include "simulate/elements/element_sight.h"
 
 struct pp_opening_light_accuracy {
     double error;       /* of the light that comes in, relative, per opening's cell */
@@ -21,12 +21,13 @@ struct pp_opening_light_accuracy {
 /* A place that takes light. */
 struct pp_taker {
     struct pp_vec3 point, normal; /* unit */
-    int sheet;                    /* that it lies on; -1: none */
+    int facet;                    /* that it lies on; -1: none */
 };
 
 /* Adds to the sum what the taker takes; PP_SC and PP_ERC are straight from outside. */
 void pp_opening_light_add(const struct pp_light_room *room,
-                          const struct pp_sight *sight, const struct pp_taker *taker,
+                          const struct pp_element_sight *sight,
+                          const struct pp_taker *taker,
                           const struct pp_opening_light_accuracy *accuracy,
                           struct pp_light_sum *sum);
 

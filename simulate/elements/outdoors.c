@@ -86,7 +86,7 @@ static double skyline_light(const struct pp_outdoors *outdoors, struct pp_vec3 f
 
 enum pp_outdoors_end pp_outdoors_meet(const struct pp_outdoors *outdoors,
                                       struct pp_vec3 from, struct pp_vec3 to,
-                                      double sheet_m, double *light, double *distance)
+                                      double facet_m, double *light, double *distance)
 {
     double skyline_m = INFINITY, ground_m = INFINITY, skyline = NAN;
     if (outdoors->world->skyline_count > 0)
@@ -94,11 +94,11 @@ enum pp_outdoors_end pp_outdoors_meet(const struct pp_outdoors *outdoors,
     double over = from.z - outdoors->ground_m;
     if (!outdoors->world->ground_is_open && to.z < 0.0 && over > 0.0)
         ground_m = over / -to.z;
-    if (ground_m < outdoors->farthest_m && ground_m < sheet_m && ground_m < skyline_m) {
+    if (ground_m < outdoors->farthest_m && ground_m < facet_m && ground_m < skyline_m) {
         *distance = ground_m;
         return PP_OUTDOORS_GROUND;
     }
-    if (sheet_m < skyline_m)
+    if (facet_m < skyline_m)
         return PP_OUTDOORS_NOTHING;
     *distance = INFINITY;
     *light = skyline;

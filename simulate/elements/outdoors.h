@@ -1,10 +1,10 @@
-/* outdoors.h - the ends of a ray outdoors that are no sheet: sky, skylines and ground.
+/* outdoors.h - the ends of a ray outdoors that are no facet: sky, skylines and ground.
  *
  * Light is pi times luminance over Eh, as exitances are. A skyline gives off
  * rho (Ev + rho_ground / 2), Ev the open sky's illuminance on it, by convention; so is
  * an open ground its reflectance. The ground as a surface lies in shadow, and what it
  * gives off is to be found (outside_cells.h), but beyond FARTHEST times the reach of all
- * that stands there, where less than one part in ten thousand of its sky is hidden.
+ * that stands there, where less than one part in a thousand of its sky is hidden.
  */
 #ifndef PP_SIMULATE_ELEMENTS_OUTDOORS_H
 #define PP_SIMULATE_ELEMENTS_OUTDOORS_H
@@ -13,7 +13,7 @@
 #include "model/light/outside_light.h"
 #include "model/room/world.h"
 
-enum { PP_OUTDOORS_FARTHEST = 100 };
+enum { PP_OUTDOORS_FARTHEST = 20 };
 
 struct pp_outdoors {
     const struct pp_world *world; /* not owned */
@@ -29,7 +29,7 @@ struct pp_outdoors {
 };
 
 enum pp_outdoors_end {
-    PP_OUTDOORS_NOTHING, /* a sheet is nearer */
+    PP_OUTDOORS_NOTHING, /* a facet is nearer */
     PP_OUTDOORS_SKY,
     PP_OUTDOORS_FIXED, /* a skyline, or ground without shadows */
     PP_OUTDOORS_GROUND,
@@ -42,10 +42,10 @@ enum pp_status pp_outdoors_init(struct pp_outdoors *outdoors,
                                 struct pp_error *err);
 void pp_outdoors_clear(struct pp_outdoors *outdoors);
 
-/* Where the ray from `from` towards `to` (unit) ends if the nearest sheet is `sheet_m`
+/* Where the ray from `from` towards `to` (unit) ends if the nearest facet is `facet_m`
  * away (INFINITY: none is); *light of sky and what is fixed, *distance of the ground. */
 enum pp_outdoors_end pp_outdoors_meet(const struct pp_outdoors *outdoors,
                                       struct pp_vec3 from, struct pp_vec3 to,
-                                      double sheet_m, double *light, double *distance);
+                                      double facet_m, double *light, double *distance);
 
 #endif

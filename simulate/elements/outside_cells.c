@@ -32,13 +32,13 @@ struct pp_outside_cells pp_outside_cells_of(double size_m, double width, int dir
 
 static struct pp_vec3 room_middle(const struct pp_light_room *room)
 {
-    const struct pp_bounds3 *box = &room->sheets->room;
+    const struct pp_bounds3 *box = &room->facets->room;
     return pp_vec_scale(pp_vec_add(box->low, box->high), 0.5);
 }
 
 static struct pp_outside_cell cell_at(const struct pp_outside_cells *cells,
                                       const struct pp_light_room *room,
-                                      const struct pp_light_hit *hit)
+                                      const struct pp_outside_hit *hit)
 {
     double away = pp_vec_length(pp_vec_sub(hit->point, room_middle(room)));
     struct pp_outside_cell cell = {.side = hit->side, .place_count = 0};
@@ -47,12 +47,12 @@ static struct pp_outside_cell cell_at(const struct pp_outside_cells *cells,
         cell.level++;
     double width = ldexp(cells->width * cells->size_m, cell.level);
     if (hit->side >= 0) {
-        const struct pp_sheet *sheet = &room->sheets->list[hit->side / 2];
-        struct pp_vec3 from = pp_vec_sub(hit->point, sheet->origin);
-        x = pp_vec_dot(from, sheet->a);
-        y = pp_vec_dot(from, sheet->b);
-        cell.reflectance = sheet->side[hit->side % 2].reflectance;
-        cell.exitance = sheet->side[hit->side % 2].exitance;
+        const struct pp_facet *facet = &room->facets->list[hit->side / 2];
+        struct pp_vec3 from = pp_vec_sub(hit->point, facet->origin);
+        x = pp_vec_dot(from, facet->a);
+        y = pp_vec_dot(from, facet->b);
+        cell.reflectance = facet->side[hit->side % 2].reflectance;
+        cell.exitance = facet->side[hit->side % 2].exitance;
     } else {
         cell.reflectance = room->outdoors->light.ground_reflectance;
     }
@@ -110,7 +110,7 @@ static enum pp_status widen(struct pp_outside_cells *cells, struct pp_error *err
 /* *index: of the cell that the hit comes to. */
 static enum pp_status find(struct pp_outside_cells *cells,
                            const struct pp_light_room *room,
-                           const struct pp_light_hit *hit, int *index,
+                           const struct pp_outside_hit *hit, int *index,
                            struct pp_error *err)
 {
     enum pp_status status = widen(cells, err);
@@ -169,20 +169,20 @@ void pp_outside_cells_hemisphere(const struct pp_light_room *room,
     }
 }
 
-struct gathering {
+struct cell_work {
     struct pp_outside_cells *cells;
     const struct pp_light_room *room;
 };
 
 static bool gather_one(void *data, int member, int index)
 {
-    const struct gathering *g = data;
+    const struct cell_work *g = data;
     struct pp_outside_cell *cell = &g->cells->list[index];
-    const struct pp_sheet *sheets = g->room->sheets->list;
+    const struct pp_facet *facets = g->room->facets->list;
     struct pp_vec3 normal = pp_vec(0.0, 0.0, 1.0);
     (void)member;
     if (cell->side >= 0)
-        normal = pp_vec_scale(sheets[cell->side / 2].normal, cell->side % 2 ? -1 : 1);
+        normal = pp_vec_scale(facets[cell->side / 2].normal, cell->side % 2 ? -1 : 1);
     for (int i = 0; i < cell->place_count; i++) {
         struct pp_light_ray_start place = {cell->places[i], normal,
                                            cell->side < 0 ? -1 : cell->side / 2, false};
@@ -200,7 +200,7 @@ enum pp_status pp_outside_cells_gather(struct pp_outside_cells *cells,
 {
     enum pp_status status = PP_OK;
     while (status == PP_OK && cells->gathered < cells->count) {
-        struct gathering g = {cells, room};
+        struct cell_work g = {cells, room};
         int first = cells->gathered, end = cells->count;
         pp_crew_run(crew, first, end, gather_one, &g);
         cells->gathered = end;

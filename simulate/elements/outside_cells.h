@@ -15,7 +15,7 @@
 enum { PP_OUTSIDE_CELL_PLACES = 4 };
 
 struct pp_outside_cell {
-    int side; /* of the sheets; -1: the ground */
+    int side; /* of the facets; -1: the ground */
     int level;
     long long column, row; /* of its square, of 2^level times the least width */
     struct pp_vec3 places[PP_OUTSIDE_CELL_PLACES];

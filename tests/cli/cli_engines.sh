@@ -22,17 +22,28 @@ check "counted on discs" gives df -s --engine photons --sensor 0.2 --error 3% "$
 check "which are near what the points get" sh -c "awk -F, '\$11 == \"photons\" &&
     \$10 == \"df\" && \$3 == \"point\" { n++; v[n] = \$12 }
     END { exit !(n == 2 && v[1] > 5 && v[1] < 6.2 && v[2] > 0.36 && v[2] < 0.5) }' '$scratch/out'"
+check "radiosity says what its error is" shows "by finite elements, ± an error that 19 of 20" \
+    df -s --engine radiosity "$here" "$deep"
+check "and is near the paths" gives df -s --engine path,radiosity --error 2% "$here" \
+    --format csv "$deep"
+check "at both points" sh -c "awk -F, '\$10 == \"df\" && \$3 == \"point\" {
+    if (\$11 == \"traced\") t[++n] = \$12
+    if (\$11 == \"radiosity\") r[++m] = \$12 }
+    END { for (i = 1; i <= 2; i++) if (r[i] < 0.95 * t[i] || r[i] > 1.05 * t[i]) exit 1
+          exit !(n == 2 && m == 2) }' '$scratch/out'"
+check "radiosity is the same by 1, 2 and 4 threads" same_by_threads "1 2 4" \
+    df -s --engine radiosity "$here" --format csv "$deep"
 check "paths have no discs" refuses 2 "--sensor needs --engine photons" \
     df -s --sensor 0.2 "$deep"
 check "a disc has a radius" refuses 2 "0.001 to 10 m" \
     df -s --engine photons --sensor 0 "$deep"
-check "an engine that there is not" refuses 2 "path, cache or photons" \
+check "an engine that there is not" refuses 2 "path, cache, photons or radiosity" \
     df -s --engine rays "$deep"
 
 # In a suite, room by room.
 check "a suite of all engines" gives validate engines --samples 64 "$deep" \
     --format csv
-check "holds photons and cache against paths" sh -c \
+check "holds photons, radiosity and cache against paths" sh -c \
     "grep -c ',photons,' '$scratch/out' | grep -qx 18 && grep -c ',cached,' '$scratch/out' | grep -qx 18"
 check "without hand methods" refuses 2 "engines is of the simulation alone" \
     validate engines -m bre "$deep"

@@ -5,7 +5,7 @@
 #include "tests/lib/dice.h"
 #include "tests/lib/near.h"
 
-/* A rectangle a x b parallel to the receiver at height c, a corner above it [HOWELL]. */
+/* A rectangle a x b parallel to the receiver at height c, a corner above it [HSM16]. */
 static double above_corner(double a, double b, double c)
 {
     double A = a / c, B = b / c, p = sqrt(1.0 + A * A), q = sqrt(1.0 + B * B);

@@ -1,5 +1,5 @@
-/* sheet_pieces.c - cells between lines through corners, as far as the sheet fills them. */
-#include "simulate/elements/sheet_pieces.h"
+/* facet_pieces.c - cells between lines through corners, as far as the facet fills them. */
+#include "simulate/elements/facet_pieces.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,47 +16,47 @@ static const double NOTHING = 1e-9;
 
 enum { MOST_LINES = 32 };
 
-struct work {
-    struct pp_sheets *sheets;
+struct cutting {
+    struct pp_facets *facets;
     struct pp_clipper *clipper;
     const struct pp_polygon *outline;
     struct pp_face_axes axes;
-    int sheet, face; /* face: whose openings are cut; -1: none */
+    int facet, face; /* face: whose openings are cut; -1: none */
 };
 
-static enum pp_status append(struct pp_sheets *sheets, int sheet,
+static enum pp_status append(struct pp_facets *facets, int facet,
                              const struct pp_vec3 *corners, int count,
                              struct pp_error *err)
 {
-    enum pp_status status = pp_array_append(&sheets->pieces, sheets->piece_count,
-                                            sizeof *sheets->pieces, err);
+    enum pp_status status = pp_array_append(&facets->pieces, facets->piece_count,
+                                            sizeof *facets->pieces, err);
     if (status == PP_OK)
-        status = pp_array_reserve(&sheets->corners, &sheets->corner_room,
-                                  sheets->corner_count + count, sizeof *sheets->corners,
+        status = pp_array_reserve(&facets->corners, &facets->corner_room,
+                                  facets->corner_count + count, sizeof *facets->corners,
                                   err);
     if (status != PP_OK)
         return status;
-    sheets->pieces[sheets->piece_count++] =
-        (struct pp_piece){sheet, sheets->corner_count, count};
+    facets->pieces[facets->piece_count++] =
+        (struct pp_piece){facet, facets->corner_count, count};
     for (int i = 0; i < count; i++)
-        sheets->corners[sheets->corner_count++] = corners[i];
-    sheets->list[sheet].piece_count++;
+        facets->corners[facets->corner_count++] = corners[i];
+    facets->list[facet].piece_count++;
     return PP_OK;
 }
 
-/* A piece given in the sheet's plane. */
-static enum pp_status append_flat(const struct work *work, const double (*xy)[2],
+/* A piece given in the facet's plane. */
+static enum pp_status append_flat(const struct cutting *work, const double (*xy)[2],
                                   int count, struct pp_error *err)
 {
-    const struct pp_world *world = work->sheets->world;
+    const struct pp_world *world = work->facets->world;
     struct pp_vec3 corners[4];
     for (int i = 0; i < count; i++)
         corners[i] = pp_face_less_openings_corner(&work->axes, xy[i], work->outline,
                                                   world, work->face);
-    return append(work->sheets, work->sheet, corners, count, err);
+    return append(work->facets, work->facet, corners, count, err);
 }
 
-static enum pp_status append_triangles(const struct work *work,
+static enum pp_status append_triangles(const struct cutting *work,
                                        const struct pp_region *region,
                                        struct pp_error *err)
 {
@@ -72,7 +72,7 @@ static enum pp_status append_triangles(const struct work *work,
 
 /* ---- lines ---- */
 
-struct lines {
+struct cut_lines {
     double at[MOST_LINES];
     int count;
     bool too_many;
@@ -85,9 +85,9 @@ static int by_place(const void *a, const void *b)
 }
 
 /* Through the corners of all rings, along one axis. */
-static struct lines lines_of(const struct pp_region *region, int axis)
+static struct cut_lines lines_of(const struct pp_region *region, int axis)
 {
-    struct lines lines = {.count = 0};
+    struct cut_lines lines = {.count = 0};
     for (int r = 0; r < region->count; r++)
         for (int i = 0; i < region->rings[r].count; i++) {
             double place = region->rings[r].xy[i][axis];
@@ -103,9 +103,10 @@ static struct lines lines_of(const struct pp_region *region, int axis)
     return lines;
 }
 
-/* What the sheet fills of one cell. */
-static enum pp_status cut_cell(const struct work *work, const struct pp_region *region,
-                               double left, double right, double low, double high,
+/* What the facet fills of one cell. */
+static enum pp_status cut_cell(const struct cutting *work,
+                               const struct pp_region *region, double left,
+                               double right, double low, double high,
                                struct pp_error *err)
 {
     double xy[4][2] = {{left, low}, {right, low}, {right, high}, {left, high}};
@@ -122,10 +123,10 @@ static enum pp_status cut_cell(const struct work *work, const struct pp_region *
     return status;
 }
 
-static enum pp_status cut(const struct work *work, const struct pp_region *region,
+static enum pp_status cut(const struct cutting *work, const struct pp_region *region,
                           struct pp_error *err)
 {
-    struct lines x = lines_of(region, 0), y = lines_of(region, 1);
+    struct cut_lines x = lines_of(region, 0), y = lines_of(region, 1);
     enum pp_status status = PP_OK;
     if (x.too_many || y.too_many)
         return append_triangles(work, region, err);
@@ -136,26 +137,26 @@ static enum pp_status cut(const struct work *work, const struct pp_region *regio
     return status;
 }
 
-enum pp_status pp_sheet_pieces_add(struct pp_sheets *sheets, int index,
+enum pp_status pp_facet_pieces_add(struct pp_facets *facets, int index,
                                    struct pp_clipper *clipper, struct pp_error *err)
 {
-    const struct pp_world *world = sheets->world;
-    struct pp_sheet *sheet = &sheets->list[index];
+    const struct pp_world *world = facets->world;
+    struct pp_facet *facet = &facets->list[index];
     const struct pp_polygon *outline =
-        sheet->opening ? &sheet->opening->outer : &world->surfaces[index].outline;
-    struct work work = {sheets,  clipper,
-                        outline, {sheet->origin, sheet->a, sheet->b},
-                        index,   index < world->face_count ? index : -1};
+        facet->opening ? &facet->opening->outer : &world->surfaces[index].outline;
+    struct cutting work = {facets,  clipper,
+                           outline, {facet->origin, facet->a, facet->b},
+                           index,   index < world->face_count ? index : -1};
     bool whole = true;
     for (int i = 0; whole && work.face >= 0 && i < world->opening_count; i++)
         whole = world->openings[i].face != index;
-    sheet->first_piece = sheets->piece_count;
-    enum pp_status status = pp_face_less_openings(&sheet->region, clipper, &work.axes,
+    facet->first_piece = facets->piece_count;
+    enum pp_status status = pp_face_less_openings(&facet->region, clipper, &work.axes,
                                                   outline, world, work.face, err);
     if (status != PP_OK)
         return status;
     if (whole && pp_convex_parts_is_convex(outline)
         && outline->count <= PP_FORM_FACTOR_MOST / 2)
-        return append(sheets, index, outline->vertices, outline->count, err);
-    return cut(&work, &sheet->region, err);
+        return append(facets, index, outline->vertices, outline->count, err);
+    return cut(&work, &facet->region, err);
 }

@@ -1,5 +1,5 @@
-/* sight.c - see sight.h. */
-#include "simulate/elements/sight.h"
+/* element_sight.c - see element_sight.h. */
+#include "simulate/elements/element_sight.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,37 +9,37 @@ static const double IN_PLANE_M = 1e-7;
 
 enum { MOST_PLANES = 64 };
 
-static int plane_count(const struct pp_sight *sight)
+static int plane_count(const struct pp_element_sight *sight)
 {
     return sight->count < MOST_PLANES ? sight->count : MOST_PLANES;
 }
 
-static const struct pp_sheet *inside(const struct pp_sight *sight, int i)
+static const struct pp_facet *inside(const struct pp_element_sight *sight, int i)
 {
-    return &sight->sheets->list[sight->inside[i]];
+    return &sight->facets->list[sight->inside[i]];
 }
 
 /* How low and how high inside[i] reaches over inside[plane], by its pieces' corners. */
-static void reach(const struct pp_sight *sight, int i, int plane, double *low,
+static void reach(const struct pp_element_sight *sight, int i, int plane, double *low,
                   double *high)
 {
-    const struct pp_sheets *sheets = sight->sheets;
-    const struct pp_sheet *sheet = inside(sight, i);
+    const struct pp_facets *facets = sight->facets;
+    const struct pp_facet *facet = inside(sight, i);
     *low = INFINITY;
     *high = -INFINITY;
-    for (int k = 0; k < sheet->piece_count; k++) {
-        const struct pp_piece *piece = &sheets->pieces[sheet->first_piece + k];
+    for (int k = 0; k < facet->piece_count; k++) {
+        const struct pp_piece *piece = &facets->pieces[facet->first_piece + k];
         for (int c = 0; c < piece->count; c++) {
-            double height = pp_sheet_height(inside(sight, plane),
-                                            sheets->corners[piece->first_corner + c]);
+            double height = pp_facet_height(inside(sight, plane),
+                                            facets->corners[piece->first_corner + c]);
             *low = fmin(*low, height);
             *high = fmax(*high, height);
         }
     }
 }
 
-/* Is every sheet part of the room's hull, with all others before it? */
-static bool is_convex(const struct pp_sight *sight)
+/* Is every facet part of the room's hull, with all others before it? */
+static bool is_convex(const struct pp_element_sight *sight)
 {
     for (int p = 0; p < sight->count; p++) {
         if (!inside(sight, p)->envelope)
@@ -54,7 +54,7 @@ static bool is_convex(const struct pp_sight *sight)
     return true;
 }
 
-static void set_signs(struct pp_sight *sight, int i)
+static void set_signs(struct pp_element_sight *sight, int i)
 {
     for (int p = 0; p < plane_count(sight); p++) {
         double low, high;
@@ -66,24 +66,25 @@ static void set_signs(struct pp_sight *sight, int i)
     }
 }
 
-enum pp_status pp_sight_create(struct pp_sight **result, const struct pp_sheets *sheets,
-                               struct pp_error *err)
+enum pp_status pp_element_sight_create(struct pp_element_sight **result,
+                                       const struct pp_facets *facets,
+                                       struct pp_error *err)
 {
     *result = NULL;
-    struct pp_sight *sight = calloc(1, sizeof *sight);
+    struct pp_element_sight *sight = calloc(1, sizeof *sight);
     if (!sight)
         return pp_fail_memory(err);
-    size_t room = (size_t)sheets->count + 1;
-    sight->sheets = sheets;
+    size_t room = (size_t)facets->count + 1;
+    sight->facets = facets;
     sight->inside = malloc(room * sizeof *sight->inside);
     sight->above = calloc(room, sizeof *sight->above);
     sight->below = calloc(room, sizeof *sight->below);
     if (!sight->inside || !sight->above || !sight->below) {
-        pp_sight_destroy(sight);
+        pp_element_sight_destroy(sight);
         return pp_fail_memory(err);
     }
-    for (int i = 0; i < sheets->count; i++)
-        if (sheets->list[i].side[0].indoors || sheets->list[i].side[1].indoors)
+    for (int i = 0; i < facets->count; i++)
+        if (facets->list[i].side[0].indoors || facets->list[i].side[1].indoors)
             sight->inside[sight->count++] = i;
     for (int i = 0; i < sight->count; i++)
         set_signs(sight, i);
@@ -92,7 +93,7 @@ enum pp_status pp_sight_create(struct pp_sight **result, const struct pp_sheets 
     return PP_OK;
 }
 
-void pp_sight_destroy(struct pp_sight *sight)
+void pp_element_sight_destroy(struct pp_element_sight *sight)
 {
     if (!sight)
         return;
@@ -102,11 +103,12 @@ void pp_sight_destroy(struct pp_sight *sight)
     free(sight);
 }
 
-struct pp_sight_place pp_sight_from(const struct pp_sight *sight, struct pp_vec3 point)
+struct pp_element_sight_place pp_element_sight_from(
+    const struct pp_element_sight *sight, struct pp_vec3 point)
 {
-    struct pp_sight_place place = {.point = point};
+    struct pp_element_sight_place place = {.point = point};
     for (int p = 0; p < plane_count(sight); p++) {
-        double height = pp_sheet_height(inside(sight, p), point);
+        double height = pp_facet_height(inside(sight, p), point);
         if (height >= -IN_PLANE_M)
             place.above |= UINT64_C(1) << p;
         if (height <= IN_PLANE_M)
@@ -115,8 +117,9 @@ struct pp_sight_place pp_sight_from(const struct pp_sight *sight, struct pp_vec3
     return place;
 }
 
-int pp_sight_blockers(const struct pp_sight *sight, const struct pp_sight_place *from,
-                      int target, int *blockers)
+int pp_element_sight_blockers(const struct pp_element_sight *sight,
+                              const struct pp_element_sight_place *from, int target,
+                              int *blockers)
 {
     uint64_t above = from->above & sight->above[target];
     uint64_t below = from->below & sight->below[target];
@@ -127,19 +130,20 @@ int pp_sight_blockers(const struct pp_sight *sight, const struct pp_sight_place 
     return count;
 }
 
-bool pp_sight_is_clear(const struct pp_sight *sight, const int *blockers, int count,
-                       struct pp_vec3 a, struct pp_vec3 b)
+bool pp_element_sight_is_clear(const struct pp_element_sight *sight,
+                               const int *blockers, int count, struct pp_vec3 a,
+                               struct pp_vec3 b)
 {
     for (int i = 0; i < count; i++) {
-        const struct pp_sheet *sheet = &sight->sheets->list[blockers[i]];
-        double at_a = pp_sheet_height(sheet, a), at_b = pp_sheet_height(sheet, b);
+        const struct pp_facet *facet = &sight->facets->list[blockers[i]];
+        double at_a = pp_facet_height(facet, a), at_b = pp_facet_height(facet, b);
         if (fabs(at_a) < 1e-9 || fabs(at_b) < 1e-9 || (at_a > 0.0) == (at_b > 0.0))
             continue;
         struct pp_vec3 crossing =
             pp_vec_along(a, at_a / (at_a - at_b), pp_vec_sub(b, a));
-        struct pp_vec3 from = pp_vec_sub(crossing, sheet->origin);
-        if (pp_region_contains(&sheet->region, pp_vec_dot(from, sheet->a),
-                               pp_vec_dot(from, sheet->b)))
+        struct pp_vec3 from = pp_vec_sub(crossing, facet->origin);
+        if (pp_region_contains(&facet->region, pp_vec_dot(from, facet->a),
+                               pp_vec_dot(from, facet->b)))
             return false;
     }
     return true;
