@@ -15,7 +15,6 @@
 #include "studies/compare/compare.h"
 
 enum { MOST_POINTS = 20, ROOMS_MOST = 40 };
-static const double SURE = 0.98;
 /* A cause does at least that much by itself (root mean square of logarithms), or as much
  * as the noise: what does less is not there to be found. */
 static const double LEAST_EFFECT = 0.01;
@@ -127,11 +126,10 @@ static int draw_causes(int causes[PP_BLAME_MOST], const struct room *room,
         for (int i = 0; i < drawn; i++)
             fits = fits && strcmp(list[causes[i]]->kind, list[at]->kind) != 0;
         fits = fits && even(seed, number, 3, attempt) < 1.0 / alike
-               && (drawn == 0 || strcmp(list[at]->word, "ab=0") != 0)
-               && is_felt(room, list[at], sigma);
+               && (drawn == 0 || !list[at]->is_alone) && is_felt(room, list[at], sigma);
         if (fits)
             causes[drawn++] = at;
-        if (fits && strcmp(list[at]->word, "ab=0") == 0)
+        if (fits && list[at]->is_alone)
             break;
     }
     for (int i = 1; i < drawn; i++)
@@ -211,8 +209,8 @@ static void judge(struct tally *tally, const struct room *room,
         bool is_cause = false;
         for (int k = 0; k < count; k++)
             is_cause = is_cause || causes[k] == i;
-        tally->accused += blame->probability[i] >= SURE;
-        wrong += blame->probability[i] >= SURE && !is_cause;
+        tally->accused += pp_compare_is_sure(compared, i);
+        wrong += pp_compare_is_sure(compared, i) && !is_cause;
     }
     bool alike = cannot_be_told(compared, truth, sigma);
     tally->cases++;

@@ -41,11 +41,11 @@ static void append_words(char *text, size_t room,
         pp_text_append(text, room, "nothing");
 }
 
-static const char *level(double probability)
+static const char *level(const struct pp_compared *compared, int suspect)
 {
-    return probability >= PP_COMPARE_SURE ? "sure"
-           : probability >= 0.7           ? "likely"
-                                          : "perhaps";
+    return pp_compare_is_sure(compared, suspect)         ? "sure"
+           : compared->blame.probability[suspect] >= 0.7 ? "likely"
+                                                         : "perhaps";
 }
 
 /* By how much, of a difference of logarithms; per cent. */
@@ -119,7 +119,7 @@ static void print_causes(const struct pp_compare_result *result, int width, FILE
                        suspect_of(result, set, i)->cause,
                        per_cent(compared->effects[i]), 100.0 * compared->shares[i],
                        100.0 * fmin(probability, 0.99));
-        print_item(level(probability), text, width, out);
+        print_item(level(compared, set->suspects[i]), text, width, out);
     }
 }
 
@@ -152,28 +152,44 @@ static void append_left(char text[TEXT_BYTES], const struct pp_compared *compare
                                          "cache's interpolation");
     pp_text_append(text, TEXT_BYTES, " (standard deviation %.1f %%).",
                    100.0 * noise->sigma);
-    if (noise->sigma > PP_COMPARE_UNEXPLAINED)
-        pp_text_append(text, TEXT_BYTES,
-                       " That is much for noise: %.0f %% of the difference is "
-                       "unexplained by anything on the list.",
-                       100.0
-                           * fmin(1.0, compared->left_rms * compared->left_rms
-                                           / (compared->gap_rms * compared->gap_rms)));
+    double share = compared->left_rms / compared->gap_rms;
+    if (noise->sigma > PP_COMPARE_HIDES)
+        pp_text_append(
+            text, TEXT_BYTES,
+            " That is much: %.0f %% of the difference are left to it, and it "
+            "may look like other causes or hide them: nothing is sure beside it.",
+            100.0 * fmin(1.0, share * share));
     if (compared->blame.is_cut)
         pp_text_append(text, TEXT_BYTES,
                        " Not all sets that may be likely have been traced.");
+}
+
+/* What to do about the noise; NULL: there is little. */
+static const char *cure_of_noise(const struct pp_evidence *noise)
+{
+    return noise->sigma < PP_COMPARE_NOISY ? NULL
+           : noise->near > 0.9
+               ? "do without interpolation between points, or let it go "
+                 "less far (rtrace -aa 0)"
+           : noise->near < 0.1
+               ? "take more rays (rtrace -ad 4096 or more)"
+               : "take more rays (rtrace -ad 4096 or more), and do without "
+                 "interpolation between points (rtrace -aa 0)";
 }
 
 static void print_cures(const struct pp_compare_result *result, int width, FILE *out)
 {
     const struct pp_compared *compared = &result->compared;
     const struct pp_blame_set *set = &compared->blame.sets[0];
+    const char *noise = cure_of_noise(&set->evidence);
+    if (set->count > 0 || noise)
+        fputs("\n  What to set right there\n\n", out);
     for (int i = 0; i < set->count; i++) {
-        bool sure = compared->blame.probability[set->suspects[i]] >= PP_COMPARE_SURE;
-        if (i == 0)
-            fputs("\n  What to set right there\n\n", out);
+        bool sure = pp_compare_is_sure(compared, set->suspects[i]);
         print_item(sure ? "" : "perhaps", suspect_of(result, set, i)->cure, width, out);
     }
+    if (noise)
+        print_item("noise", noise, width, out);
 }
 
 static void print_found(const struct pp_compare_result *result, int width, FILE *out)
@@ -242,7 +258,8 @@ static struct json_object *cause_object(const struct pp_compare_result *result, 
     bool good = object && pp_json_text(object, "switch", word)
                 && pp_json_number(object, "probability", probability)
                 && pp_json_add(object, "sure",
-                               json_object_new_boolean(probability >= PP_COMPARE_SURE))
+                               json_object_new_boolean(
+                                   pp_compare_is_sure(compared, set->suspects[i])))
                 && pp_json_number(object, "mean-change", per_cent(compared->effects[i]))
                 && pp_json_number(object, "share", 100.0 * compared->shares[i])
                 && pp_json_text(object, "cause", suspect->cause)
@@ -283,8 +300,8 @@ static bool add_found(struct json_object *object,
            && pp_json_number(object, "noise", 100.0 * set->evidence.sigma)
            && pp_json_number(object, "noise-of-neighbours-alike", set->evidence.near)
            && pp_json_add(
-               object, "unexplained",
-               json_object_new_boolean(set->evidence.sigma > PP_COMPARE_UNEXPLAINED));
+               object, "noise-may-hide-causes",
+               json_object_new_boolean(set->evidence.sigma > PP_COMPARE_HIDES));
 }
 
 enum pp_status pp_compare_report_json(const struct pp_compare_result *result, FILE *out,

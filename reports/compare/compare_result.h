@@ -16,10 +16,7 @@ struct pp_compare_result {
     struct pp_compared compared; /* without a file: ours, errors and count alone */
 };
 
-/* Probability from which a suspect is called sure. */
-#define PP_COMPARE_SURE 0.98
-
-/* Noise (logarithm) of what is left above which something remains unexplained. */
-#define PP_COMPARE_UNEXPLAINED 0.04
+/* Noise (logarithm) of what is left from which something is to be done about it. */
+#define PP_COMPARE_NOISY 0.015
 
 #endif

@@ -261,6 +261,12 @@ static bool same_kind(const struct blame_search *search, int a, int b)
     return strcmp(suspects[a]->kind, suspects[b]->kind) == 0;
 }
 
+static bool excludes(const struct blame_search *search, int a, int b)
+{
+    const struct pp_suspect *const *suspects = search->question->suspects;
+    return same_kind(search, a, b) || suspects[a]->is_alone || suspects[b]->is_alone;
+}
+
 /* How much likelier than not a suspect is at work beforehand; logarithm. */
 static double odds(const struct blame_search *search, int suspect)
 {
@@ -290,7 +296,7 @@ static enum pp_status add_sets(struct blame_search *search,
         struct blame_candidate more = *from;
         bool fits = true;
         for (int i = 0; i < set->count; i++)
-            fits = fits && !same_kind(search, set->suspects[i], next);
+            fits = fits && !excludes(search, set->suspects[i], next);
         more.set.suspects[more.set.count++] = next;
         more.prior += odds(search, next);
         if (fits)

@@ -13,6 +13,7 @@
 static const double DARK_SHARE = 0.005;
 /* Sets are listed until they have this probability together. */
 static const double LISTED = 0.98;
+static const double SURE = 0.98;
 enum { TRACED_MOST = 40 };
 static const int nobody[1] = {0};
 
@@ -235,6 +236,12 @@ void pp_compare_clear(struct pp_compared *compared)
     pp_blame_clear(&compared->blame);
     free(compared->theirs);
     *compared = (struct pp_compared){0};
+}
+
+bool pp_compare_is_sure(const struct pp_compared *compared, int suspect)
+{
+    return compared->blame.probability[suspect] >= SURE
+           && compared->blame.sets[0].evidence.sigma < PP_COMPARE_HIDES;
 }
 
 /* ---- ours ---- */

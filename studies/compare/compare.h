@@ -59,4 +59,11 @@ enum pp_status pp_compare_explain(struct pp_compared *compared,
                                   struct pp_error *err);
 void pp_compare_clear(struct pp_compared *compared);
 
+/* Noise (logarithm) from which nothing is sure beside it. */
+#define PP_COMPARE_HIDES 0.05
+
+/* Is the suspect, by its place in the list, at work for sure? With a probability of 98 %
+ * or more, where noise is not so large that it may look like anything. */
+bool pp_compare_is_sure(const struct pp_compared *compared, int suspect);
+
 #endif

@@ -118,18 +118,18 @@ static bool has_outside(const struct pp_study_room *room)
     {                                                                                  \
         "bounces=" #number, "bounces",                                                 \
             "light is followed over " times " between surfaces only", MORE_BOUNCES,    \
-            false, NULL                                                                \
+            false, false, NULL                                                         \
     }
 #define CUT_WITH_GROUND(number, times)                                                 \
     {                                                                                  \
         "ab=" #number, "bounces",                                                      \
             "light is followed over " times ", the ground's included, only",           \
-            MORE_BOUNCES, false, ground_is_shaded                                      \
+            MORE_BOUNCES, false, false, ground_is_shaded                               \
     }
 
 static const struct pp_suspect suspects[] = {
     {"ab=0", "bounces", "light of the sky is not followed at all",
-     "turn the ambient calculation on (rtrace -ab 7 or more)", false, NULL},
+     "turn the ambient calculation on (rtrace -ab 7 or more)", false, true, NULL},
     CUT(0, "no reflection"),
     CUT(1, "one reflection"),
     CUT(2, "two reflections"),
@@ -140,43 +140,43 @@ static const struct pp_suspect suspects[] = {
     CUT_WITH_GROUND(4, "three reflections"),
     {"glass=normal", "glass",
      "glass lets light of all angles through as it does at normal incidence",
-     "give it a glass whose transmittance falls with the angle", false,
+     "give it a glass whose transmittance falls with the angle", false, false,
      has_clear_glass},
     {"glass=transmissivity", "glass",
      "the transmittance of the glass was written as a transmissivity",
-     "turn the transmittance into a transmissivity (0.90 is 0.98)", false,
+     "turn the transmittance into a transmissivity (0.90 is 0.98)", false, false,
      has_clear_glass},
-    {"glass=none", "glass", "openings have no glass", "put the glass in", false,
+    {"glass=none", "glass", "openings have no glass", "put the glass in", false, false,
      has_glass},
     {"panes=1", "panes", "one pane stands where there are two",
-     "give the glazing all of its panes", false, has_several_panes},
+     "give the glazing all of its panes", false, false, has_several_panes},
     {"frame=none", "frame", "frames take no light", "take the frames off the glass",
-     false, has_frames},
+     false, false, has_frames},
     {"dirt=none", "dirt", "the glass is clean", "take the maintenance factor in", false,
-     has_dirt},
+     false, has_dirt},
     {"plane=0", "plane", "the points lie on the floor",
-     "put the points on the working plane", false, is_off_floor},
+     "put the points on the working plane", false, false, is_off_floor},
     {"plane=0.85", "plane", "the points lie 0.85 m above the floor",
-     "put the points where they belong", false, is_off_desk},
+     "put the points where they belong", false, false, is_off_desk},
     {"sky=uniform", "sky", "the sky is uniform", "take the CIE overcast sky", false,
-     is_not_uniform},
+     false, is_not_uniform},
     {"sky=gensky", "sky",
      "the sky fades into the ground at the horizon, as gensky's does",
-     "take a sky function without the blend at the horizon", false, is_overcast},
+     "take a sky function without the blend at the horizon", false, false, is_overcast},
     {"ground=0", "ground", "the ground is black", "give the ground its reflectance",
-     false, ground_is_not_black},
+     false, false, ground_is_not_black},
     {"ground=0.2", "ground", "the ground reflects 0.2, as by default",
-     "give the ground its reflectance (gensky -g)", false, ground_is_not_usual},
+     "give the ground its reflectance (gensky -g)", false, false, ground_is_not_usual},
     {"ground=open", "ground",
      "the ground glows as under the whole sky, in no shadow (Radiance's ground)",
-     "model the ground as a surface", false, ground_is_shaded},
+     "model the ground as a surface", false, false, ground_is_shaded},
     {"outside=none", "outside", "nothing stands outside", "model what stands outside",
-     false, has_outside},
+     false, false, has_outside},
     {"factor", "factor", "all values have a factor in common",
      "look at the illuminance that daylight factors are taken over (such as 10,000 "
      "lx), "
      "at units, and at other factors of the whole",
-     true, NULL},
+     true, false, NULL},
 };
 enum { SUSPECT_COUNT = sizeof suspects / sizeof suspects[0] };
 

@@ -14,6 +14,7 @@ struct pp_suspect {
     const char *cause; /* what the other program did, as a sentence's end */
     const char *cure;  /* what to set right there */
     bool is_factor;
+    bool is_alone; /* is there nothing left for others to do? */
     /* Can it be told in this room at all? NULL: in any. */
     bool (*applies)(const struct pp_study_room *room);
 };

@@ -9,11 +9,11 @@ enum { POINTS = 20, SUSPECTS = 5, FLAT = 3, FACTOR = 4 };
 /* Two of one kind, one that grows with depth, one that is the same everywhere, and a
  * common factor. */
 static const struct pp_suspect listed[SUSPECTS] = {
-    {"cut=1", "cut", "", "", false, NULL},
-    {"cut=2", "cut", "", "", false, NULL},
-    {"deep=1", "deep", "", "", false, NULL},
-    {"flat=1", "flat", "", "", false, NULL},
-    {"factor", "factor", "", "", true, NULL}};
+    {"cut=1", "cut", "", "", false, false, NULL},
+    {"cut=2", "cut", "", "", false, false, NULL},
+    {"deep=1", "deep", "", "", false, false, NULL},
+    {"flat=1", "flat", "", "", false, false, NULL},
+    {"factor", "factor", "", "", true, false, NULL}};
 
 /* How much a pair does beyond its sum, over the smaller of both at each point. */
 static const double TOGETHER = 0.5;
