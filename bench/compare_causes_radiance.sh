@@ -85,7 +85,7 @@ poor() {
     shift
     values "$@" >poor.csv
     "$pepperpot" compare -q -f json "$scratch/room.xml" poor.csv >found.json
-    named=$(sed -n 's/.*"switches": "\([^"]*\)", "probability": \([0-9.]*\).*/\1 \2/p' \
+    named=$(sed -n 's/"switches": ""/"switches": "nothing"/; s/.*"switches": "\([^"]*\)", "probability": \([0-9.]*\).*/\1 \2/p' \
         found.json | head -n 2 | awk '{ printf "%s%s (%.2f)", (NR > 1 ? ", or " : ""), $1, $2 }')
     printf '| %s | %.1f | %s | %.1f | %.1f |\n' "$what" "$(number difference-rms)" "$named" \
         "$(number left-rms)" "$right"

@@ -156,7 +156,7 @@ static void append_left(char text[TEXT_BYTES], const struct pp_compared *compare
     if (noise->sigma > PP_COMPARE_HIDES)
         pp_text_append(
             text, TEXT_BYTES,
-            " That is much: %.0f %% of the difference are left to it, and it "
+            " That is much: %.0f %% of the difference is left to it, and it "
             "may look like other causes or hide them: nothing is sure beside it.",
             100.0 * fmin(1.0, share * share));
     if (compared->blame.is_cut)
