@@ -10,7 +10,7 @@ _pepperpot()
         mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$word")
     elif [ "$previous" = --format ] || [ "$previous" = -f ]; then
         local formats='text json csv'
-        [ "$command" != size ] || formats='text json'
+        [[ $command != size && $command != compare ]] || formats='text json'
         [ "$command" != chart ] || formats='pdf svg png'
         [ "$command" != render ] || formats='hdr pfm png pdf svg'
         mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")

@@ -41,9 +41,19 @@ bool pp_sky_has_azimuth(const struct pp_sky *sky)
     return sky->kind == PP_SKY_ISO && (sky->c != 0.0 || sky->e != 0.0);
 }
 
+/* (1 + 2z)/3 mixed with the ground's luminance, as skybright.cal has it. */
+static double faded_luminance(double fade, double z)
+{
+    double weight = pow(z + 1.01, 10.0);
+    return (weight * pp_graded_sky_luminance(PP_GRADED_SKY_OVERCAST, z) + fade / weight)
+           / (weight + 1.0 / weight);
+}
+
 /* Luminance over that of the zenith; for ISO skies over 1 / (f(Zs) phi(0)) of it. */
 static double relative_luminance(const struct pp_sky *sky, struct pp_vec3 u)
 {
+    if (sky->fade > 0.0)
+        return faded_luminance(sky->fade, u.z);
     if (sky->kind != PP_SKY_ISO)
         return pp_graded_sky_luminance(sky->gradation, u.z);
     double gradation = 1.0;
@@ -156,9 +166,19 @@ enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
     return PP_OK;
 }
 
+struct pp_sky pp_sky_faded(double ground_reflectance)
+{
+    struct pp_sky sky = pp_sky_overcast();
+    /* rho Eh / pi over Lz; a black ground darkens the horizon, too. */
+    sky.fade = fmax(ground_reflectance / (PP_PI * sky.per_horizontal), 1e-12);
+    sky.per_horizontal = 1.0; /* for the quadrature */
+    sky.per_horizontal = 1.0 / quadrature_on_plane(&sky, pp_vec(0.0, 0.0, 1.0));
+    return sky;
+}
+
 double pp_sky_on_plane(const struct pp_sky *sky, struct pp_vec3 n)
 {
-    if (sky->kind == PP_SKY_ISO)
+    if (sky->kind == PP_SKY_ISO || sky->fade > 0.0)
         return quadrature_on_plane(sky, n);
     return pp_graded_sky_on_plane(sky->gradation, atan2(hypot(n.x, n.y), n.z));
 }

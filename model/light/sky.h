@@ -32,10 +32,16 @@ struct pp_sky {
     struct pp_vec3 sun;   /* towards the sun, unit length; zenith where there is none */
     double a, b, c, d, e; /* ISO 15469, zero elsewhere */
     double per_horizontal; /* L / Eh (1/sr) where the relative luminance is 1 */
+    double fade; /* Lg / Lz of a faded sky, which only luminances know of (simulation);
+                  * 0: it is none */
 };
 
 struct pp_sky pp_sky_overcast(void);
 struct pp_sky pp_sky_uniform(void);
+
+/* The overcast sky as Radiance's gensky has it over a ground of that reflectance (0 to
+ * 1): Lg is it times Eh over pi. */
+struct pp_sky pp_sky_faded(double ground_reflectance);
 
 /* A graded sky: uniform for b = 0, and any other is taken for an overcast one. Rooms
  * have the two above; others show that nothing assumes their b. */

@@ -361,8 +361,8 @@ static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *
 }
 
 /* The ground, a diffuse surface outdoors. No cache is asked for its light, and it does not
- * count among the diffuse reflections whose number may be limited: most of its light is
- * the sky's. Where the path is to take many directions, all but one are paths of their
+ * count among the diffuse reflections whose number may be limited, unless that is wanted:
+ * most of its light is the sky's. Where the path is to take many directions, all but one are paths of their
  * own. */
 static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path *path,
                            const struct pp_light_hit *hit, struct pp_rgb *total)
@@ -374,6 +374,8 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
         path->split ? GROUND_DIRECTIONS * (uint32_t)state->options.source_most : 1;
     double share = pp_outside_light_ground(&state->environment->light) / count, chance;
     pp_path_turn_note_met(path, hit->space);
+    if (state->options.ground_counts && path->depth++ >= state->options.bounces)
+        return false;
     path->throughput = pp_rgb_scale(path->throughput, share);
     path->split = false;
     if (pp_rgb_is_black(path->throughput))

@@ -29,6 +29,8 @@ struct pp_sensors {
     struct sensor_point *points;
     int count;
     bool by_chance;
+    int bounces; /* -1: no limit */
+    bool ground_counts;
     struct pp_planner *planner;
 };
 
@@ -42,6 +44,8 @@ static void begin(const void *client, void *state)
                                            .environment = sensors->environment,
                                            .options = pp_radiance_state_defaults()};
     radiance->options.sources = !sensors->by_chance;
+    radiance->options.bounces = sensors->bounces;
+    radiance->options.ground_counts = sensors->ground_counts;
 }
 
 static uint64_t seed_of(const void *client, int point)
@@ -127,6 +131,8 @@ enum pp_status pp_sensors_create(struct pp_sensors **result,
     sensors->environment = environment;
     sensors->count = count;
     sensors->by_chance = options->by_chance;
+    sensors->bounces = options->limited ? options->bounces : -1;
+    sensors->ground_counts = options->limited && options->ground_counts;
     sensors->points = calloc((size_t)count + 1, sizeof *sensors->points);
     double *shares = calloc((size_t)scene->emitter_count + 1, sizeof *shares);
     enum pp_status status = sensors->points && shares ? PP_OK : pp_fail_memory(err);

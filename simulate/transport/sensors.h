@@ -33,9 +33,13 @@ struct pp_sensors_options {
                    * clock alone */
     long samples; /* paths a point in each randomisation; 0: not set */
     uint64_t seed;
-    int threads;       /* 0: as many as the machine has processors */
-    double horizontal; /* irradiance of the open level ground; 0: there is none */
-    bool by_chance;    /* rays have to find concentrated sources: no next-event
+    int threads;        /* 0: as many as the machine has processors */
+    double horizontal;  /* irradiance of the open level ground; 0: there is none */
+    bool limited;       /* at most `bounces` diffuse reflections on the way, 0 up, those
+                         * outside included */
+    bool ground_counts; /* the ground's, too */
+    int bounces;
+    bool by_chance; /* rays have to find concentrated sources: no next-event
                      * estimation */
 };
 

@@ -121,6 +121,27 @@ static void a_sky_that_is_not_one_is_refused(void **state)
     assert_non_null(strstr(err.message, "horizon"));
 }
 
+/* By gensky's formula, on paper: w = 1.01^10 = 1.104622 at the horizon, where the sky has
+ * a third of the zenith's luminance and a ground of 0.2 has 0.155556 of it:
+ * (1.104622/3 + 0.155556/1.104622)/(1.104622 + 1/1.104622) = 0.253260. */
+static void a_faded_sky_is_half_ground_at_the_horizon(void **state)
+{
+    (void)state;
+    struct pp_sky sky = pp_sky_faded(0.2), overcast = pp_sky_overcast();
+    struct pp_vec3 zenith = pp_vec(0.0, 0.0, 1.0);
+    double horizon = pp_sky_luminance(&sky, pp_vec(0.6, 0.8, 1e-9));
+    assert_relative(horizon / pp_sky_luminance(&sky, zenith), 0.253260, 1e-5);
+    /* What it lacks at the horizon is little of the light on level ground. */
+    assert_near(pp_sky_on_plane(&sky, zenith), 1.0, 1e-8);
+    assert_near(sum_on_plane(&sky, zenith), 1.0, 1e-4);
+    double more = pp_sky_luminance(&sky, zenith) / pp_sky_luminance(&overcast, zenith);
+    assert_true(more > 1.0 && more < 1.01);
+    /* And more of that on walls. */
+    struct pp_vec3 wall = pp_vec(0.0, 1.0, 0.0);
+    assert_relative(pp_sky_on_plane(&sky, wall), sum_on_plane(&sky, wall), 1e-3);
+    assert_true(pp_sky_on_plane(&sky, wall) < 0.99 * pp_sky_on_plane(&overcast, wall));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -132,6 +153,7 @@ int main(void)
         cmocka_unit_test(tilted_planes_agree_with_a_plain_sum),
         cmocka_unit_test(iso_luminance_over_the_zeniths_as_published),
         cmocka_unit_test(a_sky_that_is_not_one_is_refused),
+        cmocka_unit_test(a_faded_sky_is_half_ground_at_the_horizon),
     };
     return cmocka_run_group_tests_name("sky", tests, NULL, NULL);
 }

@@ -1,0 +1,350 @@
+/* cmd_compare.c - the command compare: another program's values beside ours, and where
+ * the difference comes from. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/command.h"
+#include "cli/compare/other_values.h"
+#include "cli/format_option.h"
+#include "cli/interrupt.h"
+#include "cli/job.h"
+#include "cli/message.h"
+#include "cli/rooms.h"
+#include "cli/terminal.h"
+#include "cli/watch.h"
+#include "reports/compare/compare_report.h"
+
+struct compare_options {
+    struct pp_room_options room;
+    const char *as_if;
+    enum pp_other_unit unit;
+    enum pp_format format;
+};
+
+#define PLACE(member) offsetof(struct compare_options, member)
+
+static const char about[] =
+    "Another program's daylight factors at points of a room beside the simulation's, "
+    "and "
+    "where the difference comes from: which switches of ours, that imitate what other "
+    "programs do (--as-if), explain it best, with what probability, and with which "
+    "share "
+    "each. OTHER.csv has a line with the columns' names (x, y, z and df_percent, "
+    "df_fraction or lux) and a line a point. Without OTHER.csv, and with --as-if: ours "
+    "as "
+    "if, beside ours as they are. ROOM is a room file; - is standard input.";
+
+/* ---- options ---- */
+
+static enum pp_status read_unit(const char *text, void *place, struct pp_error *err)
+{
+    static const char *const words[] = {"percent", "fraction", "lux"};
+    for (int i = 0; i < 3; i++)
+        if (strcmp(text, words[i]) == 0) {
+            *(enum pp_other_unit *)place = (enum pp_other_unit)(PP_OTHER_PERCENT + i);
+            return PP_OK;
+        }
+    return pp_fail(err, PP_BAD_INPUT, "percent, fraction or lux");
+}
+
+static const struct pp_option compare_options[] = {
+    {"as-if", 0, "SWITCHES",
+     "Take the room as another program may: switches with commas between, below.",
+     pp_options_read_text, PLACE(as_if)},
+    {"as", 0, "UNIT",
+     "What the other values are, where their column's name does not say it: percent, "
+     "fraction or lux.",
+     read_unit, PLACE(unit)},
+    {"external", 0, "LUX",
+     "Illuminance of the open level plane, of other values in lux.",
+     pp_options_read_lux, PLACE(room.study.external_lux)},
+    {0},
+};
+
+static const struct pp_option error_option[] = {
+    {"error", 0, "E%",
+     "Standard error of our values, as a share of them (default 0.5%).",
+     pp_options_read_per_cent, PLACE(room.study.error)},
+    {0},
+};
+
+static void help_on_switches(FILE *out)
+{
+    static const char *const switches[][2] = {
+        {"bounces=N", "light is followed over N reflections between surfaces, at most; "
+                      "the ground glows"},
+        {"ab=N",
+         "over N-1, the ground's among them, as Radiance counts where the ground "
+         "is a surface; ab=0: no light of the sky"},
+        {"glass=normal", "light of all angles passes as at normal incidence"},
+        {"glass=transmissivity", "the transmittance was written as a transmissivity"},
+        {"glass=none", "openings without glass"},
+        {"panes=1", "one pane where there are several"},
+        {"frame=none", "no frames"},
+        {"dirt=none", "clean glass"},
+        {"plane=Z", "the points lie at that height, in metres"},
+        {"sky=TYPE",
+         "another sky, as of --sky; or gensky: overcast, and faded into the "
+         "ground at the horizon"},
+        {"ground=R", "the ground's reflectance; open: it is lit by the whole sky"},
+        {"outside=none", "nothing stands outside"},
+        {"factor=F", "all values times F"},
+    };
+    fputs("\nSwitches:\n", out);
+    for (size_t i = 0; i < sizeof switches / sizeof switches[0]; i++)
+        pp_options_help_word(switches[i][0], switches[i][1], out);
+    fputs("\nNames for switches:\n", out);
+    const struct pp_as_if_preset *preset;
+    for (int i = 0; (preset = pp_as_if_preset_at(i)) != NULL; i++) {
+        char text[200];
+        snprintf(text, sizeof text, "%s (%s)", preset->what, preset->words);
+        pp_options_help_word(preset->name, text, out);
+    }
+}
+
+static const struct pp_option_group groups[] = {
+    {"What is compared", compare_options, 0},
+    {"What is compared", pp_room_sky_options, PLACE(room)},
+    {"Simulation", error_option, 0},
+    {"Simulation", pp_room_seed_options, PLACE(room)},
+    {"Output", pp_text_or_json_option, PLACE(format)},
+    {"Output", pp_room_output_options, PLACE(room)},
+    {0},
+};
+
+static void init(void *values)
+{
+    *(struct compare_options *)values =
+        (struct compare_options){.room = pp_room_options_none};
+}
+
+static enum pp_status check(void *values, char **files, int file_count,
+                            struct pp_error *err)
+{
+    struct compare_options *options = values;
+    struct pp_as_if as_if = pp_as_if_nothing();
+    struct pp_error own = {0};
+    (void)files;
+    if (file_count == 0 || file_count > 2)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected a room file and the other program's values as CSV");
+    if (file_count == 1 && !options->as_if)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected the other program's values as CSV behind the room "
+                       "file, or --as-if");
+    if (options->as_if && pp_as_if_add(&as_if, options->as_if, &own) != PP_OK)
+        return pp_fail(err, PP_BAD_INPUT, "--as-if: %s", own.message);
+    if (options->room.study.error == 0.0)
+        options->room.study.error = 0.005;
+    return PP_OK;
+}
+
+/* ---- values ---- */
+
+/* As fractions; the points' order is that of `chosen`. */
+static enum pp_status to_fractions(double *theirs, const struct pp_other_values *values,
+                                   const int *chosen, int count,
+                                   const struct compare_options *options,
+                                   const char *path, struct pp_error *err)
+{
+    enum pp_other_unit unit = options->unit ? options->unit : values->unit;
+    double lux = options->room.study.external_lux;
+    if (options->unit && values->unit && options->unit != values->unit)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%.200s: --as says another unit than the column's name", path);
+    if (unit == PP_OTHER_UNKNOWN)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%.200s: the column does not say whether values are per cent, "
+                       "fractions or lux; expected --as percent, fraction or lux",
+                       path);
+    if (unit == PP_OTHER_LUX && lux == 0.0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%.200s: values in lux need --external LUX, the illuminance of "
+                       "the open level plane that daylight factors are taken over",
+                       path);
+    double most = 0.0, of_unit = unit == PP_OTHER_PERCENT ? 100.0
+                                 : unit == PP_OTHER_LUX   ? lux
+                                                          : 1.0;
+    for (int i = 0; i < count; i++) {
+        theirs[i] = values->list[chosen[i]].value / of_unit;
+        most = fmax(most, theirs[i]);
+    }
+    if (most > 2.0)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%.200s: a daylight factor of %.4g %%; expected 200 %% at most: is "
+            "the unit right?",
+            path, 100.0 * most);
+    return PP_OK;
+}
+
+/* ---- the run ---- */
+
+struct compare_run {
+    const struct compare_options *options;
+    struct pp_study_room *room;
+    const char *other;
+    struct pp_other_values values;
+    int *chosen;
+    struct pp_watch watch;
+    struct pp_compare *compare, *plain;
+    struct pp_compare_result result;
+};
+
+static bool look(void *data, double done)
+{
+    const struct pp_watch *watch = &((struct compare_run *)data)->watch;
+    return watch->look(watch->data, done, NAN);
+}
+
+static enum pp_status ours(struct pp_compare **compare, struct compare_run *run,
+                           bool plain, struct pp_error *err)
+{
+    const struct pp_study_options *study = &run->options->room.study;
+    struct pp_compare_options options = {.as_if = pp_as_if_nothing(),
+                                         .tracing = {.error = study->error,
+                                                     .seed = study->seed,
+                                                     .threads = study->threads,
+                                                     .look = look,
+                                                     .data = run}};
+    enum pp_status status = PP_OK;
+    if (run->options->as_if && !plain)
+        status = pp_as_if_add(&options.as_if, run->options->as_if, err);
+    return status == PP_OK ? pp_compare_create(compare, run->room, &options, err)
+                           : status;
+}
+
+static enum pp_status explain(struct compare_run *run, struct pp_error *err)
+{
+    struct pp_compare_result *result = &run->result;
+    double theirs[PP_COMPARE_POINTS_MOST];
+    enum pp_status status =
+        to_fractions(theirs, &run->values, run->chosen, run->room->receiver_count,
+                     run->options, run->other, err);
+    if (status == PP_OK)
+        status = ours(&run->compare, run, false, err);
+    if (status == PP_OK)
+        status = pp_compare_explain(&result->compared, run->compare, theirs, err);
+    if (status == PP_OK)
+        result->suspect_count = pp_compare_suspects(run->compare, &result->suspects);
+    return status;
+}
+
+static enum pp_status only_ours(struct compare_run *run, struct pp_error *err)
+{
+    const double *errors;
+    enum pp_status status = ours(&run->compare, run, false, err);
+    if (status == PP_OK)
+        status = ours(&run->plain, run, true, err);
+    if (status != PP_OK)
+        return status;
+    run->result.plain = pp_compare_ours(run->plain, &errors);
+    run->result.compared.ours = pp_compare_ours(run->compare, &errors);
+    run->result.compared.errors = errors;
+    run->result.compared.count = run->room->receiver_count;
+    return PP_OK;
+}
+
+static enum pp_status compute(void *data, struct pp_error *err)
+{
+    struct compare_run *run = data;
+    pp_interrupt_watch();
+    run->watch.begin(run->watch.data, run->room->world->name);
+    enum pp_status status = run->other ? explain(run, err) : only_ours(run, err);
+    run->watch.end(run->watch.data);
+    return status;
+}
+
+static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+{
+    const struct compare_run *run = data;
+    if (run->options->format == PP_FORMAT_JSON)
+        return pp_compare_report_json(&run->result, out, err);
+    pp_compare_report(&run->result, pp_terminal_width(run->options->room.output), out);
+    return PP_OK;
+}
+
+/* The one room, with the other program's points as its own; of its own points, where
+ * there are many, such as are evenly spread. */
+static enum pp_status take_points(struct compare_run *run, struct pp_error *err)
+{
+    struct pp_other_values own = {0};
+    enum pp_status status =
+        run->other ? pp_other_values_read(&run->values, run->other, err) : PP_OK;
+    if (status != PP_OK)
+        return status;
+    if (run->other)
+        return pp_other_values_place(&run->chosen, run->room, &run->values, run->other,
+                                     PP_COMPARE_POINTS_MOST, err);
+    own.count = run->room->receiver_count;
+    return pp_other_values_place(&run->chosen, run->room, &own, "",
+                                 PP_COMPARE_POINTS_MOST, err);
+}
+
+static enum pp_exit run_on(struct compare_run *run)
+{
+    struct pp_terminal_watch terminal;
+    struct pp_error err;
+    run->watch = pp_watch_of_terminal(&terminal, run->options->room.quiet);
+    enum pp_status status = take_points(run, &err);
+    enum pp_exit exit_status = PP_EXIT_DONE;
+    run->result.room = run->room;
+    run->result.other = run->other;
+    run->result.as_if = run->options->as_if;
+    run->result.given = run->values.count;
+    if (status == PP_OK)
+        exit_status = pp_job_run(
+            &(struct pp_job){run->options->room.output, compute, print, NULL, run});
+    else
+        exit_status = pp_message_error(&err);
+    if (run->other)
+        pp_compare_clear(&run->result.compared);
+    pp_compare_destroy(run->compare);
+    pp_compare_destroy(run->plain);
+    pp_other_values_clear(&run->values);
+    free(run->chosen);
+    return exit_status;
+}
+
+static enum pp_exit run(void *values, char **files, int file_count)
+{
+    struct compare_options *options = values;
+    struct pp_rooms rooms;
+    struct pp_error err;
+    enum pp_exit exit_status =
+        pp_rooms_load(&rooms, "compare", files, 1, &options->room);
+    if (exit_status != PP_EXIT_DONE)
+        return exit_status;
+    struct compare_run compare = {.options = options,
+                                  .room = rooms.list,
+                                  .other = file_count > 1 ? files[1] : NULL};
+    if (rooms.count == 1) {
+        exit_status = run_on(&compare);
+    } else {
+        pp_fail(&err, PP_BAD_INPUT, "%.200s: %d rooms; expected one, by --room NAME",
+                files[0], rooms.count);
+        exit_status = pp_message_error(&err);
+    }
+    pp_rooms_clear(&rooms);
+    return exit_status;
+}
+
+static void clear(void *values)
+{
+    pp_room_options_clear(&((struct compare_options *)values)->room);
+}
+
+const struct pp_command pp_command_compare = {
+    .name = "compare",
+    .summary = "another program's values beside ours, and where they part",
+    .operands = "ROOM [OTHER.csv]",
+    .about = about,
+    .groups = groups,
+    .size = sizeof(struct compare_options),
+    .more_help = help_on_switches,
+    .init = init,
+    .check = check,
+    .run = run,
+    .clear = clear,
+};

@@ -1,0 +1,53 @@
+/* other_values.h - another program's values at points, as CSV.
+ *
+ * The first line names the columns, in any order, with commas, semicolons or tabs
+ * between: x, y and z (m, the room's own; without z the points lie on the working plane),
+ * nx, ny and nz (upwards without them), and one of values, whose name says its unit:
+ *
+ *     df_percent, value_percent, percent, df_%, df [%]
+ *     df_fraction, fraction
+ *     lux, lx, illuminance, illuminance_lx, e_lx, e [lx]
+ *     df, daylight_factor, value          by what the user says they are
+ *
+ * label, name, point and id are passed over. Without x and y the values belong to the
+ * room's own points, in their order. Lines that are empty or begin with "#" are none.
+ */
+#ifndef PP_CLI_COMPARE_OTHER_VALUES_H
+#define PP_CLI_COMPARE_OTHER_VALUES_H
+
+#include "studies/study_room.h"
+
+enum pp_other_unit {
+    PP_OTHER_UNKNOWN,
+    PP_OTHER_PERCENT,
+    PP_OTHER_FRACTION,
+    PP_OTHER_LUX
+};
+
+struct pp_other_value {
+    struct pp_vec3 place; /* z NAN: the working plane */
+    struct pp_vec3 normal;
+    double value; /* as written, 0 up */
+    int line;
+};
+
+struct pp_other_values {
+    struct pp_other_value *list;
+    int count;
+    bool has_places;
+    enum pp_other_unit unit; /* as the header's name says; unknown where it does not */
+};
+
+/* PP_BAD_INPUT with file and line for what is wrong. */
+enum pp_status pp_other_values_read(struct pp_other_values *values, const char *path,
+                                    struct pp_error *err);
+void pp_other_values_clear(struct pp_other_values *values);
+
+/* Makes the values' places the room's points; where there are more than `most`, such as
+ * are evenly spread over the list. *chosen, the caller's to free: which of the values
+ * each point has, room->receiver_count of them. */
+enum pp_status pp_other_values_place(int **chosen, struct pp_study_room *room,
+                                     const struct pp_other_values *values,
+                                     const char *path, int most, struct pp_error *err);
+
+#endif

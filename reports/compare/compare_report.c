@@ -1,0 +1,327 @@
+/* compare_report.c - prints values, causes with their shares, what else it may be, what is
+ * left, and what to set right. */
+#include "reports/compare/compare_report.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "model/base/text.h"
+#include "reports/parts/format.h"
+#include "reports/parts/json.h"
+#include "reports/parts/print.h"
+
+enum { TEXT_BYTES = 640 };
+
+static const struct pp_suspect *suspect_of(const struct pp_compare_result *result,
+                                           const struct pp_blame_set *set, int index)
+{
+    return result->suspects[set->suspects[index]];
+}
+
+/* "bounces=2", "factor=1.12". */
+static void append_word(char *text, size_t room, const struct pp_compare_result *result,
+                        const struct pp_blame_set *set, int index)
+{
+    const struct pp_suspect *suspect = suspect_of(result, set, index);
+    pp_text_append(text, room, "%s", suspect->word);
+    if (suspect->is_factor)
+        pp_text_append(text, room, "=%.3g", exp(set->evidence.theta));
+}
+
+/* "bounces=2,glass=normal"; "nothing". */
+static void append_words(char *text, size_t room,
+                         const struct pp_compare_result *result,
+                         const struct pp_blame_set *set)
+{
+    for (int i = 0; i < set->count; i++) {
+        pp_text_append(text, room, "%s", i > 0 ? "," : "");
+        append_word(text, room, result, set, i);
+    }
+    if (set->count == 0)
+        pp_text_append(text, room, "nothing");
+}
+
+static const char *level(const struct pp_compared *compared, int suspect)
+{
+    return pp_compare_is_sure(compared, suspect)         ? "sure"
+           : compared->blame.probability[suspect] >= 0.7 ? "likely"
+                                                         : "perhaps";
+}
+
+/* By how much, of a difference of logarithms; per cent. */
+static double per_cent(double logarithm)
+{
+    return 100.0 * (exp(logarithm) - 1.0);
+}
+
+/* ---- text ---- */
+
+static void print_head(const struct pp_compare_result *result, int width, FILE *out)
+{
+    char text[TEXT_BYTES] = "";
+    pp_print_title(result->room->world, result->room->file, out);
+    if (result->as_if)
+        pp_text_append(text, sizeof text, "Ours as if %s. ", result->as_if);
+    if (result->other && result->compared.count < result->given)
+        pp_text_append(text, sizeof text,
+                       "%d of the %d points of the other program, evenly spread. ",
+                       result->compared.count, result->given);
+    pp_text_append(text, sizeof text,
+                   "Daylight factors in per cent; +-: one standard error of ours.");
+    fputs("\n  ", out);
+    pp_print_wrapped(text, 2, 2, width, out);
+}
+
+static void print_values(const struct pp_compare_result *result, FILE *out)
+{
+    const struct pp_compared *compared = &result->compared;
+    fprintf(out, "\n  %6s%7s%7s%9s%8s", "x", "y", "z", "ours", "+-");
+    fputs(result->other   ? "    theirs   off, %  explained   left, %\n"
+          : result->plain ? "  as it is   off, %\n"
+                          : "\n",
+          out);
+    for (int i = 0; i < compared->count; i++) {
+        struct pp_vec3 at = result->room->receivers[i].position;
+        double ours = compared->ours[i];
+        fprintf(out, "  %6.2f%7.2f%7.2f%9.3f%8.3f", at.x, at.y, at.z, 100.0 * ours,
+                100.0 * compared->errors[i]);
+        if (result->other) {
+            double theirs = compared->theirs[i], explained = compared->explained[i];
+            fprintf(out, "%10.3f", 100.0 * theirs);
+            pp_format_cell(100.0 * (theirs / ours - 1.0), "%+.1f", 9, out);
+            fprintf(out, "%11.3f", 100.0 * explained);
+            pp_format_cell(100.0 * (theirs / explained - 1.0), "%+.1f", 10, out);
+        } else if (result->plain) {
+            fprintf(out, "%10.3f", 100.0 * result->plain[i]);
+            pp_format_cell(100.0 * (ours / result->plain[i] - 1.0), "%+.1f", 9, out);
+        }
+        fputc('\n', out);
+    }
+}
+
+static void print_item(const char *label, const char *text, int width, FILE *out)
+{
+    fprintf(out, "    %-9s", label);
+    pp_print_wrapped(text, 13, 13, width, out);
+}
+
+static void print_causes(const struct pp_compare_result *result, int width, FILE *out)
+{
+    const struct pp_compared *compared = &result->compared;
+    const struct pp_blame_set *set = &compared->blame.sets[0];
+    for (int i = 0; i < set->count; i++) {
+        char text[TEXT_BYTES] = "";
+        double probability = compared->blame.probability[set->suspects[i]];
+        append_word(text, sizeof text, result, set, i);
+        pp_text_append(text, sizeof text,
+                       ": %s. It changes the mean by %+.1f %% and makes %.0f %% of "
+                       "the difference (probability %.0f %%).",
+                       suspect_of(result, set, i)->cause,
+                       per_cent(compared->effects[i]), 100.0 * compared->shares[i],
+                       100.0 * fmin(probability, 0.99));
+        print_item(level(compared, set->suspects[i]), text, width, out);
+    }
+}
+
+static void print_instead(const struct pp_compare_result *result, int width, FILE *out)
+{
+    const struct pp_compared *compared = &result->compared;
+    for (int i = 1; i < compared->listed; i++) {
+        char text[TEXT_BYTES] = "";
+        const struct pp_blame_set *set = &compared->blame.sets[i];
+        append_words(text, sizeof text, result, set);
+        pp_text_append(text, sizeof text, " (%.0f %%, beside %.0f %% of the set above)",
+                       100.0 * set->probability,
+                       100.0 * compared->blame.sets[0].probability);
+        print_item(i == 1 ? "or it is" : "or", text, width, out);
+    }
+}
+
+/* What is left, and what it looks like. */
+static void append_left(char text[TEXT_BYTES], const struct pp_compared *compared)
+{
+    const struct pp_evidence *noise = &compared->blame.sets[0].evidence;
+    pp_text_append(text, TEXT_BYTES,
+                   "%.1f %% root mean square, %+.1f %% in the mean. It scatters ",
+                   100.0 * compared->left_rms, per_cent(compared->left));
+    pp_text_append(text, TEXT_BYTES,
+                   noise->near > 0.9   ? "alike at neighbouring points, as values "
+                                         "interpolated in a cache do"
+                   : noise->near < 0.1 ? "from point to point, as few rays make it"
+                                       : "by so much that it may be few rays, or a "
+                                         "cache's interpolation");
+    pp_text_append(text, TEXT_BYTES, " (standard deviation %.1f %%).",
+                   100.0 * noise->sigma);
+    double share = compared->left_rms / compared->gap_rms;
+    if (noise->sigma > PP_COMPARE_HIDES)
+        pp_text_append(
+            text, TEXT_BYTES,
+            " That is much: %.0f %% of the difference is left to it, and it "
+            "may look like other causes or hide them: nothing is sure beside it.",
+            100.0 * fmin(1.0, share * share));
+    if (compared->blame.is_cut)
+        pp_text_append(text, TEXT_BYTES,
+                       " Not all sets that may be likely have been traced.");
+}
+
+/* What to do about the noise; NULL: there is little. */
+static const char *cure_of_noise(const struct pp_evidence *noise)
+{
+    return noise->sigma < PP_COMPARE_NOISY ? NULL
+           : noise->near > 0.9
+               ? "do without interpolation between points, or let it go "
+                 "less far (rtrace -aa 0)"
+           : noise->near < 0.1
+               ? "take more rays (rtrace -ad 4096 or more)"
+               : "take more rays (rtrace -ad 4096 or more), and do without "
+                 "interpolation between points (rtrace -aa 0)";
+}
+
+static void print_cures(const struct pp_compare_result *result, int width, FILE *out)
+{
+    const struct pp_compared *compared = &result->compared;
+    const struct pp_blame_set *set = &compared->blame.sets[0];
+    const char *noise = cure_of_noise(&set->evidence);
+    if (set->count > 0 || noise)
+        fputs("\n  What to set right there\n\n", out);
+    for (int i = 0; i < set->count; i++) {
+        bool sure = pp_compare_is_sure(compared, set->suspects[i]);
+        print_item(sure ? "" : "perhaps", suspect_of(result, set, i)->cure, width, out);
+    }
+    if (noise)
+        print_item("noise", noise, width, out);
+}
+
+static void print_found(const struct pp_compare_result *result, int width, FILE *out)
+{
+    const struct pp_compared *compared = &result->compared;
+    char text[TEXT_BYTES] = "";
+    pp_text_append(text, sizeof text,
+                   "Theirs are %.1f %% %s than ours in the mean (%.1f %% root mean "
+                   "square). Where that comes from:",
+                   fabs(per_cent(compared->gap)),
+                   compared->gap < 0.0 ? "lower" : "higher", 100.0 * compared->gap_rms);
+    fputs("\n  ", out);
+    pp_print_wrapped(text, 2, 2, width, out);
+    fputc('\n', out);
+    if (compared->blame.sets[0].count == 0)
+        print_item("nothing",
+                   "no suspect on the list explains it better than noise does", width,
+                   out);
+    print_causes(result, width, out);
+    print_instead(result, width, out);
+    text[0] = '\0';
+    append_left(text, compared);
+    print_item("left", text, width, out);
+    print_cures(result, width, out);
+}
+
+void pp_compare_report(const struct pp_compare_result *result, int width, FILE *out)
+{
+    print_head(result, width, out);
+    print_values(result, out);
+    if (result->other)
+        print_found(result, width, out);
+}
+
+/* ---- JSON ---- */
+
+static struct json_object *point_object(const struct pp_compare_result *result, int i)
+{
+    const struct pp_compared *compared = &result->compared;
+    struct pp_vec3 at = result->room->receivers[i].position;
+    struct json_object *object = json_object_new_object();
+    bool good = object && pp_json_number(object, "x", at.x)
+                && pp_json_number(object, "y", at.y)
+                && pp_json_number(object, "z", at.z)
+                && pp_json_number(object, "ours", 100.0 * compared->ours[i])
+                && pp_json_number(object, "ours-se", 100.0 * compared->errors[i]);
+    if (good && result->plain)
+        good = pp_json_number(object, "as-it-is", 100.0 * result->plain[i]);
+    if (good && result->other)
+        good = pp_json_number(object, "theirs", 100.0 * compared->theirs[i])
+               && pp_json_number(object, "explained", 100.0 * compared->explained[i]);
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+static struct json_object *cause_object(const struct pp_compare_result *result, int i)
+{
+    const struct pp_compared *compared = &result->compared;
+    const struct pp_blame_set *set = &compared->blame.sets[0];
+    const struct pp_suspect *suspect = suspect_of(result, set, i);
+    double probability = compared->blame.probability[set->suspects[i]];
+    char word[64] = "";
+    append_word(word, sizeof word, result, set, i);
+    struct json_object *object = json_object_new_object();
+    bool good = object && pp_json_text(object, "switch", word)
+                && pp_json_number(object, "probability", probability)
+                && pp_json_add(object, "sure",
+                               json_object_new_boolean(
+                                   pp_compare_is_sure(compared, set->suspects[i])))
+                && pp_json_number(object, "mean-change", per_cent(compared->effects[i]))
+                && pp_json_number(object, "share", 100.0 * compared->shares[i])
+                && pp_json_text(object, "cause", suspect->cause)
+                && pp_json_text(object, "cure", suspect->cure);
+    return pp_json_whole(object, good);
+}
+
+static struct json_object *set_object(const struct pp_compare_result *result, int i)
+{
+    const struct pp_blame_set *set = &result->compared.blame.sets[i];
+    char words[256] = "";
+    append_words(words, sizeof words, result, set);
+    struct json_object *object = json_object_new_object();
+    bool good = object && pp_json_text(object, "switches", set->count ? words : "")
+                && pp_json_number(object, "probability", set->probability);
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+static bool add_found(struct json_object *object,
+                      const struct pp_compare_result *result)
+{
+    const struct pp_compared *compared = &result->compared;
+    const struct pp_blame_set *set = &compared->blame.sets[0];
+    struct json_object *causes = json_object_new_array();
+    struct json_object *sets = json_object_new_array();
+    bool good = pp_json_add(object, "causes", causes);
+    good = pp_json_add(object, "sets", sets) && good;
+    for (int i = 0; i < set->count && good; i++)
+        good = pp_json_append(causes, cause_object(result, i));
+    for (int i = 0; i < compared->listed && good; i++)
+        good = pp_json_append(sets, set_object(result, i));
+    return good && pp_json_number(object, "difference-mean", per_cent(compared->gap))
+           && pp_json_number(object, "difference-rms", 100.0 * compared->gap_rms)
+           && pp_json_number(object, "left-mean", per_cent(compared->left))
+           && pp_json_number(object, "left-rms", 100.0 * compared->left_rms)
+           && pp_json_number(object, "noise", 100.0 * set->evidence.sigma)
+           && pp_json_number(object, "noise-of-neighbours-alike", set->evidence.near)
+           && pp_json_add(
+               object, "noise-may-hide-causes",
+               json_object_new_boolean(set->evidence.sigma > PP_COMPARE_HIDES));
+}
+
+enum pp_status pp_compare_report_json(const struct pp_compare_result *result, FILE *out,
+                                      struct pp_error *err)
+{
+    struct json_object *object = json_object_new_object();
+    struct json_object *points = json_object_new_array();
+    bool good = object && pp_json_text(object, "format", "pepperpot-compare-1")
+                && pp_json_text(object, "file", result->room->file)
+                && pp_json_text(object, "room", result->room->world->name);
+    if (good && result->other)
+        good =
+            pp_json_text(object, "other", result->other)
+            && pp_json_add(object, "points-given", json_object_new_int(result->given));
+    if (good && result->as_if)
+        good = pp_json_text(object, "as-if", result->as_if);
+    good = pp_json_add(object, "points", points) && good;
+    for (int i = 0; i < result->compared.count && good; i++)
+        good = pp_json_append(points, point_object(result, i));
+    if (good && result->other)
+        good = add_found(object, result);
+    return pp_json_print(out, pp_json_whole(object, good), err);
+}

@@ -1,0 +1,22 @@
+/* compare_result.h - what compare found, for its reports. */
+#ifndef PP_REPORTS_COMPARE_COMPARE_RESULT_H
+#define PP_REPORTS_COMPARE_COMPARE_RESULT_H
+
+#include "studies/compare/compare.h"
+
+struct pp_compare_result {
+    const struct pp_study_room *room; /* its receivers are the points; not owned */
+    const char *other; /* the other program's file; NULL: ours alone, as if */
+    const char *as_if; /* words; NULL: none */
+    int given;         /* how many points the file has */
+    const double
+        *plain; /* ours as they are, with as_if and without a file; not owned */
+    const struct pp_suspect *const *suspects;
+    int suspect_count;
+    struct pp_compared compared; /* without a file: ours, errors and count alone */
+};
+
+/* Noise (logarithm) of what is left from which something is to be done about it. */
+#define PP_COMPARE_NOISY 0.015
+
+#endif

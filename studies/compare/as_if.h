@@ -1,0 +1,60 @@
+/* as_if.h - a room as another program may have taken it: switches, in words.
+ *
+ *     bounces=N              reflections between surfaces on a path, at most; the ground
+ *                            glows by itself
+ *     ab=N                   N-1 of them, the ground's among them, as Radiance counts where
+ *                            the ground is a surface; ab=0: no light that is not from a
+ *                            concentrated source
+ *     glass=normal           lets light of all angles through as at normal incidence
+ *     glass=transmissivity   the transmittance given as Radiance's transmissivity
+ *     glass=none             openings without glass
+ *     panes=1                one pane of those that there are
+ *     frame=none  dirt=none  no frames; clean glass
+ *     plane=Z                points lie at that height (m)
+ *     sky=WORD               as a room file's, or gensky: overcast, and faded into the
+ *                            ground at the horizon
+ *     ground=R  ground=open  reflectance of the ground; it is lit by the whole sky
+ *     outside=none           nothing stands outside
+ *     factor=F               all values times F
+ */
+#ifndef PP_STUDIES_COMPARE_AS_IF_H
+#define PP_STUDIES_COMPARE_AS_IF_H
+
+#include <stdbool.h>
+
+#include "model/base/error.h"
+
+enum pp_as_if_glass {
+    PP_AS_IF_GLASS_IS,
+    PP_AS_IF_GLASS_NORMAL,
+    PP_AS_IF_GLASS_TRANSMISSIVITY,
+    PP_AS_IF_GLASS_NONE
+};
+
+struct pp_as_if {
+    int bounces;        /* -1: without a limit */
+    bool ground_counts; /* among them */
+    bool dark;          /* ab=0 */
+    enum pp_as_if_glass glass;
+    bool one_pane, no_frame, no_dirt, open_ground, nothing_outside;
+    double plane_m, ground; /* NAN: as they are */
+    char sky[16];           /* empty: as it is */
+    double factor;
+};
+
+/* The room as it is. */
+struct pp_as_if pp_as_if_nothing(void);
+
+/* Switches of `words`, with commas between, on top of those that are set; a preset's name
+ * stands for its words. PP_BAD_INPUT with a sentence where one is none. */
+enum pp_status pp_as_if_add(struct pp_as_if *as_if, const char *words,
+                            struct pp_error *err);
+
+/* Names for settings that are common. */
+struct pp_as_if_preset {
+    const char *name, *words;
+    const char *what; /* whose they are */
+};
+const struct pp_as_if_preset *pp_as_if_preset_at(int index); /* NULL behind the last */
+
+#endif

@@ -1,0 +1,32 @@
+/* as_if_values.h - daylight factors of a room as if it were another: traced.
+ *
+ * What is switched changes a copy of the room's description, its light or the points; all
+ * else is the path tracer's. With a limit of reflections it is the sensors' of
+ * simulate/transport, which follow paths so far and no further.
+ */
+#ifndef PP_STUDIES_COMPARE_AS_IF_VALUES_H
+#define PP_STUDIES_COMPARE_AS_IF_VALUES_H
+
+#include <stdint.h>
+
+#include "studies/compare/as_if.h"
+#include "studies/study_room.h"
+
+struct pp_as_if_tracing {
+    double error; /* wanted standard error over value, above 0 */
+    uint64_t seed;
+    int threads;                           /* 0: as many as there are processors */
+    bool (*look)(void *data, double done); /* go on? done: 0 to 1; NULL: nobody asks */
+    void *data;
+};
+
+/* Values at the room's receivers, fractions, with their standard errors: values[i] and
+ * errors[i]. PP_BAD_INPUT where a switch does not make sense of this room, PP_INTERRUPTED
+ * where look says stop. */
+enum pp_status pp_as_if_values(double *values, double *errors,
+                               const struct pp_study_room *room,
+                               const struct pp_as_if *as_if,
+                               const struct pp_as_if_tracing *tracing,
+                               struct pp_error *err);
+
+#endif

@@ -1,0 +1,311 @@
+/* compare.c - traces ours, and sets of suspects as they are wanted; what the likeliest
+ * set leaves, and what each of it does. */
+#include "studies/compare/compare.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/array.h"
+#include "studies/compare/blame_shares.h"
+
+/* c of f(v) = ln(v + c), over the mean of ours: darker points count for less. */
+static const double DARK_SHARE = 0.005;
+/* Sets are listed until they have this probability together. */
+static const double LISTED = 0.98;
+static const double SURE = 0.98;
+enum { TRACED_MOST = 40 };
+static const int nobody[1] = {0};
+
+/* Values as a set of suspects has them. */
+struct traced_set {
+    int suspects[PP_BLAME_MOST], count;
+    enum pp_status status; /* PP_BAD_INPUT: it makes no sense of this room */
+    double *values, *errors;
+};
+
+struct pp_compare {
+    const struct pp_study_room *room; /* not owned */
+    struct pp_compare_options options;
+    const struct pp_suspect *suspects[PP_SUSPECTS_MOST];
+    int suspect_count;
+    struct traced_set *sets; /* the first: of none */
+    int set_count;
+    struct pp_vec3 *places;
+    double dark; /* c */
+};
+
+/* ---- sets traced ---- */
+
+static enum pp_status trace(struct pp_compare *compare, struct traced_set *set,
+                            struct pp_error *err)
+{
+    struct pp_as_if as_if = compare->options.as_if;
+    enum pp_status status = PP_OK;
+    size_t points = (size_t)compare->room->receiver_count;
+    set->values = calloc(2 * points + 1, sizeof *set->values);
+    if (!set->values)
+        return pp_fail_memory(err);
+    set->errors = set->values + points;
+    for (int i = 0; i < set->count && status == PP_OK; i++)
+        status = pp_as_if_add(&as_if, compare->suspects[set->suspects[i]]->word, err);
+    if (status == PP_OK)
+        status = pp_as_if_values(set->values, set->errors, compare->room, &as_if,
+                                 &compare->options.tracing, err);
+    return status;
+}
+
+/* *set: the values of a set without a common factor, good until the next call. */
+static enum pp_status set_of(struct pp_compare *compare, const int *suspects, int count,
+                             const struct traced_set **set, struct pp_error *err)
+{
+    for (int i = 0; i < compare->set_count; i++) {
+        *set = &compare->sets[i];
+        if ((*set)->count == count
+            && memcmp((*set)->suspects, suspects, (size_t)count * sizeof *suspects)
+                   == 0)
+            return (*set)->status == PP_OK
+                       ? PP_OK
+                       : pp_fail(err, (*set)->status, "it makes no sense of this room");
+    }
+    if (pp_array_append(&compare->sets, compare->set_count, sizeof *compare->sets, err)
+        != PP_OK)
+        return PP_SYSTEM;
+    struct traced_set *next = &compare->sets[compare->set_count];
+    *next = (struct traced_set){.count = count};
+    memcpy(next->suspects, suspects, (size_t)count * sizeof *suspects);
+    next->status = trace(compare, next, err);
+    if (next->status == PP_OK || next->status == PP_BAD_INPUT)
+        compare->set_count++;
+    else
+        free(next->values);
+    *set = next;
+    return next->status;
+}
+
+static double scale(const struct pp_compare *compare, double value)
+{
+    return log(value + compare->dark);
+}
+
+static enum pp_status effect_of(void *tracer, const int *suspects, int count,
+                                double *effect, double *variance, struct pp_error *err)
+{
+    struct pp_compare *compare = tracer;
+    const struct traced_set *set;
+    enum pp_status status = set_of(compare, suspects, count, &set, err);
+    for (int i = 0; i < compare->room->receiver_count && status == PP_OK; i++) {
+        double error = set->errors[i] / (set->values[i] + compare->dark);
+        effect[i] =
+            scale(compare, set->values[i]) - scale(compare, compare->sets[0].values[i]);
+        variance[i] = error * error;
+    }
+    return status;
+}
+
+/* ---- what the likeliest set does ---- */
+
+static double mean(const double *list, int count)
+{
+    double sum = 0.0;
+    for (int i = 0; i < count; i++)
+        sum += list[i] / count;
+    return sum;
+}
+
+static double squares(const double *list, int count)
+{
+    double sum = 0.0;
+    for (int i = 0; i < count; i++)
+        sum += list[i] * list[i];
+    return sum;
+}
+
+/* The effect of those of the set's suspects whose bits are in `subset`. */
+static enum pp_status subset_effect(struct pp_compare *compare,
+                                    const struct pp_blame_set *set, int subset,
+                                    double *effect, double *variance,
+                                    struct pp_error *err)
+{
+    int suspects[PP_BLAME_MOST], count = 0;
+    double theta = 0.0;
+    for (int i = 0; i < set->count; i++)
+        if (subset >> i & 1) {
+            if (compare->suspects[set->suspects[i]]->is_factor)
+                theta = set->evidence.theta;
+            else
+                suspects[count++] = set->suspects[i];
+        }
+    enum pp_status status = effect_of(compare, suspects, count, effect, variance, err);
+    for (int i = 0; i < compare->room->receiver_count && status == PP_OK; i++)
+        effect[i] += theta;
+    return status;
+}
+
+static enum pp_status weigh(struct pp_compared *compared, struct pp_compare *compare,
+                            const double *gap, double *effect, struct pp_error *err)
+{
+    const struct pp_blame_set *set = &compared->blame.sets[0];
+    int count = compared->count, whole = (1 << set->count) - 1;
+    double means[1 << PP_BLAME_MOST], closed[1 << PP_BLAME_MOST];
+    double all = squares(gap, count);
+    enum pp_status status = PP_OK;
+    for (int subset = 0; subset <= whole && status == PP_OK; subset++) {
+        status = subset_effect(compare, set, subset, effect, effect + count, err);
+        means[subset] = mean(effect, count);
+        for (int i = 0; i < count; i++)
+            effect[i] = gap[i] - effect[i];
+        closed[subset] = all > 0.0 ? 1.0 - squares(effect, count) / all : 0.0;
+        compared->left = mean(effect, count);
+        compared->left_rms = sqrt(squares(effect, count) / count);
+    }
+    if (status != PP_OK)
+        return status;
+    pp_blame_shares(compared->effects, means, set->count);
+    pp_blame_shares(compared->shares, closed, set->count);
+    for (int i = 0; i < count; i++)
+        compared->explained[i] =
+            (compared->theirs[i] + compare->dark) * exp(-effect[i]) - compare->dark;
+    for (int i = 0; i < set->count; i++)
+        if (compare->suspects[set->suspects[i]]->is_factor)
+            compared->factor = exp(set->evidence.theta);
+    return PP_OK;
+}
+
+static void list_sets(struct pp_compared *compared)
+{
+    double sum = 0.0;
+    const struct pp_blame *blame = &compared->blame;
+    for (int i = 0; i < blame->count && i < PP_COMPARE_LISTED_MOST && sum < LISTED;
+         i++) {
+        sum += blame->sets[i].probability;
+        compared->listed = i + 1;
+    }
+}
+
+static enum pp_status explain(struct pp_compared *compared, struct pp_compare *compare,
+                              double *gap, double *effect, struct pp_error *err)
+{
+    int count = compared->count;
+    for (int i = 0; i < count; i++)
+        gap[i] =
+            scale(compare, compared->theirs[i]) - scale(compare, compared->ours[i]);
+    compared->gap = mean(gap, count);
+    compared->gap_rms = sqrt(squares(gap, count) / count);
+    const struct pp_blame_question question = {
+        .data = {count, gap, compare->places},
+        .suspects = compare->suspects,
+        .suspect_count = compare->suspect_count,
+        .trace = effect_of,
+        .tracer = compare,
+        .traced_most =
+            compare->options.traced_most ? compare->options.traced_most : TRACED_MOST};
+    enum pp_status status = pp_blame_find(&compared->blame, &question, err);
+    if (status == PP_OK)
+        status = weigh(compared, compare, gap, effect, err);
+    if (status == PP_OK)
+        list_sets(compared);
+    return status;
+}
+
+enum pp_status pp_compare_explain(struct pp_compared *compared,
+                                  struct pp_compare *compare, const double *theirs,
+                                  struct pp_error *err)
+{
+    size_t count = (size_t)compare->room->receiver_count;
+    *compared = (struct pp_compared){.count = (int)count,
+                                     .ours = compare->sets[0].values,
+                                     .errors = compare->sets[0].errors,
+                                     .factor = 1.0};
+    compared->theirs = calloc(2 * count + 1, sizeof *compared->theirs);
+    double *scratch = calloc(3 * count + 1, sizeof *scratch);
+    enum pp_status status = compared->theirs && scratch ? PP_OK : pp_fail_memory(err);
+    if (status == PP_OK) {
+        compared->explained = compared->theirs + count;
+        memcpy(compared->theirs, theirs, count * sizeof *theirs);
+        status = explain(compared, compare, scratch, scratch + count, err);
+    }
+    free(scratch);
+    if (status != PP_OK)
+        pp_compare_clear(compared);
+    return status;
+}
+
+void pp_compare_clear(struct pp_compared *compared)
+{
+    pp_blame_clear(&compared->blame);
+    free(compared->theirs);
+    *compared = (struct pp_compared){0};
+}
+
+bool pp_compare_is_sure(const struct pp_compared *compared, int suspect)
+{
+    return compared->blame.probability[suspect] >= SURE
+           && compared->blame.sets[0].evidence.sigma < PP_COMPARE_HIDES;
+}
+
+/* ---- ours ---- */
+
+int pp_compare_suspects(const struct pp_compare *compare,
+                        const struct pp_suspect *const **list)
+{
+    *list = compare->suspects;
+    return compare->suspect_count;
+}
+
+const double *pp_compare_ours(const struct pp_compare *compare, const double **errors)
+{
+    *errors = compare->sets[0].errors;
+    return compare->sets[0].values;
+}
+
+static enum pp_status begin(struct pp_compare *compare, struct pp_error *err)
+{
+    const struct pp_study_room *room = compare->room;
+    const struct traced_set *none;
+    int count = room->receiver_count;
+    if (count > PP_COMPARE_POINTS_MOST)
+        return pp_fail(err, PP_BAD_INPUT, "%d points; expected %d at most", count,
+                       PP_COMPARE_POINTS_MOST);
+    compare->suspect_count = pp_suspects_of(compare->suspects, room);
+    compare->places = calloc((size_t)count + 1, sizeof *compare->places);
+    if (!compare->places)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++)
+        compare->places[i] = room->receivers[i].position;
+    enum pp_status status = set_of(compare, nobody, 0, &none, err);
+    if (status == PP_OK)
+        compare->dark = fmax(DARK_SHARE * mean(none->values, count), 1e-9);
+    return status;
+}
+
+enum pp_status pp_compare_create(struct pp_compare **result,
+                                 const struct pp_study_room *room,
+                                 const struct pp_compare_options *options,
+                                 struct pp_error *err)
+{
+    *result = NULL;
+    struct pp_compare *compare = calloc(1, sizeof *compare);
+    if (!compare)
+        return pp_fail_memory(err);
+    compare->room = room;
+    compare->options = *options;
+    enum pp_status status = begin(compare, err);
+    if (status != PP_OK) {
+        pp_compare_destroy(compare);
+        return status;
+    }
+    *result = compare;
+    return PP_OK;
+}
+
+void pp_compare_destroy(struct pp_compare *compare)
+{
+    if (!compare)
+        return;
+    for (int i = 0; i < compare->set_count; i++)
+        free(compare->sets[i].values);
+    free(compare->sets);
+    free(compare->places);
+    free(compare);
+}

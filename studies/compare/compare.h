@@ -1,0 +1,69 @@
+/* compare.h - another program's values beside ours, and where the difference comes from.
+ *
+ * Ours are traced once; then any number of other values at the same points can be
+ * explained. What suspects do is traced when it is first wanted, and kept.
+ */
+#ifndef PP_STUDIES_COMPARE_COMPARE_H
+#define PP_STUDIES_COMPARE_COMPARE_H
+
+#include "studies/compare/as_if_values.h"
+#include "studies/compare/blame.h"
+
+enum { PP_COMPARE_POINTS_MOST = 48, PP_COMPARE_LISTED_MOST = 6 };
+
+struct pp_compare_options {
+    struct pp_as_if as_if; /* as ours are to be taken before anything is suspected */
+    struct pp_as_if_tracing tracing;
+    int traced_most; /* sets of several suspects, of one explanation; 0: 40 */
+};
+
+/* What is found. Arrays have a value a point, fractions. */
+struct pp_compared {
+    int count;
+    const double *ours, *errors; /* not owned: the comparison's */
+    double *theirs;
+    double *explained; /* ours as the likeliest set has it */
+    struct pp_blame blame;
+
+    /* The likeliest sets that together have 98 %, or as many as fit: blame.sets[0] up. */
+    int listed;
+
+    double gap;            /* mean of theirs over ours, less 1; logarithmic mean */
+    double gap_rms;        /* root mean square of the gap, logarithms */
+    double left, left_rms; /* the same once the likeliest set is taken in */
+    /* Of the likeliest set's suspects, averaged over orders: what each does to the mean
+     * (logarithm), and its share of the squares of the gap, all of which is 1. */
+    double effects[PP_BLAME_MOST], shares[PP_BLAME_MOST];
+    double factor; /* the common one, where the likeliest set has it; else 1 */
+};
+
+struct pp_compare;
+
+/* The room, with its receivers as the points, must outlive it. PP_BAD_INPUT where there
+ * are more points than PP_COMPARE_POINTS_MOST. */
+enum pp_status pp_compare_create(struct pp_compare **compare,
+                                 const struct pp_study_room *room,
+                                 const struct pp_compare_options *options,
+                                 struct pp_error *err);
+void pp_compare_destroy(struct pp_compare *compare); /* NULL is allowed */
+
+int pp_compare_suspects(const struct pp_compare *compare,
+                        const struct pp_suspect *const **list);
+
+/* Ours, with their standard errors; the comparison's. */
+const double *pp_compare_ours(const struct pp_compare *compare, const double **errors);
+
+/* theirs: fractions, 0 up, one of them above 0. */
+enum pp_status pp_compare_explain(struct pp_compared *compared,
+                                  struct pp_compare *compare, const double *theirs,
+                                  struct pp_error *err);
+void pp_compare_clear(struct pp_compared *compared);
+
+/* Noise (logarithm) from which nothing is sure beside it. */
+#define PP_COMPARE_HIDES 0.05
+
+/* Is the suspect, by its place in the list, at work for sure? With a probability of 98 %
+ * or more, where noise is not so large that it may look like anything. */
+bool pp_compare_is_sure(const struct pp_compared *compared, int suspect);
+
+#endif

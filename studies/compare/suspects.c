@@ -1,0 +1,196 @@
+/* suspects.c - the list of suspects, and in which rooms each can be told. */
+#include "studies/compare/suspects.h"
+
+#include <math.h>
+
+/* Less is not told apart: of a height (m), and of the ground's reflectance. */
+static const double SAME_HEIGHT_M = 0.05, SAME_REFLECTANCE = 0.02;
+
+/* ---- in which rooms ---- */
+
+static bool has_clear_glass(const struct pp_study_room *room)
+{
+    for (int i = 0; i < room->world->opening_count; i++)
+        if (room->world->openings[i].glass.panes > 0
+            && !room->world->openings[i].glass.diffusing)
+            return true;
+    return false;
+}
+
+static bool has_glass(const struct pp_study_room *room)
+{
+    for (int i = 0; i < room->world->opening_count; i++)
+        if (room->world->openings[i].glass.panes > 0)
+            return true;
+    return false;
+}
+
+static bool has_several_panes(const struct pp_study_room *room)
+{
+    for (int i = 0; i < room->world->opening_count; i++)
+        if (room->world->openings[i].glass.panes > 1
+            && !room->world->openings[i].glass.diffusing)
+            return true;
+    return false;
+}
+
+static bool has_frames(const struct pp_study_room *room)
+{
+    for (int i = 0; i < room->world->opening_count; i++)
+        if (room->world->openings[i].frame_factor < 1.0)
+            return true;
+    return false;
+}
+
+static bool has_dirt(const struct pp_study_room *room)
+{
+    for (int i = 0; i < room->world->opening_count; i++)
+        if (room->world->openings[i].maintenance < 1.0)
+            return true;
+    return false;
+}
+
+/* Are the points elsewhere, and would all be good there? */
+static bool is_off(const struct pp_study_room *room, double z_m)
+{
+    bool off = z_m < room->world->height_m;
+    for (int i = 0; i < room->receiver_count && off; i++)
+        off = fabs(room->receivers[i].position.z - z_m) > SAME_HEIGHT_M
+              && room->receivers[i].normal.z > 0.0;
+    return off;
+}
+
+static bool is_off_floor(const struct pp_study_room *room)
+{
+    return is_off(room, 0.0);
+}
+
+static bool is_off_desk(const struct pp_study_room *room)
+{
+    return is_off(room, 0.85);
+}
+
+static bool is_overcast(const struct pp_study_room *room)
+{
+    return room->light.sky.kind == PP_SKY_OVERCAST;
+}
+
+static bool is_not_uniform(const struct pp_study_room *room)
+{
+    return room->light.sky.kind != PP_SKY_UNIFORM;
+}
+
+static bool ground_is_not(const struct pp_study_room *room, double reflectance)
+{
+    return fabs(room->light.ground_reflectance - reflectance) > SAME_REFLECTANCE;
+}
+
+static bool ground_is_not_black(const struct pp_study_room *room)
+{
+    return ground_is_not(room, 0.0);
+}
+
+static bool ground_is_not_usual(const struct pp_study_room *room)
+{
+    return ground_is_not(room, 0.2);
+}
+
+static bool ground_is_shaded(const struct pp_study_room *room)
+{
+    return !room->world->ground_is_open && ground_is_not_black(room);
+}
+
+static bool has_outside(const struct pp_study_room *room)
+{
+    const struct pp_world *world = room->world;
+    if (world->skyline_count > 0 || world->block_count > 0 || world->mesh_count > 0)
+        return true;
+    for (int i = 0; i < world->surface_count; i++)
+        if (world->surfaces[i].role == PP_FREE_SURFACE && !world->surfaces[i].inside)
+            return true;
+    return false;
+}
+
+/* ---- the list ---- */
+
+#define MORE_BOUNCES "allow more bounces (rtrace -ab 7 or more)"
+#define CUT(number, times)                                                             \
+    {                                                                                  \
+        "bounces=" #number, "bounces",                                                 \
+            "light is followed over " times " between surfaces only", MORE_BOUNCES,    \
+            false, false, NULL                                                         \
+    }
+#define CUT_WITH_GROUND(number, times)                                                 \
+    {                                                                                  \
+        "ab=" #number, "bounces",                                                      \
+            "light is followed over " times ", the ground's included, only",           \
+            MORE_BOUNCES, false, false, ground_is_shaded                               \
+    }
+
+static const struct pp_suspect suspects[] = {
+    {"ab=0", "bounces", "light of the sky is not followed at all",
+     "turn the ambient calculation on (rtrace -ab 7 or more)", false, true, NULL},
+    CUT(0, "no reflection"),
+    CUT(1, "one reflection"),
+    CUT(2, "two reflections"),
+    CUT(3, "three reflections"),
+    CUT(5, "five reflections"),
+    CUT_WITH_GROUND(2, "one reflection"),
+    CUT_WITH_GROUND(3, "two reflections"),
+    CUT_WITH_GROUND(4, "three reflections"),
+    {"glass=normal", "glass",
+     "glass lets light of all angles through as it does at normal incidence",
+     "give it a glass whose transmittance falls with the angle", false, false,
+     has_clear_glass},
+    {"glass=transmissivity", "glass",
+     "the transmittance of the glass was written as a transmissivity",
+     "turn the transmittance into a transmissivity (0.90 is 0.98)", false, false,
+     has_clear_glass},
+    {"glass=none", "glass", "openings have no glass", "put the glass in", false, false,
+     has_glass},
+    {"panes=1", "panes", "one pane stands where there are two",
+     "give the glazing all of its panes", false, false, has_several_panes},
+    {"frame=none", "frame", "frames take no light", "take the frames off the glass",
+     false, false, has_frames},
+    {"dirt=none", "dirt", "the glass is clean", "take the maintenance factor in", false,
+     false, has_dirt},
+    {"plane=0", "plane", "the points lie on the floor",
+     "put the points on the working plane", false, false, is_off_floor},
+    {"plane=0.85", "plane", "the points lie 0.85 m above the floor",
+     "put the points where they belong", false, false, is_off_desk},
+    {"sky=uniform", "sky", "the sky is uniform", "take the CIE overcast sky", false,
+     false, is_not_uniform},
+    {"sky=gensky", "sky",
+     "the sky fades into the ground at the horizon, as gensky's does",
+     "take a sky function without the blend at the horizon", false, false, is_overcast},
+    {"ground=0", "ground", "the ground is black", "give the ground its reflectance",
+     false, false, ground_is_not_black},
+    {"ground=0.2", "ground", "the ground reflects 0.2, as by default",
+     "give the ground its reflectance (gensky -g)", false, false, ground_is_not_usual},
+    {"ground=open", "ground",
+     "the ground glows as under the whole sky, in no shadow (Radiance's ground)",
+     "model the ground as a surface", false, false, ground_is_shaded},
+    {"outside=none", "outside", "nothing stands outside", "model what stands outside",
+     false, false, has_outside},
+    {"factor", "factor", "all values have a factor in common",
+     "look at the illuminance that daylight factors are taken over (such as 10,000 "
+     "lx), "
+     "at units, and at other factors of the whole",
+     true, false, NULL},
+};
+enum { SUSPECT_COUNT = sizeof suspects / sizeof suspects[0] };
+
+const struct pp_suspect *pp_suspects_at(int index)
+{
+    return index < SUSPECT_COUNT ? &suspects[index] : NULL;
+}
+
+int pp_suspects_of(const struct pp_suspect *list[PP_SUSPECTS_MOST],
+                   const struct pp_study_room *room)
+{
+    int count = 0;
+    for (int i = 0; i < SUSPECT_COUNT; i++)
+        if (!suspects[i].applies || suspects[i].applies(room))
+            list[count++] = &suspects[i];
+    return count;
+}

@@ -1,0 +1,139 @@
+#!/bin/sh
+# compare: another program's values as CSV, what is wrong with them, and where the
+# difference comes from.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+# A room that is traced in no time.
+cat >"$scratch/room.xml" <<'XML'
+<room version="1" name="Small"><site ground-reflectance="0"/><plan width="3.1" depth="4.3" height="2.7"/>
+<finishes floor="0.15" walls="0.3" ceiling="0.5"/>
+<window wall="south" left="0.7" sill="0.9" width="1.9" height="1.3" maintenance="0.8"/>
+<working-plane height="0.8"/><grid spacing="1.5" margin="0.3"/></room>
+XML
+room=$scratch/room.xml
+other=$scratch/other.csv
+
+# values WORDS: the room's values as if, as CSV on standard output.
+values() {
+    echo x,y,z,df_percent
+    "$pepperpot" compare --error 3% --seed 9 --format json --as-if "$1" "$room" |
+        sed -n 's/.*"x": \([0-9.]*\), "y": \([0-9.]*\), "z": \([0-9.]*\), "ours": \([0-9.]*\),.*/\1,\2,\3,\4/p'
+}
+
+# ---- what is said ----
+
+check "ours as if, beside ours as they are" \
+    shows "Ours as if low." compare --error 5% --as-if low "$room"
+check "tidy" nothing "$(untidy)"
+check "another room for another switch" \
+    shows "as it is" compare --error 5% --as-if glass=none,dirt=none "$room"
+check "the presets are in the help" shows "rtrace-defaults" compare --help
+
+values bounces=1 >"$other"
+check "a difference is explained" \
+    shows "bounces=1: light is followed over one reflection" compare --error 5% "$room" "$other"
+check "and what to set right is said" grep -q "allow more bounces" "$scratch/out"
+check "in a tidy way" nothing "$(untidy)"
+check "as JSON, the same with any number of threads" \
+    same_by_threads "1 3" compare --error 5% --format json "$room" "$other"
+check "with the cause" grep -q '"switch": "bounces=1"' "$scratch/out"
+check "of its own format" grep -q '"format": "pepperpot-compare-1"' "$scratch/out"
+
+# The same values in other words: in the order of the room's points.
+sed '1s/.*/Label,,,Lux/; s/,.*,/;/; 2,$s/^[0-9.]*/"a"/' "$other" |
+    awk -F';' -v OFS=';' 'NR > 1 { $2 *= 100 } { print }' >"$scratch/lux.csv"
+check "in lux, by semicolons, without places" \
+    shows "bounces=1: " compare --error 5% --external 10000 "$room" "$scratch/lux.csv"
+
+# ---- what is refused ----
+
+# wrong STATUS TEXT OPTIONS: the CSV on standard input is refused.
+wrong() {
+    expected=$1
+    text=$2
+    shift 2
+    cat >"$scratch/wrong.csv"
+    refuses "$expected" "$text" compare --error 5% "$@" "$room" "$scratch/wrong.csv"
+}
+check "an unknown column" wrong 1 'wrong.csv:1: there is no column "height"' <<'CSV'
+x,y,height,df_percent
+CSV
+check "a column mistyped" wrong 1 "did you mean df_percent?" <<'CSV'
+x,y,df_precent
+CSV
+check "no values" wrong 1 "wrong.csv:1: expected a column of values" <<'CSV'
+x,y,z
+1,1,0.8
+CSV
+check "two columns of values" wrong 1 "a second column" <<'CSV'
+x,y,df_percent,lux
+CSV
+check "x without y" wrong 1 "expected a column of both x and y" <<'CSV'
+x,df_percent
+CSV
+check "an empty file" wrong 1 "wrong.csv: no values" </dev/null
+check "a header alone" wrong 1 "wrong.csv: no values" <<'CSV'
+x,y,df_percent
+CSV
+check "a word where a number should be" wrong 1 'wrong.csv:3: "dark"; expected a number' <<'CSV'
+x,y,df_percent
+1,1,2.2
+1,2,dark
+CSV
+check "NaN" wrong 1 'wrong.csv:2: "nan"; expected a number' <<'CSV'
+x,y,df_percent
+1,1,nan
+CSV
+check "a negative value" wrong 1 "wrong.csv:2: the value is -0.5" <<'CSV'
+x,y,df_percent
+1,1,-0.5
+CSV
+check "a field too few" wrong 1 "wrong.csv:4: 2 fields; expected 3" <<'CSV'
+x,y,df_percent
+1,1,2.2
+# between
+1,2
+CSV
+check "another number of points" wrong 1 "3 values without x and y; expected 6" <<'CSV'
+df_percent
+1
+2
+3
+CSV
+check "a point outside the room" wrong 1 "wrong.csv:3: the point 1, 7: " <<'CSV'
+x,y,df_percent
+1,1,2.2
+1,7,2.2
+CSV
+check "a value without a unit" wrong 1 "expected --as percent, fraction or lux" <<'CSV'
+x,y,df
+1,1,2.2
+CSV
+check "lux without their sky" wrong 1 "values in lux need --external LUX" <<'CSV'
+x,y,lux
+1,1,220
+CSV
+check "per cent for fractions" wrong 1 "is the unit right?" --as fraction <<'CSV'
+x,y,df
+1,1,2.2
+CSV
+check "two units" wrong 1 "--as says another unit" --as lux --external 9000 <<'CSV'
+x,y,df_percent
+1,1,2.2
+CSV
+awk 'BEGIN { print "x,y,df_percent"; for (i = 0; i < 2000; i++) printf "1,1,2,"; print "" }' \
+    >"$scratch/long.csv"
+check "a huge line" \
+    refuses 1 "long.csv:2: a line of " compare "$room" "$scratch/long.csv"
+printf 'x,y,df_percent\n1,1,\0002\n' >"$scratch/nul.csv"
+check "a character of code 0" \
+    refuses 1 "a character of code 0" compare "$room" "$scratch/nul.csv"
+check "no such file" refuses 1 "no.csv" compare "$room" "$scratch/no.csv"
+check "no second file" refuses 2 "expected the other program's values" compare "$room"
+check "a switch mistyped" refuses 2 "--as-if: there is no switch" compare --as-if bonces=2 "$room"
+check "a switch that makes no sense here" \
+    refuses 1 "plane=9" compare --as-if plane=9 "$room"
+check "a unit mistyped" refuses 2 "percent, fraction or lux" compare --as per-cent "$room" "$other"
+
+tap_done

@@ -1,0 +1,156 @@
+/* Cases with known causes, traced from another seed: named, with their shares. */
+#include "studies/compare/compare.h"
+#include "tests/studies/compare/compared_room.h"
+
+static const char small[] =
+    "<room version='1'><site ground-reflectance='0'/><plan width='3.1' depth='4.3' "
+    "height='2.7'/>"
+    "<finishes floor='0.15' walls='0.35' ceiling='0.6'/>"
+    "<window wall='south' left='0.7' sill='0.9' width='1.9' height='1.3' "
+    "glazing='clear-double' maintenance='0.8'/>"
+    "<working-plane height='0.8'/><grid spacing='1.5' margin='0.4'/></room>";
+
+/* Of 1 %, without a pattern. */
+static double noise(int i)
+{
+    static const double even[] = {0.3, -1.2, 0.9, 0.1, -0.4, 1.4, -0.8, -0.1};
+    return 0.01 * even[i % 8];
+}
+
+struct fixture {
+    struct pp_test_compared room;
+    struct pp_compare *compare;
+};
+
+static int set_up(void **state)
+{
+    static struct fixture fixture;
+    const struct pp_compare_options options = {
+        .as_if = pp_as_if_nothing(),
+        .tracing = {.error = 0.02, .seed = 1, .threads = 1}};
+    pp_test_compared_init(&fixture.room, small);
+    assert_int_equal(
+        pp_compare_create(&fixture.compare, &fixture.room.study, &options, NULL),
+        PP_OK);
+    *state = &fixture;
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    struct fixture *fixture = *state;
+    pp_compare_destroy(fixture->compare);
+    pp_test_compared_clear(&fixture->room);
+    return 0;
+}
+
+static void explain(struct pp_compared *compared, struct fixture *fixture,
+                    const char *words)
+{
+    double theirs[PP_COMPARE_POINTS_MOST], errors[PP_COMPARE_POINTS_MOST];
+    struct pp_error err = {0};
+    pp_test_compared_values(theirs, errors, &fixture->room, words, 0.02, 7);
+    for (int i = 0; i < fixture->room.study.receiver_count; i++)
+        theirs[i] *= exp(noise(i));
+    if (pp_compare_explain(compared, fixture->compare, theirs, &err) != PP_OK)
+        fail_msg("%s", err.message);
+}
+
+/* Is the suspect of that word in the set? */
+static bool has(const struct fixture *fixture, const struct pp_blame_set *set,
+                const char *word)
+{
+    const struct pp_suspect *const *list;
+    pp_compare_suspects(fixture->compare, &list);
+    for (int i = 0; i < set->count; i++)
+        if (strcmp(list[set->suspects[i]]->word, word) == 0)
+            return true;
+    return false;
+}
+
+static void the_same_room_has_nothing_to_explain(void **state)
+{
+    struct pp_compared compared;
+    explain(&compared, *state, NULL);
+    assert_int_equal(compared.blame.sets[0].count, 0);
+    assert_true(fabs(compared.gap) < 0.02);
+    pp_compare_clear(&compared);
+}
+
+static void reflections_cut_off_are_named_and_close_the_gap(void **state)
+{
+    struct pp_compared compared;
+    explain(&compared, *state, "bounces=1");
+    assert_int_equal(compared.blame.sets[0].count, 1);
+    assert_true(has(*state, &compared.blame.sets[0], "bounces=1"));
+    assert_true(compared.left_rms < 0.2 * compared.gap_rms);
+    assert_near(compared.shares[0], 1.0, 0.05);
+    pp_compare_clear(&compared);
+}
+
+static void two_causes_are_named_with_shares_that_sum_up(void **state)
+{
+    struct pp_compared compared;
+    explain(&compared, *state, "plane=0,sky=uniform");
+    const struct pp_blame_set *set = &compared.blame.sets[0];
+    assert_int_equal(set->count, 2);
+    assert_true(has(*state, set, "plane=0") && has(*state, set, "sky=uniform"));
+    assert_near(compared.shares[0] + compared.shares[1],
+                1.0
+                    - compared.left_rms * compared.left_rms
+                          / (compared.gap_rms * compared.gap_rms),
+                1e-9);
+    assert_near(compared.effects[0] + compared.effects[1] + compared.left, compared.gap,
+                1e-9);
+    pp_compare_clear(&compared);
+}
+
+/* Where no light of the sky is followed all values are 0, which nothing else makes. */
+static void values_of_nothing_are_of_no_light_at_all(void **state)
+{
+    struct pp_compared compared;
+    explain(&compared, *state, "ab=0");
+    assert_int_equal(compared.blame.sets[0].count, 1);
+    assert_true(has(*state, &compared.blame.sets[0], "ab=0"));
+    assert_true(isfinite(compared.gap) && isfinite(compared.left_rms));
+    pp_compare_clear(&compared);
+}
+
+static void only_what_the_room_has_is_suspected(void **state)
+{
+    struct fixture *fixture = *state;
+    const struct pp_suspect *const *list;
+    int count = pp_compare_suspects(fixture->compare, &list);
+    for (int i = 0; i < count; i++) {
+        assert_string_not_equal(list[i]->word, "frame=none");
+        assert_string_not_equal(list[i]->word, "outside=none");
+        assert_string_not_equal(list[i]->word, "ground=0");
+    }
+    assert_true(count > 10);
+}
+
+static void words_of_all_suspects_are_switches(void **state)
+{
+    (void)state;
+    const struct pp_suspect *suspect;
+    int count = 0;
+    for (; (suspect = pp_suspects_at(count)) != NULL; count++) {
+        struct pp_as_if as_if = pp_as_if_nothing();
+        if (!suspect->is_factor)
+            assert_int_equal(pp_as_if_add(&as_if, suspect->word, NULL), PP_OK);
+    }
+    assert_true(count <= PP_SUSPECTS_MOST);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_same_room_has_nothing_to_explain),
+        cmocka_unit_test(reflections_cut_off_are_named_and_close_the_gap),
+        cmocka_unit_test(two_causes_are_named_with_shares_that_sum_up),
+        cmocka_unit_test(values_of_nothing_are_of_no_light_at_all),
+        cmocka_unit_test(only_what_the_room_has_is_suspected),
+        cmocka_unit_test(words_of_all_suspects_are_switches),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
