@@ -1,4 +1,4 @@
-/* bench_radiosity.c - finite elements level by level, in the deep office with 384 points,
+/* bench_radiosity.c - finite elements level by level, in the deep office with 400 points,
  * in a street and behind a partition: elements, terms and time, how far they are from a
  * finely traced truth, and what the path tracer takes to 1 %. */
 #include <math.h>

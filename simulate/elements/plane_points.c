@@ -9,6 +9,16 @@
 
 static const double NOTHING = 1e-9; /* of a square: empty, or full */
 
+/* Where in its square the point of row or column `index` lies, 0 to 1, so that no two of
+ * `count` lie in line: van der Corput's sequence. */
+static double place_within(int index, int count)
+{
+    double place = 0.0, half = 0.5;
+    for (; count > 1; count = (count + 1) / 2, index /= 2, half *= 0.5)
+        place += index % 2 * half;
+    return place + half;
+}
+
 static enum pp_status append(struct pp_plane_points *points, double x, double y,
                              double z, double area, struct pp_error *err)
 {
@@ -40,10 +50,12 @@ static enum pp_status add_triangles(struct pp_plane_points *points,
     return status;
 }
 
+/* `within`: of the point, along both sides. */
 static enum pp_status add_square(struct pp_plane_points *points,
                                  struct pp_clipper *clipper,
                                  const struct pp_world *world, double x, double y,
-                                 const double size[2], struct pp_error *err)
+                                 const double size[2], const double within[2],
+                                 struct pp_error *err)
 {
     double xy[4][2] = {
         {x, y}, {x + size[0], y}, {x + size[0], y + size[1]}, {x, y + size[1]}};
@@ -53,7 +65,7 @@ static enum pp_status add_square(struct pp_plane_points *points,
         pp_clipper_intersection(clipper, &filled, &world->plane, &square, err);
     double area = size[0] * size[1], share = pp_region_area(&filled) / area;
     if (status == PP_OK && share > 1.0 - NOTHING)
-        status = append(points, x + 0.5 * size[0], y + 0.5 * size[1],
+        status = append(points, x + within[0] * size[0], y + within[1] * size[1],
                         world->working_plane_m, area, err);
     else if (status == PP_OK && share > NOTHING)
         status = add_triangles(points, clipper, &filled, world->working_plane_m, err);
@@ -73,9 +85,11 @@ static enum pp_status fill(struct pp_plane_points *points, struct pp_clipper *cl
     const double size[2] = {width / columns, depth / rows};
     enum pp_status status = PP_OK;
     for (int i = 0; i < columns; i++)
-        for (int k = 0; status == PP_OK && k < rows; k++)
+        for (int k = 0; status == PP_OK && k < rows; k++) {
+            double within[2] = {place_within(k, rows), place_within(i, columns)};
             status = add_square(points, clipper, world, box.low[0] + i * size[0],
-                                box.low[1] + k * size[1], size, err);
+                                box.low[1] + k * size[1], size, within, err);
+        }
     for (int i = 0; i < points->count; i++)
         whole += points->shares[i];
     for (int i = 0; i < points->count; i++)

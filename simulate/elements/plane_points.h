@@ -1,5 +1,7 @@
 /* plane_points.h - points of a room's working plane that stand for equal or known areas of
- * it: the middles of squares, and of the triangles that fill those cut by its edge. */
+ * it: one in each of many squares, no two in line with a wall (a partition or the edge of
+ * a shadow would cover or miss them together), and the middles of the triangles that
+ * fill squares cut by its edge. */
 #ifndef PP_SIMULATE_ELEMENTS_PLANE_POINTS_H
 #define PP_SIMULATE_ELEMENTS_PLANE_POINTS_H
 

@@ -185,6 +185,84 @@ static void a_corridor_solves_its_integral_equation(void **state)
     pp_world_destroy(world);
 }
 
+/* ---- a sphere ---- */
+
+enum { DIVISIONS = 8 }; /* of an edge of the octahedron that it is blown up from */
+
+static struct pp_vec3 on_sphere(const double sign[3], int i, int k)
+{
+    double x = i, y = k, z = DIVISIONS - i - k, off = sqrt(x * x + y * y + z * z) / 2.0;
+    return pp_vec(3.0 + sign[0] * x / off, 3.0 + sign[1] * y / off,
+                  3.0 + sign[2] * z / off);
+}
+
+/* Counter-clockwise seen from inside, as envelopes are written. */
+static char *write_face(char *to, const struct pp_vec3 corner[3])
+{
+    struct pp_vec3 middle = pp_vec(3.0, 3.0, 3.0);
+    struct pp_vec3 n = pp_vec_cross(pp_vec_sub(corner[1], corner[0]),
+                                    pp_vec_sub(corner[2], corner[0]));
+    bool outward = pp_vec_dot(n, pp_vec_sub(corner[0], middle)) > 0.0;
+    double up = (outward ? n.z : -n.z) / pp_vec_length(n);
+    const char *role = up < -0.7 ? "floor" : up > 0.7 ? "ceiling" : "wall";
+    static int number;
+    to += sprintf(to, "<face role='%s' name='f%d'>", role, number++);
+    for (int i = 0; i < 3; i++) {
+        struct pp_vec3 at = corner[outward ? 2 - i : i];
+        to += sprintf(to, "<vertex x='%.12f' y='%.12f' z='%.12f'/>", at.x, at.y, at.z);
+    }
+    return to + sprintf(to, "</face>");
+}
+
+/* A sphere of radius 2 m about 3, 3, 3 of flat triangles. */
+static struct pp_world *sphere(struct pp_outside_light *light)
+{
+    char *xml = malloc(8 * DIVISIONS * DIVISIONS * 320 + 1000);
+    assert_non_null(xml);
+    char *to = xml + sprintf(xml, "<room version='1'><envelope>");
+    for (int octant = 0; octant < 8; octant++) {
+        double sign[3] = {octant & 1 ? -1.0 : 1.0, octant & 2 ? -1.0 : 1.0,
+                          octant & 4 ? -1.0 : 1.0};
+        for (int i = 0; i < DIVISIONS; i++)
+            for (int k = 0; k < DIVISIONS - i; k++) {
+                struct pp_vec3 a = on_sphere(sign, i, k), b = on_sphere(sign, i + 1, k),
+                               c = on_sphere(sign, i, k + 1);
+                to = write_face(to, (struct pp_vec3[]){a, b, c});
+                if (i + k < DIVISIONS - 1)
+                    to = write_face(
+                        to, (struct pp_vec3[]){b, on_sphere(sign, i + 1, k + 1), c});
+            }
+    }
+    sprintf(to, "</envelope><working-plane height='2'/></room>");
+    struct pp_world *world = pp_test_lit_world(light, xml);
+    free(xml);
+    return world;
+}
+
+/* In an integrating sphere every place gets the same of every other, wherever the light is
+ * given off: of a lower half that gives off 1, E = 1/2 / (1 - rho). */
+static void an_integrating_sphere_is_even(void **state)
+{
+    (void)state;
+    const double rho = 0.8;
+    struct pp_outside_light light;
+    struct pp_world *world = sphere(&light);
+    for (int k = 0; k < world->surface_count; k++) {
+        const struct pp_vec3 *corner = world->surfaces[k].outline.vertices;
+        bool lower = corner[0].z + corner[1].z + corner[2].z < 9.0;
+        world->surfaces[k].exitance = lower ? 1.0 : 0.0;
+        world->surfaces[k].front = rho;
+    }
+    const struct pp_receiver receivers[] = {
+        pp_test_receiver(3.0, 3.0, 1.01, 0.0, 0.0, 1.0),
+        pp_test_receiver(3.0, 3.0, 4.99, 0.0, 0.0, -1.0)};
+    struct pp_reading found[2][PP_COMPONENT_COUNT];
+    first_level(world, &light, receivers, 1, found);
+    for (int i = 0; i < 2; i++)
+        assert_relative(found[i][PP_IRC].value, 0.5 / (1.0 - rho), 1e-3);
+    pp_world_destroy(world);
+}
+
 /* ---- sky components ---- */
 
 /* By quadrature, a route of its own (random_rooms.h). */
@@ -237,6 +315,7 @@ int main(void)
         cmocka_unit_test(the_open_sky_is_all_there_is_without_a_room),
         cmocka_unit_test(a_furnace_glows_with_one_over_one_less_rho),
         cmocka_unit_test(two_plates_light_each_other_by_a_geometric_series),
+        cmocka_unit_test(an_integrating_sphere_is_even),
         cmocka_unit_test(a_corridor_solves_its_integral_equation),
         cmocka_unit_test(sky_components_keep_the_error_that_is_stated),
         cmocka_unit_test(threads_change_nothing_to_the_bit),
