@@ -12,6 +12,7 @@
 
 #include "bench/bench.h"
 #include "simulate/sampling/hash.h"
+#include "studies/compare/as_if_values.h"
 #include "studies/compare/compare.h"
 
 enum { MOST_POINTS = 20, ROOMS_MOST = 40 };
@@ -83,7 +84,8 @@ static void read_room(struct room *room, const char *path)
     const struct pp_compare_options options = {
         .as_if = pp_as_if_nothing(),
         .tracing = {.error = 0.008, .seed = 1, .threads = 1}};
-    must(pp_compare_create(&room->compare, &room->study, &options, &err), &err);
+    const struct pp_compare_subject subject = pp_compare_subject_of_room(&room->study);
+    must(pp_compare_create(&room->compare, &subject, &options, &err), &err);
 }
 
 /* Does the suspect do enough by itself? */

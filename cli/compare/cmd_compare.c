@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "cli/command.h"
+#include "cli/compare/compare_scene.h"
 #include "cli/compare/other_values.h"
 #include "cli/format_option.h"
 #include "cli/interrupt.h"
@@ -13,6 +14,8 @@
 #include "cli/rooms.h"
 #include "cli/terminal.h"
 #include "cli/watch.h"
+#include "model/pictures/quantity.h"
+#include "model/light/scene_horizontal.h"
 #include "reports/compare/compare_report.h"
 
 struct compare_options {
@@ -26,14 +29,13 @@ struct compare_options {
 
 static const char about[] =
     "Another program's daylight factors at points of a room beside the simulation's, "
-    "and "
-    "where the difference comes from: which switches of ours, that imitate what other "
-    "programs do (--as-if), explain it best, with what probability, and with which "
-    "share "
-    "each. OTHER.csv has a line with the columns' names (x, y, z and df_percent, "
-    "df_fraction or lux) and a line a point. Without OTHER.csv, and with --as-if: ours "
-    "as "
-    "if, beside ours as they are. ROOM is a room file; - is standard input.";
+    "and where the difference comes from: which switches of ours, that imitate what "
+    "other programs do (--as-if), explain it best, with what probability, and with "
+    "which share each. OTHER.csv has a line with the columns' names (x, y, z and "
+    "df_percent, df_fraction or lux) and a line a point. Without OTHER.csv, and with "
+    "--as-if: ours as if, beside ours as they are. ROOM is a room file; - is standard "
+    "input. Scene files of Radiance's stand in its place, as import reads them; then "
+    "OTHER.csv is the last file, and has x, y and z.";
 
 /* ---- options ---- */
 
@@ -64,7 +66,7 @@ static const struct pp_option compare_options[] = {
 
 static const struct pp_option error_option[] = {
     {"error", 0, "E%",
-     "Standard error of our values, as a share of them (default 0.5%).",
+     "Standard error of our values, as a share of them (default 0.5%, in scenes 1%).",
      pp_options_read_per_cent, PLACE(room.study.error)},
     {0},
 };
@@ -89,6 +91,9 @@ static void help_on_switches(FILE *out)
          "ground at the horizon"},
         {"ground=R", "the ground's reflectance; open: it is lit by the whole sky"},
         {"outside=none", "nothing stands outside"},
+        {"colour=grey", "a scene's materials have the luminance of their colours"},
+        {"colour=mean",
+         "red, green and blue count alike, as luminance; green: it alone"},
         {"factor=F", "all values times F"},
     };
     fputs("\nSwitches:\n", out);
@@ -119,16 +124,39 @@ static void init(void *values)
         (struct compare_options){.room = pp_room_options_none};
 }
 
+/* What is of rooms alone. */
+static enum pp_status check_scene(const struct compare_options *options, int file_count,
+                                  struct pp_error *err)
+{
+    const char *stray = options->room.study.sky                ? "--sky"
+                        : options->room.room                   ? "--room"
+                        : options->room.state != PP_STATE_BOTH ? "--state"
+                                                               : NULL;
+    if (stray)
+        return pp_fail(err, PP_BAD_INPUT, "%s is of room files; a scene has its own",
+                       stray);
+    if (file_count < 2)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected scene files, and behind them the other program's "
+                       "values as CSV, which have the points");
+    return PP_OK;
+}
+
 static enum pp_status check(void *values, char **files, int file_count,
                             struct pp_error *err)
 {
     struct compare_options *options = values;
     struct pp_as_if as_if = pp_as_if_nothing();
     struct pp_error own = {0};
-    (void)files;
-    if (file_count == 0 || file_count > 2)
+    bool is_scene = file_count > 0 && pp_compare_scene_is(files[0]);
+    if (is_scene) {
+        enum pp_status status = check_scene(options, file_count, err);
+        if (status != PP_OK)
+            return status;
+    } else if (file_count == 0 || file_count > 2) {
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file and the other program's values as CSV");
+    }
     if (file_count == 1 && !options->as_if)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected the other program's values as CSV behind the room "
@@ -136,20 +164,20 @@ static enum pp_status check(void *values, char **files, int file_count,
     if (options->as_if && pp_as_if_add(&as_if, options->as_if, &own) != PP_OK)
         return pp_fail(err, PP_BAD_INPUT, "--as-if: %s", own.message);
     if (options->room.study.error == 0.0)
-        options->room.study.error = 0.005;
+        options->room.study.error = is_scene ? 0.01 : 0.005;
     return PP_OK;
 }
 
 /* ---- values ---- */
 
-/* As fractions; the points' order is that of `chosen`. */
+/* As fractions; the points' order is that of `chosen`. lux: of the open level plane; 0: it
+ * is not known. */
 static enum pp_status to_fractions(double *theirs, const struct pp_other_values *values,
                                    const int *chosen, int count,
-                                   const struct compare_options *options,
+                                   const struct compare_options *options, double lux,
                                    const char *path, struct pp_error *err)
 {
     enum pp_other_unit unit = options->unit ? options->unit : values->unit;
-    double lux = options->room.study.external_lux;
     if (options->unit && values->unit && options->unit != values->unit)
         return pp_fail(err, PP_BAD_INPUT,
                        "%.200s: --as says another unit than the column's name", path);
@@ -183,7 +211,9 @@ static enum pp_status to_fractions(double *theirs, const struct pp_other_values 
 
 struct compare_run {
     const struct compare_options *options;
-    struct pp_study_room *room;
+    struct pp_study_room *room; /* NULL: a scene */
+    struct pp_compare_scene scene;
+    struct pp_compare_subject subject;
     const char *other;
     struct pp_other_values values;
     int *chosen;
@@ -211,8 +241,18 @@ static enum pp_status ours(struct pp_compare **compare, struct compare_run *run,
     enum pp_status status = PP_OK;
     if (run->options->as_if && !plain)
         status = pp_as_if_add(&options.as_if, run->options->as_if, err);
-    return status == PP_OK ? pp_compare_create(compare, run->room, &options, err)
+    return status == PP_OK ? pp_compare_create(compare, &run->subject, &options, err)
                            : status;
+}
+
+/* As asked for; else what a scene's sky gives. */
+static double external_lux(const struct compare_run *run)
+{
+    double asked = run->options->room.study.external_lux;
+    return run->room || asked > 0.0
+               ? asked
+               : PP_LUMENS_PER_WATT
+                     * pp_rgb_luminance(pp_scene_horizontal(&run->scene.description));
 }
 
 static enum pp_status explain(struct compare_run *run, struct pp_error *err)
@@ -220,8 +260,8 @@ static enum pp_status explain(struct compare_run *run, struct pp_error *err)
     struct pp_compare_result *result = &run->result;
     double theirs[PP_COMPARE_POINTS_MOST];
     enum pp_status status =
-        to_fractions(theirs, &run->values, run->chosen, run->room->receiver_count,
-                     run->options, run->other, err);
+        to_fractions(theirs, &run->values, run->chosen, run->subject.count,
+                     run->options, external_lux(run), run->other, err);
     if (status == PP_OK)
         status = ours(&run->compare, run, false, err);
     if (status == PP_OK)
@@ -242,7 +282,7 @@ static enum pp_status only_ours(struct compare_run *run, struct pp_error *err)
     run->result.plain = pp_compare_ours(run->plain, &errors);
     run->result.compared.ours = pp_compare_ours(run->compare, &errors);
     run->result.compared.errors = errors;
-    run->result.compared.count = run->room->receiver_count;
+    run->result.compared.count = run->subject.count;
     return PP_OK;
 }
 
@@ -250,7 +290,7 @@ static enum pp_status compute(void *data, struct pp_error *err)
 {
     struct compare_run *run = data;
     pp_interrupt_watch();
-    run->watch.begin(run->watch.data, run->room->world->name);
+    run->watch.begin(run->watch.data, run->subject.name);
     enum pp_status status = run->other ? explain(run, err) : only_ours(run, err);
     run->watch.end(run->watch.data);
     return status;
@@ -265,8 +305,8 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
     return PP_OK;
 }
 
-/* The one room, with the other program's points as its own; of its own points, where
- * there are many, such as are evenly spread. */
+/* The one room, or the scene, with the other program's points as its own; of a room's own
+ * points, where there are many, such as are evenly spread. */
 static enum pp_status take_points(struct compare_run *run, struct pp_error *err)
 {
     struct pp_other_values own = {0};
@@ -274,6 +314,9 @@ static enum pp_status take_points(struct compare_run *run, struct pp_error *err)
         run->other ? pp_other_values_read(&run->values, run->other, err) : PP_OK;
     if (status != PP_OK)
         return status;
+    if (!run->room)
+        return pp_compare_scene_place(&run->chosen, &run->scene, &run->values,
+                                      run->other, PP_COMPARE_POINTS_MOST, err);
     if (run->other)
         return pp_other_values_place(&run->chosen, run->room, &run->values, run->other,
                                      PP_COMPARE_POINTS_MOST, err);
@@ -289,7 +332,13 @@ static enum pp_exit run_on(struct compare_run *run)
     run->watch = pp_watch_of_terminal(&terminal, run->options->room.quiet);
     enum pp_status status = take_points(run, &err);
     enum pp_exit exit_status = PP_EXIT_DONE;
-    run->result.room = run->room;
+    run->subject = run->room
+                       ? pp_compare_subject_of_room(run->room)
+                       : (struct pp_compare_subject){.file = run->scene.title,
+                                                     .points = run->scene.points,
+                                                     .count = run->scene.count,
+                                                     .scene = &run->scene.description};
+    run->result.subject = &run->subject;
     run->result.other = run->other;
     run->result.as_if = run->options->as_if;
     run->result.given = run->values.count;
@@ -307,9 +356,26 @@ static enum pp_exit run_on(struct compare_run *run)
     return exit_status;
 }
 
+/* Of scene files, the other program's values behind them. */
+static enum pp_exit run_in_scene(struct compare_options *options, char **files,
+                                 int file_count)
+{
+    struct compare_run compare = {.options = options, .other = files[file_count - 1]};
+    struct pp_error err;
+    if (pp_compare_scene_read(&compare.scene, (const char *const *)files,
+                              file_count - 1, &err)
+        != PP_OK)
+        return pp_message_error(&err);
+    enum pp_exit exit_status = run_on(&compare);
+    pp_compare_scene_clear(&compare.scene);
+    return exit_status;
+}
+
 static enum pp_exit run(void *values, char **files, int file_count)
 {
     struct compare_options *options = values;
+    if (pp_compare_scene_is(files[0]))
+        return run_in_scene(options, files, file_count);
     struct pp_rooms rooms;
     struct pp_error err;
     enum pp_exit exit_status =
@@ -338,7 +404,7 @@ static void clear(void *values)
 const struct pp_command pp_command_compare = {
     .name = "compare",
     .summary = "another program's values beside ours, and where they part",
-    .operands = "ROOM [OTHER.csv]",
+    .operands = "ROOM|SCENE... [OTHER.csv]",
     .about = about,
     .groups = groups,
     .size = sizeof(struct compare_options),

@@ -284,8 +284,7 @@ static enum pp_status place(struct pp_receiver *receiver,
                    value->place.y, fault ? fault : own.message);
 }
 
-/* Evenly spread, the first among them. */
-static int spread(int point, int count, int kept)
+int pp_other_values_spread(int point, int count, int kept)
 {
     return (int)((long)point * count / kept);
 }
@@ -307,7 +306,7 @@ enum pp_status pp_other_values_place(int **chosen, struct pp_study_room *room,
     for (int i = 0; i < count && status == PP_OK && values->has_places; i++)
         status = place(&tried, room, &values->list[i], path, err);
     for (int i = 0; i < kept && status == PP_OK; i++) {
-        (*chosen)[i] = spread(i, count, kept);
+        (*chosen)[i] = pp_other_values_spread(i, count, kept);
         if (!values->has_places)
             receivers[i] = room->receivers[(*chosen)[i]];
         else

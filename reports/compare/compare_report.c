@@ -59,7 +59,10 @@ static double per_cent(double logarithm)
 static void print_head(const struct pp_compare_result *result, int width, FILE *out)
 {
     char text[TEXT_BYTES] = "";
-    pp_print_title(result->room->world, result->room->file, out);
+    if (result->subject->room)
+        pp_print_title(result->subject->room->world, result->subject->file, out);
+    else
+        fprintf(out, "%s\n", result->subject->file);
     if (result->as_if)
         pp_text_append(text, sizeof text, "Ours as if %s. ", result->as_if);
     if (result->other && result->compared.count < result->given)
@@ -81,7 +84,7 @@ static void print_values(const struct pp_compare_result *result, FILE *out)
                           : "\n",
           out);
     for (int i = 0; i < compared->count; i++) {
-        struct pp_vec3 at = result->room->receivers[i].position;
+        struct pp_vec3 at = result->subject->points[i].position;
         double ours = compared->ours[i];
         fprintf(out, "  %6.2f%7.2f%7.2f%9.3f%8.3f", at.x, at.y, at.z, 100.0 * ours,
                 100.0 * compared->errors[i]);
@@ -229,7 +232,7 @@ void pp_compare_report(const struct pp_compare_result *result, int width, FILE *
 static struct json_object *point_object(const struct pp_compare_result *result, int i)
 {
     const struct pp_compared *compared = &result->compared;
-    struct pp_vec3 at = result->room->receivers[i].position;
+    struct pp_vec3 at = result->subject->points[i].position;
     struct json_object *object = json_object_new_object();
     bool good = object && pp_json_number(object, "x", at.x)
                 && pp_json_number(object, "y", at.y)
@@ -310,8 +313,9 @@ enum pp_status pp_compare_report_json(const struct pp_compare_result *result, FI
     struct json_object *object = json_object_new_object();
     struct json_object *points = json_object_new_array();
     bool good = object && pp_json_text(object, "format", "pepperpot-compare-1")
-                && pp_json_text(object, "file", result->room->file)
-                && pp_json_text(object, "room", result->room->world->name);
+                && pp_json_text(object, "file", result->subject->file);
+    if (good && result->subject->room)
+        good = pp_json_text(object, "room", result->subject->name);
     if (good && result->other)
         good =
             pp_json_text(object, "other", result->other)

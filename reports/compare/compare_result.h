@@ -5,7 +5,7 @@
 #include "studies/compare/compare.h"
 
 struct pp_compare_result {
-    const struct pp_study_room *room; /* its receivers are the points; not owned */
+    const struct pp_compare_subject *subject; /* not owned */
     const char *other; /* the other program's file; NULL: ours alone, as if */
     const char *as_if; /* words; NULL: none */
     int given;         /* how many points the file has */

@@ -56,7 +56,7 @@ void pp_element_receivers_clear(struct pp_element_receivers *receivers)
         clear_receiver(&receivers->list[i]);
     clear_plane(receivers);
     free(receivers->list);
-    *receivers = (struct pp_element_receivers){NULL};
+    *receivers = (struct pp_element_receivers){.list = NULL};
 }
 
 /* A pane that scatters shines as a surface does: then all points take what is reflected. */

@@ -71,6 +71,19 @@ static enum pp_status read_glass(struct pp_as_if *as_if, const char *text,
                            text);
 }
 
+static enum pp_status read_colour(struct pp_as_if *as_if, const char *text,
+                                  struct pp_error *err)
+{
+    static const char *const words[] = {"grey", "mean", "green"};
+    for (int i = 0; i < 3; i++)
+        if (strcmp(text, words[i]) == 0) {
+            as_if->colour = (enum pp_as_if_colour)(PP_AS_IF_COLOUR_GREY + i);
+            return PP_OK;
+        }
+    return pp_text_unknown(err, text, words, 3, NULL, "there is no colour \"%.40s\"",
+                           text);
+}
+
 /* A type whose sun, where it has one, is the room's. */
 static enum pp_status read_sky(struct pp_as_if *as_if, const char *text,
                                struct pp_error *err)
@@ -102,13 +115,15 @@ static enum pp_status read_only(bool *place, const char *name, const char *text,
 static enum pp_status read_switch(struct pp_as_if *as_if, const char *name,
                                   const char *text, struct pp_error *err)
 {
-    static const char *const names[] = {"bounces", "ab",      "glass", "panes",
-                                        "frame",   "dirt",    "plane", "sky",
-                                        "ground",  "outside", "factor"};
+    static const char *const names[] = {"bounces", "ab",      "glass",  "panes",
+                                        "frame",   "dirt",    "plane",  "sky",
+                                        "ground",  "outside", "colour", "factor"};
     if (strcmp(name, "bounces") == 0 || strcmp(name, "ab") == 0)
         return read_bounces(as_if, name, text, err);
     if (strcmp(name, "glass") == 0)
         return read_glass(as_if, text, err);
+    if (strcmp(name, "colour") == 0)
+        return read_colour(as_if, text, err);
     if (strcmp(name, "panes") == 0)
         return read_only(&as_if->one_pane, name, text, "1", err);
     if (strcmp(name, "frame") == 0)

@@ -1,4 +1,4 @@
-/* as_if.h - a room as another program may have taken it: switches, in words.
+/* as_if.h - a room or scene as another program may have taken it: switches, in words.
  *
  *     bounces=N              reflections between surfaces on a path, at most; the ground
  *                            glows by itself
@@ -15,6 +15,9 @@
  *                            ground at the horizon
  *     ground=R  ground=open  reflectance of the ground; it is lit by the whole sky
  *     outside=none           nothing stands outside
+ *     colour=WORD            of a scene in colours: grey, materials had the luminance of
+ *                            theirs; mean, green: values had red, green and blue alike,
+ *                            green alone for luminance
  *     factor=F               all values times F
  */
 #ifndef PP_STUDIES_COMPARE_AS_IF_H
@@ -31,11 +34,19 @@ enum pp_as_if_glass {
     PP_AS_IF_GLASS_NONE
 };
 
+enum pp_as_if_colour {
+    PP_AS_IF_COLOUR_IS,
+    PP_AS_IF_COLOUR_GREY,
+    PP_AS_IF_COLOUR_MEAN,
+    PP_AS_IF_COLOUR_GREEN
+};
+
 struct pp_as_if {
     int bounces;        /* -1: without a limit */
     bool ground_counts; /* among them */
     bool dark;          /* ab=0 */
     enum pp_as_if_glass glass;
+    enum pp_as_if_colour colour;
     bool one_pane, no_frame, no_dirt, open_ground, nothing_outside;
     double plane_m, ground; /* NAN: as they are */
     char sky[16];           /* empty: as it is */

@@ -10,57 +10,17 @@
 #include "model/room/room_light.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/tracer/tracer.h"
-#include "simulate/transport/sensors.h"
-
-static const double SLICE_S = 0.1;
+#include "studies/compare/as_if_glass.h"
+#include "studies/compare/as_if_sensors.h"
 
 /* ---- the room that it is as if it were ---- */
-
-/* Transmittance at normal incidence of a pane whose transmissivity t is the share that a
- * passage through it leaves, rho reflected at each face, n = 1.52          [WS98]:
- * (1 - rho)^2 t / (1 - rho^2 t^2). */
-static double of_transmissivity(double t)
-{
-    double rho = (1.52 - 1.0) / (1.52 + 1.0);
-    rho *= rho;
-    return (1.0 - rho) * (1.0 - rho) * t / (1.0 - rho * rho * t * t);
-}
-
-/* Lets light of any angle through as at normal incidence: a film that neither bends nor
- * weakens it, n = 1 and KL = 0, so scaled. */
-static struct pp_glass by_normal_alone(struct pp_glass glass)
-{
-    return pp_glass_of_normal(1, 1.0 + 1e-9, 0.0, glass.normal);
-}
-
-/* One pane of a stack. Of a stack of which only the transmittance was known each pane has
- * its part of what scales it. */
-static struct pp_glass one_of(struct pp_glass glass)
-{
-    struct pp_glass pane = pp_glass_panes(1, glass.n, glass.kl);
-    return pp_glass_scaled(pane, pane.normal * pow(glass.scale, 1.0 / glass.panes));
-}
-
-static struct pp_glass changed_glass(struct pp_glass glass,
-                                     const struct pp_as_if *as_if)
-{
-    if (glass.panes == 0 || as_if->glass == PP_AS_IF_GLASS_NONE)
-        return pp_glass_none();
-    if (glass.diffusing)
-        return glass;
-    if (as_if->one_pane && glass.panes > 1)
-        glass = one_of(glass);
-    if (as_if->glass == PP_AS_IF_GLASS_TRANSMISSIVITY)
-        glass = pp_glass_scaled(glass, of_transmissivity(glass.normal));
-    return as_if->glass == PP_AS_IF_GLASS_NORMAL ? by_normal_alone(glass) : glass;
-}
 
 static enum pp_status change(struct pp_room *room, const struct pp_study_room *is,
                              const struct pp_as_if *as_if, struct pp_error *err)
 {
     for (int i = 0; i < pp_room_opening_count(room); i++) {
         pp_room_set_glass(room, i,
-                          changed_glass(pp_room_opening_at(room, i).glass, as_if));
+                          pp_as_if_glass(pp_room_opening_at(room, i).glass, as_if));
         if (as_if->no_frame)
             pp_room_set_frame_factor(room, i, 1.0);
         if (as_if->no_dirt)
@@ -158,16 +118,6 @@ static enum pp_status make(struct variant *variant, const struct pp_study_room *
 
 /* ---- its values ---- */
 
-static bool goes_on(const struct pp_as_if_tracing *tracing, double done)
-{
-    return !tracing->look || tracing->look(tracing->data, done);
-}
-
-static enum pp_status stopped(struct pp_error *err)
-{
-    return pp_fail(err, PP_INTERRUPTED, "interrupted");
-}
-
 static enum pp_status trace(double *values, double *errors,
                             const struct variant *variant, int count,
                             const struct pp_as_if_tracing *tracing,
@@ -181,10 +131,11 @@ static enum pp_status trace(double *values, double *errors,
                          variant->receivers, count, &options, err);
     if (status != PP_OK)
         return status;
-    while (status == PP_OK && !pp_tracer_done(tracer))
-        status = goes_on(tracing, pp_tracer_progress(tracer))
-                     ? pp_tracer_advance(tracer, SLICE_S, err)
-                     : stopped(err);
+    while (status == PP_OK && !pp_tracer_done(tracer)) {
+        status = pp_as_if_goes_on(tracing, pp_tracer_progress(tracer), err);
+        if (status == PP_OK)
+            status = pp_tracer_advance(tracer, PP_AS_IF_SLICE_S, err);
+    }
     for (int i = 0; i < count && status == PP_OK; i++) {
         struct pp_reading readings[PP_COMPONENT_COUNT];
         pp_tracer_read(tracer, i, readings);
@@ -201,33 +152,17 @@ static enum pp_status follow_so_far(double *values, double *errors,
                                     const struct pp_as_if_tracing *tracing,
                                     struct pp_error *err)
 {
-    const struct pp_sensors_options options = {.error = tracing->error,
-                                               .seed = tracing->seed,
-                                               .threads = tracing->threads,
-                                               .horizontal = 1.0,
-                                               .limited = true,
-                                               .ground_counts = as_if->ground_counts,
-                                               .bounces = as_if->bounces};
-    struct pp_sensors *sensors = NULL;
-    struct pp_sensor *list = calloc((size_t)count + 1, sizeof *list);
-    if (!list)
+    struct pp_sensor_reading *readings = calloc((size_t)count + 1, sizeof *readings);
+    if (!readings)
         return pp_fail_memory(err);
-    for (int i = 0; i < count; i++)
-        list[i] = (struct pp_sensor){variant->receivers[i].position,
-                                     variant->receivers[i].normal, 0};
-    enum pp_status status = pp_sensors_create(
-        &sensors, variant->scene, variant->environment, list, count, &options, err);
-    while (status == PP_OK && !pp_sensors_done(sensors))
-        status = goes_on(tracing, pp_sensors_progress(sensors))
-                     ? pp_sensors_advance(sensors, SLICE_S, err)
-                     : stopped(err);
+    enum pp_status status =
+        pp_as_if_sensors(readings, variant->scene, variant->environment,
+                         variant->receivers, count, 1.0, as_if, tracing, err);
     for (int i = 0; i < count && status == PP_OK; i++) {
-        struct pp_sensor_reading reading = pp_sensors_read(sensors, i);
-        values[i] = reading.grey;
-        errors[i] = reading.grey_error;
+        values[i] = readings[i].grey;
+        errors[i] = readings[i].grey_error;
     }
-    pp_sensors_destroy(sensors);
-    free(list);
+    free(readings);
     return status;
 }
 
@@ -241,6 +176,8 @@ enum pp_status pp_as_if_values(double *values, double *errors,
     struct variant variant;
     for (int i = 0; i < count; i++)
         values[i] = errors[i] = 0.0;
+    if (as_if->colour != PP_AS_IF_COLOUR_IS)
+        return pp_fail(err, PP_BAD_INPUT, "colour=: a room file has no colours");
     if (as_if->dark)
         return PP_OK;
     enum pp_status status = make(&variant, room, as_if, err);

@@ -7,18 +7,9 @@
 #ifndef PP_STUDIES_COMPARE_AS_IF_VALUES_H
 #define PP_STUDIES_COMPARE_AS_IF_VALUES_H
 
-#include <stdint.h>
-
 #include "studies/compare/as_if.h"
+#include "studies/compare/as_if_tracing.h"
 #include "studies/study_room.h"
-
-struct pp_as_if_tracing {
-    double error; /* wanted standard error over value, above 0 */
-    uint64_t seed;
-    int threads;                           /* 0: as many as there are processors */
-    bool (*look)(void *data, double done); /* go on? done: 0 to 1; NULL: nobody asks */
-    void *data;
-};
 
 /* Values at the room's receivers, fractions, with their standard errors: values[i] and
  * errors[i]. PP_BAD_INPUT where a switch does not make sense of this room, PP_INTERRUPTED

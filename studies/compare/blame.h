@@ -36,7 +36,7 @@ struct pp_blame_question {
     int suspect_count;
 
     /* What a set without a common factor does: effect[i] and variance[i] of a
-     * pp_supposition. PP_BAD_INPUT: it makes no sense of this room. */
+     * pp_supposition. PP_BAD_INPUT: it makes no sense there. */
     enum pp_status (*trace)(void *tracer, const int *suspects, int count,
                             double *effect, double *variance, struct pp_error *err);
     void *tracer;

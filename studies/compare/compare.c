@@ -20,12 +20,12 @@ static const int nobody[1] = {0};
 /* Values as a set of suspects has them. */
 struct traced_set {
     int suspects[PP_BLAME_MOST], count;
-    enum pp_status status; /* PP_BAD_INPUT: it makes no sense of this room */
+    enum pp_status status; /* PP_BAD_INPUT: it makes no sense here */
     double *values, *errors;
 };
 
 struct pp_compare {
-    const struct pp_study_room *room; /* not owned */
+    struct pp_compare_subject subject;
     struct pp_compare_options options;
     const struct pp_suspect *suspects[PP_SUSPECTS_MOST];
     int suspect_count;
@@ -42,7 +42,7 @@ static enum pp_status trace(struct pp_compare *compare, struct traced_set *set,
 {
     struct pp_as_if as_if = compare->options.as_if;
     enum pp_status status = PP_OK;
-    size_t points = (size_t)compare->room->receiver_count;
+    size_t points = (size_t)compare->subject.count;
     set->values = calloc(2 * points + 1, sizeof *set->values);
     if (!set->values)
         return pp_fail_memory(err);
@@ -50,8 +50,8 @@ static enum pp_status trace(struct pp_compare *compare, struct traced_set *set,
     for (int i = 0; i < set->count && status == PP_OK; i++)
         status = pp_as_if_add(&as_if, compare->suspects[set->suspects[i]]->word, err);
     if (status == PP_OK)
-        status = pp_as_if_values(set->values, set->errors, compare->room, &as_if,
-                                 &compare->options.tracing, err);
+        status = pp_compare_subject_values(set->values, set->errors, &compare->subject,
+                                           &as_if, &compare->options.tracing, err);
     return status;
 }
 
@@ -66,7 +66,7 @@ static enum pp_status set_of(struct pp_compare *compare, const int *suspects, in
                    == 0)
             return (*set)->status == PP_OK
                        ? PP_OK
-                       : pp_fail(err, (*set)->status, "it makes no sense of this room");
+                       : pp_fail(err, (*set)->status, "it makes no sense here");
     }
     if (pp_array_append(&compare->sets, compare->set_count, sizeof *compare->sets, err)
         != PP_OK)
@@ -94,7 +94,7 @@ static enum pp_status effect_of(void *tracer, const int *suspects, int count,
     struct pp_compare *compare = tracer;
     const struct traced_set *set;
     enum pp_status status = set_of(compare, suspects, count, &set, err);
-    for (int i = 0; i < compare->room->receiver_count && status == PP_OK; i++) {
+    for (int i = 0; i < compare->subject.count && status == PP_OK; i++) {
         double error = set->errors[i] / (set->values[i] + compare->dark);
         effect[i] =
             scale(compare, set->values[i]) - scale(compare, compare->sets[0].values[i]);
@@ -137,7 +137,7 @@ static enum pp_status subset_effect(struct pp_compare *compare,
                 suspects[count++] = set->suspects[i];
         }
     enum pp_status status = effect_of(compare, suspects, count, effect, variance, err);
-    for (int i = 0; i < compare->room->receiver_count && status == PP_OK; i++)
+    for (int i = 0; i < compare->subject.count && status == PP_OK; i++)
         effect[i] += theta;
     return status;
 }
@@ -212,7 +212,7 @@ enum pp_status pp_compare_explain(struct pp_compared *compared,
                                   struct pp_compare *compare, const double *theirs,
                                   struct pp_error *err)
 {
-    size_t count = (size_t)compare->room->receiver_count;
+    size_t count = (size_t)compare->subject.count;
     *compared = (struct pp_compared){.count = (int)count,
                                      .ours = compare->sets[0].values,
                                      .errors = compare->sets[0].errors,
@@ -261,18 +261,18 @@ const double *pp_compare_ours(const struct pp_compare *compare, const double **e
 
 static enum pp_status begin(struct pp_compare *compare, struct pp_error *err)
 {
-    const struct pp_study_room *room = compare->room;
+    const struct pp_compare_subject *subject = &compare->subject;
     const struct traced_set *none;
-    int count = room->receiver_count;
+    int count = subject->count;
     if (count > PP_COMPARE_POINTS_MOST)
         return pp_fail(err, PP_BAD_INPUT, "%d points; expected %d at most", count,
                        PP_COMPARE_POINTS_MOST);
-    compare->suspect_count = pp_suspects_of(compare->suspects, room);
+    compare->suspect_count = pp_suspects_of(compare->suspects, subject);
     compare->places = calloc((size_t)count + 1, sizeof *compare->places);
     if (!compare->places)
         return pp_fail_memory(err);
     for (int i = 0; i < count; i++)
-        compare->places[i] = room->receivers[i].position;
+        compare->places[i] = subject->points[i].position;
     enum pp_status status = set_of(compare, nobody, 0, &none, err);
     if (status == PP_OK)
         compare->dark = fmax(DARK_SHARE * mean(none->values, count), 1e-9);
@@ -280,7 +280,7 @@ static enum pp_status begin(struct pp_compare *compare, struct pp_error *err)
 }
 
 enum pp_status pp_compare_create(struct pp_compare **result,
-                                 const struct pp_study_room *room,
+                                 const struct pp_compare_subject *subject,
                                  const struct pp_compare_options *options,
                                  struct pp_error *err)
 {
@@ -288,7 +288,7 @@ enum pp_status pp_compare_create(struct pp_compare **result,
     struct pp_compare *compare = calloc(1, sizeof *compare);
     if (!compare)
         return pp_fail_memory(err);
-    compare->room = room;
+    compare->subject = *subject;
     compare->options = *options;
     enum pp_status status = begin(compare, err);
     if (status != PP_OK) {

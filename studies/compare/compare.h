@@ -6,8 +6,8 @@
 #ifndef PP_STUDIES_COMPARE_COMPARE_H
 #define PP_STUDIES_COMPARE_COMPARE_H
 
-#include "studies/compare/as_if_values.h"
 #include "studies/compare/blame.h"
+#include "studies/compare/compare_subject.h"
 
 enum { PP_COMPARE_POINTS_MOST = 48, PP_COMPARE_LISTED_MOST = 6 };
 
@@ -39,10 +39,10 @@ struct pp_compared {
 
 struct pp_compare;
 
-/* The room, with its receivers as the points, must outlive it. PP_BAD_INPUT where there
+/* What the subject points to must outlive it. PP_BAD_INPUT where there
  * are more points than PP_COMPARE_POINTS_MOST. */
 enum pp_status pp_compare_create(struct pp_compare **compare,
-                                 const struct pp_study_room *room,
+                                 const struct pp_compare_subject *subject,
                                  const struct pp_compare_options *options,
                                  struct pp_error *err);
 void pp_compare_destroy(struct pp_compare *compare); /* NULL is allowed */

@@ -1,4 +1,4 @@
-/* suspects.c - the list of suspects, and in which rooms each can be told. */
+/* suspects.c - the list of suspects, and where each can be told. */
 #include "studies/compare/suspects.h"
 
 #include <math.h>
@@ -6,103 +6,158 @@
 /* Less is not told apart: of a height (m), and of the ground's reflectance. */
 static const double SAME_HEIGHT_M = 0.05, SAME_REFLECTANCE = 0.02;
 
-/* ---- in which rooms ---- */
+/* ---- of what they can be told ---- */
 
-static bool has_clear_glass(const struct pp_study_room *room)
+/* Is there glass that has `property`, in a room's openings or a scene's materials? */
+static bool has_glass_that(const struct pp_compare_subject *subject,
+                           bool (*property)(const struct pp_glass *glass))
 {
-    for (int i = 0; i < room->world->opening_count; i++)
-        if (room->world->openings[i].glass.panes > 0
-            && !room->world->openings[i].glass.diffusing)
+    const struct pp_world *world = subject->room ? subject->room->world : NULL;
+    const struct pp_scene_description *scene = subject->scene;
+    for (int i = 0; world && i < world->opening_count; i++)
+        if (property(&world->openings[i].glass))
+            return true;
+    for (int i = 0; scene && i < scene->material_count; i++)
+        if (scene->materials[i].kind == PP_MATERIAL_GLASS
+            && property(&scene->materials[i].glass[1]))
             return true;
     return false;
 }
 
-static bool has_glass(const struct pp_study_room *room)
+static bool is_there(const struct pp_glass *glass)
 {
-    for (int i = 0; i < room->world->opening_count; i++)
-        if (room->world->openings[i].glass.panes > 0)
+    return glass->panes > 0;
+}
+
+static bool is_clear(const struct pp_glass *glass)
+{
+    return glass->panes > 0 && !glass->diffusing;
+}
+
+static bool has_panes(const struct pp_glass *glass)
+{
+    return glass->panes > 1 && !glass->diffusing;
+}
+
+static bool has_glass(const struct pp_compare_subject *subject)
+{
+    return has_glass_that(subject, is_there);
+}
+
+static bool has_clear_glass(const struct pp_compare_subject *subject)
+{
+    return has_glass_that(subject, is_clear);
+}
+
+static bool has_several_panes(const struct pp_compare_subject *subject)
+{
+    return has_glass_that(subject, has_panes);
+}
+
+static bool has_frames(const struct pp_compare_subject *subject)
+{
+    const struct pp_world *world = subject->room ? subject->room->world : NULL;
+    const struct pp_scene_description *scene = subject->scene;
+    for (int i = 0; world && i < world->opening_count; i++)
+        if (world->openings[i].frame_factor < 1.0)
+            return true;
+    for (int i = 0; scene && i < scene->material_count; i++)
+        if (scene->materials[i].kind == PP_MATERIAL_GLASS
+            && scene->materials[i].clear_share < 1.0)
             return true;
     return false;
 }
 
-static bool has_several_panes(const struct pp_study_room *room)
+static bool has_dirt(const struct pp_compare_subject *subject)
 {
-    for (int i = 0; i < room->world->opening_count; i++)
-        if (room->world->openings[i].glass.panes > 1
-            && !room->world->openings[i].glass.diffusing)
+    const struct pp_world *world = subject->room ? subject->room->world : NULL;
+    const struct pp_scene_description *scene = subject->scene;
+    for (int i = 0; world && i < world->opening_count; i++)
+        if (world->openings[i].maintenance < 1.0)
+            return true;
+    for (int i = 0; scene && i < scene->material_count; i++)
+        if (scene->materials[i].kind == PP_MATERIAL_GLASS
+            && scene->materials[i].dirt < 1.0)
             return true;
     return false;
 }
 
-static bool has_frames(const struct pp_study_room *room)
+static bool is_coloured(struct pp_rgb colour)
 {
-    for (int i = 0; i < room->world->opening_count; i++)
-        if (room->world->openings[i].frame_factor < 1.0)
-            return true;
-    return false;
+    return fabs(colour.r - colour.g) > SAME_REFLECTANCE
+           || fabs(colour.b - colour.g) > SAME_REFLECTANCE;
 }
 
-static bool has_dirt(const struct pp_study_room *room)
+static bool has_colours(const struct pp_compare_subject *subject)
 {
-    for (int i = 0; i < room->world->opening_count; i++)
-        if (room->world->openings[i].maintenance < 1.0)
+    const struct pp_scene_description *scene = subject->scene;
+    for (int i = 0; scene && i < scene->material_count; i++) {
+        const struct pp_material *material = &scene->materials[i];
+        if (material->kind != PP_MATERIAL_AIR
+            && (is_coloured(material->diffuse) || is_coloured(material->gloss)
+                || is_coloured(material->through_diffuse)))
             return true;
+    }
     return false;
 }
 
 /* Are the points elsewhere, and would all be good there? */
-static bool is_off(const struct pp_study_room *room, double z_m)
+static bool is_off(const struct pp_compare_subject *subject, double z_m)
 {
-    bool off = z_m < room->world->height_m;
-    for (int i = 0; i < room->receiver_count && off; i++)
-        off = fabs(room->receivers[i].position.z - z_m) > SAME_HEIGHT_M
-              && room->receivers[i].normal.z > 0.0;
+    bool off = !subject->room || z_m < subject->room->world->height_m;
+    for (int i = 0; i < subject->count && off; i++)
+        off = fabs(subject->points[i].position.z - z_m) > SAME_HEIGHT_M
+              && subject->points[i].normal.z > 0.0;
     return off;
 }
 
-static bool is_off_floor(const struct pp_study_room *room)
+static bool is_off_floor(const struct pp_compare_subject *subject)
 {
-    return is_off(room, 0.0);
+    return is_off(subject, 0.0);
 }
 
-static bool is_off_desk(const struct pp_study_room *room)
+static bool is_off_desk(const struct pp_compare_subject *subject)
 {
-    return is_off(room, 0.85);
+    return is_off(subject, 0.85);
 }
 
-static bool is_overcast(const struct pp_study_room *room)
+static bool is_overcast(const struct pp_compare_subject *subject)
 {
-    return room->light.sky.kind == PP_SKY_OVERCAST;
+    return subject->room && subject->room->light.sky.kind == PP_SKY_OVERCAST;
 }
 
-static bool is_not_uniform(const struct pp_study_room *room)
+static bool is_not_uniform(const struct pp_compare_subject *subject)
 {
-    return room->light.sky.kind != PP_SKY_UNIFORM;
+    return subject->room && subject->room->light.sky.kind != PP_SKY_UNIFORM;
 }
 
-static bool ground_is_not(const struct pp_study_room *room, double reflectance)
+static bool ground_is_not(const struct pp_compare_subject *subject, double reflectance)
 {
-    return fabs(room->light.ground_reflectance - reflectance) > SAME_REFLECTANCE;
+    return subject->room
+           && fabs(subject->room->light.ground_reflectance - reflectance)
+                  > SAME_REFLECTANCE;
 }
 
-static bool ground_is_not_black(const struct pp_study_room *room)
+static bool ground_is_not_black(const struct pp_compare_subject *subject)
 {
-    return ground_is_not(room, 0.0);
+    return ground_is_not(subject, 0.0);
 }
 
-static bool ground_is_not_usual(const struct pp_study_room *room)
+static bool ground_is_not_usual(const struct pp_compare_subject *subject)
 {
-    return ground_is_not(room, 0.2);
+    return ground_is_not(subject, 0.2);
 }
 
-static bool ground_is_shaded(const struct pp_study_room *room)
+static bool ground_is_shaded(const struct pp_compare_subject *subject)
 {
-    return !room->world->ground_is_open && ground_is_not_black(room);
+    return ground_is_not_black(subject) && !subject->room->world->ground_is_open;
 }
 
-static bool has_outside(const struct pp_study_room *room)
+static bool has_outside(const struct pp_compare_subject *subject)
 {
-    const struct pp_world *world = room->world;
+    const struct pp_world *world = subject->room ? subject->room->world : NULL;
+    if (!world)
+        return false;
     if (world->skyline_count > 0 || world->block_count > 0 || world->mesh_count > 0)
         return true;
     for (int i = 0; i < world->surface_count; i++)
@@ -172,6 +227,15 @@ static const struct pp_suspect suspects[] = {
      "model the ground as a surface", false, false, ground_is_shaded},
     {"outside=none", "outside", "nothing stands outside", "model what stands outside",
      false, false, has_outside},
+    {"colour=grey", "colour", "materials have no colours, but the luminance of theirs",
+     "give materials their colours", false, false, has_colours},
+    {"colour=mean", "colour",
+     "red, green and blue count alike, where luminance has 0.265, 0.670 and 0.065",
+     "weight the channels (179 lm/W times 0.265 R + 0.670 G + 0.065 B)", false, false,
+     has_colours},
+    {"colour=green", "colour", "green alone stands for the luminance",
+     "weight the channels (179 lm/W times 0.265 R + 0.670 G + 0.065 B)", false, false,
+     has_colours},
     {"factor", "factor", "all values have a factor in common",
      "look at the illuminance that daylight factors are taken over (such as 10,000 "
      "lx), "
@@ -186,11 +250,11 @@ const struct pp_suspect *pp_suspects_at(int index)
 }
 
 int pp_suspects_of(const struct pp_suspect *list[PP_SUSPECTS_MOST],
-                   const struct pp_study_room *room)
+                   const struct pp_compare_subject *subject)
 {
     int count = 0;
     for (int i = 0; i < SUSPECT_COUNT; i++)
-        if (!suspects[i].applies || suspects[i].applies(room))
+        if (!suspects[i].applies || suspects[i].applies(subject))
             list[count++] = &suspects[i];
     return count;
 }

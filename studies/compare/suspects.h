@@ -6,7 +6,7 @@
 #ifndef PP_STUDIES_COMPARE_SUSPECTS_H
 #define PP_STUDIES_COMPARE_SUSPECTS_H
 
-#include "studies/study_room.h"
+#include "studies/compare/compare_subject.h"
 
 struct pp_suspect {
     const char *word;  /* "bounces=2"; of a common factor "factor" */
@@ -15,15 +15,15 @@ struct pp_suspect {
     const char *cure;  /* what to set right there */
     bool is_factor;
     bool is_alone; /* is there nothing left for others to do? */
-    /* Can it be told in this room at all? NULL: in any. */
-    bool (*applies)(const struct pp_study_room *room);
+    /* Can it be told there at all? NULL: anywhere. */
+    bool (*applies)(const struct pp_compare_subject *subject);
 };
 
 enum { PP_SUSPECTS_MOST = 32 };
 
-/* Those that apply in the room, in the order of the list; returns how many. */
+/* Those that apply, in the order of the list; returns how many. */
 int pp_suspects_of(const struct pp_suspect *list[PP_SUSPECTS_MOST],
-                   const struct pp_study_room *room);
+                   const struct pp_compare_subject *subject);
 
 /* All of them; NULL behind the last. */
 const struct pp_suspect *pp_suspects_at(int index);

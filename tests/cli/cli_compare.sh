@@ -136,4 +136,38 @@ check "a switch that makes no sense here" \
     refuses 1 "plane=9" compare --as-if plane=9 "$room"
 check "a unit mistyped" refuses 2 "percent, fraction or lux" compare --as per-cent "$room" "$other"
 
+# ---- in a scene ----
+
+# An even sky over coloured ground without an end: half the sky and half the ground at a
+# place that looks sideways, and so on. The other program has green for luminance.
+cat >"$scratch/scene.rad" <<'RAD'
+void glow even 0 0 4 1 1 1 0
+even source sky 0 0 4 0 0 1 180
+void plastic turf 0 0 5 0.1 0.4 0.2 0 0
+turf ring ground 0 0 8 0 0 0 0 0 1 0 100000
+RAD
+awk 'BEGIN {
+    print "x,y,z,nx,ny,nz,lux"
+    for (i = 0; i <= 8; i++) {
+        a = i * 3.14159265358979 / 8
+        printf "%d,0,1,%.12f,0,%.12f,%.6f\n", i, sin(a), cos(a), \
+            179 * 3.14159265358979 * ((1 + cos(a)) / 2 + 0.4 * (1 - cos(a)) / 2)
+    }
+}' >"$scratch/scene.csv"
+check "a scene, in lux of its own sky" \
+    shows "colour=green: green alone" compare --error 2% "$scratch/scene.rad" "$scratch/scene.csv"
+check "in a tidy way, too" nothing "$(untidy)"
+check "a scene without values" \
+    refuses 2 "expected scene files, and behind them" compare "$scratch/scene.rad"
+check "a scene has its own sky" \
+    refuses 2 "--sky is of room files" compare --sky uniform "$scratch/scene.rad" "$scratch/scene.csv"
+check "and its own ground" refuses 1 "among the shapes, and stays" \
+    compare --as-if ground=0.3 "$scratch/scene.rad" "$scratch/scene.csv"
+check "a room has no colours" \
+    refuses 1 "a room file has no colours" compare --as-if colour=green "$room"
+sed 's/,1,/,/; s/,z,/,/' "$scratch/scene.csv" >"$scratch/flat.csv"
+check "a scene has no working plane" \
+    refuses 1 "flat.csv:2: no x, y and z" compare "$scratch/scene.rad" "$scratch/flat.csv"
+check "a damaged scene" refuses 1 "scene.csv:1: " compare "$scratch/scene.csv" "$scratch/scene.csv"
+
 tap_done

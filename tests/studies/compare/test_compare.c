@@ -29,9 +29,10 @@ static int set_up(void **state)
         .as_if = pp_as_if_nothing(),
         .tracing = {.error = 0.02, .seed = 1, .threads = 1}};
     pp_test_compared_init(&fixture.room, small);
-    assert_int_equal(
-        pp_compare_create(&fixture.compare, &fixture.room.study, &options, NULL),
-        PP_OK);
+    const struct pp_compare_subject subject =
+        pp_compare_subject_of_room(&fixture.room.study);
+    assert_int_equal(pp_compare_create(&fixture.compare, &subject, &options, NULL),
+                     PP_OK);
     *state = &fixture;
     return 0;
 }

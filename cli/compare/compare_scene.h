@@ -1,0 +1,31 @@
+/* compare_scene.h - scene files of Radiance's that compare takes for a room, and points in
+ * them. */
+#ifndef PP_CLI_COMPARE_COMPARE_SCENE_H
+#define PP_CLI_COMPARE_COMPARE_SCENE_H
+
+#include "cli/compare/other_values.h"
+#include "model/light/scene_description.h"
+
+/* Can the file be read, and begins it otherwise than XML does? Standard input does not. */
+bool pp_compare_scene_is(const char *file);
+
+struct pp_compare_scene {
+    struct pp_scene_description description;
+    char *title; /* the files' names, with blanks between */
+    struct pp_receiver *points;
+    int count;
+};
+
+/* The files as one. On failure nothing is to be cleared. */
+enum pp_status pp_compare_scene_read(struct pp_compare_scene *scene,
+                                     const char *const *files, int count,
+                                     struct pp_error *err);
+void pp_compare_scene_clear(struct pp_compare_scene *scene);
+
+/* Makes the values' places the scene's points, as pp_other_values_place does a room's;
+ * they need x, y and z. */
+enum pp_status pp_compare_scene_place(int **chosen, struct pp_compare_scene *scene,
+                                      const struct pp_other_values *values,
+                                      const char *path, int most, struct pp_error *err);
+
+#endif
