@@ -2,6 +2,7 @@
  * before its plane. */
 #include "methods/exact/hidden_cones.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "methods/exact/exterior.h"
@@ -11,7 +12,7 @@
 void pp_hidden_cones_clear(struct pp_hidden_cones *cones)
 {
     free(cones->half_spaces);
-    free(cones->ends);
+    free(cones->cones);
     *cones = (struct pp_hidden_cones){0};
 }
 
@@ -26,17 +27,50 @@ static enum pp_status add_half_space(struct pp_hidden_cones *cones, struct pp_ve
     return status;
 }
 
-/* Makes one cone of the half-spaces added since the last. */
+/* Makes one cone, without a cap, of the half-spaces added since the last. */
 static enum pp_status end_cone(struct pp_hidden_cones *cones, struct pp_error *err)
 {
     enum pp_status status = pp_array_reserve(
-        &cones->ends, &cones->capacity, cones->count + 1, sizeof *cones->ends, err);
+        &cones->cones, &cones->capacity, cones->count + 1, sizeof *cones->cones, err);
     if (status == PP_OK)
-        cones->ends[cones->count++] = cones->half_space_count;
+        cones->cones[cones->count++] =
+            (struct pp_hidden_cone){.end = cones->half_space_count};
     return status;
 }
 
-/* Adds a convex piece, by the indices of its vertices (NULL: all in order). */
+/* The corner of a convex piece; of: the indices of its vertices (NULL: all in order). */
+static struct pp_vec3 corner(const struct pp_polygon *polygon, const int *of, int i)
+{
+    return polygon->vertices[of ? of[i] : i];
+}
+
+/* Gives the last cone the cap of the corners' directions, if it is not too wide. */
+static void add_cap(struct pp_hidden_cones *cones, struct pp_vec3 eye,
+                    const struct pp_polygon *polygon, const int *of, int count)
+{
+    /* Of what rounding leaves of a direction. */
+    const double hair = 1e-9;
+    struct pp_vec3 sum = {0};
+    for (int i = 0; i < count; i++)
+        sum = pp_vec_add(sum, pp_vec_unit(pp_vec_sub(corner(polygon, of, i), eye)));
+    /* No length to speak of, or none that is a number: the eye is a corner. */
+    if (!(pp_vec_length(sum) > 0.5))
+        return;
+    struct pp_vec3 axis = pp_vec_unit(sum);
+    double least = 1.0;
+    for (int i = 0; i < count; i++) {
+        struct pp_vec3 to = pp_vec_unit(pp_vec_sub(corner(polygon, of, i), eye));
+        least = fmin(least, pp_vec_dot(axis, to));
+    }
+    if (!(least - hair > PP_HIDDEN_CONE_COS_WIDEST))
+        return;
+    struct pp_hidden_cone *cone = &cones->cones[cones->count - 1];
+    cone->axis = axis;
+    cone->cos_radius = least - hair;
+    cone->sin_radius = sqrt(1.0 - cone->cos_radius * cone->cos_radius);
+}
+
+/* Adds a convex piece. */
 static enum pp_status add_convex(struct pp_hidden_cones *cones, struct pp_vec3 eye,
                                  const struct pp_polygon *polygon, const int *of,
                                  int count, struct pp_error *err)
@@ -48,12 +82,15 @@ static enum pp_status add_convex(struct pp_hidden_cones *cones, struct pp_vec3 e
     enum pp_status status = PP_OK;
     for (int i = 0; i < count && status == PP_OK; i++) {
         int next = (i + 1) % count;
-        struct pp_vec3 a = polygon->vertices[of ? of[i] : i];
-        struct pp_vec3 b = polygon->vertices[of ? of[next] : next];
+        struct pp_vec3 a = corner(polygon, of, i), b = corner(polygon, of, next);
         struct pp_vec3 n = pp_vec_cross(pp_vec_sub(a, eye), pp_vec_sub(b, eye));
         status = add_half_space(cones, pp_vec_scale(n, side), err);
     }
-    return status == PP_OK ? end_cone(cones, err) : status;
+    if (status == PP_OK)
+        status = end_cone(cones, err);
+    if (status == PP_OK)
+        add_cap(cones, eye, polygon, of, count);
+    return status;
 }
 
 /* Does any of it lie before the view's plane and above the eye, and not edge on? */

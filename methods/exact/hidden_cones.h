@@ -8,16 +8,29 @@
  *
  * or of -n_i, by the side from which it is seen. A surface that is not convex hides the
  * cones of its triangles, a skyline what lies between its foot and its head.
+ *
+ * Each cone of a polygon lies in the cap of directions about the mean of those to its
+ * corners, as wide as the farthest of them: caps of less than a hemisphere are convex.
+ * With it cones that are far from a path of the sun are told without their half-spaces.
  */
 #ifndef PP_METHODS_EXACT_HIDDEN_CONES_H
 #define PP_METHODS_EXACT_HIDDEN_CONES_H
 
 #include "model/room/world.h"
 
+/* The widest cap that is used; a cone that needs a wider one has none. */
+#define PP_HIDDEN_CONE_COS_WIDEST 0.5
+
+struct pp_hidden_cone {
+    int end;             /* the index past its last half-space */
+    struct pp_vec3 axis; /* of its cap, unit; of no length where it has none */
+    double cos_radius, sin_radius;
+};
+
 struct pp_hidden_cones {
     struct pp_vec3 *half_spaces; /* of all cones, one cone behind the other */
     int half_space_count, half_space_capacity;
-    int *ends; /* for each cone the index past its last half-space */
+    struct pp_hidden_cone *cones;
     int count, capacity;
 };
 

@@ -117,10 +117,10 @@ enum pp_status pp_hidden_outline_add(struct pp_sky_mask *mask,
 {
     enum pp_status status = PP_OK;
     for (int i = 0, first = 0; i < cones->count && status == PP_OK; i++) {
-        const struct cone cone = {cones->half_spaces + first, cones->ends[i] - first,
-                                  north_rad};
+        const struct cone cone = {cones->half_spaces + first,
+                                  cones->cones[i].end - first, north_rad};
         status = add_cone(mask, &cone, err);
-        first = cones->ends[i];
+        first = cones->cones[i].end;
     }
     return status;
 }

@@ -11,6 +11,9 @@
 /* The sun's direction of a day, in the world's axes: p + q cos h + r sin h. */
 struct path {
     struct pp_vec3 p, q, r;
+    /* Its circle: all directions so far from the pole of the sky, which is unit. */
+    struct pp_vec3 pole;
+    double cos_apart, sin_apart;
 };
 
 /* From east, north, up to the world's axes. */
@@ -27,9 +30,25 @@ static struct path path_of(struct pp_sunlit_place place, double declination)
     struct pp_vec3 night = pp_sun_path_direction(phi, declination, PP_PI);
     struct pp_vec3 west = pp_sun_path_direction(phi, declination, PP_PI / 2.0);
     struct pp_vec3 p = pp_vec_scale(pp_vec_add(noon, night), 0.5);
-    return (struct path){in_world(p, place.north_rad),
-                         in_world(pp_vec_sub(noon, p), place.north_rad),
-                         in_world(pp_vec_sub(west, p), place.north_rad)};
+    return (struct path){
+        .p = in_world(p, place.north_rad),
+        .q = in_world(pp_vec_sub(noon, p), place.north_rad),
+        .r = in_world(pp_vec_sub(west, p), place.north_rad),
+        .pole = in_world(pp_vec(0.0, cos(phi), sin(phi)), place.north_rad),
+        .cos_apart = sin(declination),
+        .sin_apart = cos(declination),
+    };
+}
+
+/* Does the sun's circle stay out of a cone's cap: is the cap's axis farther from the
+ * circle than the cap is wide? The circle is at least 60 degrees from either pole and a
+ * cap is no wider, so that neither pole lies between them. */
+static bool is_clear_of(const struct path *path, const struct pp_hidden_cone *cone)
+{
+    double along = pp_vec_dot(cone->axis, path->pole);
+    double even = path->cos_apart * cone->cos_radius;
+    double odd = path->sin_apart * cone->sin_radius;
+    return cone->cos_radius > 0.0 && (along < even - odd || along > even + odd);
 }
 
 /* The hour angles at which c + a cos h + b sin h > 0, as an arc about `middle`; half 0:
@@ -152,9 +171,10 @@ enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
     struct pp_sunlit_day hidden = {0};
     enum pp_status status = PP_OK;
     for (int i = 0; cones && from < to && i < cones->count && status == PP_OK; i++) {
-        int first = i > 0 ? cones->ends[i - 1] : 0;
-        status = add_cone(&hidden, &path, cones->half_spaces + first,
-                          cones->ends[i] - first, err);
+        int first = i > 0 ? cones->cones[i - 1].end : 0;
+        if (!is_clear_of(&path, &cones->cones[i]))
+            status = add_cone(&hidden, &path, cones->half_spaces + first,
+                              cones->cones[i].end - first, err);
     }
     pp_sunlit_hours_unite(&hidden);
     if (status == PP_OK)

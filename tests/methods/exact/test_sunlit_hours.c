@@ -243,6 +243,51 @@ static void a_year_is_what_counting_makes_of_it(void **state)
     pp_world_destroy(world);
 }
 
+/* A wood of 60 slender blocks, north at any angle and at latitudes from the equator to
+ * beyond the circle: the year's hours are the same when no cone has a cap, which spares
+ * most cones of a day their half-spaces. */
+static void caps_change_no_hour(void **state)
+{
+    (void)state;
+    char body[8192];
+    int length = snprintf(body, sizeof body, WINDOW("south"));
+    for (int i = 0; i < 60; i++)
+        length += snprintf(body + length, sizeof body - (size_t)length,
+                           "<block x='%g' y='%g' width='0.%d' depth='0.4' height='%g' "
+                           "rotate='%d'/>",
+                           -12.0 + i * 5 % 23 * 1.1, -2.0 - i * 7 % 31 * 0.9, 3 + i % 6,
+                           1.5 + i * 11 % 17 * 0.7, i * 29 % 90);
+    static const double latitudes[] = {0.0, 34.1, 51.5, -41.7, 71.2};
+    for (int k = 0; k < 5; k++) {
+        char north[16];
+        snprintf(north, sizeof north, "%g", 61.0 * k);
+        char text[9216];
+        snprintf(text, sizeof text, "<room version='1' north='%s'>" PLAN "%s</room>",
+                 north, body);
+        struct pp_world *world = pp_test_world(text);
+        struct pp_hidden_view view = pp_hidden_cones_outside(&world->openings[0]);
+        struct pp_sunlit_place place = {latitudes[k] * PP_RAD, world->north_rad};
+        struct pp_hidden_cones cones;
+        struct pp_sunlit_year with, without;
+        assert_int_equal(pp_hidden_cones_init(&cones, world, &view, NULL), PP_OK);
+        assert_int_equal(pp_sunlit_hours_of_year(&with, &cones, place, NULL, NULL),
+                         PP_OK);
+        int caps = 0;
+        for (int i = 0; i < cones.count; i++) {
+            caps += cones.cones[i].cos_radius > 0.0;
+            cones.cones[i].cos_radius = 0.0;
+        }
+        assert_int_equal(pp_sunlit_hours_of_year(&without, &cones, place, NULL, NULL),
+                         PP_OK);
+        assert_true(caps > 60 && caps < cones.count);
+        assert_true(without.all > 0.0);
+        assert_near(with.all, without.all, 0.0);
+        assert_near(with.winter, without.winter, 0.0);
+        pp_hidden_cones_clear(&cones);
+        pp_world_destroy(world);
+    }
+}
+
 int main(void)
 {
     static const struct CMUnitTest tests[] = {
@@ -254,6 +299,7 @@ int main(void)
         cmocka_unit_test(a_tower_hides_the_hours_of_its_azimuths),
         cmocka_unit_test(mornings_mirror_afternoons),
         cmocka_unit_test(a_year_is_what_counting_makes_of_it),
+        cmocka_unit_test(caps_change_no_hour),
     };
     return cmocka_run_group_tests_name("sunlit hours", tests, NULL, NULL);
 }
