@@ -139,17 +139,19 @@ static void run_randomisations(const struct pp_world *world,
                 .position = pp_vec_sub(world->receivers[i].position, scene->centre),
                 .normal = world->receivers[i].normal};
             struct pp_light light = {{0.0, 0.0, 0.0}};
+            double gathered = 0.0;
             uint32_t *index = &path_state->light.index;
             for (int estimator = 0; estimator < 3; estimator++) {
                 uint32_t end = estimator == 2 ? paths / 4 : paths;
                 pp_sobol_sequence_init(
                     &path_state->light.sequence, sobol,
                     pp_hash(pp_hash(k, (uint64_t)i), (uint64_t)estimator));
-                for (*index = 0; *index < end; ++*index)
+                *index = 0;
+                if (estimator == 1)
+                    pp_path_gather(path_state, &start, end, &gathered);
+                for (; *index < end; ++*index)
                     if (estimator == 0)
                         pp_path_direct(path_state, &start, &light);
-                    else if (estimator == 1)
-                        pp_path_gather(path_state, &start);
                     else
                         pp_path_correction(path_state, &start);
             }

@@ -1,7 +1,10 @@
 /* sobol.c - direction numbers, tables by byte, and the scramble. */
 #include "simulate/sampling/sobol.h"
 
+#include <string.h>
+
 #include "simulate/sampling/hash.h"
+#include "simulate/sampling/lanes.h"
 
 /* Primitive polynomials and first direction numbers of dimensions 2 to 6 [JK08]; the
  * first dimension is the van der Corput sequence. */
@@ -16,24 +19,34 @@ static const struct joe_kuo joe_kuo[PP_SOBOL_DIMENSIONS - 1] = {
     {3, 2, {1, 1, 1}}, {4, 1, {1, 1, 3, 3}},
 };
 
+/* For one number or for lanes of them. */
+#define REVERSE_IN_BYTES(x)                                                            \
+    do {                                                                               \
+        x = (x >> 1 & UINT32_C(0x55555555)) | (x & UINT32_C(0x55555555)) << 1;         \
+        x = (x >> 2 & UINT32_C(0x33333333)) | (x & UINT32_C(0x33333333)) << 2;         \
+        x = (x >> 4 & UINT32_C(0x0f0f0f0f)) | (x & UINT32_C(0x0f0f0f0f)) << 4;         \
+    } while (0)
+
+#define OWEN_SCRAMBLE_REVERSED(x, seed)                                                \
+    do {                                                                               \
+        x ^= x * UINT32_C(0x3d20adea);                                                 \
+        x += (seed);                                                                   \
+        x *= (seed) >> 16 | 1;                                                         \
+        x ^= x * UINT32_C(0x05526c56);                                                 \
+        x ^= x * UINT32_C(0x53a22864);                                                 \
+    } while (0)
+
 /* Within the file, so that the compiler may inline them. */
 static uint32_t reverse_bits(uint32_t x)
 {
-    x = (x >> 1 & UINT32_C(0x55555555)) | (x & UINT32_C(0x55555555)) << 1;
-    x = (x >> 2 & UINT32_C(0x33333333)) | (x & UINT32_C(0x33333333)) << 2;
-    x = (x >> 4 & UINT32_C(0x0f0f0f0f)) | (x & UINT32_C(0x0f0f0f0f)) << 4;
+    REVERSE_IN_BYTES(x);
     return __builtin_bswap32(x);
 }
 
 static uint32_t owen_scramble_reversed(uint32_t reversed, uint32_t seed)
 {
-    uint32_t x = reversed;
-    x ^= x * UINT32_C(0x3d20adea);
-    x += seed;
-    x *= seed >> 16 | 1;
-    x ^= x * UINT32_C(0x05526c56);
-    x ^= x * UINT32_C(0x53a22864);
-    return x;
+    OWEN_SCRAMBLE_REVERSED(reversed, seed);
+    return reversed;
 }
 
 uint32_t pp_sobol_owen_scramble_reversed(uint32_t reversed, uint32_t seed)
@@ -94,16 +107,21 @@ void pp_sobol_sequence_init(struct pp_sobol_sequence *sequence,
         vertex_seeds(seed, vertex, PP_SOBOL_DIMENSIONS, sequence->kept[vertex]);
 }
 
+/* A vertex's seeds: those that are kept, or made in `deep`. */
+static const uint32_t *seeds_of(const struct pp_sobol_sequence *sequence, int vertex,
+                                int count, uint32_t deep[])
+{
+    if (vertex < PP_SOBOL_KEPT)
+        return sequence->kept[vertex];
+    vertex_seeds(sequence->seed, vertex, count, deep);
+    return deep;
+}
+
 void pp_sobol_sequence_draw(const struct pp_sobol_sequence *sequence, uint32_t index,
                             int vertex, int count, double u[])
 {
     uint32_t deep[PP_SOBOL_DIMENSIONS + 1];
-    const uint32_t *seeds = deep;
-    if (vertex < PP_SOBOL_KEPT)
-        seeds = sequence->kept[vertex];
-    else
-        vertex_seeds(sequence->seed, vertex, count, deep);
-
+    const uint32_t *seeds = seeds_of(sequence, vertex, count, deep);
     uint32_t i = owen_scramble_reversed(reverse_bits(index), seeds[0]);
     for (int k = 0; k < count; k++) {
         const uint32_t(*table)[256] = sequence->sobol->table[k];
@@ -112,4 +130,83 @@ void pp_sobol_sequence_draw(const struct pp_sobol_sequence *sequence, uint32_t i
         x = reverse_bits(owen_scramble_reversed(x, seeds[k + 1]));
         u[k] = (x + 0.5) * 0x1p-32;
     }
+}
+
+/* ---- runs ---- */
+
+/* The bits of 0 to 7, reversed. */
+static const pp_int_lanes steps = {0,
+                                   UINT32_C(1) << 31,
+                                   UINT32_C(1) << 30,
+                                   UINT32_C(3) << 30,
+                                   UINT32_C(1) << 29,
+                                   UINT32_C(5) << 29,
+                                   UINT32_C(3) << 29,
+                                   UINT32_C(7) << 29};
+
+/* What draw does, for as many points as there are lanes. Their indices differ in the
+ * last three bits alone: so shuffled and reversed they differ in the highest byte alone,
+ * as a scramble never changes a bit by a higher one. */
+PP_LANES_BODY void draw_lanes(const struct pp_sobol *sobol, const uint32_t *seeds,
+                              uint32_t first, int dimensions, int at,
+                              double u[][PP_RUN_MOST])
+{
+    pp_int_lanes i = steps | reverse_bits(first);
+    OWEN_SCRAMBLE_REVERSED(i, seeds[0]);
+    pp_int_lanes high = i >> 24;
+    for (int k = 0; k < dimensions; k++) {
+        const uint32_t(*table)[256] = sobol->table[k];
+        pp_int_lanes x;
+        for (int lane = 0; lane < PP_INT_LANES; lane++)
+            x[lane] = table[3][high[lane]];
+        x ^= table[0][i[0] & 255] ^ table[1][i[0] >> 8 & 255]
+             ^ table[2][i[0] >> 16 & 255];
+        OWEN_SCRAMBLE_REVERSED(x, seeds[k + 1]);
+        REVERSE_IN_BYTES(x);
+        x = (x >> 8 & UINT32_C(0x00ff00ff)) | (x & UINT32_C(0x00ff00ff)) << 8;
+        x = x >> 16 | x << 16;
+        /* x + 0.5, by way of numbers with a sign, as converted by lanes: exact. */
+        typedef int32_t half __attribute__((vector_size(16)));
+        half part[2];
+        x ^= UINT32_C(0x80000000);
+        memcpy(part, &x, sizeof part);
+        for (int p = 0; p < 2; p++) {
+            pp_lanes drawn =
+                (__builtin_convertvector(part[p], pp_lanes) + 2147483648.5) * 0x1p-32;
+            memcpy(&u[k][at + p * PP_LANES], &drawn, sizeof drawn);
+        }
+    }
+}
+
+PP_LANES_BODY void draw_run(const struct pp_sobol *sobol, const uint32_t *seeds,
+                            uint32_t first, int count, int dimensions,
+                            double u[][PP_RUN_MOST])
+{
+    for (int at = 0; at < count; at += PP_INT_LANES)
+        draw_lanes(sobol, seeds, first + (uint32_t)at, dimensions, at, u);
+}
+
+static void draw_run_plain(const struct pp_sobol *sobol, const uint32_t *seeds,
+                           uint32_t first, int count, int dimensions,
+                           double u[][PP_RUN_MOST])
+{
+    draw_run(sobol, seeds, first, count, dimensions, u);
+}
+
+PP_LANES_WIDE static void draw_run_wide(const struct pp_sobol *sobol,
+                                        const uint32_t *seeds, uint32_t first,
+                                        int count, int dimensions,
+                                        double u[][PP_RUN_MOST])
+{
+    draw_run(sobol, seeds, first, count, dimensions, u);
+}
+
+void pp_sobol_sequence_draw_run(const struct pp_sobol_sequence *sequence,
+                                uint32_t first, int count, int vertex, int dimensions,
+                                double u[][PP_RUN_MOST])
+{
+    uint32_t deep[PP_SOBOL_DIMENSIONS + 1];
+    const uint32_t *seeds = seeds_of(sequence, vertex, dimensions, deep);
+    (pp_lanes_are_wide() ? draw_run_wide : draw_run_plain)(sequence->sobol, seeds,
+                                                           first, count, dimensions, u);
 }

@@ -12,6 +12,8 @@
 
 #include <stdint.h>
 
+#include "simulate/sampling/lanes.h"
+
 enum {
     PP_SOBOL_DIMENSIONS = 6,
     PP_SOBOL_KEPT = 12, /* vertices whose seeds are worked out once */
@@ -40,6 +42,13 @@ void pp_sobol_sequence_init(struct pp_sobol_sequence *sequence,
  * vertex `vertex`, each in (0, 1). */
 void pp_sobol_sequence_draw(const struct pp_sobol_sequence *sequence, uint32_t index,
                             int vertex, int count, double u[]);
+
+/* The same of `count` points from index `first` on, sooner: u[k][i] is coordinate k of
+ * point first + i. count: 1, 2, 4, 8 or 16; first: a multiple of it. Of u, what lies
+ * behind the last point's may be overwritten. */
+void pp_sobol_sequence_draw_run(const struct pp_sobol_sequence *sequence,
+                                uint32_t first, int count, int vertex, int dimensions,
+                                double u[][PP_RUN_MOST]);
 
 /* The scramble alone: a number whose bits are reversed (the first binary digit lowest);
  * digit k of the result depends on digits 0 to k only. */

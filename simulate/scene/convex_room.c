@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "simulate/scene/light_scene_parts.h"
 
@@ -148,29 +149,103 @@ static bool in_target(const struct pp_target *target, struct pp_vec3 point)
     return false;
 }
 
-/* The nearest plane that the ray runs towards; NULL: it starts outside, or in a niche or
- * near its mouth. */
-static const struct convex_plane *nearest_plane(const struct pp_convex_room *room,
-                                                const struct pp_light_ray *ray,
-                                                double *distance_m)
+/* Of a ray that starts so far before its nearest plane: none near the mouth of a niche. */
+static void settle(struct pp_convex_nearest *nearest, const struct pp_convex_room *room,
+                   double from_m)
 {
-    const struct convex_plane *nearest = NULL;
-    double least = INFINITY, from_m = 0.0;
+    if (nearest->plane >= 0 && room->planes[nearest->plane].niches && from_m < BEHIND_M)
+        nearest->plane = -1;
+    if (!(nearest->distance_m > 0.0))
+        nearest->distance_m = 0.0;
+}
+
+static struct pp_convex_nearest nearest_plane(const struct pp_convex_room *room,
+                                              const struct pp_light_ray *ray)
+{
+    struct pp_convex_nearest nearest = {-1, INFINITY};
+    double from_m = 0.0;
     for (int i = 0; i < room->plane_count; i++) {
         const struct convex_plane *plane = &room->planes[i];
         double towards = -pp_vec_dot(plane->normal, ray->to);
         double before = pp_vec_dot(plane->normal, ray->from) - plane->offset_m;
         if (before < -BEHIND_M)
-            return NULL;
-        /* before / towards < least, least infinite at first */
-        if (towards > 0.0 && (!nearest || before < least * towards)) {
-            least = before / towards;
+            return (struct pp_convex_nearest){-1, 0.0};
+        /* before / towards < the least, which is infinite at first */
+        if (towards > 0.0
+            && (nearest.plane < 0 || before < nearest.distance_m * towards)) {
+            nearest = (struct pp_convex_nearest){i, before / towards};
             from_m = before;
-            nearest = plane;
         }
     }
-    *distance_m = least > 0.0 ? least : 0.0;
-    return nearest && nearest->niches && from_m < BEHIND_M ? NULL : nearest;
+    settle(&nearest, room, from_m);
+    return nearest;
+}
+
+/* The same by lanes; false where the rays start outside. */
+PP_LANES_BODY bool nearest_of_lanes(const struct pp_convex_room *room,
+                                    struct pp_vec3 from, const double *to_x,
+                                    const double *to_y, const double *to_z,
+                                    struct pp_convex_nearest nearest[])
+{
+    pp_lanes x, y, z, least = PP_LANES_ALL(INFINITY), from_m = PP_LANES_ALL(0.0);
+    pp_lanes_mask plane_of = {-1, -1, -1, -1}; /* none */
+    memcpy(&x, to_x, sizeof x);
+    memcpy(&y, to_y, sizeof y);
+    memcpy(&z, to_z, sizeof z);
+    for (int i = 0; i < room->plane_count; i++) {
+        const struct convex_plane *plane = &room->planes[i];
+        pp_lanes towards =
+            -(plane->normal.x * x + plane->normal.y * y + plane->normal.z * z);
+        double before = pp_vec_dot(plane->normal, from) - plane->offset_m;
+        if (before < -BEHIND_M)
+            return false;
+        /* Infinity times a number above 0 is above `before`; other lanes are not chosen,
+         * whatever they have. */
+        pp_lanes_mask nearer = (towards > 0.0) & (before < least * towards);
+        least = PP_LANES_CHOOSE(nearer, before / towards, least);
+        from_m = PP_LANES_CHOOSE(nearer, PP_LANES_ALL(before), from_m);
+        plane_of = (nearer & i) | (~nearer & plane_of);
+    }
+    for (int lane = 0; lane < PP_LANES; lane++) {
+        nearest[lane] = (struct pp_convex_nearest){(int)plane_of[lane], least[lane]};
+        settle(&nearest[lane], room, from_m[lane]);
+    }
+    return true;
+}
+
+PP_LANES_BODY bool nearest_of_run(const struct pp_convex_room *room,
+                                  struct pp_vec3 from,
+                                  const struct pp_lanes_directions *to, int count,
+                                  struct pp_convex_nearest nearest[])
+{
+    for (int at = 0; at < count; at += PP_LANES)
+        if (!nearest_of_lanes(room, from, to->x + at, to->y + at, to->z + at,
+                              nearest + at))
+            return false;
+    return true;
+}
+
+static bool nearest_plain(const struct pp_convex_room *room, struct pp_vec3 from,
+                          const struct pp_lanes_directions *to, int count,
+                          struct pp_convex_nearest nearest[])
+{
+    return nearest_of_run(room, from, to, count, nearest);
+}
+
+PP_LANES_WIDE static bool nearest_wide(const struct pp_convex_room *room,
+                                       struct pp_vec3 from,
+                                       const struct pp_lanes_directions *to, int count,
+                                       struct pp_convex_nearest nearest[])
+{
+    return nearest_of_run(room, from, to, count, nearest);
+}
+
+bool pp_convex_room_nearest(const struct pp_convex_room *room, struct pp_vec3 from,
+                            const struct pp_lanes_directions *to, int count,
+                            struct pp_convex_nearest nearest[PP_RUN_MOST])
+{
+    return (pp_lanes_are_wide() ? nearest_wide : nearest_plain)(room, from, to, count,
+                                                                nearest);
 }
 
 /* Moves the point, where a ray has come to the mouth of a pane's niche, to the pane, if
@@ -190,12 +265,15 @@ static bool reaches_pane(const struct pp_pane *pane, struct pp_vec3 to,
 
 int pp_convex_room_meet(const struct pp_convex_room *room,
                         const struct pp_light_scene *scene,
-                        const struct pp_light_ray *ray, double *distance_m,
+                        const struct pp_light_ray *ray,
+                        const struct pp_convex_nearest *known, double *distance_m,
                         struct pp_vec3 *point)
 {
-    const struct convex_plane *plane = nearest_plane(room, ray, distance_m);
-    if (!plane)
+    struct pp_convex_nearest nearest = known ? *known : nearest_plane(room, ray);
+    if (nearest.plane < 0)
         return -1;
+    const struct convex_plane *plane = &room->planes[nearest.plane];
+    *distance_m = nearest.distance_m;
     struct pp_vec3 near = pp_vec_along(ray->from, *distance_m, ray->to);
     *point = pp_vec_along(near, plane->offset_m - pp_vec_dot(plane->normal, near),
                           plane->normal);

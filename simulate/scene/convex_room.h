@@ -13,6 +13,7 @@
 #define PP_SIMULATE_SCENE_CONVEX_ROOM_H
 
 #include "model/base/error.h"
+#include "simulate/sampling/lanes.h"
 #include "simulate/scene/light_scene.h"
 
 struct pp_convex_room;
@@ -32,12 +33,28 @@ void pp_convex_room_destroy(struct pp_convex_room *room); /* NULL is allowed */
 /* Has an opening of the room a reveal? */
 bool pp_convex_room_has_niches(const struct pp_convex_room *room);
 
+/* The plane that a ray comes to first, by its index, and how far off; -1: none, or the
+ * ray starts outside, or in a niche or near its mouth. */
+struct pp_convex_nearest {
+    int plane;
+    double distance_m;
+};
+
+/* Those of rays that start at one point, in `count` (at most PP_RUN_MOST) directions, in
+ * one go; those behind, to the next multiple of PP_LANES, are overwritten. False where
+ * the point is outside the room. */
+bool pp_convex_room_nearest(const struct pp_convex_room *room, struct pp_vec3 from,
+                            const struct pp_lanes_directions *to, int count,
+                            struct pp_convex_nearest nearest[PP_RUN_MOST]);
+
 /* The part that a ray which runs indoors meets, and its distance. *point: where it meets
  * the part's plane. -1 where that is left to the kernels: the ray starts outside or in a
- * niche, or ends on a niche's side. */
+ * niche, or ends on a niche's side. known: the nearest plane
+ * of this ray; NULL: to be found. */
 int pp_convex_room_meet(const struct pp_convex_room *room,
                         const struct pp_light_scene *scene,
-                        const struct pp_light_ray *ray, double *distance_m,
+                        const struct pp_light_ray *ray,
+                        const struct pp_convex_nearest *known, double *distance_m,
                         struct pp_vec3 *point);
 
 #endif

@@ -265,10 +265,12 @@ enum pp_meeting pp_light_scene_meet_outside(const struct pp_light_scene *scene,
 
 /* In an empty convex room; false where the ray starts outside. */
 static bool meet_convex(const struct pp_light_scene *scene,
-                        const struct pp_light_ray *ray, struct pp_light_hit *hit)
+                        const struct pp_light_ray *ray,
+                        const struct pp_convex_nearest *nearest,
+                        struct pp_light_hit *hit)
 {
-    hit->part =
-        pp_convex_room_meet(scene->convex, scene, ray, &hit->distance_m, &hit->point);
+    hit->part = pp_convex_room_meet(scene->convex, scene, ray, nearest,
+                                    &hit->distance_m, &hit->point);
     if (hit->part < 0)
         return false;
     const struct pp_light_part *part = &scene->parts[hit->part];
@@ -280,11 +282,28 @@ static bool meet_convex(const struct pp_light_scene *scene,
     return true;
 }
 
+bool pp_light_scene_nearest(const struct pp_light_scene *scene, struct pp_vec3 from,
+                            const struct pp_lanes_directions *to, int count,
+                            struct pp_convex_nearest *nearest)
+{
+    return scene->convex
+           && pp_convex_room_nearest(scene->convex, from, to, count, nearest);
+}
+
 enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
                                     const struct pp_light_ray *ray,
                                     struct pp_light_hit *hit)
 {
-    if (scene->convex && ray->space == PP_INDOORS && meet_convex(scene, ray, hit))
+    return pp_light_scene_meet_by(scene, ray, NULL, hit);
+}
+
+enum pp_meeting pp_light_scene_meet_by(const struct pp_light_scene *scene,
+                                       const struct pp_light_ray *ray,
+                                       const struct pp_convex_nearest *nearest,
+                                       struct pp_light_hit *hit)
+{
+    if (scene->convex && ray->space == PP_INDOORS
+        && meet_convex(scene, ray, nearest, hit))
         return PP_MEETS_PART;
     struct pp_vec3 start = pp_rays_lift(ray->from, ray->off);
     float origin[3] = {(float)start.x, (float)start.y, (float)start.z};

@@ -19,8 +19,10 @@
 #include "model/geometry/bounds.h"
 #include "model/light/material.h"
 
+struct pp_convex_nearest;
 struct pp_environment;
 struct pp_gloss;
+struct pp_lanes_directions;
 struct pp_light_scene;
 struct pp_outside_light;
 struct pp_triangles;
@@ -95,12 +97,24 @@ enum pp_meeting {
     PP_MEETS_LEAK,        /* the wrong side of a room's envelope: the ray is given up */
 };
 
+/* The nearest planes of rays that run indoors from one point, if the room is an empty
+ * convex one (convex_room.h); false where they are not known. */
+bool pp_light_scene_nearest(const struct pp_light_scene *scene, struct pp_vec3 from,
+                            const struct pp_lanes_directions *to, int count,
+                            struct pp_convex_nearest *nearest);
+
 /* The ray's first meeting. hit->distance_m is its distance in any case, INFINITY for
  * the sky and the like; hit->part is -1 where it meets none; point and normal are those
  * of a part or of the ground, all else is of a part. */
 enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
                                     const struct pp_light_ray *ray,
                                     struct pp_light_hit *hit);
+
+/* The same with the ray's nearest plane; NULL: not known. */
+enum pp_meeting pp_light_scene_meet_by(const struct pp_light_scene *scene,
+                                       const struct pp_light_ray *ray,
+                                       const struct pp_convex_nearest *nearest,
+                                       struct pp_light_hit *hit);
 
 /* The same for a ray that is known to meet no part. */
 enum pp_meeting pp_light_scene_meet_outside(const struct pp_light_scene *scene,

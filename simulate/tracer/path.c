@@ -6,6 +6,8 @@
 
 #include "model/results/reading.h"
 #include "simulate/sampling/lobe.h"
+#include "simulate/sampling/lobe_run.h"
+#include "simulate/scene/convex_room.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/transport/light_path.h"
 
@@ -17,7 +19,7 @@ enum {
     LOBES = 8,
     SHARED_LOBES = 16, /* where points are shared: in a convex room rays cost less */
     FIRST_LOBES = 4,   /* from the point itself, where nothing is shared */
-    MOST_LOBES = SHARED_LOBES,
+    MOST_LOBES = SHARED_LOBES, /* as all of these a power of two, PP_RUN_MOST or less */
     /* A path ends here where nothing ever absorbs: in an enclosure that reflects all.
      * With a reflectance of 0.99 one path in 10^70 comes so far. */
     MOST_BOUNCES = 1 << 14
@@ -100,7 +102,8 @@ void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
 {
     if (state->light.scene->has_room) {
         double u[2];
-        struct pp_vec3 point = begin(state, start, PP_DRAW_WINDOWS, u);
+        struct pp_vec3 point =
+            start->anywhere ? begin(state, start, PP_DRAW_WINDOWS, u) : start->position;
         struct pp_irradiance e = pp_path_by_openings(state, point, start->normal, 0, 1);
         light->part[PP_SC] += e.sky.g;
         light->part[PP_ERC] += e.outside.g;
@@ -120,14 +123,61 @@ static double radiosity_at(const struct pp_path_state *state,
                             : 0.0;
 }
 
-double pp_path_gather(struct pp_path_state *state, const struct pp_start *start)
+/* G where the ray has come, if that is a surface. */
+static double gathered(struct pp_path_state *state, const struct pp_light_ray *ray,
+                       const struct pp_convex_nearest *nearest)
 {
-    struct pp_light_ray ray = lobe_ray(state, start);
     struct pp_light_hit met;
-    if (!state->radiosity
-        || pp_radiance_state_meet(&state->light, &ray, &met) != PP_MEETS_PART)
+    if (pp_radiance_state_meet_by(&state->light, ray, nearest, &met) != PP_MEETS_PART)
         return 0.0;
     return radiosity_at(state, &met);
+}
+
+/* The paths of a run of indices; state->light.index is the first of them. */
+static void gather_run(struct pp_path_state *state, const struct pp_start *start,
+                       const struct pp_frame *frame, int count, double *sum)
+{
+    double u[2][PP_RUN_MOST];
+    struct pp_lanes_directions to;
+    struct pp_convex_nearest nearest[PP_RUN_MOST];
+    const struct pp_light_scene *scene = state->light.scene;
+    pp_sobol_sequence_draw_run(&state->light.sequence, state->light.index, count, 0, 2,
+                               u);
+    pp_lobe_run(frame, u, count, &to);
+    bool known = pp_light_scene_nearest(scene, start->position, &to, count, nearest);
+    for (int i = 0; i < count; i++, state->light.index++) {
+        struct pp_light_ray ray = {start->position, start->normal,
+                                   pp_vec(to.x[i], to.y[i], to.z[i]),
+                                   scene->has_room ? PP_INDOORS : PP_ANYWHERE};
+        *sum += gathered(state, &ray, known && scene->has_room ? &nearest[i] : NULL);
+    }
+}
+
+/* The longest run that may begin at the index and ends at `end` or before. */
+static int run_from(uint32_t index, uint32_t end)
+{
+    uint32_t count = PP_RUN_MOST;
+    while (count > 1 && (index % count != 0 || count > end - index))
+        count /= 2;
+    return (int)count;
+}
+
+void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
+                    uint32_t end, double *sum)
+{
+    struct pp_frame frame = {.z = start->normal};
+    pp_lobe_frame(start->normal, &frame.x, &frame.y);
+    while (state->radiosity && state->light.index < end) {
+        int count = run_from(state->light.index, end);
+        if (!start->anywhere && count > 1) {
+            gather_run(state, start, &frame, count, sum);
+            continue;
+        }
+        struct pp_light_ray ray = lobe_ray(state, start);
+        *sum += gathered(state, &ray, NULL);
+        state->light.index++;
+    }
+    state->light.index = end;
 }
 
 /* A path on its way to a surface of the room. */
@@ -149,13 +199,15 @@ struct path_fan {
 };
 
 /* Follows the ray until it meets a surface of the room, past glass and frames; false if
- * the path ends before. Light that comes in on the way is added to *sum. */
-static bool to_surface(struct pp_path_state *state, struct path_arm *arm, int vertex,
-                       double *sum)
+ * the path ends before. Light that comes in on the way is added to *sum. nearest:
+ * the ray's plane; NULL: not known. */
+static bool to_surface(struct pp_path_state *state, struct path_arm *arm,
+                       const struct pp_convex_nearest *nearest, int vertex, double *sum)
 {
     struct pp_radiance_state *light = &state->light;
     const struct pp_light_part *parts = light->scene->parts;
-    enum pp_meeting meeting = pp_radiance_state_meet(light, &arm->ray, &arm->met);
+    enum pp_meeting meeting =
+        pp_radiance_state_meet_by(light, &arm->ray, nearest, &arm->met);
     arm->at_once = true;
     if (meeting == PP_MEETS_PART && parts[arm->met.part].window < 0)
         return true;
@@ -199,15 +251,6 @@ static struct path_arm choose(const struct path_arm *arms, int count, double u)
     return arm;
 }
 
-/* A ray of the fan, by two numbers in (0, 1). */
-static struct pp_light_ray ray_of(const struct path_fan *fan, const double u[2])
-{
-    const struct pp_frame *frame = &fan->frame;
-    return (struct pp_light_ray){
-        fan->from, frame->z,
-        pp_lobe_sample_in_frame(frame->x, frame->y, frame->z, u[0], u[1]), PP_INDOORS};
-}
-
 /* K G by the arms of the fan, each of which comes to a surface or ends; one of them goes
  * on as *arm with the throughput of all. False if none does. */
 static bool spread(struct pp_path_state *state, const struct path_fan *fan, int vertex,
@@ -215,29 +258,37 @@ static bool spread(struct pp_path_state *state, const struct path_fan *fan, int 
 {
     struct pp_radiance_state *light = &state->light;
     struct path_arm arms[MOST_LOBES];
-    int count = 0;
-    double u[2];
+    struct pp_lanes_directions to;
+    struct pp_convex_nearest nearest[PP_RUN_MOST];
+    int count = 0, lobes = (int)fan->lobes;
+    double u[2][PP_RUN_MOST];
     uint32_t index = light->index;
-    for (uint32_t i = 0; i < fan->lobes; i++) {
-        struct path_arm *to = &arms[count];
-        light->index = index * fan->lobes + i;
-        pp_sobol_sequence_draw(&light->sequence, light->index, vertex * PP_DRAWS, 2, u);
-        to->ray = ray_of(fan, u);
-        to->throughput = fan->throughput / fan->lobes;
-        if (!to_surface(state, to, pp_path_vertex_branch(vertex, PP_DRAWS), sum)
-            || !(to->throughput > 0.0))
+    pp_sobol_sequence_draw_run(&light->sequence, index * fan->lobes, lobes,
+                               vertex * PP_DRAWS, 2, u);
+    pp_lobe_run(&fan->frame, u, lobes, &to);
+    bool known = pp_light_scene_nearest(light->scene, fan->from, &to, lobes, nearest);
+    for (int i = 0; i < lobes; i++) {
+        struct path_arm *next = &arms[count];
+        light->index = index * fan->lobes + (uint32_t)i;
+        next->ray = (struct pp_light_ray){
+            fan->from, fan->frame.z, pp_vec(to.x[i], to.y[i], to.z[i]), PP_INDOORS};
+        next->throughput = fan->throughput / fan->lobes;
+        if (!to_surface(state, next, known ? &nearest[i] : NULL,
+                        pp_path_vertex_branch(vertex, PP_DRAWS), sum)
+            || !(next->throughput > 0.0))
             continue;
-        to->importance = to->throughput * radiosity_at(state, &to->met);
-        if (fan->gathers || !to->at_once)
-            *sum += to->importance;
+        next->importance = next->throughput * radiosity_at(state, &next->met);
+        if (fan->gathers || !next->at_once)
+            *sum += next->importance;
         count++;
     }
     light->index = index;
+    double chosen = 0.0;
     if (count > 1)
         pp_sobol_sequence_draw(&light->sequence, index,
-                               vertex * PP_DRAWS + PP_DRAW_PANES, 1, u);
+                               vertex * PP_DRAWS + PP_DRAW_PANES, 1, &chosen);
     if (count > 0)
-        *arm = choose(arms, count, u[0]);
+        *arm = choose(arms, count, chosen);
     return count > 0;
 }
 

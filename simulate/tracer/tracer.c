@@ -115,15 +115,14 @@ static void follow(const void *client, void *state, const struct pp_path_range *
         return;
     }
     struct pp_light direct = {{sums[PP_SC], sums[PP_ERC], sums[PP_IRC]}};
-    for (path->light.index = range->first; path->light.index < range->end;
-         path->light.index++) {
+    path->light.index = range->first;
+    if (range->estimator == GATHER)
+        pp_path_gather(path, start, range->end, &sums[SUM_GATHER]);
+    for (; path->light.index < range->end; path->light.index++)
         if (range->estimator == DIRECT)
             pp_path_direct(path, start, &direct);
-        else if (range->estimator == GATHER)
-            sums[SUM_GATHER] += pp_path_gather(path, start);
         else
             sums[SUM_CORRECTION] += pp_path_correction(path, start);
-    }
     for (int i = PP_SC; i <= PP_IRC; i++)
         sums[SUM_DIRECT + i] = direct.part[i];
     randomisation->rays[range->estimator] += path->light.rays - rays;

@@ -200,6 +200,12 @@ bool pp_light_windows_along(struct pp_radiance_state *state,
     return !pp_rgb_is_black(sample->weight);
 }
 
+/* The vertex for the random numbers of the directions to the first window. */
+static int first_vertex(const struct pp_shading_point *shading)
+{
+    return shading->vertex * PP_DRAWS + PP_DRAW_WINDOWS;
+}
+
 void pp_light_windows_begin(struct pp_radiance_state *state,
                             const struct pp_shading_point *shading,
                             struct pp_window_sampling *sampling)
@@ -213,6 +219,14 @@ void pp_light_windows_begin(struct pp_radiance_state *state,
     sampling->end = none ? 0 : sampling->all ? count : 1;
     sampling->direction = sampling->count = 0;
     sampling->index = state->index;
+    /* A power of two. */
+    sampling->drawn = !none && shading->directions > 1
+                      && shading->directions <= PP_RUN_MOST
+                      && (shading->directions & (shading->directions - 1)) == 0;
+    if (sampling->drawn)
+        pp_sobol_sequence_draw_run(&state->sequence, state->index * shading->directions,
+                                   (int)shading->directions, first_vertex(shading), 3,
+                                   sampling->u);
 }
 
 /* Goes on to the next window; false where there is none. */
@@ -236,6 +250,23 @@ static bool next_window(struct pp_radiance_state *state,
     return true;
 }
 
+/* The numbers of the direction in turn: two, or three where one of the windows is
+ * chosen. */
+static void draw(const struct pp_radiance_state *state,
+                 const struct pp_window_sampling *sampling, double u[3])
+{
+    int vertex = first_vertex(sampling->shading);
+    if (sampling->drawn) {
+        for (int k = 0; k < 3; k++)
+            u[k] = sampling->u[k][sampling->direction];
+        return;
+    }
+    if (sampling->all && sampling->window > 0)
+        vertex = pp_path_vertex_branch(vertex, sampling->window);
+    pp_sobol_sequence_draw(&state->sequence, state->index, vertex,
+                           sampling->all ? 2 : 3, u);
+}
+
 bool pp_light_windows_next(struct pp_radiance_state *state,
                            struct pp_window_sampling *sampling,
                            struct pp_window_sample *sample)
@@ -244,14 +275,11 @@ bool pp_light_windows_next(struct pp_radiance_state *state,
     for (;;) {
         if (sampling->direction == sampling->count && !next_window(state, sampling))
             return false;
-        int vertex = shading->vertex * PP_DRAWS + PP_DRAW_WINDOWS;
         double u[3], probability = 1.0; /* place in the window (2), choice of it */
-        state->index = sampling->index * sampling->count + sampling->direction++;
+        state->index = sampling->index * sampling->count + sampling->direction;
         sample->window = sampling->window;
-        if (sampling->all && sampling->window > 0)
-            vertex = pp_path_vertex_branch(vertex, sampling->window);
-        pp_sobol_sequence_draw(&state->sequence, state->index, vertex,
-                               sampling->all ? 2 : 3, u);
+        draw(state, sampling, u);
+        sampling->direction++;
         if (!sampling->all) {
             sample->window =
                 pp_openings_choose(state->scene, state->environment->brightness,

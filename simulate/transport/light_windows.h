@@ -28,6 +28,8 @@ struct pp_window_sampling {
     int window, end;                        /* the one in turn */
     uint32_t direction, count;              /* the one in turn, of that window's */
     uint32_t index; /* the path's own, which `state` has again at the end */
+    bool drawn;     /* are the random numbers of all directions in u? */
+    double u[3][PP_RUN_MOST];
 };
 
 void pp_light_windows_begin(struct pp_radiance_state *state,

@@ -25,10 +25,18 @@ enum pp_meeting pp_radiance_state_meet(struct pp_radiance_state *state,
                                        const struct pp_light_ray *ray,
                                        struct pp_light_hit *hit)
 {
+    return pp_radiance_state_meet_by(state, ray, NULL, hit);
+}
+
+enum pp_meeting pp_radiance_state_meet_by(struct pp_radiance_state *state,
+                                          const struct pp_light_ray *ray,
+                                          const struct pp_convex_nearest *nearest,
+                                          struct pp_light_hit *hit)
+{
     state->rays++;
     if (state->log && state->log->count < state->log->capacity)
         state->log->rays[state->log->count++] = *ray;
-    enum pp_meeting meeting = pp_light_scene_meet(state->scene, ray, hit);
+    enum pp_meeting meeting = pp_light_scene_meet_by(state->scene, ray, nearest, hit);
     state->leaks += meeting == PP_MEETS_LEAK;
     return meeting;
 }

@@ -84,6 +84,12 @@ enum pp_meeting pp_radiance_state_meet(struct pp_radiance_state *state,
                                        const struct pp_light_ray *ray,
                                        struct pp_light_hit *hit);
 
+/* The same with the ray's nearest plane (pp_light_scene_nearest); NULL: not known. */
+enum pp_meeting pp_radiance_state_meet_by(struct pp_radiance_state *state,
+                                          const struct pp_light_ray *ray,
+                                          const struct pp_convex_nearest *nearest,
+                                          struct pp_light_hit *hit);
+
 /* A shadow ray: from ray.from straight, through clear surfaces, to a part at a distance
  * (-1: to the environment). False if a surface stands before it; else *through has been
  * multiplied by the transmittance of those that it passed. */

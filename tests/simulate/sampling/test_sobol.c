@@ -1,6 +1,7 @@
 /* test_sobol.c - scrambled Sobol points and directions about a normal. */
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
+#include "simulate/sampling/lobe_run.h"
 #include "simulate/sampling/sobol.h"
 
 #include "tests/lib/near.h"
@@ -141,6 +142,58 @@ static void digits_hang_on_the_digits_before_them_only(void **state)
     }
 }
 
+/* Of vertices whose seeds are kept and of others, in all dimensions. */
+static void a_run_has_the_points_of_the_sequence(void **state)
+{
+    (void)state;
+    struct pp_sobol_sequence sequence;
+    pp_sobol_sequence_init(&sequence, &sobol, 161803);
+    for (uint32_t trial = 0; trial < 2000; trial++) {
+        int count = 1 << trial % 5, vertex = (int)(trial % 29);
+        int dimensions = 1 + (int)(trial % PP_SOBOL_DIMENSIONS);
+        uint32_t first = trial < 40
+                             ? trial * (uint32_t)count
+                             : pp_hash_mix32(trial) / (uint32_t)count * (uint32_t)count;
+        double run[PP_SOBOL_DIMENSIONS][PP_RUN_MOST], u[PP_SOBOL_DIMENSIONS];
+        pp_sobol_sequence_draw_run(&sequence, first, count, vertex, dimensions, run);
+        for (int i = 0; i < count; i++) {
+            pp_sobol_sequence_draw(&sequence, first + (uint32_t)i, vertex, dimensions,
+                                   u);
+            for (int k = 0; k < dimensions; k++)
+                assert_true(run[k][i] == u[k]);
+        }
+    }
+}
+
+/* The middle of the square, where the map divides nothing by nothing, its diagonals and
+ * its rim are among the directions. */
+static void a_run_of_the_lobe_has_its_directions(void **state)
+{
+    (void)state;
+    static const double apart[] = {0.5, 0.25, 0.75, 0x1p-33, 1.0 - 0x1p-33, 0.3};
+    uint64_t series = 3;
+    for (int trial = 0; trial < 2000; trial++) {
+        double u[2][PP_RUN_MOST];
+        int count = 1 + trial % PP_RUN_MOST;
+        for (int i = 0; i < PP_RUN_MOST; i++)
+            for (int k = 0; k < 2; k++) {
+                series = pp_hash_mix64(series);
+                u[k][i] = trial % 3 == 0 ? apart[series % 6]
+                                         : ((double)(series >> 32) + 0.5) * 0x1p-32;
+            }
+        struct pp_frame frame = {
+            .z = pp_vec_unit(pp_vec(sin(trial), cos(3.0 * trial), sin(2.0 * trial)))};
+        pp_lobe_frame(frame.z, &frame.x, &frame.y);
+        struct pp_lanes_directions to;
+        pp_lobe_run(&frame, u, count, &to);
+        for (int i = 0; i < count; i++) {
+            struct pp_vec3 one =
+                pp_lobe_sample_in_frame(frame.x, frame.y, frame.z, u[0][i], u[1][i]);
+            assert_true(to.x[i] == one.x && to.y[i] == one.y && to.z[i] == one.z);
+        }
+    }
+}
+
 static void small_sine_and_cosine_are_the_library_s(void **state)
 {
     (void)state;
@@ -191,6 +244,8 @@ int main(void)
         cmocka_unit_test(one_point_is_uniform_over_the_scrambles),
         cmocka_unit_test(vertices_of_a_path_do_not_follow_each_other),
         cmocka_unit_test(digits_hang_on_the_digits_before_them_only),
+        cmocka_unit_test(a_run_has_the_points_of_the_sequence),
+        cmocka_unit_test(a_run_of_the_lobe_has_its_directions),
         cmocka_unit_test(small_sine_and_cosine_are_the_library_s),
         cmocka_unit_test(lobe_is_cosine_weighted_about_its_normal),
     };

@@ -149,7 +149,8 @@ static void behind_the_mouth_of_a_niche_stands_its_pane(void **state)
                                    .space = PP_INDOORS};
         struct pp_vec3 point;
         double distance;
-        int part = pp_convex_room_meet(scene->convex, scene, &ray, &distance, &point);
+        int part =
+            pp_convex_room_meet(scene->convex, scene, &ray, NULL, &distance, &point);
         assert_true((part < 0) == (at[i].distance_m < 0.0));
         assert_true((part >= 0 && scene->parts[part].window == 0)
                     == (at[i].distance_m > 0.0));
@@ -158,6 +159,63 @@ static void behind_the_mouth_of_a_niche_stands_its_pane(void **state)
     }
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
+}
+
+/* From the air, from a wall, from corners and from outside, along the axes as well. */
+static void rays_of_a_run_meet_what_each_meets_alone(void **state)
+{
+    (void)state;
+    static const char *const rooms[] = {BOX "</room>", TENT "</room>",
+                                        NICHES "</room>"};
+    static const struct pp_vec3 from[] = {{1.5, 2.1, 1.1},  {0.0, 3.5, 1.2},
+                                          {1.3, 0.0, 1.2},  {0.0, 0.0, 0.0},
+                                          {1.5, -0.2, 1.4}, {2.2, 2.0, 2.7}};
+    uint64_t series = 17;
+    int known = 0, met = 0;
+    for (int r = 0; r < 3; r++) {
+        struct pp_world *world = pp_test_world(rooms[r]);
+        struct pp_light_scene *scene = pp_test_matt_scene(world);
+        for (int trial = 0; trial < 600; trial++) {
+            int count = 1 + trial % PP_RUN_MOST;
+            struct pp_lanes_directions to;
+            struct pp_convex_nearest nearest[PP_RUN_MOST];
+            for (int i = 0; i < PP_RUN_MOST; i++) {
+                struct pp_vec3 u = pp_vec_unit(pp_vec(draw(&series, -1.0, 1.0),
+                                                      draw(&series, -1.0, 1.0),
+                                                      draw(&series, -1.0, 1.0)));
+                if (trial % 5 == 0)
+                    u = pp_vec(i % 3 == 0, i % 3 == 1, i % 3 == 2 ? -1.0 : 0.0);
+                to.x[i] = u.x;
+                to.y[i] = u.y;
+                to.z[i] = u.z;
+            }
+            struct pp_light_ray ray = {.from =
+                                           pp_vec_sub(from[trial % 6], scene->centre),
+                                       .space = PP_INDOORS};
+            bool inside = pp_light_scene_nearest(scene, ray.from, &to, count, nearest);
+            known += inside;
+            for (int i = 0; i < count; i++) {
+                struct pp_vec3 alone, by;
+                double alone_m, by_m;
+                ray.to = pp_vec(to.x[i], to.y[i], to.z[i]);
+                int part = pp_convex_room_meet(scene->convex, scene, &ray, NULL,
+                                               &alone_m, &alone);
+                assert_true(inside || part < 0);
+                if (!inside)
+                    continue;
+                assert_int_equal(pp_convex_room_meet(scene->convex, scene, &ray,
+                                                     &nearest[i], &by_m, &by),
+                                 part);
+                met += part >= 0;
+                if (part >= 0)
+                    assert_true(by_m == alone_m && by.x == alone.x && by.y == alone.y
+                                && by.z == alone.z);
+            }
+        }
+        pp_light_scene_destroy(scene);
+        pp_world_destroy(world);
+    }
+    assert_true(known > 900 && known < 1800 && met > 5000);
 }
 
 static void assert_not_convex(const char *xml)
@@ -192,8 +250,8 @@ static void a_ray_from_outside_is_left_to_the_kernels(void **state)
                                .space = PP_INDOORS};
     struct pp_vec3 point;
     double distance;
-    assert_int_equal(pp_convex_room_meet(scene->convex, scene, &ray, &distance, &point),
-                     -1);
+    assert_int_equal(
+        pp_convex_room_meet(scene->convex, scene, &ray, NULL, &distance, &point), -1);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
@@ -204,6 +262,7 @@ int main(void)
         cmocka_unit_test(rays_meet_what_the_kernels_say),
         cmocka_unit_test(straight_up_lie_ceiling_and_rooflight),
         cmocka_unit_test(behind_the_mouth_of_a_niche_stands_its_pane),
+        cmocka_unit_test(rays_of_a_run_meet_what_each_meets_alone),
         cmocka_unit_test(a_room_with_a_corner_or_a_table_is_left_to_the_kernels),
         cmocka_unit_test(a_ray_from_outside_is_left_to_the_kernels),
     };

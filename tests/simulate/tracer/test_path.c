@@ -64,12 +64,13 @@ static struct found_light reflected(const struct guessed_room *room, uint32_t pa
     double sum = 0.0, squares = 0.0;
     for (uint64_t net = 0; net < NETS; net++) {
         double light = 0.0;
-        for (int k = 0; k < 2; k++) {
-            pp_sobol_sequence_init(&state.light.sequence, &room->sobol, 2 * net + k);
-            for (state.light.index = 0; state.light.index < paths; state.light.index++)
-                light += (k == 0 ? pp_path_gather : pp_path_correction)(&state, &start)
-                         / paths;
-        }
+        pp_sobol_sequence_init(&state.light.sequence, &room->sobol, 2 * net);
+        state.light.index = 0;
+        pp_path_gather(&state, &start, paths, &light);
+        pp_sobol_sequence_init(&state.light.sequence, &room->sobol, 2 * net + 1);
+        for (state.light.index = 0; state.light.index < paths; state.light.index++)
+            light += pp_path_correction(&state, &start);
+        light /= paths;
         sum += light;
         squares += light * light;
     }

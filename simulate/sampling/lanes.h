@@ -1,0 +1,54 @@
+/* lanes.h - arithmetic on several numbers at once.
+ *
+ * The compiler's own vectors: an operator works on each number by itself, so that the
+ * results are those of the same operations one by one, to the bit. A function is compiled
+ * twice by writing its body once as PP_LANES_BODY and calling that from a plain function
+ * and from one that is PP_LANES_WIDE, for processors with registers of 256 bits;
+ * pp_lanes_are_wide says whether this is one.
+ */
+#ifndef PP_SIMULATE_SAMPLING_LANES_H
+#define PP_SIMULATE_SAMPLING_LANES_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum {
+    PP_LANES = 4,     /* numbers of double precision */
+    PP_INT_LANES = 8, /* integers of 32 bits */
+    PP_RUN_MOST = 16  /* numbers that are worked out in one call; a multiple of both */
+};
+
+typedef double pp_lanes __attribute__((vector_size(32)));
+typedef int64_t pp_lanes_mask __attribute__((vector_size(32)));
+typedef uint32_t pp_int_lanes __attribute__((vector_size(32)));
+
+#define PP_LANES_BODY static inline __attribute__((always_inline))
+
+/* -DPP_LANES_NARROW: as on processors without. tests/house/same_bytes.sh tries it. */
+#if defined(__x86_64__) && !defined(PP_LANES_NARROW)
+#define PP_LANES_WIDE __attribute__((target("avx2")))
+static inline bool pp_lanes_are_wide(void)
+{
+    return __builtin_cpu_supports("avx2");
+}
+#else
+#define PP_LANES_WIDE
+static inline bool pp_lanes_are_wide(void)
+{
+    return false;
+}
+#endif
+
+#define PP_LANES_ALL(a) ((pp_lanes){(a), (a), (a), (a)})
+
+/* a where the mask is set, b elsewhere. A macro, as vectors are not handed to functions:
+ * how would depend on the processor. */
+#define PP_LANES_CHOOSE(mask, a, b)                                                    \
+    ((pp_lanes)(((mask) & (pp_lanes_mask)(a)) | (~(mask) & (pp_lanes_mask)(b))))
+
+/* Directions of a run, the first `count` of them in use. */
+struct pp_lanes_directions {
+    double x[PP_RUN_MOST], y[PP_RUN_MOST], z[PP_RUN_MOST];
+};
+
+#endif

@@ -1,0 +1,14 @@
+/* lobe_run.h - cosine-weighted directions of a run. */
+#ifndef PP_SIMULATE_SAMPLING_LOBE_RUN_H
+#define PP_SIMULATE_SAMPLING_LOBE_RUN_H
+
+#include "model/geometry/frame.h"
+#include "simulate/sampling/lanes.h"
+
+/* What pp_lobe_sample_in_frame gives for u[0][i] and u[1][i], to the bit, for the first
+ * `count`, at most PP_RUN_MOST; those behind, to the next multiple of PP_LANES, are no
+ * directions. */
+void pp_lobe_run(const struct pp_frame *frame, double u[2][PP_RUN_MOST], int count,
+                 struct pp_lanes_directions *to);
+
+#endif
