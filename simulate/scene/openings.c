@@ -121,9 +121,28 @@ static double importance_of(const void *of, int pane)
                                         choice->brightness);
 }
 
+static double kept(const void *shares, int pane)
+{
+    return ((const struct pp_openings_shares *)shares)->of[pane];
+}
+
+static void find_shares(struct pp_openings_shares *shares,
+                        const struct pane_choice *choice)
+{
+    struct pp_vec3 moved = pp_vec_sub(shares->point, choice->point);
+    struct pp_vec3 turned = pp_vec_sub(shares->normal, choice->normal);
+    if (pp_vec_dot(moved, moved) == 0.0 && pp_vec_dot(turned, turned) == 0.0)
+        return;
+    shares->point = choice->point;
+    shares->normal = choice->normal;
+    for (int i = 0; i < choice->scene->pane_count; i++)
+        shares->of[i] = importance_of(choice, i);
+}
+
 int pp_openings_choose(const struct pp_light_scene *scene,
                        struct pp_brightness brightness, struct pp_vec3 point,
-                       struct pp_vec3 normal, double u, double *probability)
+                       struct pp_vec3 normal, struct pp_openings_shares *shares,
+                       double u, double *probability)
 {
     if (scene->pane_count == 1) {
         *probability = 1.0;
@@ -131,7 +150,10 @@ int pp_openings_choose(const struct pp_light_scene *scene,
                                                                                   : -1;
     }
     struct pane_choice choice = {scene, brightness, point, normal};
-    return pp_choose(importance_of, &choice, scene->pane_count, u, probability);
+    if (scene->pane_count > PP_OPENINGS_KEPT)
+        return pp_choose(importance_of, &choice, scene->pane_count, u, probability);
+    find_shares(shares, &choice);
+    return pp_choose(kept, shares, scene->pane_count, u, probability);
 }
 
 double pp_openings_angular_size(const struct pp_pane *pane, struct pp_vec3 from)

@@ -25,12 +25,22 @@ enum pp_status pp_openings_find(struct pp_light_scene *scene,
                                 const struct pp_triangles *triangles, int first,
                                 struct pp_error *err);
 
+/* What each opening may bring to one side of a surface, by the guessed brightness
+ * outside: kept, as a point chooses more than once. */
+enum { PP_OPENINGS_KEPT = 16 };
+
+struct pp_openings_shares {
+    struct pp_vec3 point, normal; /* whose they are; a normal of no length: nobody's */
+    double of[PP_OPENINGS_KEPT];
+};
+
 /* The opening that u in [0, 1) falls to, in proportion to what each may bring to that
- * side of a surface by the guessed brightness outside, and its probability; -1: none
- * can bring anything. */
+ * side of a surface, and its probability; -1: none can bring anything. shares: of one
+ * scene and brightness, at first all zero. */
 int pp_openings_choose(const struct pp_light_scene *scene,
                        struct pp_brightness brightness, struct pp_vec3 point,
-                       struct pp_vec3 normal, double u, double *probability);
+                       struct pp_vec3 normal, struct pp_openings_shares *shares,
+                       double u, double *probability);
 
 /* The angular size of an opening from a point: the root of its area over its
  * distance. */

@@ -281,9 +281,9 @@ bool pp_light_windows_next(struct pp_radiance_state *state,
         draw(state, sampling, u);
         sampling->direction++;
         if (!sampling->all) {
-            sample->window =
-                pp_openings_choose(state->scene, state->environment->brightness,
-                                   shading->point, shading->normal, u[2], &probability);
+            sample->window = pp_openings_choose(
+                state->scene, state->environment->brightness, shading->point,
+                shading->normal, &state->shares, u[2], &probability);
             if (sample->window < 0)
                 continue;
         }

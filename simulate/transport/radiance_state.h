@@ -10,6 +10,7 @@
 #include "simulate/sampling/sample_polygon.h"
 #include "simulate/sampling/sobol.h"
 #include "simulate/scene/light_scene.h"
+#include "simulate/scene/openings.h"
 
 /* Which estimators the light transport uses, and when paths end. */
 struct pp_radiance_options {
@@ -77,6 +78,7 @@ struct pp_radiance_state {
     long rays;  /* traced so far */
     long leaks; /* of them, lost between the edges of two surfaces */
     struct pp_polygon_sampler samplers[PP_KEPT_SAMPLERS];
+    struct pp_openings_shares shares; /* of the last point that chose an opening */
 };
 
 /* pp_light_scene_meet, with the ray counted. */
