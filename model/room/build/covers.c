@@ -27,6 +27,7 @@ static enum pp_status add_piece(struct pp_resolver *r, const struct pp_cover_par
                                  .back = part->reflectance,
                                  .finish = part->finish,
                                  .owner = face,
+                                 .is_door = part->kind == PP_DOOR,
                                  .line = part->line};
     struct pp_vec3 *corners = malloc((size_t)count * sizeof *corners);
     if (!corners)
