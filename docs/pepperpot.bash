@@ -12,6 +12,7 @@ _pepperpot()
         local formats='text json csv'
         [[ $command != size && $command != compare ]] || formats='text json'
         [ "$command" != chart ] || formats='pdf svg png'
+        [ "$command" != report ] || formats='html pdf'
         [ "$command" != render ] || formats='hdr pfm png pdf svg'
         mapfile -t COMPREPLY < <(compgen -W "$formats" -- "$word")
     elif [ "$previous" = --to ] || [ "$previous" = --against ] ||

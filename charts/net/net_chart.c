@@ -9,6 +9,7 @@
 #include "charts/net/net_unfold.h"
 #include "charts/sheet/labels.h"
 #include "charts/sheet/page.h"
+#include "model/base/text.h"
 
 struct net_drawing {
     struct pp_canvas *canvas;
@@ -53,6 +54,12 @@ static void trace_panel(const struct net_drawing *drawing,
     cairo_close_path(drawing->cr);
 }
 
+/* Is it a door or a dado in the panel's face? */
+static bool covers(const struct pp_surface *surface, const struct pp_net_panel *panel)
+{
+    return surface->role == PP_COVER && surface->owner == panel->face;
+}
+
 /* An edge is cut, or folded: then it is drawn once, by the panel that comes first. */
 static void draw_edge(const struct net_drawing *drawing,
                       const struct pp_net_panel *panel, int edge, bool first)
@@ -85,9 +92,64 @@ static void draw_edge(const struct net_drawing *drawing,
     cairo_stroke(cr);
 }
 
-/* Openings are cut out; in a face of several parts each has its share. */
-static void draw_openings(const struct net_drawing *drawing,
-                          const struct pp_net_panel *panel)
+/* An opening in a panel's face; labels keep off it. */
+static void trace_opening(const struct net_drawing *drawing,
+                          const struct pp_net_panel *panel,
+                          const struct pp_polygon *outline)
+{
+    cairo_t *cr = drawing->cr;
+    cairo_new_path(cr);
+    /* To the first corner again, for labels to keep off the last side too. */
+    for (int k = 0; k <= outline->count; k++) {
+        double xy[2], paper[2], before[2];
+        pp_net_panels_point(&drawing->net.panels, panel,
+                            outline->vertices[k % outline->count], xy);
+        on_paper(drawing, panel, xy, paper);
+        cairo_get_current_point(cr, &before[0], &before[1]);
+        if (k > 0)
+            pp_labels_note(drawing->labels, -1, before[0], before[1], paper[0],
+                           paper[1]);
+        cairo_line_to(cr, paper[0], paper[1]);
+    }
+    cairo_close_path(cr);
+}
+
+/* The outline of a door or a dado but for what runs along the panel's edges. */
+static void draw_cover(const struct net_drawing *drawing,
+                       const struct pp_net_panel *panel,
+                       const struct pp_polygon *outline)
+{
+    const double same_mm = 0.1;
+    const double dots[] = {0.3 * drawing->style.scale, 0.9 * drawing->style.scale};
+    cairo_t *cr = drawing->cr;
+    cairo_new_path(cr);
+    for (int i = 0; i < outline->count; i++) {
+        double own[2][2], xy[2], paper[2][2];
+        for (int k = 0; k < 2; k++) {
+            pp_net_panels_own(&drawing->net.panels, panel,
+                              outline->vertices[(i + k) % outline->count], own[k]);
+            pp_net_panels_place(panel, own[k], xy);
+            on_paper(drawing, panel, xy, paper[k]);
+        }
+        if (pp_polygon_ring_edge_distance((const double(*)[2])panel->own, panel->count,
+                                          0.5 * (own[0][0] + own[1][0]),
+                                          0.5 * (own[0][1] + own[1][1]), NULL)
+            < same_mm)
+            continue;
+        pp_labels_note(drawing->labels, -1, paper[0][0], paper[0][1], paper[1][0],
+                       paper[1][1]);
+        cairo_move_to(cr, paper[0][0], paper[0][1]);
+        cairo_line_to(cr, paper[1][0], paper[1][1]);
+    }
+    pp_style_line(cr, drawing->style.thin, PP_INK);
+    cairo_set_dash(cr, dots, 2, 0.0);
+    cairo_stroke(cr);
+}
+
+/* Doors and dados are painted, and openings cut out; in a face of several parts each has
+ * its share. */
+static void draw_in_face(const struct net_drawing *drawing,
+                         const struct pp_net_panel *panel)
 {
     const struct pp_world *world = drawing->model->world;
     cairo_t *cr = drawing->cr;
@@ -96,24 +158,13 @@ static void draw_openings(const struct net_drawing *drawing,
         trace_panel(drawing, panel);
         cairo_clip(cr);
     }
+    for (int i = world->face_count; i < world->surface_count; i++)
+        if (covers(&world->surfaces[i], panel))
+            draw_cover(drawing, panel, &world->surfaces[i].outline);
     for (int i = 0; i < world->opening_count; i++) {
-        const struct pp_opening *opening = &world->openings[i];
-        if (opening->face != panel->face)
+        if (world->openings[i].face != panel->face)
             continue;
-        cairo_new_path(cr);
-        /* To the first corner again, for labels to keep off the last side too. */
-        for (int k = 0; k <= opening->inner.count; k++) {
-            double xy[2], paper[2], before[2];
-            pp_net_panels_point(&drawing->net.panels, panel,
-                                opening->inner.vertices[k % opening->inner.count], xy);
-            on_paper(drawing, panel, xy, paper);
-            cairo_get_current_point(cr, &before[0], &before[1]);
-            if (k > 0)
-                pp_labels_note(drawing->labels, -1, before[0], before[1], paper[0],
-                               paper[1]);
-            cairo_line_to(cr, paper[0], paper[1]);
-        }
-        cairo_close_path(cr);
+        trace_opening(drawing, panel, &world->openings[i].inner);
         pp_style_grey(cr, PP_GREY_FILL);
         cairo_fill_preserve(cr);
         pp_style_line(cr, drawing->style.medium, PP_INK);
@@ -129,30 +180,43 @@ static const char *role_of(enum pp_role role)
     return role == PP_FLOOR ? "Floor" : role == PP_CEILING ? "Ceiling" : "Wall";
 }
 
+/* What words are about: a panel, or a door or a dado in it. */
+struct painted {
+    const struct pp_net_panel *panel;
+    const struct pp_surface *surface; /* the panel's face, or what covers it */
+};
+
 /* Name and paint in two lines, in one, or paint alone. */
 enum { WORDINGS = 3 };
 
-static void name_of(char *words, size_t room, const struct net_drawing *drawing,
-                    const struct pp_net_panel *panel, int wording)
+static void name_of(char *words, size_t room, const struct painted *painted,
+                    int wording)
 {
-    const struct pp_surface *face = &drawing->model->world->surfaces[panel->face];
-    char part[48] = "";
-    if (panel->parts > 1)
-        snprintf(part, sizeof part, ", part %d of %d", panel->part + 1, panel->parts);
-    if (wording < WORDINGS - 1)
-        snprintf(words, room, "%s%s%.40s%s%spaint %.2f", role_of(face->role),
-                 face->name ? " " : "", face->name ? face->name : "", part,
-                 wording == 0 ? "\n" : ", ", face->front);
+    const struct pp_surface *surface = painted->surface;
+    const struct pp_net_panel *panel = painted->panel;
+    char name[96];
+    if (surface->role == PP_COVER)
+        snprintf(name, sizeof name, "%.40s", surface->name);
     else
-        snprintf(words, room, "paint %.2f", face->front);
+        snprintf(name, sizeof name, "%s%s%.40s", role_of(surface->role),
+                 surface->name ? " " : "", surface->name ? surface->name : "");
+    if (panel->parts > 1 && surface->role != PP_COVER)
+        pp_text_append(name, sizeof name, ", part %d of %d", panel->part + 1,
+                       panel->parts);
+    if (wording < WORDINGS - 1)
+        snprintf(words, room, "%s%spaint %.2f", name, wording == 0 ? "\n" : ", ",
+                 surface->front);
+    else
+        snprintf(words, room, "paint %.2f", surface->front);
 }
 
-/* Is a place of the panel in it, and in none of its openings? A point of the face's plane
- * by the panel's own coordinates. */
-static bool is_board(const struct net_drawing *drawing,
-                     const struct pp_net_panel *panel, const double own[2])
+/* Does a place of the panel have this paint? A point of the face's plane by the panel's own
+ * coordinates. */
+static bool is_painted_so(const struct net_drawing *drawing,
+                          const struct painted *painted, const double own[2])
 {
     const struct pp_world *world = drawing->model->world;
+    const struct pp_net_panel *panel = painted->panel;
     double mm = drawing->net.panels.mm_per_m;
     struct pp_vec3 point = pp_vec_along(
         pp_vec_along(panel->origin, own[0] / mm, panel->along), own[1] / mm, panel->up);
@@ -164,28 +228,50 @@ static bool is_board(const struct net_drawing *drawing,
         if (world->openings[i].face == panel->face
             && pp_polygon_side(&world->openings[i].inner, point, 0.0) != PP_OUTSIDE)
             return false;
+    for (int i = world->face_count; i < world->surface_count; i++) {
+        const struct pp_surface *cover = &world->surfaces[i];
+        if (covers(cover, panel)
+            && (pp_polygon_side(&cover->outline, point, 0.0) != PP_OUTSIDE)
+                   != (cover == painted->surface))
+            return false;
+    }
     return true;
+}
+
+static struct pp_bounds2 extent_of(const struct net_drawing *drawing,
+                                   const struct painted *painted)
+{
+    const struct pp_net_panel *panel = painted->panel;
+    const struct pp_polygon *outline = &painted->surface->outline;
+    struct pp_bounds2 extent = pp_bounds2_empty();
+    if (painted->surface->role != PP_COVER)
+        for (int i = 0; i < panel->count; i++)
+            pp_bounds2_add(&extent, panel->own[i][0], panel->own[i][1]);
+    for (int i = 0; i < outline->count && painted->surface->role == PP_COVER; i++) {
+        double own[2];
+        pp_net_panels_own(&drawing->net.panels, panel, outline->vertices[i], own);
+        pp_bounds2_add(&extent, own[0], own[1]);
+    }
+    return extent;
 }
 
 /* Writes a wording where it covers no line, nearest to the middle; false: nowhere. */
 static bool write_words(const struct net_drawing *drawing,
-                        const struct pp_net_panel *panel, const char *words)
+                        const struct painted *painted, const char *words)
 {
     enum { STEPS = 31 };
+    const struct pp_net_panel *panel = painted->panel;
     const struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
-    struct pp_bounds2 extent = pp_bounds2_empty();
+    const struct pp_bounds2 extent = extent_of(drawing, painted);
     double best = INFINITY, found[2] = {0.0, 0.0};
-    for (int i = 0; i < panel->count; i++)
-        pp_bounds2_add(&extent, panel->own[i][0], panel->own[i][1]);
     for (int i = 1; i < STEPS * STEPS; i++) {
         double at[2] = {(double)(i % STEPS) / STEPS, (double)(i / STEPS) / STEPS};
         double off = hypot(at[0] - 0.5, at[1] - 0.5), own[2], xy[2], paper[2];
         for (int k = 0; k < 2; k++)
             own[k] = extent.low[k] + at[k] * (extent.high[k] - extent.low[k]);
-        if (off >= best || !is_board(drawing, panel, own))
+        if (off >= best || !is_painted_so(drawing, painted, own))
             continue;
-        xy[0] = panel->turn[0] * own[0] - panel->turn[1] * own[1] + panel->shift[0];
-        xy[1] = panel->turn[1] * own[0] + panel->turn[0] * own[1] + panel->shift[1];
+        pp_net_panels_place(panel, own, xy);
         on_paper(drawing, panel, xy, paper);
         struct pp_box box = pp_lettering_measure(drawing->cr, &drawing->style, &set,
                                                  paper[0], paper[1], words);
@@ -202,15 +288,24 @@ static bool write_words(const struct net_drawing *drawing,
     return isfinite(best);
 }
 
-static void write_name(const struct net_drawing *drawing,
-                       const struct pp_net_panel *panel)
+static void write_name(const struct net_drawing *drawing, const struct painted *painted)
 {
     char words[160];
     for (int i = 0; i < WORDINGS; i++) {
-        name_of(words, sizeof words, drawing, panel, i);
-        if (write_words(drawing, panel, words))
+        name_of(words, sizeof words, painted, i);
+        if (write_words(drawing, painted, words))
             return;
     }
+}
+
+static void write_names(const struct net_drawing *drawing,
+                        const struct pp_net_panel *panel)
+{
+    const struct pp_world *world = drawing->model->world;
+    write_name(drawing, &(struct painted){panel, &world->surfaces[panel->face]});
+    for (int i = world->face_count; i < world->surface_count; i++)
+        if (covers(&world->surfaces[i], panel))
+            write_name(drawing, &(struct painted){panel, &world->surfaces[i]});
 }
 
 /* Beside its middle, inside the panel; with an asterisk where there is no tab. */
@@ -248,6 +343,14 @@ static void say_reveals(char *foot, size_t room, const struct pp_model_net *mode
                     1000.0 * deepest / model->scale);
 }
 
+static bool has_covers(const struct pp_world *world)
+{
+    for (int i = world->face_count; i < world->surface_count; i++)
+        if (world->surfaces[i].role == PP_COVER)
+            return true;
+    return false;
+}
+
 static void say_foot(char *foot, size_t room, const struct pp_model_net *model)
 {
     static const int altitudes[] = {10, 20, 30, 45, 60, 90};
@@ -256,6 +359,9 @@ static void say_foot(char *foot, size_t room, const struct pp_model_net *model)
         "Print at 100\u00a0%%; the printed side is inside. Cut along full lines, "
         "openings (grey) out; fold dashed lines towards you; glue each tab behind "
         "the edge of its number (*: tape). Paint is the reflectance.");
+    if (has_covers(model->world))
+        pp_page_say(foot, room,
+                    "Dotted lines bound doors and dados, which have their own paint.");
     say_reveals(foot, room, model);
     pp_page_say(
         foot, room,
@@ -295,7 +401,7 @@ static void draw_pieces(struct net_drawing *drawing, int sheet)
         const struct pp_net_panel *panel = &net->panels.list[i];
         if (net->pieces[panel->piece].sheet != sheet)
             continue;
-        draw_openings(drawing, panel);
+        draw_in_face(drawing, panel);
         for (int k = 0; k < panel->count; k++)
             draw_edge(drawing, panel, k, panel->edges[k].panel > i);
     }
@@ -305,7 +411,7 @@ static void draw_pieces(struct net_drawing *drawing, int sheet)
             continue;
         for (int k = 0; k < panel->count; k++)
             number_edge(drawing, panel, k);
-        write_name(drawing, panel);
+        write_names(drawing, panel);
     }
 }
 

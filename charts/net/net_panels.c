@@ -14,15 +14,17 @@ static const double SAME_MM = 1e-3;
 
 /* ---- from the room to a panel ---- */
 
-static void own_of(const struct pp_net_panel *panel, double mm_per_m,
-                   struct pp_vec3 point, double xy[2])
+void pp_net_panels_own(const struct pp_net_panels *panels,
+                       const struct pp_net_panel *panel, struct pp_vec3 point,
+                       double xy[2])
 {
     struct pp_vec3 v = pp_vec_sub(point, panel->origin);
-    xy[0] = pp_vec_dot(v, panel->along) * mm_per_m;
-    xy[1] = pp_vec_dot(v, panel->up) * mm_per_m;
+    xy[0] = pp_vec_dot(v, panel->along) * panels->mm_per_m;
+    xy[1] = pp_vec_dot(v, panel->up) * panels->mm_per_m;
 }
 
-static void place(const struct pp_net_panel *panel, const double own[2], double xy[2])
+void pp_net_panels_place(const struct pp_net_panel *panel, const double own[2],
+                         double xy[2])
 {
     xy[0] = panel->turn[0] * own[0] - panel->turn[1] * own[1] + panel->shift[0];
     xy[1] = panel->turn[1] * own[0] + panel->turn[0] * own[1] + panel->shift[1];
@@ -30,7 +32,7 @@ static void place(const struct pp_net_panel *panel, const double own[2], double 
 
 void pp_net_panels_corner(const struct pp_net_panel *panel, int corner, double xy[2])
 {
-    place(panel, panel->own[corner % panel->count], xy);
+    pp_net_panels_place(panel, panel->own[corner % panel->count], xy);
 }
 
 void pp_net_panels_point(const struct pp_net_panels *panels,
@@ -38,8 +40,8 @@ void pp_net_panels_point(const struct pp_net_panels *panels,
                          double xy[2])
 {
     double own[2];
-    own_of(panel, panels->mm_per_m, point, own);
-    place(panel, own, xy);
+    pp_net_panels_own(panels, panel, point, own);
+    pp_net_panels_place(panel, own, xy);
 }
 
 /* ---- panels ---- */
@@ -138,7 +140,7 @@ static enum pp_status add_face(struct pp_net_panels *panels,
         return pp_fail_memory(err);
     pp_polygon_plane_axes(outline->normal, &like.along, &like.up);
     for (int i = 0; i < outline->count; i++) {
-        own_of(&like, panels->mm_per_m, outline->vertices[i], own[i]);
+        pp_net_panels_own(panels, &like, outline->vertices[i], own[i]);
         pp_bounds2_add(&extent, own[i][0], own[i][1]);
     }
     int cells[2], turned[2];

@@ -47,8 +47,16 @@ enum pp_status pp_net_panels_init(struct pp_net_panels *panels,
                                   const double limit_mm[2], struct pp_error *err);
 void pp_net_panels_clear(struct pp_net_panels *panels);
 
-/* A corner of a panel, or a point of the room in its face's plane, in its piece. */
+/* The foot of a point of the room on a panel, in the panel's own axes. */
+void pp_net_panels_own(const struct pp_net_panels *panels,
+                       const struct pp_net_panel *panel, struct pp_vec3 point,
+                       double xy[2]);
+
+/* A corner of a panel, a place in its own axes, or a point of the room in its face's
+ * plane, in its piece. */
 void pp_net_panels_corner(const struct pp_net_panel *panel, int corner, double xy[2]);
+void pp_net_panels_place(const struct pp_net_panel *panel, const double own[2],
+                         double xy[2]);
 void pp_net_panels_point(const struct pp_net_panels *panels,
                          const struct pp_net_panel *panel, struct pp_vec3 point,
                          double xy[2]);

@@ -147,27 +147,49 @@ static void draw_facades(cairo_t *cr, const struct pp_style *style,
     cairo_restore(cr);
 }
 
-/* On paper: the window's ends in the wall, and the direction out of the room. */
-static void ends_of(const struct pp_room_plan *plan, const struct pp_opening *opening,
+/* On paper: the ends of a window or a door in the wall, and the direction out of the room. */
+static void ends_of(const struct pp_room_plan *plan, const struct pp_polygon *outline,
                     double ends[2][2], double out[2])
 {
+    struct pp_vec3 right = pp_vec_cross(pp_vec(0, 0, 1), outline->normal);
     double low = INFINITY, high = -INFINITY;
-    for (int i = 0; i < opening->inner.count; i++) {
-        double along = pp_vec_dot(opening->along, opening->inner.vertices[i]);
+    for (int i = 0; i < outline->count; i++) {
+        double along = pp_vec_dot(right, outline->vertices[i]);
         if (along < low) {
             low = along;
-            ends[0][0] = pp_room_plan_x(plan, opening->inner.vertices[i].x);
-            ends[0][1] = pp_room_plan_y(plan, opening->inner.vertices[i].y);
+            ends[0][0] = pp_room_plan_x(plan, outline->vertices[i].x);
+            ends[0][1] = pp_room_plan_y(plan, outline->vertices[i].y);
         }
         if (along > high) {
             high = along;
-            ends[1][0] = pp_room_plan_x(plan, opening->inner.vertices[i].x);
-            ends[1][1] = pp_room_plan_y(plan, opening->inner.vertices[i].y);
+            ends[1][0] = pp_room_plan_x(plan, outline->vertices[i].x);
+            ends[1][1] = pp_room_plan_y(plan, outline->vertices[i].y);
         }
     }
-    double level = hypot(opening->inner.normal.x, opening->inner.normal.y);
-    out[0] = -opening->inner.normal.x / level;
-    out[1] = opening->inner.normal.y / level;
+    double level = hypot(outline->normal.x, outline->normal.y);
+    out[0] = -outline->normal.x / level;
+    out[1] = outline->normal.y / level;
+}
+
+/* A piece of a wall from its inner face outwards. */
+static void trace_in_wall(cairo_t *cr, double ends[2][2], const double out[2],
+                          double depth)
+{
+    cairo_new_path(cr);
+    cairo_move_to(cr, ends[0][0], ends[0][1]);
+    cairo_line_to(cr, ends[1][0], ends[1][1]);
+    cairo_line_to(cr, ends[1][0] + depth * out[0], ends[1][1] + depth * out[1]);
+    cairo_line_to(cr, ends[0][0] + depth * out[0], ends[0][1] + depth * out[1]);
+    cairo_close_path(cr);
+}
+
+static void trace_jambs(cairo_t *cr, double ends[2][2], const double out[2],
+                        double depth)
+{
+    for (int i = 0; i < 2; i++) {
+        cairo_move_to(cr, ends[i][0], ends[i][1]);
+        cairo_line_to(cr, ends[i][0] + depth * out[0], ends[i][1] + depth * out[1]);
+    }
 }
 
 /* The wall is opened, its faces go on as thin lines, the glass is a line where it
@@ -178,7 +200,7 @@ static void draw_window(cairo_t *cr, const struct pp_style *style,
                         const struct pp_opening *opening)
 {
     double ends[2][2], out[2], weight = wall_weight(style);
-    ends_of(plan, opening, ends, out);
+    ends_of(plan, &opening->inner, ends, out);
     double lowest = INFINITY;
     for (int i = 0; i < opening->inner.count; i++)
         lowest = fmin(lowest, opening->inner.vertices[i].z);
@@ -188,11 +210,7 @@ static void draw_window(cairo_t *cr, const struct pp_style *style,
 
     if (!high) {
         pp_style_grey(cr, 1.0);
-        cairo_move_to(cr, ends[0][0], ends[0][1]);
-        cairo_line_to(cr, ends[1][0], ends[1][1]);
-        cairo_line_to(cr, ends[1][0] + depth * out[0], ends[1][1] + depth * out[1]);
-        cairo_line_to(cr, ends[0][0] + depth * out[0], ends[0][1] + depth * out[1]);
-        cairo_close_path(cr);
+        trace_in_wall(cr, ends, out, depth);
         cairo_fill(cr);
     }
     double lines[] = {0.0, reveal > 0.0 ? reveal : 0.5 * depth, depth};
@@ -205,10 +223,30 @@ static void draw_window(cairo_t *cr, const struct pp_style *style,
         cairo_move_to(cr, ends[0][0] + off * out[0], ends[0][1] + off * out[1]);
         cairo_line_to(cr, ends[1][0] + off * out[0], ends[1][1] + off * out[1]);
     }
-    for (int i = 0; i < 2 && !high; i++) {
-        cairo_move_to(cr, ends[i][0], ends[i][1]);
-        cairo_line_to(cr, ends[i][0] + depth * out[0], ends[i][1] + depth * out[1]);
-    }
+    if (!high)
+        trace_jambs(cr, ends, out, depth);
+    cairo_stroke(cr);
+}
+
+/* The wall is opened as far as a facade; the closed leaf stands at the inner face. */
+static void draw_door(cairo_t *cr, const struct pp_style *style,
+                      const struct pp_room_plan *plan, const struct pp_surface *door)
+{
+    double ends[2][2], out[2], leaf = wall_weight(style), depth = leaf;
+    ends_of(plan, &door->outline, ends, out);
+    for (int i = 0; i < plan->world->facade_count; i++)
+        if (plan->world->facades[i].face == door->owner)
+            depth = fmax(depth, plan->world->facades[i].depth_m * plan->mm_per_m);
+    pp_style_grey(cr, 1.0);
+    trace_in_wall(cr, ends, out, depth);
+    cairo_fill(cr);
+    pp_style_line(cr, style->thin, PP_INK);
+    trace_jambs(cr, ends, out, depth);
+    cairo_stroke(cr);
+    trace_in_wall(cr, ends, out, leaf);
+    pp_style_grey(cr, PP_GREY_FILL);
+    cairo_fill_preserve(cr);
+    pp_style_line(cr, style->thin, PP_INK);
     cairo_stroke(cr);
 }
 
@@ -222,7 +260,7 @@ static void draw_overhead(cairo_t *cr, const struct pp_style *style,
     pp_style_line(cr, style->thin, PP_GREY_LINE);
     cairo_set_dash(cr, dashes, 2, 0.0);
     if (opening->slope_rad >= 89.5 * PP_RAD) {
-        ends_of(plan, opening, ends, out);
+        ends_of(plan, &opening->inner, ends, out);
         cairo_set_line_width(cr, style->medium);
         cairo_move_to(cr, ends[0][0], ends[0][1]);
         cairo_line_to(cr, ends[1][0], ends[1][1]);
@@ -299,6 +337,9 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
     for (int i = world->face_count; i < world->surface_count; i++)
         if (stands_inside(&world->surfaces[i]))
             draw_inside(cr, style, plan, &world->surfaces[i].outline);
+    for (int i = world->face_count; i < world->surface_count; i++)
+        if (world->surfaces[i].is_door)
+            draw_door(cr, style, plan, &world->surfaces[i]);
     for (int i = 0; i < world->opening_count; i++)
         (is_in_wall(world, &world->openings[i]) ? draw_window : draw_overhead)(
             cr, style, plan, &world->openings[i]);

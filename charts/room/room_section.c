@@ -9,90 +9,14 @@
 #include <string.h>
 
 #include "charts/room/room_plan.h"
+#include "charts/room/section_sight.h"
 #include "charts/sheet/page.h"
 #include "charts/sheet/lettering.h"
 #include "model/base/text.h"
 
-/* The obstruction of a window, as seen from the window's middle in the section plane. */
-struct window_obstruction {
-    double angle_rad; /* above the horizontal; 0: nothing */
-    double s, z;      /* the window's middle */
-    double distance_m;
-    bool skyline;
-};
-
-static int face_at(const struct pp_section_cut *cut, bool near)
-{
-    return near ? cut->near_face : cut->far_face;
-}
-
-/* Height of the middle of a face's openings: of those cut, else of all. False: there are
- * none. */
-static bool middle_of_openings(const struct pp_room_section *section, int face,
-                               double *z)
-{
-    const struct pp_world *world = section->world;
-    double low = INFINITY, high = -INFINITY;
-    for (int i = 0; i < section->cut->count; i++) {
-        const struct pp_cut *cut = &section->cut->list[i];
-        if (cut->kind != PP_CUT_OPENING || world->openings[cut->of].face != face)
-            continue;
-        low = fmin(low, fmin(cut->z[0], cut->z[1]));
-        high = fmax(high, fmax(cut->z[0], cut->z[1]));
-    }
-    if (!(high > low)) {
-        for (int i = 0; i < world->opening_count; i++) {
-            const struct pp_opening *opening = &world->openings[i];
-            if (opening->face != face)
-                continue;
-            for (int k = 0; k < opening->inner.count; k++) {
-                low = fmin(low, opening->inner.vertices[k].z);
-                high = fmax(high, opening->inner.vertices[k].z);
-            }
-        }
-    }
-    *z = 0.5 * (low + high);
-    return high > low;
-}
-
-/* The steepest line of sight from the window's middle, outwards in the section plane, to
- * the head of a cut obstruction or a skyline. It is drawn, and nothing is computed from
- * it: the obstruction angle of the methods is methods/reflected/obstruction.h's. */
-static struct window_obstruction sight_of(const struct pp_room_section *section,
-                                          bool near)
-{
-    struct window_obstruction sight = {.s = near ? 0.0 : section->cut->length_m};
-    int face = face_at(section->cut, near);
-    double out = near ? -1.0 : 1.0;
-    if (face < 0 || !middle_of_openings(section, face, &sight.z))
-        return sight;
-    for (int i = 0; i < section->cut->count; i++) {
-        const struct pp_cut *cut = &section->cut->list[i];
-        bool stands_opposite = cut->kind == PP_CUT_OUTSIDE
-                               && section->world->surfaces[cut->of].role != PP_FACADE;
-        for (int k = 0; k < 2 && stands_opposite; k++) {
-            double away = out * (cut->s[k] - sight.s), up = cut->z[k] - sight.z;
-            if (away > 1e-3 && atan2(up, away) > sight.angle_rad) {
-                sight.angle_rad = atan2(up, away);
-                sight.distance_m = away;
-            }
-        }
-    }
-    for (int i = 0; i < section->world->skyline_count; i++) {
-        const struct pp_skyline *skyline = &section->world->skylines[i];
-        if (skyline->face != face || skyline->angle_rad <= sight.angle_rad)
-            continue;
-        sight.angle_rad = skyline->angle_rad;
-        sight.z = skyline->middle_z_m;
-        sight.distance_m = skyline->distance_m;
-        sight.skyline = true;
-    }
-    return sight;
-}
-
 bool pp_room_section_has_outside(const struct pp_room_section *section, bool near)
 {
-    return sight_of(section, near).angle_rad > 0.0;
+    return pp_section_sight_of(section->cut, section->world, near).angle_rad > 0.0;
 }
 
 /* Lowest and highest point of the cut faces. */
@@ -324,6 +248,59 @@ static void draw_openings_cut(const struct section_drawing *drawing)
     }
 }
 
+/* On paper, how far the facade of a cut face is outside it; 0: it has none. */
+static double facade_mm(const struct section_drawing *drawing, int face)
+{
+    const struct pp_world *world = drawing->section->world;
+    for (int i = 0; i < world->facade_count; i++)
+        if (world->facades[i].face == face)
+            return world->facades[i].depth_m * drawing->section->mm_per_m;
+    return 0.0;
+}
+
+/* What is between two lines level with the ends of a cut, from and to mm beside it. */
+static void trace_beside(const struct section_drawing *drawing,
+                         const struct pp_cut *cut, double from, double to)
+{
+    double x[2] = {at_s(drawing, cut->s[0]), at_s(drawing, cut->s[1])};
+    double y[2] = {at_z(drawing, cut->z[0]), at_z(drawing, cut->z[1])};
+    cairo_new_path(drawing->cr);
+    cairo_move_to(drawing->cr, x[0] + from, y[0]);
+    cairo_line_to(drawing->cr, x[1] + from, y[1]);
+    cairo_line_to(drawing->cr, x[1] + to, y[1]);
+    cairo_line_to(drawing->cr, x[0] + to, y[0]);
+    cairo_close_path(drawing->cr);
+}
+
+/* A door is a leaf in its wall's line, and the facade before it is open; a dado is a thin
+ * line before the wall's. */
+static void draw_cover_cut(const struct section_drawing *drawing,
+                           const struct pp_cut *cut)
+{
+    const struct pp_section_cut *section = drawing->section->cut;
+    const struct pp_surface *cover = &drawing->section->world->surfaces[cut->of];
+    const struct pp_style *style = drawing->style;
+    cairo_t *cr = drawing->cr;
+    struct pp_vec3 normal = cover->outline.normal;
+    double in = normal.x * section->along[0] + normal.y * section->along[1];
+    double side = copysign(1.0, in), face = 0.5 * side * style->thick;
+    double facade = facade_mm(drawing, cover->owner);
+    if (cover->is_door && facade > 0.0) {
+        trace_beside(drawing, cut, 0.0, -side * (facade + style->medium));
+        pp_style_grey(cr, 1.0);
+        cairo_fill(cr);
+        trace_beside(drawing, cut, 0.0, -side * facade);
+        pp_style_line(cr, style->thin, PP_INK);
+        cairo_stroke(cr);
+    }
+    trace_beside(drawing, cut, face,
+                 cover->is_door ? -face : face + side * style->scale);
+    pp_style_grey(cr, cover->is_door ? PP_GREY_FILL : 1.0);
+    cairo_fill_preserve(cr);
+    pp_style_line(cr, style->thin, PP_INK);
+    cairo_stroke(cr);
+}
+
 static void draw_plane(const struct section_drawing *drawing)
 {
     const struct pp_room_section *section = drawing->section;
@@ -371,7 +348,8 @@ static void draw_ground(const struct section_drawing *drawing)
 static void draw_sight(const struct section_drawing *drawing, bool near)
 {
     const struct pp_room_section *section = drawing->section;
-    struct window_obstruction sight = sight_of(section, near);
+    struct pp_section_sight sight =
+        pp_section_sight_of(section->cut, section->world, near);
     if (!(sight.angle_rad > 0.0))
         return;
     cairo_t *cr = drawing->cr;
@@ -473,6 +451,9 @@ void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
     stroke_cuts(&drawing, PP_CUT_INSIDE, style->medium, PP_INK, CAIRO_LINE_CAP_BUTT);
     draw_edge_on(&drawing);
     draw_openings_cut(&drawing);
+    for (int i = 0; i < section->cut->count; i++)
+        if (section->cut->list[i].kind == PP_CUT_COVER)
+            draw_cover_cut(&drawing, &section->cut->list[i]);
     draw_plane(&drawing);
     cairo_restore(cr);
     if (!section->no_caption)

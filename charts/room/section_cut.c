@@ -202,9 +202,10 @@ static bool cut_world(struct pp_section_cut *cut, const struct pp_world *world)
         const struct pp_surface *surface = &world->surfaces[i];
         if (surface->role == PP_REVEAL)
             continue;
-        enum pp_cut_kind kind = i < world->face_count ? PP_CUT_FACE
-                                : surface->inside     ? PP_CUT_INSIDE
-                                                      : PP_CUT_OUTSIDE;
+        enum pp_cut_kind kind = i < world->face_count       ? PP_CUT_FACE
+                                : surface->role == PP_COVER ? PP_CUT_COVER
+                                : surface->inside           ? PP_CUT_INSIDE
+                                                            : PP_CUT_OUTSIDE;
         good = cut_polygon(cut, &surface->outline, kind, i);
     }
     for (int i = 0; i < world->opening_count && good; i++) {

@@ -12,6 +12,7 @@ enum pp_cut_kind {
     PP_CUT_FACE,    /* of the envelope, openings taken out */
     PP_CUT_OPENING, /* in the face's plane */
     PP_CUT_GLASS,   /* at the reveal's outer end */
+    PP_CUT_COVER,   /* a door or a dado before a face */
     PP_CUT_INSIDE,  /* a free-standing surface in the room */
     PP_CUT_OUTSIDE, /* a block, a facade or a free-standing surface outside */
 };

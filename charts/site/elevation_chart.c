@@ -7,6 +7,7 @@
 
 #include "charts/room/contour_lines.h"
 #include "charts/room/plan_strip.h"
+#include "charts/room/room_elevation.h"
 #include "charts/room/room_plan.h"
 #include "charts/sheet/page.h"
 #include "charts/site/sky_bands.h"
@@ -97,6 +98,26 @@ static void draw_wall(struct elevation_drawing *drawing,
     cairo_stroke(cr);
 }
 
+/* The sky on a door is of no use: it is white, with lines aslant. */
+static void draw_doors(struct elevation_drawing *drawing,
+                       const struct pp_room_plan *frame,
+                       const struct pp_elevation_wall *wall)
+{
+    cairo_t *cr = drawing->cr;
+    for (int i = 0; i < wall->door_count; i++) {
+        const struct pp_bounds2 *door = &wall->doors[i];
+        double x = pp_room_plan_x(frame, door->low[0]);
+        double y = pp_room_plan_y(frame, door->high[1]);
+        cairo_new_path(cr);
+        cairo_rectangle(cr, x, y, pp_room_plan_x(frame, door->high[0]) - x,
+                        pp_room_plan_y(frame, door->low[1]) - y);
+        pp_style_grey(cr, 1.0);
+        cairo_fill_preserve(cr);
+        pp_style_line(cr, drawing->style.thin, PP_INK);
+        pp_room_elevation_hatch(cr, &drawing->style);
+    }
+}
+
 static struct pp_box window_box(const struct pp_room_plan *frame,
                                 const struct pp_site_elevation *elevation,
                                 const struct pp_site_window *window)
@@ -180,6 +201,8 @@ static void draw_elevation(struct elevation_drawing *drawing,
     say_title(drawing, elevation, x, y + head - style->scale);
     for (int i = 0; i < elevation->wall_count; i++)
         draw_wall(drawing, &frame, &elevation->walls[i]);
+    for (int i = 0; i < elevation->wall_count; i++)
+        draw_doors(drawing, &frame, &elevation->walls[i]);
     for (int i = 0; i < elevation->window_count; i++)
         draw_window(drawing, &frame, elevation,
                     &drawing->sheet->site.windows[elevation->windows[i]]);

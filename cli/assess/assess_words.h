@@ -23,6 +23,7 @@ struct pp_assess_words {
     const char *weather; /* or the weather file that it is taken from; NULL: none */
     struct pp_sunshine sunshine; /* of that file */
     enum pp_format format;
+    const char *report_format; /* of report, as typed; NULL: by the file's name */
 };
 
 /* Lists for struct pp_option_group, with a struct pp_assess_words as values. */

@@ -30,11 +30,35 @@ static const char about[] =
     "window's sky and every room's lit area before and after; with a --for that judges "
     "sunlight, the sun's paths. FILE is a room file; - is standard input.";
 
-/* By the ending of its name: is the report a PDF? */
-static bool is_pdf(const char *path)
+static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
 {
-    const char *dot = path ? strrchr(path, '.') : NULL;
-    return dot && strcasecmp(dot, ".pdf") == 0;
+    if (strcmp(text, "html") != 0 && strcmp(text, "pdf") != 0)
+        return pp_fail(err, PP_BAD_INPUT, "html or pdf");
+    *(const char **)place = text;
+    return PP_OK;
+}
+
+static const struct pp_option format_option[] = {
+    {"format", 'f', "FORMAT",
+     "html or pdf (default: by the ending of -o FILE, html without one).", read_format,
+     PLACE(report_format)},
+    {0},
+};
+
+/* From the last dot of the file's own name; NULL: it has no ending. */
+static const char *ending_of(const char *path)
+{
+    const char *slash = path ? strrchr(path, '/') : NULL;
+    const char *name = slash ? slash + 1 : path;
+    return name ? strrchr(name, '.') : NULL;
+}
+
+/* By --format, or by the ending of its name: is the report a PDF? */
+static bool is_pdf(const struct pp_assess_words *words)
+{
+    const char *ending = ending_of(words->room.output);
+    return words->report_format ? strcmp(words->report_format, "pdf") == 0
+                                : ending && strcasecmp(ending, ".pdf") == 0;
 }
 
 static enum pp_status print_html(const struct pp_document *document, const char *title,
@@ -86,7 +110,7 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
     const struct pp_assess_run *run = data;
     const char *title = title_of(&run->rooms->list[0]);
     char *made_by = pp_made_words(run);
-    bool pdf = is_pdf(run->words->room.output);
+    bool pdf = is_pdf(run->words);
     struct pp_report_pictures pictures;
     struct pp_document document = {0};
     if (!made_by)
@@ -109,21 +133,20 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
     return status;
 }
 
-/* A name whose ending asks for another format than those there are. */
+/* A name whose ending asks for another format than those there are, unless --format says
+ * which it is. */
 static enum pp_status check(void *values, char **files, int file_count,
                             struct pp_error *err)
 {
     const struct pp_assess_words *words = values;
-    const char *path = words->room.output, *slash = path ? strrchr(path, '/') : NULL;
-    const char *name = slash ? slash + 1 : path,
-               *dot = name ? strrchr(name, '.') : NULL;
-    if (dot && !is_pdf(name) && strcasecmp(dot, ".html") != 0
-        && strcasecmp(dot, ".htm") != 0)
+    const char *ending = ending_of(words->room.output);
+    if (ending && !words->report_format && !is_pdf(words)
+        && strcasecmp(ending, ".html") != 0 && strcasecmp(ending, ".htm") != 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "--output: a report is a page of HTML or a PDF; expected a name "
                        "such as report.html or report.pdf, not one that ends in "
-                       "\"%.20s\"",
-                       dot);
+                       "\"%.20s\", or --format html or pdf",
+                       ending);
     return pp_assess_words_check(values, files, file_count, err);
 }
 
@@ -135,6 +158,7 @@ static enum pp_exit run(void *words, char **files, int file_count)
 static const struct pp_option_group groups[] = {
     {"What is judged", pp_assess_words_choice, 0},
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
+    {"Output", format_option, 0},
     {"Output", pp_room_output_options, PLACE(room)},
     {0},
 };

@@ -49,6 +49,7 @@ static void put_choice(const struct pp_assess_words *words, FILE *out)
     put_option("--weather", words->weather, out);
     if (words->french_m > 0.0)
         fprintf(out, " --vsc-point-french %.10g", words->french_m);
+    put_option("--format", words->report_format, out);
     put_option("--room", words->room.room, out);
     put_option("--state", states[words->room.state], out);
 }

@@ -4,78 +4,233 @@
  *
  *   h  unit, level, in the direction of the bearing
  *
- * so that each bounds them from below or from above.
+ * so that each bounds them from below or from above, and a cone hides one span of them. The
+ * spans of all cones are put together at bearings a step apart, and where a cone that stands
+ * out of the others ends between two of them; then spans at neighbouring bearings are joined
+ * that have altitudes in common.
  */
 #include "methods/exact/hidden_outline.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "model/base/array.h"
 
 #define STEP_RAD (0.25 * PP_RAD)
 #define END_RAD (0.001 * PP_RAD)
+#define SAME_RAD 1e-6 /* spans nearer to each other are one */
 
-/* One cone's half-spaces. */
-struct cone {
-    const struct pp_vec3 *half_spaces;
-    int count;
-    double north_rad;
+enum { STEPS = 1440 };
+
+/* What is hidden at a bearing: spans of cones, or of all, from low to high. */
+struct hidden_span {
+    double low, high;
+    int cone;
 };
 
-/* The altitudes hidden at that bearing; false: none. */
-static bool hidden_at(const struct cone *cone, double bearing, double *low,
-                      double *high)
+struct hidden_spans {
+    int count, capacity;
+    struct hidden_span *list;
+};
+
+struct sky_column {
+    double bearing;
+    struct hidden_spans hidden;
+};
+
+struct sky_outline {
+    const struct pp_hidden_cones *cones;
+    double north_rad;
+    struct hidden_spans single[STEPS + 1]; /* each cone's, at each step */
+    struct sky_column *columns;            /* all together; those of the steps first */
+    int column_count;
+};
+
+/* ---- spans ---- */
+
+static enum pp_status add_span(struct hidden_spans *spans, struct hidden_span span,
+                               struct pp_error *err)
 {
-    double angle = bearing - cone->north_rad;
-    struct pp_vec3 h = {sin(angle), cos(angle), 0.0};
-    *low = 0.0;
-    *high = 0.5 * PP_PI;
-    for (int i = 0; i < cone->count; i++) {
-        double level = pp_vec_dot(cone->half_spaces[i], h);
-        double up = cone->half_spaces[i].z;
+    enum pp_status status = pp_array_reserve(
+        &spans->list, &spans->capacity, spans->count + 1, sizeof *spans->list, err);
+    if (status == PP_OK)
+        spans->list[spans->count++] = span;
+    return status;
+}
+
+static int by_low(const void *left, const void *right)
+{
+    const struct hidden_span *a = left, *b = right;
+    return (a->low > b->low) - (a->low < b->low);
+}
+
+/* Puts those together that meet. */
+static void merge(struct hidden_spans *spans)
+{
+    int count = 0;
+    if (spans->count > 0)
+        qsort(spans->list, (size_t)spans->count, sizeof *spans->list, by_low);
+    for (int i = 0; i < spans->count; i++) {
+        struct hidden_span *last = count > 0 ? &spans->list[count - 1] : NULL;
+        if (last && spans->list[i].low <= last->high + SAME_RAD)
+            last->high = fmax(last->high, spans->list[i].high);
+        else
+            spans->list[count++] = spans->list[i];
+    }
+    spans->count = count;
+}
+
+static bool is_within(struct hidden_span span, const struct hidden_spans *merged)
+{
+    for (int i = 0; i < merged->count; i++)
+        if (span.low >= merged->list[i].low - SAME_RAD
+            && span.high <= merged->list[i].high + SAME_RAD)
+            return true;
+    return false;
+}
+
+/* ---- cones ---- */
+
+/* Which altitudes a cone hides in the direction h; false: none. */
+static bool hidden_towards(struct hidden_span *span,
+                           const struct pp_hidden_cones *cones, int cone,
+                           struct pp_vec3 h)
+{
+    *span = (struct hidden_span){0.0, 0.5 * PP_PI, cone};
+    for (int i = cone > 0 ? cones->cones[cone - 1].end : 0; i < cones->ends[cone];
+         i++) {
+        double level = pp_vec_dot(cones->half_spaces[i], h);
+        double up = cones->half_spaces[i].z;
         if (level >= 0.0 && up >= 0.0)
             continue;
         if (level < 0.0 && up <= 0.0)
             return false;
         if (level >= 0.0)
-            *high = fmin(*high, atan2(level, -up));
+            span->high = fmin(span->high, atan2(level, -up));
         else
-            *low = fmax(*low, atan2(-level, up));
+            span->low = fmax(span->low, atan2(-level, up));
     }
-    return *high - *low > 1e-9;
+    return span->high - span->low > 1e-9;
 }
 
-static enum pp_status add_edge(struct pp_sky_mask_piece *piece, const struct cone *cone,
-                               double bearing, struct pp_error *err)
+static struct pp_vec3 towards(const struct sky_outline *outline, double bearing)
 {
-    double low, high;
-    if (!hidden_at(cone, bearing, &low, &high))
-        return PP_OK;
-    enum pp_status status = pp_array_reserve(
-        &piece->edges, &piece->capacity, piece->count + 1, sizeof *piece->edges, err);
+    double angle = bearing - outline->north_rad;
+    return pp_vec(sin(angle), cos(angle), 0.0);
+}
+
+static bool hidden_at(struct hidden_span *span, const struct sky_outline *outline,
+                      int cone, double bearing)
+{
+    return hidden_towards(span, outline->cones, cone, towards(outline, bearing));
+}
+
+/* Each cone's spans at the steps. */
+static enum pp_status find_single(struct sky_outline *outline, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i <= STEPS && status == PP_OK; i++) {
+        struct pp_vec3 h = towards(outline, i * STEP_RAD);
+        for (int c = 0; c < outline->cones->count && status == PP_OK; c++) {
+            struct hidden_span span;
+            if (hidden_towards(&span, outline->cones, c, h))
+                status = add_span(&outline->single[i], span, err);
+        }
+    }
+    return status;
+}
+
+/* ---- columns ---- */
+
+/* All that the cones hide that are met at step `step` or the next. */
+static enum pp_status add_column(struct sky_outline *outline, double bearing, int step,
+                                 struct pp_error *err)
+{
+    enum pp_status status = pp_array_append(&outline->columns, outline->column_count,
+                                            sizeof *outline->columns, err);
     if (status != PP_OK)
         return status;
-    double *edge = piece->edges[piece->count++];
-    edge[0] = bearing;
-    edge[1] = low;
-    edge[2] = high;
-    return PP_OK;
+    struct sky_column *column = &outline->columns[outline->column_count++];
+    *column = (struct sky_column){.bearing = bearing};
+    bool on_step = bearing == step * STEP_RAD;
+    for (int k = 0; k < (on_step ? 1 : 2) && status == PP_OK; k++)
+        for (int i = 0; i < outline->single[step + k].count && status == PP_OK; i++) {
+            struct hidden_span span = outline->single[step + k].list[i];
+            if (on_step || hidden_at(&span, outline, span.cone, bearing))
+                status = add_span(&column->hidden, span, err);
+        }
+    merge(&column->hidden);
+    return status;
 }
 
-/* The last bearing at which something is hidden, between one where it is and one where it is
- * not. */
-static double end_between(const struct cone *cone, double hidden, double clear)
+/* The last bearing at which a cone hides something, and the first at which it does not. */
+static void end_between(double ends[2], const struct sky_outline *outline, int cone,
+                        double hidden, double clear)
 {
-    double low, high;
+    struct hidden_span span;
     while (fabs(clear - hidden) > END_RAD) {
         double middle = 0.5 * (hidden + clear);
-        if (hidden_at(cone, middle, &low, &high))
+        if (hidden_at(&span, outline, cone, middle))
             hidden = middle;
         else
             clear = middle;
     }
-    return hidden;
+    ends[0] = hidden;
+    ends[1] = clear;
 }
+
+/* Columns where cones end between a step and the next and stand out of the others. Spans of
+ * a step are by cone. */
+static enum pp_status add_ends(struct sky_outline *outline, int step,
+                               struct pp_error *err)
+{
+    const struct hidden_spans *sides[2] = {&outline->single[step],
+                                           &outline->single[step + 1]};
+    enum pp_status status = PP_OK;
+    for (int here = 0; here < 2; here++) {
+        const struct hidden_spans *there = sides[1 - here];
+        for (int i = 0, k = 0; i < sides[here]->count && status == PP_OK; i++) {
+            int cone = sides[here]->list[i].cone;
+            while (k < there->count && there->list[k].cone < cone)
+                k++;
+            if (k < there->count && there->list[k].cone == cone)
+                continue;
+            double ends[2];
+            struct hidden_span span;
+            end_between(ends, outline, cone, (step + here) * STEP_RAD,
+                        (step + 1 - here) * STEP_RAD);
+            if (hidden_at(&span, outline, cone, ends[0])
+                && is_within(span, &outline->columns[step].hidden)
+                && is_within(span, &outline->columns[step + 1].hidden))
+                continue;
+            for (int end = 0; end < 2 && status == PP_OK; end++)
+                if (ends[end] > step * STEP_RAD && ends[end] < (step + 1) * STEP_RAD)
+                    status = add_column(outline, ends[end], step, err);
+        }
+    }
+    return status;
+}
+
+static int by_bearing(const void *left, const void *right)
+{
+    const struct sky_column *a = left, *b = right;
+    return (a->bearing > b->bearing) - (a->bearing < b->bearing);
+}
+
+static enum pp_status find_columns(struct sky_outline *outline, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i <= STEPS && status == PP_OK; i++)
+        status = add_column(outline, i * STEP_RAD, i, err);
+    for (int i = 0; i < STEPS && status == PP_OK; i++)
+        status = add_ends(outline, i, err);
+    if (status == PP_OK)
+        qsort(outline->columns, (size_t)outline->column_count, sizeof *outline->columns,
+              by_bearing);
+    return status;
+}
+
+/* ---- pieces ---- */
 
 static enum pp_status begin_piece(struct pp_sky_mask *mask, struct pp_error *err)
 {
@@ -86,27 +241,79 @@ static enum pp_status begin_piece(struct pp_sky_mask *mask, struct pp_error *err
     return status;
 }
 
-static enum pp_status add_cone(struct pp_sky_mask *mask, const struct cone *cone,
-                               struct pp_error *err)
+static enum pp_status add_edge(struct pp_sky_mask_piece *piece, double bearing,
+                               const struct hidden_span *span, struct pp_error *err)
 {
-    int steps = (int)lround(2.0 * PP_PI / STEP_RAD);
-    bool before = false;
-    enum pp_status status = PP_OK;
-    for (int i = 0; i <= steps && status == PP_OK; i++) {
-        double low, high, bearing = i * STEP_RAD;
-        bool now = hidden_at(cone, bearing, &low, &high);
-        if (now && !before) {
-            status = begin_piece(mask, err);
-            if (status == PP_OK && i > 0)
-                status = add_edge(&mask->pieces[mask->count - 1], cone,
-                                  end_between(cone, bearing, bearing - STEP_RAD), err);
+    enum pp_status status = pp_array_reserve(
+        &piece->edges, &piece->capacity, piece->count + 1, sizeof *piece->edges, err);
+    if (status != PP_OK)
+        return status;
+    double *edge = piece->edges[piece->count++];
+    edge[0] = bearing;
+    edge[1] = span->low;
+    edge[2] = span->high;
+    return PP_OK;
+}
+
+static bool meet(const struct hidden_span *a, const struct hidden_span *b)
+{
+    return a->low <= b->high && b->low <= a->high;
+}
+
+/* How many spans meet that one; *which: the last of them. */
+static int count_meeting(const struct hidden_spans *spans,
+                         const struct hidden_span *span, int *which)
+{
+    int count = 0;
+    for (int i = 0; i < spans->count; i++)
+        if (meet(&spans->list[i], span)) {
+            *which = i;
+            count++;
         }
-        if (status == PP_OK && now)
-            status = add_edge(&mask->pieces[mask->count - 1], cone, bearing, err);
-        if (status == PP_OK && before && !now)
-            status = add_edge(&mask->pieces[mask->count - 1], cone,
-                              end_between(cone, bearing - STEP_RAD, bearing), err);
-        before = now;
+    return count;
+}
+
+/* Where one span becomes several or several one, a piece leads from each to each. */
+static enum pp_status bridge(struct pp_sky_mask *mask, const struct sky_column *a,
+                             const struct sky_column *b, const struct hidden_span *to,
+                             struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < a->hidden.count && status == PP_OK; i++) {
+        if (!meet(&a->hidden.list[i], to))
+            continue;
+        status = begin_piece(mask, err);
+        if (status == PP_OK)
+            status = add_edge(&mask->pieces[mask->count - 1], a->bearing,
+                              &a->hidden.list[i], err);
+        if (status == PP_OK)
+            status = add_edge(&mask->pieces[mask->count - 1], b->bearing, to, err);
+    }
+    return status;
+}
+
+/* A span's `cone` is from now on the piece that ends with it. */
+static enum pp_status join(struct pp_sky_mask *mask, const struct sky_column *before,
+                           struct sky_column *column, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < column->hidden.count && status == PP_OK; i++) {
+        struct hidden_span *span = &column->hidden.list[i];
+        int from = 0, back = 0;
+        bool goes_on =
+            before && count_meeting(&before->hidden, span, &from) == 1
+            && count_meeting(&column->hidden, &before->hidden.list[from], &back) == 1;
+        if (goes_on) {
+            span->cone = before->hidden.list[from].cone;
+        } else {
+            if (before)
+                status = bridge(mask, before, column, span, err);
+            if (status == PP_OK)
+                status = begin_piece(mask, err);
+            span->cone = mask->count - 1;
+        }
+        if (status == PP_OK)
+            status = add_edge(&mask->pieces[span->cone], column->bearing, span, err);
     }
     return status;
 }
@@ -115,12 +322,22 @@ enum pp_status pp_hidden_outline_add(struct pp_sky_mask *mask,
                                      const struct pp_hidden_cones *cones,
                                      double north_rad, struct pp_error *err)
 {
-    enum pp_status status = PP_OK;
-    for (int i = 0, first = 0; i < cones->count && status == PP_OK; i++) {
-        const struct cone cone = {cones->half_spaces + first,
-                                  cones->cones[i].end - first, north_rad};
-        status = add_cone(mask, &cone, err);
-        first = cones->cones[i].end;
-    }
+    struct sky_outline *outline = calloc(1, sizeof *outline);
+    if (!outline)
+        return pp_fail_memory(err);
+    outline->cones = cones;
+    outline->north_rad = north_rad;
+    enum pp_status status = find_single(outline, err);
+    if (status == PP_OK)
+        status = find_columns(outline, err);
+    for (int i = 0; i < outline->column_count && status == PP_OK; i++)
+        status = join(mask, i > 0 ? &outline->columns[i - 1] : NULL,
+                      &outline->columns[i], err);
+    for (int i = 0; i < outline->column_count; i++)
+        free(outline->columns[i].hidden.list);
+    for (int i = 0; i <= STEPS; i++)
+        free(outline->single[i].list);
+    free(outline->columns);
+    free(outline);
     return status;
 }

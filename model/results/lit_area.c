@@ -24,6 +24,39 @@ struct pp_lit_loss pp_lit_area_loss(double plane_m2, double before_m2, double no
     return loss;
 }
 
+struct pp_lit_change pp_lit_area_change(double plane_m2, double before_m2,
+                                        double now_m2)
+{
+    struct pp_lit_change change = {.plane_m2 = plane_m2,
+                                   .lit_m2 = now_m2,
+                                   .before_m2 = before_m2,
+                                   .lost_m2 = before_m2 - now_m2};
+    if (!isnan(before_m2))
+        change.loss = pp_lit_area_loss(plane_m2, before_m2, now_m2);
+    for (int i = 0; i < PP_ZONE_COUNT && isnan(before_m2); i++)
+        change.loss.zones_m2[i] = NAN;
+    if (isnan(before_m2))
+        change.loss.equivalent_m2 = NAN;
+    return change;
+}
+
+static void add(double *sum, double value)
+{
+    if (!isnan(value))
+        *sum = isnan(*sum) ? value : *sum + value;
+}
+
+void pp_lit_area_add(struct pp_lit_change *sum, const struct pp_lit_change *room)
+{
+    add(&sum->plane_m2, room->plane_m2);
+    add(&sum->lit_m2, room->lit_m2);
+    add(&sum->before_m2, room->before_m2);
+    add(&sum->lost_m2, room->lost_m2);
+    for (int i = 0; i < PP_ZONE_COUNT; i++)
+        add(&sum->loss.zones_m2[i], room->loss.zones_m2[i]);
+    add(&sum->loss.equivalent_m2, room->loss.equivalent_m2);
+}
+
 const char *pp_lit_area_zone_name(enum pp_lit_zone zone)
 {
     static const char *const names[] = {[PP_ZONE_FRONT] = "front zone",

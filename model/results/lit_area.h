@@ -43,6 +43,21 @@ struct pp_lit_loss {
 
 struct pp_lit_loss pp_lit_area_loss(double plane_m2, double before_m2, double now_m2);
 
+/* What of a room is lit, now and before. */
+struct pp_lit_change {
+    double plane_m2, lit_m2;
+    double before_m2; /* NAN: not known */
+    double lost_m2;   /* less than 0: gained; NAN: not known, and so is all of loss */
+    struct pp_lit_loss loss;
+};
+
+/* before_m2 NAN: not known; all of them NAN: nothing is. */
+struct pp_lit_change pp_lit_area_change(double plane_m2, double before_m2,
+                                        double now_m2);
+
+/* Adds what is known of a room to a sum of rooms, of which nothing is known at first. */
+void pp_lit_area_add(struct pp_lit_change *sum, const struct pp_lit_change *room);
+
 /* "front zone", ... */
 const char *pp_lit_area_zone_name(enum pp_lit_zone zone);
 

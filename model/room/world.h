@@ -54,6 +54,7 @@ struct pp_surface {
                                      * of `front` anyhow */
     int owner;     /* reveal: its opening; cover: its wall's surface; block: its block;
                     * facade: its facade; else -1 */
+    bool is_door;  /* of a cover: a door, and no dado */
     bool is_shade; /* an overhang, fin, balcony or shelf of a window's own */
     bool is_inner; /* of a wall: behind it is another room, or another's house */
     int line;      /* in the room file; 0 where none */

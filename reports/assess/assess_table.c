@@ -12,7 +12,24 @@
 #include "studies/criteria/site_table.h"
 
 /* What a column shows of a row. */
-enum shown { ROOM, REF, USE, OF, EXISTING, PROPOSED, RATIO, FIGURE, WANTED, VERDICT };
+enum shown {
+    ROOM,
+    REF,
+    USE,
+    OF,
+    EXISTING,
+    PROPOSED,
+    RATIO,
+    FIGURE,
+    WANTED,
+    VERDICT,
+    /* of rights of light */
+    AREA,
+    SHARE,
+    LOST,
+    EQUIVALENT,
+    LOST_IN, /* a zone: LOST_IN + enum pp_lit_zone */
+};
 
 struct heading {
     const char *group; /* NULL: a key */
@@ -22,7 +39,8 @@ struct heading {
 };
 
 static const char sky[] = "vertical sky component, %", lit[] = "area that sees sky, m2",
-                  found[] = "found", sunlit[] = "sunlit for two hours, %";
+                  found[] = "found", sunlit[] = "sunlit for two hours, %",
+                  adequate[] = "adequately lit, m2", lost[] = "lost, m2";
 static const struct heading of_windows[] = {
     {NULL, "room", ROOM, false},        {NULL, "ref", REF, false},
     {NULL, "window", OF, false},        {sky, "existing", EXISTING, true},
@@ -37,6 +55,21 @@ static const struct heading of_gardens[] = {
     {NULL, "garden", OF, false},           {sunlit, "existing", EXISTING, true},
     {sunlit, "proposed", PROPOSED, false}, {sunlit, "ratio", RATIO, true},
     {sunlit, "verdict", VERDICT, false},   {0}};
+static const struct heading of_rights[] = {
+    {NULL, "room", ROOM, false},
+    {NULL, "ref", REF, false},
+    {adequate, "of", AREA, false},
+    {adequate, "existing", EXISTING, true},
+    {adequate, "proposed", PROPOSED, false},
+    {adequate, "share, %", SHARE, false},
+    {adequate, "verdict", VERDICT, false},
+    {lost, "all", LOST, true},
+    {lost, "front", LOST_IN + PP_ZONE_FRONT, true},
+    {lost, "first", LOST_IN + PP_ZONE_FIRST, true},
+    {lost, "second", LOST_IN + PP_ZONE_SECOND, true},
+    {lost, "make-weight", LOST_IN + PP_ZONE_MAKEWEIGHT, true},
+    {lost, "equiv. first", EQUIVALENT, true},
+    {0}};
 static const struct heading of_others[] = {
     {NULL, "room", ROOM, false},        {NULL, "of", OF, false},
     {found, "figure", FIGURE, false},   {found, "wanted", WANTED, false},
@@ -48,6 +81,20 @@ static void put_number(char cell[PP_CELL_BYTES], double value, int decimals)
         snprintf(cell, PP_CELL_BYTES, "-");
     else
         snprintf(cell, PP_CELL_BYTES, "%.*f", decimals, value + 0.0);
+}
+
+/* Of one room, or of all. */
+static void put_lit(char cell[PP_CELL_BYTES], const struct pp_lit_change *of,
+                    enum shown shown)
+{
+    const double figures[] = {
+        [AREA] = of->plane_m2,   [EXISTING] = of->before_m2,
+        [PROPOSED] = of->lit_m2, [SHARE] = 100.0 * of->lit_m2 / of->plane_m2,
+        [LOST] = of->lost_m2,    [EQUIVALENT] = of->loss.equivalent_m2};
+    if (shown >= LOST_IN)
+        put_number(cell, of->loss.zones_m2[shown - LOST_IN], 2);
+    else if (shown >= AREA || shown == EXISTING || shown == PROPOSED)
+        put_number(cell, figures[shown], shown == SHARE ? 1 : 2);
 }
 
 static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
@@ -91,12 +138,19 @@ static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
         break;
     case VERDICT:
         snprintf(cell, PP_CELL_BYTES, "%s", verdict ? verdict : "-");
+        break;
+    default:
+        put_number(cell, NAN, 0);
     }
+    if (row->lit)
+        put_lit(cell, row->lit, shown);
 }
 
+/* A last line has the sum; NULL: there is none. */
 static enum pp_status print_table(const char *title, const struct heading *headings,
-                                  const struct pp_site_row *rows, int count, int width,
-                                  FILE *out, struct pp_error *err)
+                                  const struct pp_site_row *rows, int count,
+                                  const struct pp_lit_change *sum, int width, FILE *out,
+                                  struct pp_error *err)
 {
     bool compares = false, has_ref = false, all_have = true, good = true;
     for (int i = 0; i < count; i++) {
@@ -107,7 +161,8 @@ static enum pp_status print_table(const char *title, const struct heading *headi
     if (count == 0)
         return PP_OK;
     struct pp_table table;
-    pp_table_init(&table, count);
+    pp_table_init(&table, sum ? count + 1 : count);
+    table.last_label = sum ? "sum" : NULL;
     for (const struct heading *h = headings; h->words && good; h++) {
         if ((h->compares && !compares) || (h->shown == REF && !has_ref))
             continue;
@@ -120,6 +175,8 @@ static enum pp_status print_table(const char *title, const struct heading *headi
         table.key_count += good && !h->group;
         for (int i = 0; i < count && good; i++)
             put_cell(column->cells[i], &rows[i], shown);
+        if (good && sum)
+            put_lit(column->cells[count], sum, shown);
         if (good)
             column->is_words = h->shown <= OF || h->shown == VERDICT;
     }
@@ -137,12 +194,12 @@ static enum pp_status print_table(const char *title, const struct heading *headi
 static void print_foot(const struct pp_site_table *table, int width, FILE *out)
 {
     const struct pp_site_row *lists[] = {table->windows, table->rooms, table->gardens,
-                                         table->others};
+                                         table->rights, table->others};
     const int counts[] = {table->window_count, table->room_count, table->garden_count,
-                          table->other_count};
+                          table->rights_count, table->other_count};
     char text[1024] = "Judged by:";
     const struct pp_criterion *last = NULL;
-    for (int l = 0; l < 4; l++)
+    for (int l = 0; l < 5; l++)
         for (int i = 0; i < counts[l] && lists[l][i].room == lists[l][0].room; i++) {
             const struct pp_criterion *criterion = lists[l][i].criterion;
             if (criterion != last)
@@ -161,16 +218,20 @@ enum pp_status pp_assess_table(const struct pp_assessments *all, int width, FILE
     enum pp_status status = pp_site_table_of(&table, all->list, all->count, err);
     if (status == PP_OK)
         status = print_table("Windows", of_windows, table.windows, table.window_count,
-                             width, out, err);
+                             NULL, width, out, err);
     if (status == PP_OK)
-        status = print_table("Rooms", of_rooms, table.rooms, table.room_count, width,
-                             out, err);
+        status = print_table("Rooms", of_rooms, table.rooms, table.room_count, NULL,
+                             width, out, err);
     if (status == PP_OK)
         status = print_table("Gardens, on 21 March", of_gardens, table.gardens,
-                             table.garden_count, width, out, err);
+                             table.garden_count, NULL, width, out, err);
+    if (status == PP_OK)
+        status = print_table("Rights of light: what the 0.2 % contour encloses",
+                             of_rights, table.rights, table.rights_count,
+                             &table.rights_sum, width, out, err);
     if (status == PP_OK)
         status = print_table("All else", of_others, table.others, table.other_count,
-                             width, out, err);
+                             NULL, width, out, err);
     if (status == PP_OK)
         print_foot(&table, width, out);
     pp_site_table_clear(&table);

@@ -42,6 +42,62 @@ static struct json_object *row_object(const struct pp_site_row *row, bool compar
     return pp_json_whole(object, good);
 }
 
+static bool add_areas(struct json_object *object, const struct pp_lit_change *lit)
+{
+    bool good = pp_json_number(object, "area", lit->plane_m2)
+                && pp_json_number(object, "existing", lit->before_m2)
+                && pp_json_number(object, "proposed", lit->lit_m2)
+                && pp_json_number(object, "share", 100.0 * lit->lit_m2 / lit->plane_m2)
+                && pp_json_number(object, "lost", lit->lost_m2);
+    static const char *const zones[] = {[PP_ZONE_FRONT] = "lost_front",
+                                        [PP_ZONE_FIRST] = "lost_first",
+                                        [PP_ZONE_SECOND] = "lost_second",
+                                        [PP_ZONE_MAKEWEIGHT] = "lost_makeweight"};
+    for (int i = 0; i < PP_ZONE_COUNT && good; i++)
+        good = pp_json_number(object, zones[i], lit->loss.zones_m2[i]);
+    return good
+           && pp_json_number(object, "lost_as_first_zone", lit->loss.equivalent_m2);
+}
+
+static struct json_object *rights_row(const struct pp_site_row *row)
+{
+    const struct pp_world *world = row->room->room->world;
+    struct json_object *object = json_object_new_object();
+    bool good =
+        object && pp_json_text(object, "room", world->name)
+        && pp_json_text(object, "ref", world->ref)
+        && pp_json_text(object, "use",
+                        world->use ? pp_room_use_words[world->use] : NULL)
+        && (!row->lit || add_areas(object, row->lit))
+        && pp_json_text(object, "verdict", pp_finding_verdict(row->finding->verdict));
+    if (good && row->finding->note[0])
+        good = pp_json_text(object, row->lit ? "note" : "why", row->finding->note);
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+static struct json_object *sum_object(const struct pp_lit_change *sum)
+{
+    struct json_object *object = json_object_new_object();
+    bool good = object && add_areas(object, sum);
+    if (good)
+        pp_json_on_one_line(object);
+    return pp_json_whole(object, good);
+}
+
+/* A line a room, and the sum of those that are judged. */
+static struct json_object *rights_object(const struct pp_site_table *table)
+{
+    struct json_object *object = json_object_new_object(),
+                       *rooms = object ? json_object_new_array() : NULL;
+    bool good = object && pp_json_add(object, "rooms", rooms);
+    for (int i = 0; i < table->rights_count && good; i++)
+        good = pp_json_append(rooms, rights_row(&table->rights[i]));
+    good = good && pp_json_add(object, "sum", sum_object(&table->rights_sum));
+    return pp_json_whole(object, good);
+}
+
 static bool add_rows(struct json_object *object, const char *key,
                      const struct pp_site_row *rows, int count, bool compares)
 {
@@ -65,6 +121,8 @@ enum pp_status pp_assess_table_json(const struct pp_assessments *all, FILE *out,
             && add_rows(object, "rooms", table.rooms, table.room_count, true)
             && (table.garden_count == 0
                 || add_rows(object, "gardens", table.gardens, table.garden_count, true))
+            && (table.rights_count == 0
+                || pp_json_add(object, "rights_of_light", rights_object(&table)))
             && add_rows(object, "others", table.others, table.other_count, false);
         status = pp_json_print(out, pp_json_whole(object, good), err);
     }

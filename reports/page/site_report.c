@@ -116,6 +116,54 @@ static void put_rows(struct pp_document *document, const char *title, const char
         put_row(document, &rows[i], of != NULL, compares);
 }
 
+static void put_areas(struct pp_document *document, const char *name,
+                      const struct pp_lit_change *lit, bool compares)
+{
+    pp_document_row(document, PP_ROW_CELLS);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", name ? name : "");
+    pp_room_chapter_number(document, lit->plane_m2, 2);
+    if (compares)
+        pp_room_chapter_number(document, lit->before_m2, 2);
+    pp_room_chapter_number(document, lit->lit_m2, 2);
+    pp_room_chapter_number(document, 100.0 * lit->lit_m2 / lit->plane_m2, 1);
+    if (compares) {
+        pp_room_chapter_number(document, lit->lost_m2, 2);
+        pp_room_chapter_number(document, lit->loss.equivalent_m2, 2);
+    }
+}
+
+/* A room's areas, and of several rooms the sum. */
+static void put_rights(struct pp_document *document, const struct pp_site_table *table)
+{
+    const struct pp_lit_change unknown = pp_lit_area_change(NAN, NAN, NAN);
+    bool compares = has_before(table->rights, table->rights_count);
+    if (table->rights_count == 0)
+        return;
+    pp_document_heading(document, 3,
+                        "Rights of light: what the 0.2 %% contour encloses [WW23]");
+    pp_document_table(document);
+    pp_document_column(document, PP_COLUMN_WORDS, "room");
+    pp_document_column(document, PP_COLUMN_NUMBERS, "room, m²");
+    if (compares)
+        pp_document_column(document, PP_COLUMN_NUMBERS, "existing, m²");
+    pp_document_column(document, PP_COLUMN_NUMBERS,
+                       compares ? "proposed, m²" : "now, m²");
+    pp_document_column(document, PP_COLUMN_NUMBERS, "share, %%");
+    if (compares) {
+        pp_document_column(document, PP_COLUMN_NUMBERS, "lost, m²");
+        pp_document_column(document, PP_COLUMN_NUMBERS, "as first zone, m²");
+    }
+    pp_document_column(document, PP_COLUMN_WORDS, "verdict");
+    for (int i = 0; i < table->rights_count; i++) {
+        const struct pp_site_row *row = &table->rights[i];
+        put_areas(document, row->room->room->world->name,
+                  row->lit ? row->lit : &unknown, compares);
+        pp_room_chapter_verdict(document, row->finding);
+    }
+    if (table->rights_count > 1)
+        put_areas(document, "sum", &table->rights_sum, compares);
+}
+
 static enum pp_status put_tables(struct pp_document *document,
                                  const struct pp_assessments *all, struct pp_error *err)
 {
@@ -128,6 +176,7 @@ static enum pp_status put_tables(struct pp_document *document,
                  "m²", table.rooms, table.room_count);
         put_rows(document, "Share of gardens with two hours of sun on 21 March [BR209]",
                  "garden", "%", table.gardens, table.garden_count);
+        put_rights(document, &table);
     }
     pp_site_table_clear(&table);
     return status;

@@ -171,6 +171,7 @@ bool pp_json_room_add(struct json_object *object, const struct pp_world *world,
     for (int i = 0; i < world->surface_count; i++)
         outside +=
             world->surfaces[i].role == PP_FREE_SURFACE && !world->surfaces[i].inside;
+    int triangles = world->surface_count - pp_world_before_meshes(world);
     return pp_json_add(object, "model", model) && add_sums(model, world)
            && pp_json_number(model, "working-plane", world->working_plane_m)
            && pp_json_number(model, "plane-area", pp_region_area(&world->plane))
@@ -182,5 +183,7 @@ bool pp_json_room_add(struct json_object *object, const struct pp_world *world,
            && add_list(model, "skylines", world->skyline_count, skyline_of, world)
            && add_list(model, "facades", world->facade_count, facade_of, world)
            && pp_json_add(model, "blocks", json_object_new_int(world->block_count))
-           && pp_json_add(model, "surfaces-outside", json_object_new_int(outside));
+           && pp_json_add(model, "surfaces-outside", json_object_new_int(outside))
+           && pp_json_add(model, "meshes", json_object_new_int(world->mesh_count))
+           && pp_json_add(model, "mesh-triangles", json_object_new_int(triangles));
 }

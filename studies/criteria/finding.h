@@ -9,6 +9,7 @@
 #include "pepperpot.h"
 #include "model/base/error.h"
 #include "model/results/band.h"
+#include "model/results/lit_area.h"
 
 enum pp_figure {
     PP_FIGURE_FACTOR, /* a fraction of the open-sky horizontal illuminance */
@@ -49,6 +50,9 @@ struct pp_finding_list {
     int count;
     char basis[320]; /* by which method the figures were found, as a sentence without a
                       * full stop; empty: from the room as its file describes it */
+    struct pp_lit_change
+        lit; /* of rights of light, what its findings say; of others, and
+                               * where it is not judged, plane_m2 is 0 */
 };
 
 /* A verdict on a sampled figure is given where it is right with this probability or

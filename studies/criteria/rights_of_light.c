@@ -33,29 +33,35 @@ static enum pp_status add_zones(const struct pp_lit_loss *loss,
 }
 
 /* Adds the area enclosed before, and the area lost since. */
-static enum pp_status add_loss(const struct pp_lit_area *now,
-                               const struct pp_inquiry *inquiry,
-                               struct pp_finding_list *findings, struct pp_error *err)
+static enum pp_status add_loss(struct pp_finding_list *findings, struct pp_error *err)
 {
-    struct pp_lit_area then;
-    enum pp_status status =
-        pp_lit_line_find(&then, inquiry->before, PP_LIT_SKY_FACTOR, err);
-    if (status != PP_OK)
-        return status;
-    const struct pp_lit_loss loss =
-        pp_lit_area_loss(now->plane_m2, then.lit_m2, now->lit_m2);
-    struct pp_finding former =
-        pp_finding_of(PP_FIGURE_AREA, then.lit_m2, NAN, false, "area enclosed before");
-    struct pp_finding lost = pp_finding_of(PP_FIGURE_AREA, then.lit_m2 - now->lit_m2,
-                                           NAN, true, "area lost");
-    if (then.lit_m2 > 0.0)
+    const struct pp_lit_change *lit = &findings->lit;
+    struct pp_finding former = pp_finding_of(PP_FIGURE_AREA, lit->before_m2, NAN, false,
+                                             "area enclosed before");
+    struct pp_finding lost =
+        pp_finding_of(PP_FIGURE_AREA, lit->lost_m2, NAN, true, "area lost");
+    if (lit->before_m2 > 0.0)
         pp_finding_note(&lost, "%.1f %% of what was enclosed before",
-                        100.0 * (then.lit_m2 - now->lit_m2) / then.lit_m2);
-    pp_lit_area_clear(&then);
-    status = pp_finding_list_add(findings, &former, err);
+                        100.0 * lit->lost_m2 / lit->before_m2);
+    enum pp_status status = pp_finding_list_add(findings, &former, err);
     if (status == PP_OK)
         status = pp_finding_list_add(findings, &lost, err);
-    return status == PP_OK ? add_zones(&loss, findings, err) : status;
+    return status == PP_OK ? add_zones(&lit->loss, findings, err) : status;
+}
+
+static enum pp_status find_before(double *before_m2, const struct pp_inquiry *inquiry,
+                                  struct pp_error *err)
+{
+    struct pp_lit_area then;
+    *before_m2 = NAN;
+    if (!inquiry->before)
+        return PP_OK;
+    enum pp_status status =
+        pp_lit_line_find(&then, inquiry->before, PP_LIT_SKY_FACTOR, err);
+    if (status == PP_OK)
+        *before_m2 = then.lit_m2;
+    pp_lit_area_clear(&then);
+    return status;
 }
 
 static enum pp_status add_findings(const struct pp_lit_area *now,
@@ -74,11 +80,15 @@ static enum pp_status add_findings(const struct pp_lit_area *now,
         pp_finding_of(PP_FIGURE_SHARE, now->lit_m2 / now->plane_m2, SHARE_WANTED, false,
                       "share of the room");
     pp_finding_within(&share, now->error_m2 / now->plane_m2);
-    enum pp_status status = pp_finding_list_add(findings, &area, err);
+    double before_m2;
+    enum pp_status status = find_before(&before_m2, inquiry, err);
+    if (status != PP_OK)
+        return status;
+    findings->lit = pp_lit_area_change(now->plane_m2, before_m2, now->lit_m2);
+    status = pp_finding_list_add(findings, &area, err);
     if (status == PP_OK)
         status = pp_finding_list_add(findings, &share, err);
-    return status == PP_OK && inquiry->before ? add_loss(now, inquiry, findings, err)
-                                              : status;
+    return status == PP_OK && inquiry->before ? add_loss(findings, err) : status;
 }
 
 static enum pp_status evaluate(const struct pp_inquiry *inquiry,

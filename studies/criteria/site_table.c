@@ -1,4 +1,4 @@
-/* site_table.c - sorts findings into windows, rooms, gardens and others.
+/* site_table.c - sorts findings into windows, rooms, gardens, rights of light and others.
  *
  * Where a room has been judged with the room as it was, its windows stand with the
  * criterion that compares (former-sky), else with the one that does not (vertical-sky).
@@ -37,6 +37,33 @@ static bool has(const struct pp_assessment *room, const struct pp_criterion *cri
     return false;
 }
 
+/* A room's line has the verdict on its share, or why there is none. */
+static enum pp_status add_rights(struct pp_site_table *table,
+                                 const struct pp_assessment *room,
+                                 const struct pp_answer *answer, struct pp_error *err)
+{
+    const struct pp_finding_list *findings = &answer->findings;
+    const struct pp_finding *judged = findings->list;
+    for (int i = 0; i < findings->count; i++)
+        if (pp_finding_verdict(findings->list[i].verdict)) {
+            judged = &findings->list[i];
+            break;
+        }
+    if (findings->count == 0)
+        return PP_OK;
+    enum pp_status status =
+        add(&table->rights, &table->rights_count, room, answer, judged, err);
+    if (status != PP_OK || !(findings->lit.plane_m2 > 0.0))
+        return status;
+    struct pp_site_row *row = &table->rights[table->rights_count - 1];
+    row->lit = &findings->lit;
+    row->existing = findings->lit.before_m2;
+    row->proposed = findings->lit.lit_m2;
+    row->ratio = row->existing > 0.0 ? row->proposed / row->existing : NAN;
+    pp_lit_area_add(&table->rights_sum, &findings->lit);
+    return PP_OK;
+}
+
 static enum pp_status add_answer(struct pp_site_table *table,
                                  const struct pp_assessment *room,
                                  const struct pp_answer *answer, struct pp_error *err)
@@ -53,6 +80,8 @@ static enum pp_status add_answer(struct pp_site_table *table,
                    ? PP_OK
                    : add(&table->rooms, &table->room_count, room, answer,
                          &findings->list[findings->count - 1], err);
+    if (criterion == &pp_criterion_rights_of_light)
+        return add_rights(table, room, answer, err);
     for (int i = 0; i < findings->count; i++) {
         if (criterion == &pp_criterion_gardens) {
             if (add(&table->gardens, &table->garden_count, room, answer,
@@ -75,7 +104,7 @@ enum pp_status pp_site_table_of(struct pp_site_table *table,
                                 const struct pp_assessment *rooms, int count,
                                 struct pp_error *err)
 {
-    *table = (struct pp_site_table){0};
+    *table = (struct pp_site_table){.rights_sum = pp_lit_area_change(NAN, NAN, NAN)};
     enum pp_status status = PP_OK;
     for (int i = 0; i < count; i++)
         for (int k = 0; k < rooms[i].answer_count && status == PP_OK; k++)
@@ -88,6 +117,7 @@ void pp_site_table_clear(struct pp_site_table *table)
     free(table->windows);
     free(table->rooms);
     free(table->gardens);
+    free(table->rights);
     free(table->others);
     *table = (struct pp_site_table){0};
 }

@@ -11,8 +11,11 @@ struct pp_site_row {
     const struct pp_assessment *room; /* not owned, like all below */
     const struct pp_criterion *criterion;
     const struct pp_finding *finding; /* whose verdict it is */
-    double existing, proposed;        /* NAN: not known; units of finding->compared */
+    double existing, proposed;        /* NAN: not known; units of finding->compared,
+                                       * of rights of light m2 */
     double ratio;                     /* proposed over existing; NAN: not known */
+    const struct pp_lit_change
+        *lit; /* of rights of light; NULL: not judged, or another */
 };
 
 /* The lines of all rooms, in their order. */
@@ -23,7 +26,10 @@ struct pp_site_table {
     int room_count;
     struct pp_site_row *gardens; /* sunlit share, a line a garden */
     int garden_count;
-    struct pp_site_row *others; /* every other finding */
+    struct pp_site_row *rights; /* of light: area adequately lit, a line a room */
+    int rights_count;
+    struct pp_lit_change rights_sum; /* of the rooms that are judged */
+    struct pp_site_row *others;      /* every other finding */
     int other_count;
 };
 

@@ -74,6 +74,39 @@ static double outside_of(const struct pp_world *world, int face)
     return depth;
 }
 
+/* A place of a room by u and v. */
+static void flat_of(const struct pp_site_elevation *elevation,
+                    const struct pp_world *world, struct pp_vec3 point, double uv[2])
+{
+    struct pp_vec3 p = pp_placement_to_building(&world->placement, point);
+    uv[0] = pp_vec_dot(p, elevation->right);
+    uv[1] = p.z;
+}
+
+static enum pp_status add_doors(struct pp_elevation_wall *wall,
+                                const struct pp_site_elevation *elevation,
+                                const struct pp_world *world, int face,
+                                struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = world->face_count; i < world->surface_count && status == PP_OK; i++) {
+        const struct pp_surface *door = &world->surfaces[i];
+        if (!door->is_door || door->owner != face)
+            continue;
+        struct pp_bounds2 box = pp_bounds2_empty();
+        for (int k = 0; k < door->outline.count; k++) {
+            double uv[2];
+            flat_of(elevation, world, door->outline.vertices[k], uv);
+            pp_bounds2_add(&box, uv[0], uv[1]);
+        }
+        status =
+            pp_array_append(&wall->doors, wall->door_count, sizeof *wall->doors, err);
+        if (status == PP_OK)
+            wall->doors[wall->door_count++] = box;
+    }
+    return status;
+}
+
 /* The face's outline by u and v. */
 static enum pp_status flatten(struct pp_elevation_wall *wall,
                               const struct pp_site_elevation *elevation,
@@ -85,12 +118,8 @@ static enum pp_status flatten(struct pp_elevation_wall *wall,
     struct pp_clipper *clipper = NULL;
     if (!xy)
         return pp_fail_memory(err);
-    for (int i = 0; i < outline->count; i++) {
-        struct pp_vec3 p =
-            pp_placement_to_building(&world->placement, outline->vertices[i]);
-        xy[i][0] = pp_vec_dot(p, elevation->right);
-        xy[i][1] = p.z;
-    }
+    for (int i = 0; i < outline->count; i++)
+        flat_of(elevation, world, outline->vertices[i], xy[i]);
     enum pp_status status = pp_clipper_create(&clipper, err);
     if (status == PP_OK)
         status = pp_clipper_of_ring(clipper, &wall->outline, (const double(*)[2])xy,
@@ -111,6 +140,8 @@ static enum pp_status add_wall(struct pp_site_elevation *elevation,
     struct pp_elevation_wall *wall = &elevation->walls[elevation->wall_count++];
     *wall = (struct pp_elevation_wall){0};
     status = flatten(wall, elevation, world, face, err);
+    if (status == PP_OK)
+        status = add_doors(wall, elevation, world, face, err);
     if (status != PP_OK || wall->outline.count == 0)
         return status;
     const struct pp_placement *place = &world->placement;

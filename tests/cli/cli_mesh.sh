@@ -78,6 +78,10 @@ done
 check "traced it is the block within 3 errors" within "$scratch/block" "$scratch/mesh"
 check "and not the open sky" differs within "$scratch/block" "$scratch/open"
 
+check "JSON says how many triangles" shows '"mesh-triangles": 10' df -m exact -f json "$scratch/mesh.xml"
+check "and meshes" grep -q '"meshes": 1,' "$scratch/out"
+check "of a block none" shows '"mesh-triangles": 0' df -m exact -f json "$scratch/block.xml"
+
 houses 10000 >"$scratch/street.obj"
 room '<mesh file="street.obj" name="Street"/>' >"$scratch/street.xml"
 check "a street of 100,000 triangles is simulated" gives df --simulate --error 5% \

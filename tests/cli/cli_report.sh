@@ -64,6 +64,18 @@ check "nor is what some other program writes" refuses 2 'not one that ends in ".
 check "a name without an ending is a page" sh -c "
     '$pepperpot' report --by-hand -c vsc '$deep' -o '$scratch/r' && grep -q '^<h1>' '$scratch/r'"
 
+check "but --format says what it is" sh -c "
+    '$pepperpot' report --by-hand -c vsc '$deep' --format pdf -o '$scratch/r.report' &&
+        head -c 5 '$scratch/r.report' | grep -q '^%PDF-'"
+check "whatever the ending" sh -c "
+    '$pepperpot' report --by-hand -c vsc '$deep' --format html -o '$scratch/html.pdf' &&
+        grep -q '^<h1>' '$scratch/html.pdf' && grep -q 'format html' '$scratch/html.pdf'"
+check "a PDF on standard output" sh -c "
+    '$pepperpot' report --by-hand -c vsc '$deep' --format pdf | head -c 5 | grep -q '^%PDF-'"
+check "the refusal names the option" refuses 2 "or --format html or pdf" \
+    report "$deep" -o "$scratch/r.docx"
+check "it is one of two" refuses 2 "expected html or pdf" report "$deep" --format svg
+
 # ---- as PDF ----
 
 cat >"$scratch/pair.xml" <<'EOF'

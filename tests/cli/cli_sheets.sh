@@ -95,6 +95,13 @@ for room in l-shaped studio deep-office; do
     check "the net of $room" quietly chart model-net -o "$scratch/net.pdf" "$examples/$room.xml"
 done
 check "a small one in each form" each_form net model-net --scale 150 "$examples/office.xml"
+awk '!done && /<window/ { print "<door wall=\"north\" left=\"0.3\"/><dado height=\"1.1\" reflectance=\"0.25\"/>"
+    done = 1 } { print }' "$examples/office.xml" >"$scratch/covered.xml"
+check "a net with a door and dados" quietly chart model-net -o "$scratch/covered.pdf" \
+    "$scratch/covered.xml"
+for words in "paint 0.30" "paint 0.25" "Dotted lines"; do
+    check "says: $words" says "$scratch/covered.pdf" "$words"
+done
 check "one sheet does not hold all" refuses 1 "only a PDF" chart model-net \
     -o "$scratch/x.svg" "$examples/office.xml"
 check "a scale is a number" refuses 2 "1:20" chart model-net --scale 1:20 -o "$scratch/x.pdf" "$deep"

@@ -46,6 +46,47 @@ check "as CSV" shows "Bedroom,1.01,bedroom,former-sky," assess --by-hand -c form
 check "a sheet a room has what was before" shows "% before" \
     assess --by-hand -c former-sky --room Bedroom "$site"
 
+# Rights of light: a row a room, of which the findings say the same, and the sum.
+rights="assess --for rights-of-light --table"
+check "rights of light in one table" gives $rights "$site"
+check "which fits in 80 columns" nothing "$(too_wide)"
+check "nothing else is in it" nothing "$(grep 'All else' "$scratch/out")"
+check "the sum has no verdict" nothing "$(grep '^ *sum.*met' "$scratch/out")"
+lost=$(awk '/^ *sum / && ++n == 2 { print $2 }' "$scratch/out")
+check "what is lost is what was there before without what is there now" is "$lost" \
+    "$(awk '/^ *sum / && ++n == 1 { print $3 - $4 }' "$scratch/out")" 0.011
+check "zones count 3/2, 1, 1/2 and 1/4 of first zone" is \
+    "$(awk '/^ *sum / && ++n == 2 { print 1.5 * $3 + $4 + $5 / 2 + $6 / 4 - $7 }' "$scratch/out")" 0 0.011
+cat >"$scratch/same.sh" <<'EOF'
+row=$(grep 'Bathroom' "$2" | head -n 1 | awk '{ print $4, $5, $6 }')
+found=$("$1" assess --for rights-of-light --room Bathroom -f csv "$3" | awk -F, '
+    $6 ~ /before/ { was = $10 } $6 ~ /contour/ { now = $10 } $6 ~ /share/ { share = $10 }
+    END { printf "%.2f %.2f %.1f", was, now, share }')
+[ "$row" = "$found" ] || { echo "$row, not $found"; exit 1; }
+EOF
+check "a row is the room's findings" sh "$scratch/same.sh" "$pepperpot" "$scratch/out" "$site"
+check "as CSV a line a room and one of the sum" gives $rights -f csv "$site"
+check "whose sums are those of the lines" awk -F, 'NR == 1 { next } $2 == "sum" {
+    for (i = 5; i <= 14; i++) if (i != 8 && (sum[i] - $i) ^ 2 > 1e-12) exit 1
+    seen = 1; next } { for (i = 5; i <= 14; i++) sum[i] += $i } END { exit !(seen && NR == 7) }' \
+    "$scratch/out"
+check "as JSON rooms and sum" shows '"sum": { "area": 100.5, "existing": 76.5' $rights -f json "$site"
+check "without a site as it was nothing is lost" gives $rights --state proposed "$site"
+check "nor said to be" nothing "$(grep -E 'existing|lost|nan' "$scratch/out")"
+check "in CSV neither" gives $rights --state proposed -f csv "$site"
+check "of the sum" grep -qE '^,sum,,,100.5,,66.6[0-9]*,66.2[0-9]*,,,,,,,,' "$scratch/out"
+check "with other criteria CSV has a finding a line" shows "share of the room" \
+    assess --by-hand -c rights-of-light,vsc --table -f csv "$site"
+cat >"$scratch/low.xml" <<'EOF'
+<building version="1" name="Cellar"><room name="Hole" x="0" y="0">
+  <plan width="4" depth="6" height="0.6"/><working-plane height="0.3"/></room>
+  <room name="Over" x="0" y="9"><plan width="4" depth="6" height="2.6"/>
+  <window wall="south" left="1" sill="0.9" width="2" height="1.2"/></room></building>
+EOF
+check "a room that is not judged is in the table" gives $rights "$scratch/low.xml"
+check "without figures" grep -qE '^  Hole +- +- +- +not judged' "$scratch/out"
+check "the sum is the other's" grep -qE '^  sum +24.00 ' "$scratch/out"
+
 # The study by itself: all that the building has, moved by hand.
 cat >"$scratch/study.xml" <<'EOF'
 <room version="1" name="Study" north="10">

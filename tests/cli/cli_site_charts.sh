@@ -6,18 +6,6 @@ LC_ALL=C
 export LC_ALL
 site=$(cd "$srcdir/examples/sites" && pwd)/corner-house.xml
 
-# words FILE.pdf: what is written on its pages.
-if command -v pdftotext >/dev/null; then
-    words() { pdftotext -layout "$1" - | tr '\302\240' '  ' | tr -s ' '; }
-else
-    words() { :; }
-fi
-# says FILE.pdf TEXT: it is written there, where that can be read.
-says() {
-    ! command -v pdftotext >/dev/null || words "$1" | tr '\n' ' ' | tr -s ' ' | grep -qF -- "$2" ||
-        { words "$1" | head -n 30; return 1; }
-}
-
 check "what is lit now and before" quietly chart plan --before existing --room Study "$site" \
     -o "$scratch/lit.pdf"
 check "says the area that assess finds" says "$scratch/lit.pdf" "12.52 m"

@@ -52,6 +52,18 @@ shows() {
     gives "$@" && { grep -qF -- "$text" "$scratch/out" || told; }
 }
 
+# words FILE.pdf: what is written on its pages.
+if command -v pdftotext >/dev/null; then
+    words() { pdftotext -layout "$1" - | tr '\302\240' '  ' | tr -s ' '; }
+else
+    words() { :; }
+fi
+# says FILE.pdf TEXT: it is written there, where that can be read.
+says() {
+    ! command -v pdftotext >/dev/null || words "$1" | tr '\n' ' ' | tr -s ' ' | grep -qF -- "$2" ||
+        { words "$1" | head -n 30; return 1; }
+}
+
 # too_wide: lines of the output of more than 80 characters; those that name a file are as
 # long as its path.
 too_wide() {

@@ -108,12 +108,38 @@ static void no_plane_and_no_window_are_no_lit_area(void **state)
     pp_world_destroy(low);
 }
 
+/* A room of 20 m2 lit over 14 and then 4 has lost all of the second and the first zone but for
+ * what is left of the front one; of a room without a before only the area is added. */
+static void a_sum_of_rooms_has_what_is_known_of_each(void **state)
+{
+    (void)state;
+    struct pp_lit_change sum = pp_lit_area_change(NAN, NAN, NAN);
+    struct pp_lit_change one = pp_lit_area_change(20.0, 14.0, 4.0),
+                         other = pp_lit_area_change(13.0, NAN, 7.5);
+    assert_true(isnan(other.lost_m2) && isnan(other.loss.zones_m2[PP_ZONE_FIRST])
+                && isnan(other.loss.equivalent_m2));
+    pp_lit_area_add(&sum, &other);
+    assert_near(sum.lit_m2, 7.5, 1e-12);
+    assert_true(isnan(sum.before_m2) && isnan(sum.lost_m2)
+                && isnan(sum.loss.equivalent_m2));
+    pp_lit_area_add(&sum, &one);
+    assert_near(sum.plane_m2, 33.0, 1e-12);
+    assert_near(sum.lit_m2, 11.5, 1e-12);
+    assert_near(sum.before_m2, 14.0, 1e-12);
+    assert_near(sum.lost_m2, 10.0, 1e-12);
+    assert_near(sum.loss.zones_m2[PP_ZONE_SECOND], 4.0, 1e-12);
+    assert_near(sum.loss.zones_m2[PP_ZONE_FIRST], 5.0, 1e-12);
+    assert_near(sum.loss.zones_m2[PP_ZONE_FRONT], 1.0, 1e-12);
+    assert_near(sum.loss.equivalent_m2, 0.5 * 4.0 + 5.0 + 1.5, 1e-12);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_no_sky_line_lies_where_head_and_house_are_in_line),
         cmocka_unit_test(along_the_legal_line_the_sky_factor_is_a_fifth_of_a_per_cent),
         cmocka_unit_test(a_loss_is_counted_by_quarters_of_the_room),
+        cmocka_unit_test(a_sum_of_rooms_has_what_is_known_of_each),
         cmocka_unit_test(no_plane_and_no_window_are_no_lit_area),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

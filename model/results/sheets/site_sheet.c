@@ -28,6 +28,7 @@ void pp_site_sheet_clear_elevations(struct pp_elevation_sheet *sheet)
             pp_region_clear(&elevation->walls[k].outline);
             pp_curve_list_clear(&elevation->walls[k].below);
             pp_curve_list_clear(&elevation->walls[k].lines);
+            free(elevation->walls[k].doors);
         }
         free(elevation->walls);
         free(elevation->windows);

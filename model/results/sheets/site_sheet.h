@@ -9,6 +9,7 @@
 
 #include <stdbool.h>
 
+#include "model/geometry/bounds.h"
 #include "model/geometry/curve.h"
 #include "model/geometry/region.h"
 #include "model/geometry/vec.h"
@@ -84,6 +85,8 @@ struct pp_elevation_wall {
     struct pp_curve_list below; /* the parts below each level, as in pp_daylight_plan;
                                  * every one has its level */
     struct pp_curve_list lines; /* of the levels */
+    struct pp_bounds2 *doors;   /* by u and v */
+    int door_count;
 };
 
 /* The walls of a site that look the same way. */

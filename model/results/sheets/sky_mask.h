@@ -9,7 +9,7 @@ struct pp_sky_mask_piece {
     double (*edges)[3]; /* bearing, low, high */
 };
 
-/* Pieces may overlap. */
+/* Pieces may overlap at their ends. */
 struct pp_sky_mask {
     int count;
     struct pp_sky_mask_piece *pieces;

@@ -12,11 +12,12 @@ static const char *const words[] = {[PP_DOOR] = "door", [PP_DADO] = "dado"};
 
 /* ---- A piece of a cover ---- */
 
+/* Of a wall, surface `face`: the frame's own pointer to it holds until surfaces are added. */
 static enum pp_status add_piece(struct pp_resolver *r, const struct pp_cover_part *part,
-                                const struct pp_face_frame *frame,
+                                int face, const struct pp_face_frame *frame,
                                 const double (*xy)[2], int count, struct pp_error *err)
 {
-    const struct pp_polygon *wall = &frame->face->outline;
+    const struct pp_polygon *wall = &r->world->surfaces[face].outline;
     double off_m = PP_SET_OFF_M + 2.0 * pp_polygon_unevenness(wall);
     struct pp_vec3 normal = wall->normal;
     struct pp_surface surface = {.role = PP_COVER,
@@ -25,7 +26,8 @@ static enum pp_status add_piece(struct pp_resolver *r, const struct pp_cover_par
                                  .front = part->reflectance,
                                  .back = part->reflectance,
                                  .finish = part->finish,
-                                 .owner = (int)(frame->face - r->world->surfaces),
+                                 .owner = face,
+                                 .is_door = part->kind == PP_DOOR,
                                  .line = part->line};
     struct pp_vec3 *corners = malloc((size_t)count * sizeof *corners);
     if (!corners)
@@ -131,7 +133,7 @@ static enum pp_status add_door(struct pp_resolver *r, const struct pp_cover_part
     if (status == PP_OK)
         status = check_door(&good, r, part, &frame, xy, err);
     if (status == PP_OK && good)
-        status = add_piece(r, part, &frame, (const double(*)[2])xy, 4, err);
+        status = add_piece(r, part, face, &frame, (const double(*)[2])xy, 4, err);
     pp_face_frame_clear(&frame);
     return status;
 }
@@ -204,7 +206,7 @@ static double first_hole(const struct pp_region *region)
 
 /* The region has no holes: each ring is a piece. */
 static enum pp_status add_rings(struct pp_resolver *r, const struct pp_cover_part *part,
-                                const struct pp_face_frame *frame,
+                                int face, const struct pp_face_frame *frame,
                                 const struct pp_region *region, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
@@ -212,7 +214,7 @@ static enum pp_status add_rings(struct pp_resolver *r, const struct pp_cover_par
         const struct pp_ring *ring = &region->rings[i];
         const double(*xy)[2] = (const double(*)[2])ring->xy;
         if (pp_region_ring_area(xy, ring->count) > PP_ROUNDING_M * PP_SAME_M)
-            status = add_piece(r, part, frame, xy, ring->count, err);
+            status = add_piece(r, part, face, frame, xy, ring->count, err);
     }
     return status;
 }
@@ -220,7 +222,7 @@ static enum pp_status add_rings(struct pp_resolver *r, const struct pp_cover_par
 /* A dado round a low window has a hole. It is cut upright through the middle of each, so
  * that the pieces have none. */
 static enum pp_status add_pieces(struct pp_resolver *r,
-                                 const struct pp_cover_part *part,
+                                 const struct pp_cover_part *part, int face,
                                  const struct pp_face_frame *frame,
                                  struct pp_region *region, struct pp_error *err)
 {
@@ -236,12 +238,12 @@ static enum pp_status add_pieces(struct pp_resolver *r,
         if (status == PP_OK)
             status = cut(&piece, r->clipper, before, 4, true, err);
         if (status == PP_OK)
-            status = add_rings(r, part, frame, &piece, err);
+            status = add_rings(r, part, face, frame, &piece, err);
         pp_region_clear(&piece);
         if (status == PP_OK)
             status = cut(region, r->clipper, behind, 4, true, err);
     }
-    return status == PP_OK ? add_rings(r, part, frame, region, err) : status;
+    return status == PP_OK ? add_rings(r, part, face, frame, region, err) : status;
 }
 
 static enum pp_status add_dado(struct pp_resolver *r, const struct pp_cover_part *part,
@@ -261,7 +263,7 @@ static enum pp_status add_dado(struct pp_resolver *r, const struct pp_cover_part
     if (status == PP_OK && fits)
         status = dado_region(&region, r, part, &frame, err);
     if (status == PP_OK && fits)
-        status = add_pieces(r, part, &frame, &region, err);
+        status = add_pieces(r, part, face, &frame, &region, err);
     pp_region_clear(&region);
     pp_face_frame_clear(&frame);
     return status;

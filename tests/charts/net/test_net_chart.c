@@ -49,6 +49,13 @@ static const char lean_to[] =
     "<vertex x=\"0\" y=\"0\" z=\"2.2\"/><vertex x=\"0\" y=\"0\" z=\"0\"/></face>"
     "</envelope></room>";
 
+static const char covered[] =
+    "<room version=\"1\"><plan width=\"4.23\" depth=\"5.41\" height=\"2.87\"/>"
+    "<window wall=\"south\" left=\"0.37\" sill=\"0.93\" width=\"1.31\" "
+    "height=\"1.57\"/>"
+    "<door wall=\"south\" left=\"2.2\" width=\"0.97\" height=\"2.03\"/>"
+    "<dado wall=\"south\" height=\"0.71\" reflectance=\"0.25\"/></room>";
+
 static const struct {
     const char *room;
     double mm_per_m,
@@ -250,6 +257,55 @@ static void assert_drawn(const struct strokes *strokes,
     }
 }
 
+/* Draws a net and reads its strokes; to be freed. */
+static struct strokes drawn(const struct pp_world *world, double scale,
+                            enum pp_paper paper)
+{
+    const struct pp_model_net model = {
+        .world = world, .scale = scale, .box = {0.85, 0.5}};
+    const struct pp_sheet on = {.format = PP_CHART_SVG, .paper = paper};
+    struct pp_canvas *canvas;
+    struct pp_error err = {0};
+    const unsigned char *bytes;
+    size_t length;
+    assert_int_equal(pp_canvas_create(&canvas, &on, NULL), PP_OK);
+    if (pp_net_chart_draw(canvas, &model, &err) != PP_OK)
+        fail_msg("%s", err.message);
+    assert_int_equal(pp_canvas_finish(canvas, &bytes, &length, NULL), PP_OK);
+    char *svg = strndup((const char *)bytes, length);
+    struct strokes strokes = strokes_of(svg);
+    free(svg);
+    pp_canvas_destroy(canvas);
+    return strokes;
+}
+
+/* Of a door the sides and the head, as its foot is the wall's; of the dado beside it the
+ * upper edges, which end at the wall's corners and at the door. */
+static void doors_and_dados_are_drawn_to_scale_without_the_edges_of_their_wall(
+    void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, covered);
+    struct strokes strokes = drawn(world, 60.0, PP_PAPER_A3);
+    double mm = 1000.0 / 60.0;
+    assert_true(has_length(&strokes, mm * 2.03));
+    assert_true(has_length(&strokes, mm * 0.97));
+    assert_true(has_length(&strokes, mm * 2.2));
+    assert_true(has_length(&strokes, mm * (4.23 - 2.2 - 0.97)));
+    int heads = 0, sides = 0;
+    for (int i = 0; i < strokes.count; i++) {
+        const struct stroke *s = &strokes.list[i];
+        double length = hypot(s->x1 - s->x0, s->y1 - s->y0);
+        heads += fabs(length - mm * 0.97) < PAPER_MM;
+        sides += fabs(length - mm * 2.03) < PAPER_MM;
+    }
+    assert_int_equal(heads, 1);
+    assert_int_equal(sides, 2);
+    free(strokes.list);
+    pp_world_destroy(world);
+}
+
 static void every_edge_and_opening_is_drawn_to_scale(void **state)
 {
     (void)state;
@@ -260,29 +316,13 @@ static void every_edge_and_opening_is_drawn_to_scale(void **state)
         for (int n = 0; n < 2; n++) {
             struct pp_outside_light light;
             struct pp_world *world = pp_test_lit_world(&light, rooms[r]);
-            const struct pp_model_net model = {.world = world,
-                                               .scale =
-                                                   scales[n] * (r == 1 ? 1.6 : 1.0),
-                                               .box = {0.85, 0.5}};
-            const struct pp_sheet on = {.format = PP_CHART_SVG, .paper = papers[n]};
-            struct pp_canvas *canvas;
-            struct pp_error err = {0};
-            const unsigned char *bytes;
-            size_t length;
-            assert_int_equal(pp_canvas_create(&canvas, &on, NULL), PP_OK);
-            if (pp_net_chart_draw(canvas, &model, &err) != PP_OK)
-                fail_msg("%s", err.message);
-            assert_int_equal(pp_canvas_finish(canvas, &bytes, &length, NULL), PP_OK);
-            char *svg = strndup((const char *)bytes, length);
-            struct strokes strokes = strokes_of(svg);
+            double scale = scales[n] * (r == 1 ? 1.6 : 1.0);
+            struct strokes strokes = drawn(world, scale, papers[n]);
             for (int i = 0; i < world->face_count; i++)
-                assert_drawn(&strokes, &world->surfaces[i].outline,
-                             1000.0 / model.scale);
+                assert_drawn(&strokes, &world->surfaces[i].outline, 1000.0 / scale);
             for (int i = 0; i < world->opening_count; i++)
-                assert_drawn(&strokes, &world->openings[i].inner, 1000.0 / model.scale);
+                assert_drawn(&strokes, &world->openings[i].inner, 1000.0 / scale);
             free(strokes.list);
-            free(svg);
-            pp_canvas_destroy(canvas);
             pp_world_destroy(world);
         }
 }
@@ -295,6 +335,8 @@ int main(void)
         cmocka_unit_test(every_edge_is_folded_glued_or_taped),
         cmocka_unit_test(no_panel_lies_on_another),
         cmocka_unit_test(every_edge_and_opening_is_drawn_to_scale),
+        cmocka_unit_test(
+            doors_and_dados_are_drawn_to_scale_without_the_edges_of_their_wall),
     };
     return cmocka_run_group_tests_name("model nets", tests, 0, 0);
 }

@@ -1,6 +1,8 @@
 /* test_hidden_outline.c - where on the sky things are that hide it, by plane geometry. */
 #include "methods/exact/hidden_outline.h"
 
+#include <stdlib.h>
+
 #include "tests/lib/room_of.h"
 
 static void fill(struct pp_sky_mask *mask, const struct pp_world *world)
@@ -73,11 +75,100 @@ static void a_tower_stands_between_the_bearings_of_its_corners(void **state)
     pp_world_destroy(world);
 }
 
+/* The altitudes hidden at a whole step of bearing, from low to high and together; where one
+ * piece ends and others begin there, what they have in common counts once. */
+static int spans_at(const struct pp_sky_mask *mask, double bearing, double spans[8][2])
+{
+    int count = 0;
+    for (int i = 0; i < mask->count; i++)
+        for (int k = 0; k < mask->pieces[i].count; k++) {
+            const double *edge = mask->pieces[i].edges[k];
+            int same = 0;
+            if (fabs(edge[0] - bearing) > 1e-9)
+                continue;
+            while (same < count && fabs(spans[same][0] - edge[1]) > 1e-9)
+                same++;
+            assert_true(same < 8);
+            spans[same][0] = edge[1];
+            spans[same][1] = edge[2];
+            count = same == count ? count + 1 : count;
+        }
+    return count;
+}
+
+#define SEEN_FROM                                                                      \
+    "<room version='1'><plan width='4' depth='5' height='3'/>"                         \
+    "<window wall='south' left='1.5' sill='1' width='1' height='1'/>"
+
+/* A screen 12 m wide from 3 to 9 m above the floor, 10 m before the window, whole or in 96
+ * triangles: its lower and upper edge by plane geometry, and as few pieces. */
+static void a_screen_of_triangles_is_one_screen(void **state)
+{
+    (void)state;
+    enum { CELLS_X = 8, CELLS_Z = 6 };
+    char *text = malloc(1 << 16);
+    assert_non_null(text);
+    strcpy(text, SEEN_FROM);
+    for (int i = 0; i < CELLS_X * CELLS_Z; i++)
+        for (int half = 0; half < 2; half++) {
+            double x0 = -4.0 + 1.5 * (i % CELLS_X), z0 = 3.0 + i / CELLS_X;
+            double x[3] = {x0, x0 + 1.5, half ? x0 : x0 + 1.5};
+            double z[3] = {z0, half ? z0 + 1.0 : z0, z0 + 1.0};
+            strcat(text, "<surface>");
+            for (int k = 0; k < 3; k++)
+                sprintf(text + strlen(text), "<vertex x='%g' y='-10' z='%g'/>", x[k],
+                        z[k]);
+            strcat(text, "</surface>");
+        }
+    strcat(text, "</room>");
+    struct pp_world *world = pp_test_world(text);
+    struct pp_sky_mask mask;
+    fill(&mask, world);
+    assert_true(mask.count <= 8);
+    for (int i = 0; i < 100; i++) {
+        double bearing = (135.0 + i) * PP_RAD, spans[8][2];
+        double distance = 10.0 / -cos(bearing);
+        bool before = fabs(distance * sin(bearing)) < 6.0 - 0.05;
+        if (!before && fabs(distance * sin(bearing)) < 6.0 + 0.05)
+            continue;
+        assert_int_equal(spans_at(&mask, bearing, spans), before ? 1 : 0);
+        if (before) {
+            assert_near(spans[0][0], atan2(1.5, distance), 1e-6);
+            assert_near(spans[0][1], atan2(7.5, distance), 1e-6);
+        }
+    }
+    pp_sky_mask_clear(&mask);
+    pp_world_destroy(world);
+    free(text);
+}
+
+/* A bridge over a house: between them there is sky; where the house is as high as the
+ * bridge's underside there is none. */
+static void sky_between_two_things_is_seen(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        SEEN_FROM "<block x='-3' y='-14' width='10' depth='4' height='3'/>"
+                  "<block x='1' y='-14' width='2' depth='4' base='5' "
+                  "height='2'/></room>");
+    struct pp_sky_mask mask;
+    double spans[8][2];
+    fill(&mask, world);
+    assert_int_equal(spans_at(&mask, PP_PI, spans), 2);
+    assert_int_equal(spans_at(&mask, PP_PI + 10.0 * PP_RAD, spans), 1);
+    assert_near(spans[0][0], 0.0, 1e-9);
+    assert_near(spans[0][1], atan2(1.5 * cos(10.0 * PP_RAD), 10.0), 1e-9);
+    pp_sky_mask_clear(&mask);
+    pp_world_destroy(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_endless_edge_sinks_with_the_cosine_of_the_bearing),
         cmocka_unit_test(a_tower_stands_between_the_bearings_of_its_corners),
+        cmocka_unit_test(a_screen_of_triangles_is_one_screen),
+        cmocka_unit_test(sky_between_two_things_is_seen),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

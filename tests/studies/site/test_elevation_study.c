@@ -182,6 +182,32 @@ static void windows_stand_where_their_rooms_do(void **state)
     clear_made(&made);
 }
 
+/* Left of a door is as of a window, from outside; a dado is inside, and an inner wall's
+ * door is in no elevation. */
+static void doors_of_outer_walls_stand_where_they_are(void **state)
+{
+    (void)state;
+    struct made_sheet made;
+    const struct pp_elevation_sheet *sheet = &made.sheet;
+    make(&made,
+         "<building version='1'><room x='1.3' y='2' z='0.4'>"
+         "<plan width='5' depth='5' height='2.7'/>"
+         "<window wall='south' left='1' sill='1' width='1.5' height='1.25'/>"
+         "<door wall='south' left='3.1' width='0.97' height='2.03'/>"
+         "<door wall='north' left='1'/><dado height='1.1' reflectance='0.3'/></room>"
+         "</building>",
+         false);
+    assert_int_equal(sheet->count, 1);
+    assert_int_equal(sheet->elevations[0].wall_count, 1);
+    const struct pp_elevation_wall *wall = &sheet->elevations[0].walls[0];
+    assert_int_equal(wall->door_count, 1);
+    assert_near(wall->doors[0].low[0], 1.3 + 3.1, 1e-9);
+    assert_near(wall->doors[0].high[0], 1.3 + 3.1 + 0.97, 1e-9);
+    assert_near(wall->doors[0].low[1], 0.4, 1e-9);
+    assert_near(wall->doors[0].high[1], 0.4 + 2.03, 1e-9);
+    clear_made(&made);
+}
+
 /* By the way they look, clockwise from north: with +y to the east, -x is north and -y
  * west. */
 static void elevations_go_round_from_north(void **state)
@@ -233,6 +259,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(contours_lie_where_the_house_opposite_leaves_their_component),
         cmocka_unit_test(windows_stand_where_their_rooms_do),
+        cmocka_unit_test(doors_of_outer_walls_stand_where_they_are),
         cmocka_unit_test(elevations_go_round_from_north),
         cmocka_unit_test(what_goes_and_what_comes_is_told_apart),
     };

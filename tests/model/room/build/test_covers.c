@@ -111,6 +111,38 @@ static void a_dado_round_windows_is_cut_into_pieces_without_holes(void **state)
 
 /* To the full height, it is the wall's finish: the same means to rounding. A wall's own
  * dado goes before that of all walls. */
+/* Two doors leave three pieces of a wall's dado; wherever the list of surfaces grows between
+ * them (by the number of reveals before them), each belongs to the wall that it is before. */
+static void every_piece_belongs_to_its_wall_however_many_surfaces_there_are(
+    void **state)
+{
+    (void)state;
+    for (int windows = 0; windows < 9; windows++) {
+        char text[2048] = PLAN;
+        int count;
+        for (int i = 0; i < windows; i++) {
+            char window[160];
+            snprintf(window, sizeof window,
+                     "<window wall='south' left='%g' sill='1.3' width='0.4' "
+                     "height='0.9' reveal='0.1'/>",
+                     0.1 + 0.6 * i);
+            strcat(text, window);
+        }
+        strcat(text, "<door wall='north' left='1' width='0.8' height='2'/>"
+                     "<door wall='north' left='3' width='0.8' height='2'/>"
+                     "<dado wall='north' height='1.1' reflectance='0.3'/></room>");
+        struct pp_world *world = pp_test_world(text);
+        assert_near(area_of(world, &count), 2 * 0.8 * 2.0 + (6.0 - 2 * 0.8) * 1.1,
+                    1e-9);
+        assert_int_equal(count, 5);
+        for (int i = world->face_count; i < world->surface_count; i++)
+            if (world->surfaces[i].role == PP_COVER)
+                assert_string_equal(world->surfaces[world->surfaces[i].owner].name,
+                                    "north");
+        pp_world_destroy(world);
+    }
+}
+
 static void a_dado_of_full_height_is_the_walls_finish(void **state)
 {
     (void)state;
@@ -162,6 +194,8 @@ int main(void)
         cmocka_unit_test(a_mean_reflectance_has_the_door_in_its_walls_place),
         cmocka_unit_test(a_dado_leaves_out_windows_and_doors),
         cmocka_unit_test(a_dado_round_windows_is_cut_into_pieces_without_holes),
+        cmocka_unit_test(
+            every_piece_belongs_to_its_wall_however_many_surfaces_there_are),
         cmocka_unit_test(a_dado_of_full_height_is_the_walls_finish),
         cmocka_unit_test(no_point_lies_behind_a_dado),
     };

@@ -1,0 +1,23 @@
+/* section_sight.h - the line of sight from a window to what obstructs it, in a section. It is
+ * drawn, and nothing is computed from it: the obstruction angle of the methods is
+ * methods/reflected/obstruction.h's.
+ */
+#ifndef PP_CHARTS_ROOM_SECTION_SIGHT_H
+#define PP_CHARTS_ROOM_SECTION_SIGHT_H
+
+#include "charts/room/section_cut.h"
+
+/* As seen from the window's middle in the section plane. */
+struct pp_section_sight {
+    double angle_rad; /* above the horizontal; 0: nothing obstructs */
+    double s, z;      /* the window's middle */
+    double distance_m;
+    bool skyline;
+};
+
+/* The steepest line of sight out of the window at the near or far end, to the head of a cut
+ * obstruction or a skyline. */
+struct pp_section_sight pp_section_sight_of(const struct pp_section_cut *section,
+                                            const struct pp_world *world, bool near);
+
+#endif
