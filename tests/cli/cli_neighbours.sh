@@ -63,4 +63,23 @@ sed 's/right="0.7"/right="7"/; s/x="13" y="-13" rotate="180"/x="12" y="-3" z="3.
     "$scratch/flats.xml" >"$scratch/through.xml"
 check "a balcony that goes through a room" refuses 1 'balcony: goes through a' \
     df "$scratch/through.xml"
+
+# Light from the house opposite, less where its window is darker than its wall.
+sed 's/name="Flats"/& glass-reflectance="0.2"/' "$scratch/flats.xml" >"$scratch/same.xml"
+sed 's/name="Flats"/& glass-reflectance="0.05"/; s/right="2.3" up="5.2" depth="0.35"/reflectance="0.2"/' \
+    "$scratch/flats.xml" >"$scratch/dark.xml"
+sed 's/"0.05"/"0.2"/' "$scratch/dark.xml" >"$scratch/wall.xml"
+factors --room Below "$scratch/same.xml" >"$scratch/b"
+check "panes like the wall are the wall" sh -c "
+    paste '$scratch/a' '$scratch/b' |
+        awk '{ d = \$1 - \$2; if (d > 1e-7 || -d > 1e-7) bad = 1; n++ } END { exit bad || n < 4 }'"
+reflected() {
+    "$pepperpot" df -m exact -f csv --points 2.1,0.7 --room Below "$1" |
+        sed -n 's/.*,erc,exact,\([0-9.]*\),.*/\1/p' | head -n 1
+}
+check "dark ones give less light, but not none" sh -c '
+    awk -v d="$1" -v w="$2" "BEGIN { exit !(d < w - 1e-4 && d > 0) }"' sh \
+    "$(reflected "$scratch/dark.xml")" "$(reflected "$scratch/wall.xml")"
+echo '<building version="1" glass-reflectance="2"/>' >"$scratch/bright.xml"
+check "more than all is refused" refuses 1 'glass-reflectance is "2"' df "$scratch/bright.xml"
 tap_done

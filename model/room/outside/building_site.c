@@ -6,18 +6,11 @@
 #include <string.h>
 
 #include "model/geometry/region_pieces.h"
-#include "model/geometry/tolerance.h"
 #include "model/room/outside/outside_parts.h"
 #include "model/room/outside/room_shell.h"
 #include "model/room/outside/site_state.h"
 #include "model/room/read/room_schema.h"
 #include "model/room/room.h"
-
-/* Of outer faces of walls and roofs. */
-static const double outside_reflectance = 0.2;
-
-/* A piece of a facade that is smaller is what the clipper's rounding leaves. */
-static const double piece_least_m2 = 1e-9;
 
 /* ---- What a room gets ---- */
 
@@ -65,16 +58,6 @@ static enum pp_status add_common(struct pp_room *room,
 
 /* ---- The other rooms ---- */
 
-/* Of a wall whose facade lies in its own plane the facade's. */
-static double face_reflectance(const struct pp_room_shell *shell, int face)
-{
-    for (int i = 0; i < shell->front_count; i++)
-        if (shell->body->facades[i].face == face
-            && shell->body->facades[i].depth_m < PP_SET_OFF_M)
-            return shell->body->facades[i].reflectance;
-    return outside_reflectance;
-}
-
 static enum pp_status add_faces(struct pp_room *room, const struct pp_room *other,
                                 const struct pp_room_shell *shell, struct pp_error *err)
 {
@@ -83,9 +66,10 @@ static enum pp_status add_faces(struct pp_room *room, const struct pp_room *othe
     enum pp_status status = PP_OK;
     for (int i = 0; i < shell->body->face_count && status == PP_OK; i++) {
         const struct pp_polygon *face = &shell->body->surfaces[i].outline;
-        part.reflectance = face_reflectance(shell, i);
-        status =
-            pp_outside_parts_add_surface(room, &part, face->vertices, face->count, err);
+        part.reflectance = pp_room_shell_reflectance(shell, i);
+        if (!shell->is_divided[i])
+            status = pp_outside_parts_add_surface(room, &part, face->vertices,
+                                                  face->count, err);
     }
     return status;
 }
@@ -105,7 +89,7 @@ static enum pp_status add_sheet(struct pp_room *room, const struct pp_room *othe
     struct pp_region_pieces pieces;
     enum pp_status status =
         pp_region_pieces_cut(&pieces, &front->sheet, front->origin, front->along,
-                             front->up, piece_least_m2, clipper, err);
+                             front->up, PP_ROOM_FRONT_PIECE_M2, clipper, err);
     for (int i = 0; i < pieces.count && status == PP_OK; i++) {
         struct pp_vec3 *corners = pieces.list[i].corners;
         int count = pieces.list[i].count;
@@ -174,7 +158,8 @@ static enum pp_status add_neighbour(struct pp_room *room,
         struct pp_surface_part part = it->part;
         part.is_shade = it->is_shade && pp_room_shell_shares_front(own, it);
         /* What several rooms repeat is of their files, not of their windows. */
-        if (part.what || !pp_outside_parts_has_surface(room, &part))
+        if (part.what || part.is_room_outside
+            || !pp_outside_parts_has_surface(room, &part))
             status = pp_outside_parts_add_surface(room, &part, part.vertices.list,
                                                   part.vertices.count, err);
     }
@@ -294,8 +279,9 @@ static enum pp_status make_shells(struct pp_room_shell *shells,
         const struct pp_room *room = &building->read[i];
         bool outside = stands(building, i, state) && !too_many;
         if (room->placement.given || building->common.skyline_count > 0)
-            status = pp_room_shell_make(&shells[i], room,
-                                        outside ? state : PP_STATE_BOTH, err);
+            status =
+                pp_room_shell_make(&shells[i], room, outside ? state : PP_STATE_BOTH,
+                                   building->glass_reflectance, err);
     }
     for (int i = 0; i < count && status == PP_OK; i++)
         status = make_way(shells, i, building, state, clipper, err);

@@ -17,6 +17,9 @@
  * than walls are thick. */
 #define PP_ROOM_FRONT_BEHIND_M 1.0
 
+/* A piece of an outside that is smaller is what the clipper's rounding leaves. */
+#define PP_ROOM_FRONT_PIECE_M2 1e-9
+
 struct pp_room_front {
     struct pp_vec3 origin, along, up,
         out;                  /* in the building's axes; along x up = out */

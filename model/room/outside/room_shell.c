@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "model/base/array.h"
+#include "model/geometry/region_pieces.h"
 #include "model/geometry/tolerance.h"
 #include "model/room/build/corners.h"
 #include "model/room/build/envelope.h"
@@ -14,6 +15,7 @@
 #include "model/room/build/resolve.h"
 #include "model/room/build/reveals.h"
 #include "model/room/build/watertight.h"
+#include "model/room/face_less_openings.h"
 #include "model/room/outside/facades.h"
 #include "model/room/outside/shades.h"
 #include "model/room/outside/site_state.h"
@@ -27,6 +29,7 @@ void pp_room_shell_clear(struct pp_room_shell *shell)
     for (int i = 0; i < shell->carried_count; i++)
         pp_room_parts_clear_surface(&shell->carried[i].part);
     free(shell->carried);
+    free(shell->is_divided);
     for (int i = 0; i < shell->front_count; i++)
         pp_room_front_clear(&shell->fronts[i]);
     free(shell->fronts);
@@ -75,7 +78,7 @@ static enum pp_status carry(struct pp_room_shell *shell,
 {
     struct pp_room_carried added = *it;
     struct pp_surface_part *part = &added.part;
-    part->is_of_site = true;
+    part->is_of_site = !part->is_room_outside;
     part->name = part->name ? strdup(part->name) : NULL;
     part->vertices = (struct pp_vertices){malloc((size_t)count * sizeof *corners),
                                           calloc((size_t)count, sizeof(int)), count};
@@ -88,7 +91,7 @@ static enum pp_status carry(struct pp_room_shell *shell,
     }
     for (int i = 0; i < count; i++) {
         part->vertices.list[i] =
-            pp_placement_to_building(&shell->own->placement, corners[i]);
+            pp_placement_to_building(&shell->placement, corners[i]);
         part->vertices.lines[i] = part->line;
     }
     shell->carried[shell->carried_count++] = added;
@@ -101,7 +104,7 @@ static enum pp_status carry_shade(struct pp_room_shell *shell,
                                   struct pp_error *err)
 {
     const struct pp_world *world = shell->body;
-    const struct pp_placement *place = &shell->own->placement;
+    const struct pp_placement *place = &shell->placement;
     const struct pp_opening *opening = &world->openings[surface->owner];
     const struct pp_polygon *wall = &world->surfaces[opening->face].outline;
     struct pp_room_carried shade = {
@@ -163,7 +166,64 @@ static enum pp_status make_fronts(struct pp_room_shell *shell, struct pp_error *
         shell->fronts ? pp_clipper_create(&clipper, err) : pp_fail_memory(err);
     for (int i = 0; i < world->facade_count && status == PP_OK; i++)
         status = pp_room_front_of(&shell->fronts[shell->front_count++], world, i,
-                                  &shell->own->placement, clipper, err);
+                                  &shell->placement, clipper, err);
+    pp_clipper_destroy(clipper);
+    return status;
+}
+
+/* ---- faces with windows ---- */
+
+double pp_room_shell_reflectance(const struct pp_room_shell *shell, int face)
+{
+    for (int i = 0; i < shell->body->facade_count; i++)
+        if (shell->body->facades[i].face == face
+            && shell->body->facades[i].depth_m < PP_SET_OFF_M)
+            return shell->body->facades[i].reflectance;
+    return PP_ROOM_SHELL_REFLECTANCE;
+}
+
+static enum pp_status carry_rest(struct pp_room_shell *shell,
+                                 const struct pp_room_carried *wall, int face,
+                                 struct pp_clipper *clipper, struct pp_error *err)
+{
+    const struct pp_polygon *outline = &shell->body->surfaces[face].outline;
+    struct pp_face_axes axes = {.origin = outline->vertices[0]};
+    struct pp_region rest;
+    struct pp_region_pieces pieces = {0};
+    pp_polygon_plane_axes(outline->normal, &axes.a, &axes.b);
+    enum pp_status status =
+        pp_face_less_openings(&rest, clipper, &axes, outline, shell->body, face, err);
+    if (status == PP_OK)
+        status = pp_region_pieces_cut(&pieces, &rest, axes.origin, axes.a, axes.b,
+                                      PP_ROOM_FRONT_PIECE_M2, clipper, err);
+    for (int i = 0; i < pieces.count && status == PP_OK; i++)
+        status = carry(shell, wall, pieces.list[i].corners, pieces.list[i].count, err);
+    pp_region_pieces_clear(&pieces);
+    pp_region_clear(&rest);
+    return status;
+}
+
+/* Panes in the face's own plane, and the face round them. */
+static enum pp_status divide_faces(struct pp_room_shell *shell,
+                                   double glass_reflectance, struct pp_error *err)
+{
+    const struct pp_world *world = shell->body;
+    struct pp_room_carried piece = {.part = {.reflectance = glass_reflectance,
+                                             .name = shell->own->name,
+                                             .is_room_outside = true,
+                                             .line = shell->own->line}};
+    struct pp_clipper *clipper = NULL;
+    enum pp_status status = pp_clipper_create(&clipper, err);
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
+        const struct pp_polygon *pane = &world->openings[i].inner;
+        shell->is_divided[world->openings[i].face] = true;
+        status = carry(shell, &piece, pane->vertices, pane->count, err);
+    }
+    for (int i = 0; i < world->face_count && status == PP_OK; i++) {
+        piece.part.reflectance = pp_room_shell_reflectance(shell, i);
+        if (shell->is_divided[i])
+            status = carry_rest(shell, &piece, i, clipper, err);
+    }
     pp_clipper_destroy(clipper);
     return status;
 }
@@ -200,24 +260,39 @@ static enum pp_status resolve(struct pp_room_shell *shell, const struct pp_room 
     return status == PP_SYSTEM ? pp_fail(err, status, "%s", fault.message) : PP_OK;
 }
 
-static void turn_body(struct pp_room_shell *shell, const struct pp_placement *place)
+static void turn_body(struct pp_room_shell *shell)
 {
     for (int i = 0; i < shell->body->face_count; i++) {
         struct pp_polygon *face = &shell->body->surfaces[i].outline;
         for (int k = 0; k < face->count; k++)
-            face->vertices[k] = pp_placement_to_building(place, face->vertices[k]);
+            face->vertices[k] =
+                pp_placement_to_building(&shell->placement, face->vertices[k]);
         pp_polygon_measure(face);
     }
 }
 
+/* What is fixed outside a room that has no mistakes, and the panes in its faces. */
+static enum pp_status fit_out(struct pp_room_shell *shell, double glass_reflectance,
+                              struct pp_error *err)
+{
+    enum pp_status status = carry_surfaces(shell, err);
+    if (status == PP_OK && shell->body->facade_count > 0)
+        status = make_fronts(shell, err);
+    if (status == PP_OK && !isnan(glass_reflectance))
+        status = divide_faces(shell, glass_reflectance, err);
+    return status;
+}
+
 enum pp_status pp_room_shell_make(struct pp_room_shell *shell,
                                   const struct pp_room *room, enum pp_site_state state,
-                                  struct pp_error *err)
+                                  double glass_reflectance, struct pp_error *err)
 {
-    const bool outside =
-        state != PP_STATE_BOTH && has_outside(room) && pp_resolve_is_comparable(room);
+    const bool outside = state != PP_STATE_BOTH
+                         && (has_outside(room) || !isnan(glass_reflectance))
+                         && pp_resolve_is_comparable(room);
     bool sound = false;
-    *shell = (struct pp_room_shell){.body = calloc(1, sizeof *shell->body)};
+    *shell = (struct pp_room_shell){.placement = room->placement,
+                                    .body = calloc(1, sizeof *shell->body)};
     enum pp_status status = shell->body ? PP_OK : pp_fail_memory(err);
     if (status == PP_OK && outside)
         status = pp_room_copy(&shell->own, room, err);
@@ -226,14 +301,16 @@ enum pp_status pp_room_shell_make(struct pp_room_shell *shell,
     if (outside)
         pp_site_state_keep(shell->own, state);
     status = resolve(shell, outside ? shell->own : room, outside, &sound, err);
+    shell->is_divided =
+        calloc((size_t)shell->body->face_count + 1, sizeof *shell->is_divided);
+    if (status == PP_OK && !shell->is_divided)
+        status = pp_fail_memory(err);
     if (status == PP_OK && outside && sound)
-        status = carry_surfaces(shell, err);
-    if (status == PP_OK && outside && sound && shell->body->facade_count > 0)
-        status = make_fronts(shell, err);
+        status = fit_out(shell, glass_reflectance, err);
     if (!sound) {
         pp_room_destroy(shell->own);
         shell->own = NULL;
     }
-    turn_body(shell, &room->placement);
+    turn_body(shell);
     return status;
 }

@@ -7,11 +7,12 @@
 #include "model/room/building.h"
 #include "tests/lib/room_of.h"
 
-/* Vertical sky component at the first opening of that room of the building. */
-static double component_in(const char *inside, int index)
+/* That room of the building, whose element has these attributes. */
+static struct pp_world *world_in(const char *attributes, const char *inside, int index)
 {
     char xml[8192];
-    snprintf(xml, sizeof xml, "<building version=\"1\">%s</building>", inside);
+    snprintf(xml, sizeof xml, "<building version=\"1\" %s>%s</building>", attributes,
+             inside);
     struct pp_building *building = NULL;
     struct pp_world *world = NULL;
     struct pp_mistakes mistakes;
@@ -20,6 +21,14 @@ static double component_in(const char *inside, int index)
         || pp_world_create(&world, pp_building_room(building, index), &mistakes, NULL)
                != PP_OK)
         fail_msg("%s: %s", xml, mistakes.count ? mistakes.list[0].text : "no room");
+    pp_building_destroy(building);
+    pp_mistakes_clear(&mistakes);
+    return world;
+}
+
+/* Vertical sky component at the first opening. */
+static double component_of(const struct pp_world *world)
+{
     const struct pp_sky overcast = pp_sky_overcast();
     const struct pp_opening *opening = &world->openings[0];
     double share;
@@ -27,9 +36,14 @@ static double component_in(const char *inside, int index)
                                               pp_vec_scale(opening->inner.normal, -1.0),
                                               &overcast, NULL),
                      PP_OK);
+    return share;
+}
+
+static double component_in(const char *inside, int index)
+{
+    struct pp_world *world = world_in("", inside, index);
+    double share = component_of(world);
     pp_world_destroy(world);
-    pp_building_destroy(building);
-    pp_mistakes_clear(&mistakes);
     return share;
 }
 
@@ -217,6 +231,42 @@ static void a_rooms_own_block_shades_the_others_in_its_state(void **state)
                 component_alone(ROOM), 1e-12);
 }
 
+/* A room 4.2 by 5.3 by 2.7 m has 44.52 m2 of floor and roof and 51.3 m2 of walls, of which a
+ * window is 3.6 m2: as panes of 0.15 among walls of 0.2, or of 0.35 where a facade in the
+ * plane of the south wall (11.34 m2) says so. */
+static void panes_are_areas_of_their_own_reflectance(void **state)
+{
+    (void)state;
+    const double whole_m2 = 44.52 + 51.3, pane_m2 = 2.4 * 1.5;
+    static const char *const facades[] = {"",
+                                          "<facade wall='south' reflectance='0.35'/>"};
+    const double wanted[] = {0.2 * (whole_m2 - pane_m2) + 0.15 * pane_m2,
+                             0.2 * (whole_m2 - 11.34) + 0.35 * (11.34 - pane_m2)
+                                 + 0.15 * pane_m2};
+    for (int i = 0; i < 2; i++) {
+        char inside[1024];
+        double area_m2 = 0.0, reflecting_m2 = 0.0, glass_m2 = 0.0;
+        snprintf(inside, sizeof inside,
+                 "<room x='0' y='0'>" ROOM "</room><room x='1' y='-4' z='0.5' "
+                 "rotate='150'>" ROOM "%s</room>",
+                 facades[i]);
+        struct pp_world *world = world_in("glass-reflectance='0.15'", inside, 0);
+        for (int k = world->face_count; k < world->surface_count; k++) {
+            const struct pp_surface *surface = &world->surfaces[k];
+            area_m2 += surface->outline.area_m2;
+            reflecting_m2 += surface->front * surface->outline.area_m2;
+            if (surface->front == 0.15)
+                glass_m2 += surface->outline.area_m2;
+        }
+        assert_near(area_m2, whole_m2, 1e-9);
+        assert_near(glass_m2, pane_m2, 1e-9);
+        assert_near(reflecting_m2, wanted[i], 1e-9);
+        double by_pieces = component_of(world);
+        pp_world_destroy(world);
+        assert_near(by_pieces, component_in(inside, 0), 1e-12);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -226,6 +276,7 @@ int main(void)
         cmocka_unit_test(a_front_hides_nothing_of_the_windows_in_it),
         cmocka_unit_test(a_front_leaves_no_gap_between_storeys),
         cmocka_unit_test(a_front_ends_at_a_bay_that_comes_through_it),
+        cmocka_unit_test(panes_are_areas_of_their_own_reflectance),
         cmocka_unit_test(a_rooms_own_block_shades_the_others_in_its_state),
     };
     return cmocka_run_group_tests_name("neighbours", tests, NULL, NULL);
