@@ -55,6 +55,27 @@ bool pp_position_in_room(const struct pp_world *world, struct pp_vec3 point)
     return ceilings > 0;
 }
 
+struct pp_bounds3 pp_position_bounds(const struct pp_world *world)
+{
+    struct pp_bounds3 bounds = pp_bounds3_empty();
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++)
+            pp_bounds3_add(&bounds, world->surfaces[i].outline.vertices[k]);
+    return bounds;
+}
+
+bool pp_position_is_near(const struct pp_bounds3 *room, const struct pp_vec3 *corners,
+                         int count)
+{
+    const double hair = 2.0 * PP_SAME_M;
+    struct pp_bounds3 own = pp_bounds3_empty();
+    for (int k = 0; k < count; k++)
+        pp_bounds3_add(&own, corners[k]);
+    return own.low.x < room->high.x + hair && own.high.x > room->low.x - hair
+           && own.low.y < room->high.y + hair && own.high.y > room->low.y - hair
+           && own.low.z < room->high.z + hair && own.high.z > room->low.z - hair;
+}
+
 bool pp_position_in_surface(const struct pp_world *world, struct pp_vec3 point)
 {
     for (int i = 0; i < world->surface_count; i++) {

@@ -134,10 +134,16 @@ struct pp_surface_part {
     double reflectance, exitance;
     const struct pp_finish *finish;
     char *name; /* NULL where not given; of a room that stands outside: that room's */
+    const char
+        *what; /* the element's name in messages; NULL: surface, or block. Static */
     bool is_room_outside; /* a face of another room of the building */
-    bool is_of_room;      /* a side of what stands in it: nothing of it is outside */
-    bool is_of_site;      /* given by the building, for all of its rooms */
-    bool is_of_block;     /* of its roof, or of its walls over a footprint */
+    bool is_front;        /* of another room's facade, normal towards that room */
+    bool is_shade; /* fixed by a window of another room in a wall of one front with one
+                    * of this room's */
+    bool is_of_room;   /* a side of what stands in it: nothing of it is outside */
+    bool is_of_site;   /* given by the building, for all of its rooms, or by another
+                           * of them */
+    bool is_of_block;  /* of its roof, or of its walls over a footprint */
     bool is_on_ground; /* its z is above the ground's level, which may stand behind it
                            * in the file: only while that is read */
     enum pp_site_state state;

@@ -101,26 +101,10 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
     return PP_OK;
 }
 
-/* Faces are compared with each other and with all that is near them, corner by corner.
- * A room of more pairs than this would take many seconds: 40,000 windows in one wall
- * took minutes, and are refused in 0.1 s. */
-static const double corner_pairs_most = 3e8;
-
-static bool is_comparable(struct pp_resolver *r)
+static bool check_comparable(struct pp_resolver *r)
 {
     const struct pp_room *room = r->room;
-    double faces = 6.0 * room->plan.vertices.count + 24.0, openings = 0.0,
-           surfaces = 0.0;
-    openings += 4.0 * room->cover_count;
-    for (int i = 0; i < room->plan.face_count; i++)
-        faces += room->plan.faces[i].vertices.count;
-    for (int i = 0; i < room->opening_count; i++)
-        openings += 4.0 + room->openings[i].vertices.count;
-    for (int i = 0; i < room->surface_count; i++)
-        surfaces += 4.0 * room->surfaces[i].vertices.count;
-    double others = openings + surfaces + 8.0 * room->block_count + room->finish_count
-                    + room->skyline_count + 8.0 * room->facade_count;
-    if (faces * (faces + others) + openings * openings <= corner_pairs_most)
+    if (pp_resolve_is_comparable(room))
         return true;
     pp_mistakes_add(
         r->mistakes, room->line,
@@ -144,7 +128,7 @@ static enum pp_status find_triangles(struct pp_resolver *r, struct pp_error *err
 
 static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
 {
-    if (!is_comparable(r))
+    if (!check_comparable(r))
         return PP_OK;
     static enum pp_status (*const steps[])(struct pp_resolver *, struct pp_error *) = {
         resolve_site,           pp_build_envelope,       pp_build_corners,

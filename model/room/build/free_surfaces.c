@@ -2,7 +2,8 @@
  *
  * A surface may touch the room's faces, or lie in one like a picture on a wall; then it
  * is set off into the room. Faces of other rooms of the building are such surfaces too,
- * which stand outside: one that lies in a face of this room is set off outwards.
+ * which stand outside: one that lies in a face of this room is set off outwards; and so
+ * are pieces of their facades.
  */
 #include "model/room/build/free_surfaces.h"
 
@@ -139,8 +140,8 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
                             "expected it all %s",
                             what, role_word(face->role), room_words(words, r, part),
                             where.x, where.y, where.z,
-                            part->is_of_block  ? "outside"
-                            : part->is_of_room ? "inside"
+                            part->is_of_block || part->is_of_site ? "outside"
+                            : part->is_of_room                    ? "inside"
                                                : "inside or all outside");
     }
     if (!cross && seen->inside && part->is_room_outside) {
@@ -187,26 +188,30 @@ static void check_openings(struct pp_resolver *r, const struct pp_surface_part *
             continue;
         pp_mistakes_add(
             r->mistakes, opening->line,
-            "the opening is closed by the room \"%s\" of line %d, which "
+            "the opening is closed by the %s \"%s\" of line %d, which "
             "stands right before it; expected the open air there",
+            part->is_front ? "facade of the room" : "room",
             pp_text_excerpt(name, sizeof name, part->name ? part->name : ""),
             part->line);
     }
 }
 
-/* Moves vertices on to the polygon's own plane, and a surface that lies in a face of
- * the envelope off it into the room, or out if that is where it stands. A face of
- * another room, whose normal points into that, is moved only where it is turned to this
- * room: two fronts in one plane stay so. */
-static void flatten_and_set_off(const struct pp_world *world,
-                                struct pp_polygon *polygon, bool inside,
-                                bool is_of_room)
+/* Moves vertices on to the polygon's own plane. */
+static void flatten(struct pp_polygon *polygon)
 {
     struct pp_vec3 middle = pp_polygon_middle(polygon), n = polygon->normal;
     for (int k = 0; k < polygon->count; k++) {
         struct pp_vec3 *v = &polygon->vertices[k];
         *v = pp_vec_along(*v, -pp_vec_dot(n, pp_vec_sub(*v, middle)), n);
     }
+}
+
+/* Moves a surface that lies in a face of the envelope off it into the room, or out if
+ * that is where it stands. A face or a facade of another room, whose normal points into that, is moved only where it is turned to this
+ * room: two fronts in one plane stay so. */
+static void set_off(const struct pp_world *world, struct pp_polygon *polygon,
+                    bool inside, bool is_of_room)
+{
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_polygon *face = &world->surfaces[i].outline;
         double nearest = INFINITY, farthest = 0.0;
@@ -226,6 +231,23 @@ static void flatten_and_set_off(const struct pp_world *world,
     }
 }
 
+static bool is_near(const struct pp_world *world, const struct pp_polygon *polygon)
+{
+    const struct pp_bounds3 room = pp_position_bounds(world);
+    return pp_position_is_near(&room, polygon->vertices, polygon->count);
+}
+
+/* On which side of the envelope is it, and is it clear of that? */
+static enum pp_status place(struct sides_seen *seen, bool *clear, struct pp_resolver *r,
+                            const struct pp_surface_part *part, const char *what,
+                            const struct pp_polygon *polygon, struct pp_error *err)
+{
+    *seen = (struct sides_seen){0};
+    enum pp_status status = look_over(seen, r, polygon, err);
+    return status == PP_OK ? check_clear(clear, r, part, what, polygon, seen, err)
+                           : status;
+}
+
 enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
                                           const struct pp_surface_part *part,
                                           const char *what, struct pp_error *err)
@@ -237,16 +259,18 @@ enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
                                  .finish = part->finish,
                                  .name = part->name,
                                  .owner = -1,
+                                 .is_shade = part->is_shade,
                                  .line = part->line};
     if (pp_polygon_of(&surface.outline, part->vertices.list, part->vertices.count, err)
         != PP_OK)
         return PP_SYSTEM;
-    struct sides_seen seen = {0};
+    struct sides_seen seen = {.outside = true};
     bool clear = true;
-    enum pp_status status = look_over(&seen, r, &surface.outline, err);
-    if (status == PP_OK)
-        status = check_clear(&clear, r, part, what, &surface.outline, &seen, err);
-    if (status == PP_OK && clear && part->is_room_outside)
+    enum pp_status status = PP_OK;
+    /* What belongs inside is looked for wherever it is. */
+    if (part->is_of_room || is_near(r->world, &surface.outline))
+        status = place(&seen, &clear, r, part, what, &surface.outline, err);
+    if (status == PP_OK && clear && (part->is_room_outside || part->is_front))
         check_openings(r, part, &surface.outline);
     if (status != PP_OK || !clear) {
         pp_polygon_clear(&surface.outline);
@@ -255,8 +279,10 @@ enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
     /* A surface all of which lies in the envelope counts as inside. */
     surface.inside = (seen.inside || !seen.outside) && !part->is_room_outside
                      && !part->is_of_site && !part->is_of_block;
-    flatten_and_set_off(r->world, &surface.outline, surface.inside,
-                        part->is_room_outside);
+    flatten(&surface.outline);
+    if (!r->keeps_places)
+        set_off(r->world, &surface.outline, surface.inside,
+                part->is_room_outside || part->is_front);
     return pp_resolve_add_surface(r, &surface, err);
 }
 
@@ -269,8 +295,12 @@ enum pp_status pp_build_free_surfaces(struct pp_resolver *r, struct pp_error *er
             || !r->watertight || !isfinite(part->reflectance)
             || !isfinite(part->exitance))
             continue;
-        enum pp_status status = pp_build_free_surfaces_add(
-            r, part, part->is_of_block ? "block" : "surface", err);
+        enum pp_status status =
+            pp_build_free_surfaces_add(r, part,
+                                       part->what          ? part->what
+                                       : part->is_of_block ? "block"
+                                                           : "surface",
+                                       err);
         if (status != PP_OK)
             return status;
     }

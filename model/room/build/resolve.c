@@ -9,6 +9,24 @@
 #include "model/base/text.h"
 #include "model/geometry/tolerance.h"
 
+static const double corner_pairs_most = 3e8;
+
+bool pp_resolve_is_comparable(const struct pp_room *room)
+{
+    double faces = 6.0 * room->plan.vertices.count + 24.0, openings = 0.0,
+           surfaces = 0.0;
+    openings += 4.0 * room->cover_count;
+    for (int i = 0; i < room->plan.face_count; i++)
+        faces += room->plan.faces[i].vertices.count;
+    for (int i = 0; i < room->opening_count; i++)
+        openings += 4.0 + room->openings[i].vertices.count;
+    for (int i = 0; i < room->surface_count; i++)
+        surfaces += 4.0 * room->surfaces[i].vertices.count;
+    double others = openings + surfaces + 8.0 * room->block_count + room->finish_count
+                    + room->skyline_count + 8.0 * room->facade_count;
+    return faces * (faces + others) + openings * openings <= corner_pairs_most;
+}
+
 int pp_resolve_wall_index(struct pp_resolver *r, const char *name, const char *what,
                           int line)
 {

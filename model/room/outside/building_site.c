@@ -5,158 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/base/array.h"
-#include "model/room/build/envelope.h"
-#include "model/room/build/resolve.h"
+#include "model/geometry/region_pieces.h"
+#include "model/room/outside/outside_parts.h"
+#include "model/room/outside/room_shell.h"
+#include "model/room/outside/site_state.h"
 #include "model/room/read/room_schema.h"
 #include "model/room/room.h"
 
-/* Of outer faces of walls and roofs. */
-static const double outside_reflectance = 0.2;
-
-/* A room's faces and walls, in its own axes. */
-struct shell {
-    struct pp_world world; /* nothing but surfaces */
-    char **walls;
-    int wall_count;
-};
-
-static void clear_shell(struct shell *shell)
-{
-    for (int i = 0; i < shell->world.surface_count; i++) {
-        pp_polygon_clear(&shell->world.surfaces[i].outline);
-        free((char *)shell->world.surfaces[i].name);
-    }
-    free(shell->world.surfaces);
-    for (int i = 0; i < shell->wall_count; i++)
-        free(shell->walls[i]);
-    free(shell->walls);
-}
-
-/* Mistakes in a room's faces are noted where the room itself is resolved. */
-static enum pp_status make_shell(struct shell *shell, const struct pp_room *room,
-                                 struct pp_error *err)
-{
-    struct pp_mistakes unsaid;
-    pp_mistakes_init(&unsaid, "room");
-    struct pp_resolver r = {.room = room, .world = &shell->world, .mistakes = &unsaid};
-    struct pp_error fault = {0};
-    enum pp_status status = pp_clipper_create(&r.clipper, &fault);
-    if (status == PP_OK)
-        status = pp_build_envelope(&r, &fault);
-    pp_clipper_destroy(r.clipper);
-    shell->walls = r.walls;
-    shell->wall_count = r.wall_count;
-    free(r.wall_faces);
-    free(r.corners);
-    pp_mistakes_clear(&unsaid);
-    return status == PP_SYSTEM ? pp_fail(err, status, "%s", fault.message) : PP_OK;
-}
-
 /* ---- What a room gets ---- */
-
-static bool has_wall(const struct shell *shell, const char *name)
-{
-    for (int i = 0; i < shell->wall_count; i++)
-        if (name && strcmp(shell->walls[i], name) == 0)
-            return true;
-    return false;
-}
-
-static bool stands_in(enum pp_site_state it, enum pp_site_state state)
-{
-    return it == PP_STATE_BOTH || it == state;
-}
-
-static enum pp_status add_block(struct pp_room *room, const struct pp_block *block,
-                                struct pp_error *err)
-{
-    struct pp_block added = *block;
-    added.name = block->name ? strdup(block->name) : NULL;
-    added.is_of_site = true;
-    added.corner = pp_placement_to_room(&room->placement, block->corner);
-    added.rotate_rad -= room->placement.rotate_rad;
-    if ((block->name && !added.name)
-        || pp_array_append(&room->blocks, room->block_count, sizeof *room->blocks, NULL)
-               != PP_OK) {
-        free(added.name);
-        return pp_fail_memory(err);
-    }
-    room->blocks[room->block_count++] = added;
-    return PP_OK;
-}
-
-/* A copy of the part with these vertices in the building's axes. */
-static enum pp_status add_surface(struct pp_room *room,
-                                  const struct pp_surface_part *part,
-                                  const struct pp_vec3 *vertices, int count,
-                                  struct pp_error *err)
-{
-    struct pp_surface_part added = *part;
-    added.name = part->name ? strdup(part->name) : NULL;
-    added.vertices =
-        (struct pp_vertices){.list = malloc((size_t)count * sizeof *vertices),
-                             .lines = calloc((size_t)count, sizeof(int)),
-                             .count = count};
-    if ((part->name && !added.name) || !added.vertices.list || !added.vertices.lines
-        || pp_array_append(&room->surfaces, room->surface_count, sizeof *room->surfaces,
-                           NULL)
-               != PP_OK) {
-        pp_room_parts_clear_surface(&added);
-        return pp_fail_memory(err);
-    }
-    for (int i = 0; i < count; i++) {
-        added.vertices.list[i] = pp_placement_to_room(&room->placement, vertices[i]);
-        added.vertices.lines[i] = part->line;
-    }
-    room->surfaces[room->surface_count++] = added;
-    return PP_OK;
-}
-
-static enum pp_status add_mesh(struct pp_room *room, const struct pp_mesh_part *part,
-                               struct pp_error *err)
-{
-    struct pp_mesh_part added = *part;
-    added.name = part->name ? strdup(part->name) : NULL;
-    added.path = strdup(part->path);
-    added.file->holders++;
-    added.is_of_site = true;
-    added.corner = pp_placement_to_room(&room->placement, part->corner);
-    added.rotate_rad -= room->placement.rotate_rad;
-    if ((part->name && !added.name) || !added.path
-        || pp_array_append(&room->meshes, room->mesh_count, sizeof *room->meshes, NULL)
-               != PP_OK) {
-        pp_room_parts_clear_mesh(&added);
-        return pp_fail_memory(err);
-    }
-    room->meshes[room->mesh_count++] = added;
-    return PP_OK;
-}
-
-static enum pp_status add_garden(struct pp_room *room,
-                                 const struct pp_garden_part *part,
-                                 struct pp_error *err)
-{
-    int count = part->vertices.count;
-    struct pp_garden_part added = *part;
-    added.name = part->name ? strdup(part->name) : NULL;
-    added.vertices = (struct pp_vertices){malloc(count * sizeof *part->vertices.list),
-                                          malloc(count * sizeof(int)), count};
-    if (!added.vertices.list || !added.vertices.lines || (part->name && !added.name)
-        || pp_array_append(&room->gardens, room->garden_count, sizeof *room->gardens,
-                           NULL)
-               != PP_OK) {
-        pp_room_parts_clear_garden(&added);
-        return pp_fail_memory(err);
-    }
-    for (int i = 0; i < count; i++) {
-        added.vertices.list[i] =
-            pp_placement_to_room(&room->placement, part->vertices.list[i]);
-        added.vertices.lines[i] = part->vertices.lines[i];
-    }
-    room->gardens[room->garden_count++] = added;
-    return PP_OK;
-}
 
 /* A building's gardens are those of one of its rooms, so that they are judged once: of the
  * first that stands in every state, or else of the first. */
@@ -167,136 +23,150 @@ static bool has_gardens(const struct pp_building *building, int index,
     for (int i = 0; i < building->read_count; i++) {
         if (building->read[i].state == PP_STATE_BOTH)
             return i == index;
-        if (first < 0 && stands_in(building->read[i].state, state))
+        if (first < 0 && pp_site_state_has(state, building->read[i].state))
             first = i;
     }
     return first == index;
 }
 
-static enum pp_status add_skyline(struct pp_room *room,
-                                  const struct pp_skyline_part *part,
-                                  struct pp_error *err)
-{
-    struct pp_skyline_part added = *part;
-    added.wall = strdup(part->wall);
-    if (!added.wall
-        || pp_array_append(&room->skylines, room->skyline_count, sizeof *room->skylines,
-                           NULL)
-               != PP_OK) {
-        free(added.wall);
-        return pp_fail_memory(err);
-    }
-    room->skylines[room->skyline_count++] = added;
-    return PP_OK;
-}
-
 /* Adds what the building holds for all rooms. */
-static enum pp_status add_common(struct pp_room *room, const struct shell *shell,
+static enum pp_status add_common(struct pp_room *room,
+                                 const struct pp_room_shell *shell,
                                  const struct pp_room *common, enum pp_site_state state,
                                  struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < common->skyline_count && status == PP_OK; i++)
-        if (stands_in(common->skylines[i].state, state)
-            && has_wall(shell, common->skylines[i].wall))
-            status = add_skyline(room, &common->skylines[i], err);
+        if (pp_site_state_has(state, common->skylines[i].state)
+            && pp_room_shell_has_wall(shell, common->skylines[i].wall))
+            status = pp_outside_parts_add_skyline(room, &common->skylines[i], err);
     for (int i = 0; i < common->block_count && status == PP_OK; i++)
-        if (stands_in(common->blocks[i].state, state))
-            status = add_block(room, &common->blocks[i], err);
+        if (pp_site_state_has(state, common->blocks[i].state))
+            status = pp_outside_parts_add_block(room, &common->blocks[i], err);
     for (int i = 0; i < common->mesh_count && status == PP_OK; i++)
-        if (stands_in(common->meshes[i].state, state))
-            status = add_mesh(room, &common->meshes[i], err);
+        if (pp_site_state_has(state, common->meshes[i].state))
+            status = pp_outside_parts_add_mesh(room, &common->meshes[i], err);
     for (int i = 0; i < common->surface_count && status == PP_OK; i++) {
         struct pp_surface_part part = common->surfaces[i];
         part.is_of_site = true;
-        if (stands_in(part.state, state))
-            status =
-                add_surface(room, &part, part.vertices.list, part.vertices.count, err);
+        if (pp_site_state_has(state, part.state))
+            status = pp_outside_parts_add_surface(room, &part, part.vertices.list,
+                                                  part.vertices.count, err);
     }
     return status;
 }
 
-/* Adds the faces of another room. */
-static enum pp_status add_neighbour(struct pp_room *room, const struct pp_room *other,
-                                    const struct shell *shell, struct pp_error *err)
+/* ---- The other rooms ---- */
+
+static enum pp_status add_faces(struct pp_room *room, const struct pp_room *other,
+                                const struct pp_room_shell *shell, struct pp_error *err)
 {
-    struct pp_surface_part part = {.reflectance = outside_reflectance,
-                                   .name = other->name,
-                                   .is_room_outside = true,
-                                   .line = other->line};
-    for (int i = 0; i < shell->world.face_count; i++) {
-        const struct pp_polygon *face = &shell->world.surfaces[i].outline;
-        struct pp_vec3 *vertices = malloc((size_t)face->count * sizeof *vertices);
-        if (!vertices)
-            return pp_fail_memory(err);
-        for (int k = 0; k < face->count; k++)
-            vertices[k] =
-                pp_placement_to_building(&other->placement, face->vertices[k]);
-        enum pp_status status = add_surface(room, &part, vertices, face->count, err);
-        free(vertices);
-        if (status != PP_OK)
-            return status;
+    struct pp_surface_part part = {
+        .name = other->name, .is_room_outside = true, .line = other->line};
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < shell->body->face_count && status == PP_OK; i++) {
+        const struct pp_polygon *face = &shell->body->surfaces[i].outline;
+        part.reflectance = pp_room_shell_reflectance(shell, i);
+        if (!shell->is_divided[i])
+            status = pp_outside_parts_add_surface(room, &part, face->vertices,
+                                                  face->count, err);
     }
-    return PP_OK;
+    return status;
+}
+
+/* The sheet's normal is turned towards its own room, as those of faces are. */
+static enum pp_status add_sheet(struct pp_room *room, const struct pp_room *other,
+                                const struct pp_room_front *front,
+                                struct pp_clipper *clipper, struct pp_error *err)
+{
+    const struct pp_surface_part part = {.reflectance = front->reflectance,
+                                         .finish = front->finish,
+                                         .name = other->name,
+                                         .what = "facade",
+                                         .is_front = true,
+                                         .is_of_site = true,
+                                         .line = front->line};
+    struct pp_region_pieces pieces;
+    enum pp_status status =
+        pp_region_pieces_cut(&pieces, &front->sheet, front->origin, front->along,
+                             front->up, PP_ROOM_FRONT_PIECE_M2, clipper, err);
+    for (int i = 0; i < pieces.count && status == PP_OK; i++) {
+        struct pp_vec3 *corners = pieces.list[i].corners;
+        int count = pieces.list[i].count;
+        for (int k = 0; k < count / 2; k++) {
+            struct pp_vec3 swap = corners[k];
+            corners[k] = corners[count - 1 - k];
+            corners[count - 1 - k] = swap;
+        }
+        status = pp_outside_parts_add_surface(room, &part, corners, count, err);
+    }
+    pp_region_pieces_clear(&pieces);
+    return status;
+}
+
+/* Less the room's own facades, which stand in its world as they are. */
+static enum pp_status add_front(struct pp_room *room, const struct pp_room_shell *own,
+                                const struct pp_room *other,
+                                const struct pp_room_front *front,
+                                struct pp_clipper *clipper, struct pp_error *err)
+{
+    struct pp_room_front left;
+    enum pp_status status = pp_room_front_copy(&left, front, err);
+    for (int i = 0; i < own->front_count && status == PP_OK; i++)
+        if (pp_room_front_overlaps(&left, &own->fronts[i]))
+            status = pp_room_front_take_out(&left, &own->fronts[i], clipper, err);
+    if (status == PP_OK)
+        status = add_sheet(room, other, &left, clipper, err);
+    pp_room_front_clear(&left);
+    return status;
+}
+
+/* Its own blocks, but for those that the room has too, and meshes. */
+static enum pp_status add_solids(struct pp_room *room, const struct pp_room *own,
+                                 struct pp_error *err)
+{
+    const struct pp_placement *place = &own->placement;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < own->block_count && status == PP_OK; i++) {
+        struct pp_block block = own->blocks[i];
+        block.corner = pp_placement_to_building(place, block.corner);
+        block.rotate_rad += place->rotate_rad;
+        if (!pp_outside_parts_has_block(room, &block))
+            status = pp_outside_parts_add_block(room, &block, err);
+    }
+    for (int i = 0; i < own->mesh_count && status == PP_OK; i++) {
+        struct pp_mesh_part mesh = own->meshes[i];
+        mesh.corner = pp_placement_to_building(place, mesh.corner);
+        mesh.rotate_rad += place->rotate_rad;
+        status = pp_outside_parts_add_mesh(room, &mesh, err);
+    }
+    return status;
+}
+
+/* Adds another room, with what is fixed outside it. */
+static enum pp_status add_neighbour(struct pp_room *room,
+                                    const struct pp_room_shell *own,
+                                    const struct pp_room *other,
+                                    const struct pp_room_shell *shell,
+                                    struct pp_clipper *clipper, struct pp_error *err)
+{
+    enum pp_status status = add_faces(room, other, shell, err);
+    for (int i = 0; i < shell->front_count && status == PP_OK; i++)
+        status = add_front(room, own, other, &shell->fronts[i], clipper, err);
+    for (int i = 0; i < shell->carried_count && status == PP_OK; i++) {
+        const struct pp_room_carried *it = &shell->carried[i];
+        struct pp_surface_part part = it->part;
+        part.is_shade = it->is_shade && pp_room_shell_shares_front(own, it);
+        /* What several rooms repeat is of their files, not of their windows. */
+        if (part.what || part.is_room_outside
+            || !pp_outside_parts_has_surface(room, &part))
+            status = pp_outside_parts_add_surface(room, &part, part.vertices.list,
+                                                  part.vertices.count, err);
+    }
+    return status == PP_OK && shell->own ? add_solids(room, shell->own, err) : status;
 }
 
 /* ---- A state ---- */
-
-/* Leaves only what there is in the state; parts keep their order. */
-static void keep_state(struct pp_room *room, enum pp_site_state state)
-{
-    int kept = 0;
-    for (int i = 0; i < room->skyline_count; i++)
-        if (stands_in(room->skylines[i].state, state))
-            room->skylines[kept++] = room->skylines[i];
-        else
-            free(room->skylines[i].wall);
-    room->skyline_count = kept;
-    kept = 0;
-    for (int i = 0; i < room->block_count; i++)
-        if (stands_in(room->blocks[i].state, state))
-            room->blocks[kept++] = room->blocks[i];
-        else
-            free(room->blocks[i].name);
-    room->block_count = kept;
-    kept = 0;
-    for (int i = 0; i < room->surface_count; i++)
-        if (stands_in(room->surfaces[i].state, state))
-            room->surfaces[kept++] = room->surfaces[i];
-        else
-            pp_room_parts_clear_surface(&room->surfaces[i]);
-    room->surface_count = kept;
-    kept = 0;
-    for (int i = 0; i < room->mesh_count; i++)
-        if (stands_in(room->meshes[i].state, state))
-            room->meshes[kept++] = room->meshes[i];
-        else
-            pp_room_parts_clear_mesh(&room->meshes[i]);
-    room->mesh_count = kept;
-    kept = 0;
-    for (int i = 0; i < room->garden_count; i++)
-        if (stands_in(room->gardens[i].state, state))
-            room->gardens[kept++] = room->gardens[i];
-        else
-            pp_room_parts_clear_garden(&room->gardens[i]);
-    room->garden_count = kept;
-}
-
-static bool has_states(const struct pp_room *room)
-{
-    bool some = room->state != PP_STATE_BOTH;
-    for (int i = 0; i < room->skyline_count; i++)
-        some |= room->skylines[i].state != PP_STATE_BOTH;
-    for (int i = 0; i < room->block_count; i++)
-        some |= room->blocks[i].state != PP_STATE_BOTH;
-    for (int i = 0; i < room->surface_count; i++)
-        some |= room->surfaces[i].state != PP_STATE_BOTH;
-    for (int i = 0; i < room->mesh_count; i++)
-        some |= room->meshes[i].state != PP_STATE_BOTH;
-    for (int i = 0; i < room->garden_count; i++)
-        some |= room->gardens[i].state != PP_STATE_BOTH;
-    return some;
-}
 
 /* Does the building hold anything that goes to its rooms? */
 static bool holds(const struct pp_room *common)
@@ -318,12 +188,14 @@ static bool has_too_many(const struct pp_building *building)
 
 /* Room `index` as it stands in the state, with all that is outside it. */
 static enum pp_status settle_room(struct pp_building *building, int index,
-                                  const struct shell *shells, enum pp_site_state state,
+                                  const struct pp_room_shell *shells,
+                                  enum pp_site_state state, struct pp_clipper *clipper,
                                   struct pp_error *err)
 {
     const struct pp_room *common = &building->common;
     struct pp_room *read = &building->read[index], *room = NULL;
-    bool stays = !read->placement.given && !holds(common) && !has_states(read);
+    bool stays =
+        !read->placement.given && !holds(common) && !pp_site_state_matters(read);
     enum pp_status status = PP_OK;
     building->places[building->room_count] = index;
     building->moved[building->room_count] = stays;
@@ -343,20 +215,76 @@ static enum pp_status settle_room(struct pp_building *building, int index,
         room->north_rad = north_rad - room->placement.rotate_rad;
     if (stays)
         return PP_OK;
-    keep_state(room, state);
+    pp_site_state_keep(room, state);
     status = add_common(room, &shells[index], common, state, err);
     for (int i = 0; i < common->garden_count && status == PP_OK
                     && has_gardens(building, index, state);
          i++)
-        if (stands_in(common->gardens[i].state, state))
-            status = add_garden(room, &common->gardens[i], err);
+        if (pp_site_state_has(state, common->gardens[i].state))
+            status = pp_outside_parts_add_garden(room, &common->gardens[i], err);
     bool neighbours = room->placement.given && !has_too_many(building);
     for (int i = 0; i < building->read_count && status == PP_OK; i++) {
         const struct pp_room *other = &building->read[i];
         if (i != index && neighbours && other->placement.given
-            && stands_in(other->state, state))
-            status = add_neighbour(room, other, &shells[i], err);
+            && pp_site_state_has(state, other->state))
+            status =
+                add_neighbour(room, &shells[index], other, &shells[i], clipper, err);
     }
+    return status;
+}
+
+/* Does the room stand before others in the state? */
+static bool stands(const struct pp_building *building, int index,
+                   enum pp_site_state state)
+{
+    const struct pp_room *room = &building->read[index];
+    return room->placement.given && pp_site_state_has(state, room->state);
+}
+
+/* A room's facades end where the others stand, and where the facades of those do that come
+ * before it in the file. */
+static enum pp_status make_way(struct pp_room_shell *shells, int index,
+                               const struct pp_building *building,
+                               enum pp_site_state state, struct pp_clipper *clipper,
+                               struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int f = 0; f < shells[index].front_count; f++) {
+        struct pp_room_front *front = &shells[index].fronts[f];
+        for (int i = 0; i < building->read_count && status == PP_OK; i++) {
+            if (i == index || !stands(building, i, state))
+                continue;
+            status = pp_room_front_give_way(front, shells[i].body, clipper, err);
+            for (int k = 0; k < shells[i].front_count && i < index && status == PP_OK;
+                 k++)
+                if (pp_room_front_overlaps(front, &shells[i].fronts[k]))
+                    status = pp_room_front_take_out(front, &shells[i].fronts[k],
+                                                    clipper, err);
+        }
+    }
+    return status;
+}
+
+/* What the rooms are to each other; of those that stand by themselves, their walls'
+ * names. */
+static enum pp_status make_shells(struct pp_room_shell *shells,
+                                  const struct pp_building *building,
+                                  enum pp_site_state state, struct pp_clipper *clipper,
+                                  struct pp_error *err)
+{
+    int count = building->read_count;
+    enum pp_status status = PP_OK;
+    bool too_many = has_too_many(building);
+    for (int i = 0; i < count && status == PP_OK; i++) {
+        const struct pp_room *room = &building->read[i];
+        bool outside = stands(building, i, state) && !too_many;
+        if (room->placement.given || building->common.skyline_count > 0)
+            status =
+                pp_room_shell_make(&shells[i], room, outside ? state : PP_STATE_BOTH,
+                                   building->glass_reflectance, err);
+    }
+    for (int i = 0; i < count && status == PP_OK; i++)
+        status = make_way(shells, i, building, state, clipper, err);
     return status;
 }
 
@@ -386,23 +314,27 @@ enum pp_status pp_building_site_settle(struct pp_building *building,
     building->places = calloc((size_t)count + 1, sizeof *building->places);
     building->moved = calloc((size_t)count + 1, sizeof *building->moved);
     building->openings = calloc((size_t)count + 1, sizeof *building->openings);
-    struct shell *shells = calloc((size_t)count + 1, sizeof *shells);
+    struct pp_room_shell *shells = calloc((size_t)count + 1, sizeof *shells);
+    struct pp_clipper *clipper = NULL;
     enum pp_status status = PP_OK;
     if (!building->rooms || !building->places || !building->moved || !building->openings
         || !shells)
         status = pp_fail_memory(err);
-    building->has_states = has_states(&building->common);
+    building->has_states = pp_site_state_matters(&building->common);
     for (int i = 0; i < count && status == PP_OK; i++) {
         building->openings[i] = building->read[i].opening_count;
-        building->has_states |= has_states(&building->read[i]);
-        if (building->read[i].placement.given || building->common.skyline_count > 0)
-            status = make_shell(&shells[i], &building->read[i], err);
+        building->has_states |= pp_site_state_matters(&building->read[i]);
     }
+    if (status == PP_OK)
+        status = pp_clipper_create(&clipper, err);
+    if (status == PP_OK)
+        status = make_shells(shells, building, state, clipper, err);
     for (int i = 0; i < count && status == PP_OK; i++)
-        if (stands_in(building->read[i].state, state))
-            status = settle_room(building, i, shells, state, err);
+        if (pp_site_state_has(state, building->read[i].state))
+            status = settle_room(building, i, shells, state, clipper, err);
     for (int i = 0; shells && i < count; i++)
-        clear_shell(&shells[i]);
+        pp_room_shell_clear(&shells[i]);
+    pp_clipper_destroy(clipper);
     free(shells);
     if (status != PP_OK)
         pp_building_site_clear(building);

@@ -8,31 +8,11 @@
 #include "model/base/text.h"
 #include "model/geometry/tolerance.h"
 #include "model/room/build/free_surfaces.h"
+#include "model/room/position.h"
 
 /* Triangles within the room's bounds are compared with each of its faces, a millisecond for
  * some hundreds. More pairs than this would take seconds. */
 static const double near_pairs_most = 1e5;
-
-static struct pp_bounds3 bounds_of_room(const struct pp_world *world)
-{
-    struct pp_bounds3 bounds = pp_bounds3_empty();
-    for (int i = 0; i < world->face_count; i++)
-        for (int k = 0; k < world->surfaces[i].outline.count; k++)
-            pp_bounds3_add(&bounds, world->surfaces[i].outline.vertices[k]);
-    return bounds;
-}
-
-/* Does the triangle come near the room? */
-static bool is_near(const struct pp_bounds3 *room, const struct pp_vec3 triangle[3])
-{
-    const double hair = 2.0 * PP_SAME_M;
-    struct pp_bounds3 own = pp_bounds3_empty();
-    for (int k = 0; k < 3; k++)
-        pp_bounds3_add(&own, triangle[k]);
-    return own.low.x < room->high.x + hair && own.high.x > room->low.x - hair
-           && own.low.y < room->high.y + hair && own.high.y > room->low.y - hair
-           && own.low.z < room->high.z + hair && own.high.z > room->low.z - hair;
-}
 
 /* A corner of the file in the room's axes. */
 static struct pp_vec3 place(const struct pp_mesh_part *part, struct pp_vec3 q)
@@ -83,7 +63,7 @@ static enum pp_status add_triangles(struct pp_resolver *r, struct pp_world_mesh 
                                     struct pp_error *err)
 {
     const struct pp_mesh_triangles *mesh = &part->file->mesh;
-    const struct pp_bounds3 room = bounds_of_room(r->world);
+    const struct pp_bounds3 room = pp_position_bounds(r->world);
     int before = r->mistakes->count;
     double pairs = 0.0;
     enum pp_status status = PP_OK;
@@ -98,7 +78,7 @@ static enum pp_status add_triangles(struct pp_resolver *r, struct pp_world_mesh 
               < pp_vec_length(pp_vec_cross(pp_vec_sub(triangle[1], triangle[0]),
                                            pp_vec_sub(triangle[2], triangle[0])))))
             continue;
-        bool near = is_near(&room, triangle);
+        bool near = pp_position_is_near(&room, triangle, 3);
         pairs += near ? r->world->face_count : 0;
         if (pairs > near_pairs_most) {
             say(r, part,

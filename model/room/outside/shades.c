@@ -11,6 +11,14 @@ static const char *const words[] = {[PP_OVERHANG] = "overhang",
                                     [PP_BALCONY] = "balcony",
                                     [PP_SHELF] = "shelf"};
 
+const char *pp_shades_word(const struct pp_opening_part *part, int line)
+{
+    for (int i = 0; i < part->shade_count; i++)
+        if (part->shades[i].line == line)
+            return words[part->shades[i].kind];
+    return NULL;
+}
+
 /* A window's own axes, as drawn from outside: from its left jamb to the right, outwards
  * from the wall's outside, up from its sill. */
 struct window_axes {
@@ -177,8 +185,10 @@ enum pp_status pp_build_shades(struct pp_resolver *r, struct pp_error *err)
         const int before = world->surface_count;
         for (int k = 0; k < part->shade_count && status == PP_OK; k++)
             status = add_shade(r, &part->shades[k], &axes, err);
-        for (int k = before; k < world->surface_count; k++)
+        for (int k = before; k < world->surface_count; k++) {
             world->surfaces[k].is_shade = true;
+            world->surfaces[k].owner = i;
+        }
     }
     return status;
 }

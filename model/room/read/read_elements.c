@@ -285,7 +285,7 @@ static void check_common_skylines(struct pp_reader *r, const struct pp_room *com
 static void read_building(struct pp_reader *r, struct pp_building *building,
                           const struct pp_xml_element *e)
 {
-    struct pp_building_form form = {.north_rad = NAN};
+    struct pp_building_form form = {.north_rad = NAN, .glass_reflectance = NAN};
     struct pp_room *common = &building->common;
     common->site = plain_site;
     common->sky = pp_sky_words_default();
@@ -294,6 +294,7 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
         r->per_metre = 1000.0;
     building->name = pp_reader_copy_text(r, form.name);
     common->north_rad = form.north_rad;
+    building->glass_reflectance = form.glass_reflectance;
     common->line = e->line;
     /* What is common to all rooms may stand behind them. */
     for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
@@ -333,6 +334,7 @@ enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xm
 {
     struct pp_reader r = {.mistakes = mistakes, .per_metre = 1.0, .folder = folder};
     const struct pp_xml_element *root = xml->root;
+    building->glass_reflectance = NAN;
     if (!root)
         return PP_OK;
     if (pp_element_form_matches(root, &pp_rule_building)) {

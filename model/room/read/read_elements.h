@@ -14,6 +14,8 @@ struct pp_building {
     struct pp_room
         common; /* what holds for all rooms: north (NAN: not given), site, sky,
                             * skylines, blocks, surfaces; it has no plan */
+    double glass_reflectance; /* of the windows of placed rooms, for the others; NAN: as
+                               * walls */
     struct pp_room *read; /* the rooms as the file has them, each by itself; those that
                            * nothing is added to or taken from have moved to `rooms` */
     int read_count;

@@ -381,6 +381,8 @@ static const struct pp_attribute_rule building_rows[] = {
     {"version", &pp_room_values_version, REQUIRED, IN(building, version)},
     {"name", &text, OR(NAN), IN(building, name)},
     {"north", &pp_room_values_bearing, OR(NAN), IN(building, north_rad)},
+    {"glass-reflectance", &pp_room_values_fraction, OR(NAN),
+     IN(building, glass_reflectance)},
 };
 static const struct pp_child_rule building_children[] = {
     {&pp_rule_site, 0, 1},   {&pp_rule_sky, 0, 1},          {&pp_rule_skyline, 0, 0},

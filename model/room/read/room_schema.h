@@ -84,7 +84,8 @@ struct pp_building_form {
     int version;
     int units; /* 1: millimetres */
     const char *name;
-    double north_rad; /* NAN: not given */
+    double north_rad;         /* NAN: not given */
+    double glass_reflectance; /* NAN: not given */
 };
 
 struct pp_room_form {

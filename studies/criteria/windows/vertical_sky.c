@@ -95,9 +95,9 @@ static bool take_shades_off(struct pp_world *bare, const struct pp_world *world)
     return true;
 }
 
-/* As it would be without the overhangs, fins, balconies and shelves of the room's own windows,
- * which take sky whatever stands opposite: [BR209] has both stated, from memory. NAN: there are
- * none. */
+/* As it would be without the overhangs, fins, balconies and shelves of the room's own windows
+ * and of those of other rooms in the same front, which take sky whatever stands opposite:
+ * [BR209] has both stated, from memory. NAN: there are none. */
 static enum pp_status find_unshaded(double *share, const struct pp_world *world,
                                     const struct pp_opening *opening, double french_m,
                                     struct pp_error *err)
@@ -112,7 +112,8 @@ static enum pp_status find_unshaded(double *share, const struct pp_world *world,
     return status;
 }
 
-static const char unshaded[] = "without the overhangs and balconies of its own";
+static const char unshaded[] =
+    "without the overhangs and balconies of its own building";
 
 /* Adds a finding for each opening: made by `find` for upright ones, not judged for all
  * others. */

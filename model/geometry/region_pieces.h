@@ -1,0 +1,27 @@
+/* region_pieces.h - a plane figure in space, as outlines without holes. */
+#ifndef PP_MODEL_GEOMETRY_REGION_PIECES_H
+#define PP_MODEL_GEOMETRY_REGION_PIECES_H
+
+#include "model/geometry/clipper.h"
+#include "model/geometry/vec.h"
+
+/* Outlines that cover the figure and nothing else. */
+struct pp_region_pieces {
+    struct pp_region_piece {
+        int count;
+        struct pp_vec3 *corners; /* counter-clockwise seen against along x up */
+    } * list;
+    int count;
+};
+
+/* Of the figure with its axes (unit, square to each other) along and up from the origin:
+ * a ring without holes is one piece, all else triangles; what is smaller than least_m2 is
+ * left out. To be cleared in any case. */
+enum pp_status pp_region_pieces_cut(struct pp_region_pieces *pieces,
+                                    const struct pp_region *figure,
+                                    struct pp_vec3 origin, struct pp_vec3 along,
+                                    struct pp_vec3 up, double least_m2,
+                                    struct pp_clipper *clipper, struct pp_error *err);
+void pp_region_pieces_clear(struct pp_region_pieces *pieces);
+
+#endif

@@ -1,0 +1,37 @@
+/* outside_parts.h - what stands in a building's axes, put into a room's own as one of its
+ * parts. Inside model/room/ only.
+ *
+ * Every part is a copy of the one that is given, which stands in the building's axes, but
+ * for a skyline, which belongs to walls of its name.
+ */
+#ifndef PP_MODEL_ROOM_OUTSIDE_OUTSIDE_PARTS_H
+#define PP_MODEL_ROOM_OUTSIDE_OUTSIDE_PARTS_H
+
+#include "model/room/room_parts.h"
+
+enum pp_status pp_outside_parts_add_block(struct pp_room *room,
+                                          const struct pp_block *block,
+                                          struct pp_error *err);
+
+/* With these vertices in place of the part's. */
+enum pp_status pp_outside_parts_add_surface(struct pp_room *room,
+                                            const struct pp_surface_part *part,
+                                            const struct pp_vec3 *vertices, int count,
+                                            struct pp_error *err);
+enum pp_status pp_outside_parts_add_mesh(struct pp_room *room,
+                                         const struct pp_mesh_part *part,
+                                         struct pp_error *err);
+enum pp_status pp_outside_parts_add_garden(struct pp_room *room,
+                                           const struct pp_garden_part *part,
+                                           struct pp_error *err);
+enum pp_status pp_outside_parts_add_skyline(struct pp_room *room,
+                                            const struct pp_skyline_part *part,
+                                            struct pp_error *err);
+
+/* Has the room that box already, or that polygon, to the millimetre? */
+bool pp_outside_parts_has_block(const struct pp_room *room,
+                                const struct pp_block *block);
+bool pp_outside_parts_has_surface(const struct pp_room *room,
+                                  const struct pp_surface_part *part);
+
+#endif

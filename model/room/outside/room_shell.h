@@ -1,0 +1,57 @@
+/* room_shell.h - a room of a building as the others see it: a closed body of its walls,
+ * floor and roof, and what is fixed outside it. Inside model/room/ only.
+ *
+ * Fixed outside are its facades, what shades its windows, and the surfaces, blocks and
+ * meshes of its own that stand outside it.
+ */
+#ifndef PP_MODEL_ROOM_OUTSIDE_ROOM_SHELL_H
+#define PP_MODEL_ROOM_OUTSIDE_ROOM_SHELL_H
+
+#include "model/room/outside/room_front.h"
+
+/* A polygon outside: fixed there, or a piece of a face with windows. */
+struct pp_room_carried {
+    struct pp_surface_part part; /* in the building's axes */
+    bool is_shade;               /* of a window in a wall that */
+    struct pp_vec3 at, out;      /* goes through `at`, and looks this way */
+};
+
+struct pp_room_shell {
+    struct pp_placement placement;
+    struct pp_world *body; /* its faces are those of the room, in the building's axes */
+    char **walls;          /* their names */
+    int wall_count;
+    struct pp_room *own; /* the room by itself in the state, whose blocks and meshes
+                          * stand outside; NULL: nothing is fixed outside */
+    bool *is_divided;    /* of each face: it is among the carried, by its windows */
+    struct pp_room_carried *carried;
+    int carried_count;
+    struct pp_room_front *fronts;
+    int front_count;
+};
+
+/* What the outside of walls and roofs reflects. */
+#define PP_ROOM_SHELL_REFLECTANCE 0.2
+
+/* With a reflectance for its windows (NAN: they are as walls), faces are divided by them.
+ * Mistakes in what a room's file says are noted where the room itself is resolved: of
+ * such a room there is nothing outside. Without a state, PP_STATE_BOTH, there is the body
+ * alone. To be cleared in any case. */
+enum pp_status pp_room_shell_make(struct pp_room_shell *shell,
+                                  const struct pp_room *room, enum pp_site_state state,
+                                  double glass_reflectance, struct pp_error *err);
+void pp_room_shell_clear(struct pp_room_shell *shell);
+
+/* What a face of the room reflects outside: of a wall whose facade lies in its own plane
+ * that of the facade. */
+double pp_room_shell_reflectance(const struct pp_room_shell *shell, int face);
+
+/* Is there a wall of that name? */
+bool pp_room_shell_has_wall(const struct pp_room_shell *shell, const char *name);
+
+/* Does a wall of the room look the same way as the shaded window's, in one front with
+ * it? */
+bool pp_room_shell_shares_front(const struct pp_room_shell *shell,
+                                const struct pp_room_carried *shade);
+
+#endif
