@@ -14,6 +14,7 @@
 #include "cli/watch.h"
 #include "cli/size/size_block.h"
 #include "cli/size/size_options.h"
+#include "model/base/folder_way.h"
 #include "cli/format_option.h"
 
 static const char about[] =
@@ -25,9 +26,24 @@ static const char about[] =
     "windows or rooms keep their sky; with --envelope: what may stand on its plot. "
     "FILE is a room file; - is standard input.";
 
+/* In place of a text of `file` the same as it has to be at `path`. */
+static enum pp_status move_text(char **text, size_t *length, const char *file,
+                                const char *path, struct pp_error *err)
+{
+    char *way = NULL, *moved = NULL;
+    enum pp_status status = pp_folder_way(&way, file, path, err);
+    if (status == PP_OK)
+        status = pp_room_text_move(&moved, length, *text, *length, way, err);
+    free(way);
+    free(*text);
+    *text = moved;
+    return status;
+}
+
 /* The room file with all that was sized. */
 static enum pp_status write_file(const struct pp_size_results *results,
-                                 const char *path, struct pp_error *err)
+                                 const char *file, const char *path,
+                                 struct pp_error *err)
 {
     int count = 0;
     bool reached = false;
@@ -55,6 +71,8 @@ static enum pp_status write_file(const struct pp_size_results *results,
                                     results->list[0].file_length, edits, count, err)
                 : pp_fail(err, PP_BAD_INPUT,
                           "the target is not reached, so %s is not written", path);
+    if (status == PP_OK)
+        status = move_text(&text, &length, file, path, err);
     if (status == PP_OK)
         status = pp_output_open(&output, path, err);
     if (status == PP_OK) {
@@ -121,7 +139,8 @@ static enum pp_exit size_rooms(struct size_run *run)
     enum pp_exit exit_status =
         pp_job_run(&(struct pp_job){options->room.output, compute, print, NULL, run});
     if (exit_status == PP_EXIT_DONE && options->write
-        && write_file(&run->results, options->write, &err) != PP_OK)
+        && write_file(&run->results, run->rooms->list[0].file, options->write, &err)
+               != PP_OK)
         return pp_message_error(&err);
     return exit_status;
 }

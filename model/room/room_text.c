@@ -232,6 +232,42 @@ enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
     return pp_fail_memory(err);
 }
 
+/* As it stands in an attribute, whatever its quotes. */
+static void put_escaped(FILE *out, const char *text)
+{
+    for (; *text; text++)
+        if (strchr("&<\"'", *text))
+            fprintf(out, "&#%d;", *text);
+        else
+            fputc(*text, out);
+}
+
+enum pp_status pp_room_text_move(char **moved, size_t *moved_length, const char *text,
+                                 size_t length, const char *way, struct pp_error *err)
+{
+    *moved = NULL;
+    FILE *out = open_memstream(moved, moved_length);
+    if (!out)
+        return pp_fail_memory(err);
+    const char *at = text, *end = text + length;
+    for (struct span tag = next_tag(text, end); tag.from < end;
+         tag = next_tag(tag.to, end)) {
+        struct span file = attribute_of(tag, "file");
+        if (!is_named(tag, "mesh") || file.from == file.to || *file.from == '/')
+            continue;
+        fwrite(at, 1, (size_t)(file.from - at), out);
+        put_escaped(out, way);
+        at = file.from;
+    }
+    fwrite(at, 1, (size_t)(end - at), out);
+    bool failed = ferror(out);
+    if (fclose(out) == 0 && !failed)
+        return PP_OK;
+    free(*moved);
+    *moved = NULL;
+    return pp_fail_memory(err);
+}
+
 enum pp_status pp_room_text_element(char **element, const char *text, size_t length,
                                     const struct pp_text_edit *edit,
                                     struct pp_error *err)

@@ -1,5 +1,5 @@
-/* room_text.h - the text of a room file with some of its windows changed; all else
- * stays byte for byte, comments and blanks included. */
+/* room_text.h - the text of a room file with some of its windows changed, or moved to
+ * another folder; all else stays byte for byte, comments and blanks included. */
 #ifndef PP_MODEL_ROOM_ROOM_TEXT_H
 #define PP_MODEL_ROOM_ROOM_TEXT_H
 
@@ -29,6 +29,11 @@ enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
                                  const char *text, size_t length,
                                  const struct pp_text_edit *edits, int edit_count,
                                  struct pp_error *err);
+
+/* The text with `way` put before the path of each mesh that is relative, as folder_way.h has
+ * it of a room file that moves. *moved is the caller's. */
+enum pp_status pp_room_text_move(char **moved, size_t *moved_length, const char *text,
+                                 size_t length, const char *way, struct pp_error *err);
 
 /* The opening's own element as the edit (of PP_TEXT_SET or PP_TEXT_ADD) has it, from
  * "<" to ">"; the caller's. */

@@ -82,6 +82,31 @@ check "JSON says how many triangles" shows '"mesh-triangles": 10' df -m exact -f
 check "and meshes" grep -q '"meshes": 1,' "$scratch/out"
 check "of a block none" shows '"mesh-triangles": 0' df -m exact -f json "$scratch/block.xml"
 
+# A sized room in another folder has its mesh where it was.
+mkdir "$scratch/sized" "$scratch/sized/deep" "$scratch/R&D's"
+ln -s sized/deep "$scratch/link"
+room '<mesh file="../box.obj" scale="0.001"/>' >"$scratch/R&D's/own.xml"
+# sizes FILE FILE: writes the room file sized, and the figures of that.
+sizes() {
+    "$pepperpot" size --target 1% --by-hand -q "$1" -w "$2" >/dev/null && figures exact "$2"
+}
+sizes "$scratch/mesh.xml" "$scratch/here.xml" >"$scratch/here"
+check "a sized room has figures" test "$(wc -l <"$scratch/here")" -ge 6
+check "beside the other its mesh is named as before" grep -q 'file="box.obj"' "$scratch/here.xml"
+for of in sized/there.xml sized/deep/there.xml link/again.xml "R&D's/there.xml"; do
+    sizes "$scratch/mesh.xml" "$scratch/$of" >"$scratch/there"
+    check "in another folder it has the same: $of" same "$scratch/here" "$scratch/there"
+done
+check "the path is relative" grep -q 'file="../../box.obj"' "$scratch/sized/deep/there.xml"
+sizes "$scratch/R&D's/own.xml" "$scratch/sized/own.xml" >"$scratch/there"
+check "out of a folder whose name XML has to escape" same "$scratch/here" "$scratch/there"
+check "which is written so" grep -q "file=\"../R&#38;D&#39;s/../box.obj\"" "$scratch/sized/own.xml"
+check "from standard input" sh -c "
+    cd '$scratch' && '$pepperpot' size --target 1% --by-hand -q - -w sized/in.xml <mesh.xml >/dev/null &&
+        cmp sized/in.xml sized/there.xml"
+check "a folder that is not there is refused as ever" refuses 3 "none/there.xml" \
+    size --target 1% --by-hand -q "$scratch/mesh.xml" -w "$scratch/none/there.xml" -o "$scratch/text"
+
 houses 10000 >"$scratch/street.obj"
 room '<mesh file="street.obj" name="Street"/>' >"$scratch/street.xml"
 check "a street of 100,000 triangles is simulated" gives df --simulate --error 5% \

@@ -11,6 +11,22 @@
 #include "model/room/room_light.h"
 #include "tests/fuzz/must.h"
 
+/* The worlds of the building's rooms, as it is now. */
+static void make_worlds(struct pp_building *building, struct pp_mistakes *mistakes)
+{
+    struct pp_error err = {PP_OK, ""};
+    for (int i = 0; i < pp_building_room_count(building); i++) {
+        struct pp_world *world = NULL;
+        enum pp_status status =
+            pp_world_create(&world, pp_building_room(building, i), mistakes, &err);
+        must((status == PP_OK) == (world != NULL));
+        must(status != PP_BAD_INPUT || mistakes->count > 0);
+        struct pp_outside_light light;
+        must(pp_room_light(&light, pp_building_room(building, i), &err) == PP_OK);
+        pp_world_destroy(world);
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length)
 {
     struct pp_mistakes mistakes;
@@ -23,16 +39,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t length)
     must(status == PP_OK || err.message[0] != '\0');
     must((status == PP_BAD_INPUT) == (mistakes.count > 0 || mistakes.truncated));
 
-    for (int i = 0; building && i < pp_building_room_count(building); i++) {
-        struct pp_world *world = NULL;
-        status =
-            pp_world_create(&world, pp_building_room(building, i), &mistakes, &err);
-        must((status == PP_OK) == (world != NULL));
-        must(status != PP_BAD_INPUT || mistakes.count > 0);
-        struct pp_outside_light light;
-        must(pp_room_light(&light, pp_building_room(building, i), &err) == PP_OK);
-        pp_world_destroy(world);
-    }
+    if (building)
+        make_worlds(building, &mistakes);
+    if (building && pp_building_has_states(building)
+        && pp_building_set_state(building, PP_STATE_EXISTING, &err) == PP_OK)
+        make_worlds(building, &mistakes);
     pp_building_destroy(building);
     pp_mistakes_clear(&mistakes);
     return 0;

@@ -184,4 +184,5 @@ const struct pp_value_kind pp_room_values_scale = {
     .unit = 1.0};
 static const char *const up_words[] = {"z", "y", NULL};
 const struct pp_value_kind pp_room_values_up = {.reading = PP_VALUE_CHOICE,
+                                                .expected = "\"z\" or \"y\"",
                                                 .words = up_words};

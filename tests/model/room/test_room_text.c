@@ -134,6 +134,34 @@ static void an_element_is_given_by_itself(void **state)
     free(element);
 }
 
+/* Relative paths of meshes only: not those from the root, not of what is like a mesh, none in
+ * a comment; and what a folder's name may have is written as XML has it. */
+static void a_file_that_moves_finds_its_meshes(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "<room version='1'><!-- <mesh file='no.obj'/> --><mesh file='a &amp; b.obj'/>\n"
+        "<mesh name=\"file='x'\"\n file=\"sub/c.dxf\" x='1'/><meshes file='d'/>"
+        "<mesh file='/root.obj'/></room>";
+    static const char wanted[] =
+        "<room version='1'><!-- <mesh file='no.obj'/> -->"
+        "<mesh file='../Tom&#39;s &#38; &#60;/a &amp; b.obj'/>\n"
+        "<mesh name=\"file='x'\"\n file=\"../Tom&#39;s &#38; &#60;/sub/c.dxf\" x='1'/>"
+        "<meshes file='d'/><mesh file='/root.obj'/></room>";
+    char *moved;
+    size_t length;
+    assert_int_equal(
+        pp_room_text_move(&moved, &length, text, strlen(text), "../Tom's & </", NULL),
+        PP_OK);
+    assert_string_equal(moved, wanted);
+    assert_int_equal(length, strlen(wanted));
+    free(moved);
+    assert_int_equal(pp_room_text_move(&moved, &length, text, strlen(text), "", NULL),
+                     PP_OK);
+    assert_string_equal(moved, text);
+    free(moved);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -146,6 +174,7 @@ int main(void)
         cmocka_unit_test(what_shares_its_line_stays),
         cmocka_unit_test(several_edits_are_made_at_once),
         cmocka_unit_test(an_element_is_given_by_itself),
+        cmocka_unit_test(a_file_that_moves_finds_its_meshes),
     };
     return cmocka_run_group_tests_name("room_text", tests, NULL, NULL);
 }

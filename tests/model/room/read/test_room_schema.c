@@ -9,6 +9,7 @@
 #include "model/light/finishes.h"
 #include "model/light/glazings.h"
 #include "model/room/building.h"
+#include "model/room/read/room_schema.h"
 #include "tests/lib/editor_schema.h"
 #include "tests/lib/near.h"
 
@@ -158,12 +159,33 @@ static void schema_and_reader_take_the_examples(void **state)
     editor_schema_destroy(schema);
 }
 
+/* An attribute's message ends with what was expected, and has words for it. */
+static void see_words(const struct pp_element_rule *rule, int depth, int *seen)
+{
+    for (int i = 0; i < rule->attribute_count; i++, ++*seen)
+        if (!rule->attributes[i].kind->expected || !*rule->attributes[i].kind->expected)
+            fail_msg("%s: %s has no words for what is expected", rule->name,
+                     rule->attributes[i].name);
+    for (int i = 0; i < rule->child_count && depth < 5; i++)
+        see_words(rule->children[i].rule, depth + 1, seen);
+}
+
+static void every_attribute_says_what_it_expects(void **state)
+{
+    (void)state;
+    int seen = 0;
+    see_words(&pp_rule_building, 0, &seen);
+    see_words(&pp_rule_room, 0, &seen);
+    assert_true(seen > 200);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(schema_and_reader_know_the_same_names),
         cmocka_unit_test(schema_and_reader_read_the_same_numbers),
         cmocka_unit_test(schema_and_reader_take_the_examples),
+        cmocka_unit_test(every_attribute_says_what_it_expects),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
