@@ -13,10 +13,15 @@ struct pp_site_row {
     const struct pp_finding *finding; /* whose verdict it is */
     double existing, proposed;        /* NAN: not known; units of finding->compared */
     double ratio;                     /* proposed over existing; NAN: not known */
+    double
+        mirrored; /* with the building's mirror image in place of what is proposed; NAN:
+                      * not known */
+    const struct pp_finding *by_mirror_image; /* whose verdict is by that; NULL: none */
 };
 
 /* The lines of all rooms, in their order. */
 struct pp_site_table {
+    bool has_mirror_image;       /* has any line one? */
     struct pp_site_row *windows; /* vertical sky component, a line a window */
     int window_count;
     struct pp_site_row *rooms; /* area that sees sky, a line a room */
