@@ -64,10 +64,6 @@ const struct pp_option pp_assess_words_choice[] = {
      "The same by a weather file in EnergyPlus format, and how likely the sun is to "
      "shine.",
      pp_options_read_input, PLACE(weather)},
-    {"vsc-point-french", 0, "M",
-     "The vertical sky component of windows down to the floor at this height above it, "
-     "such as 1.6, and not at their middle.",
-     pp_options_read_metres, PLACE(french_m)},
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room.room)},
     {"state", 0, "STATE",
