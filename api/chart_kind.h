@@ -78,6 +78,7 @@ struct pp_chart_site {
     const struct pp_study_room *const *before; /* as many; NULL: it was not there, or
                                                 * nothing is known of it */
     int count;
+    double french_m; /* as a site's rooms' (site_study.h) */
 };
 
 /* What a chart shows where there is a choice. */

@@ -11,8 +11,8 @@ static struct pp_site_rooms rooms_of(const struct pp_chart_choice *choice,
 {
     if (choice->site.count > 0)
         return (struct pp_site_rooms){choice->site.rooms, choice->site.before,
-                                      choice->site.count};
-    return (struct pp_site_rooms){room, none, 1};
+                                      choice->site.count, choice->site.french_m};
+    return (struct pp_site_rooms){room, none, 1, choice->site.french_m};
 }
 
 static enum pp_status draw_site(struct pp_canvas *canvas, struct pp_study_room *room,

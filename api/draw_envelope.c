@@ -8,6 +8,7 @@
 #include "charts/site/site_chart.h"
 #include "methods/waldram/waldram_sheet_fill.h"
 #include "model/room/room_light.h"
+#include "studies/criteria/windows/vertical_sky.h"
 #include "studies/site/envelope_sheet.h"
 #include "studies/site/site_study.h"
 
@@ -65,14 +66,16 @@ static enum pp_status resolve(struct standing_rooms *rooms,
 
 static enum pp_status draw_plan(struct pp_canvas *canvas,
                                 const struct standing_rooms *rooms,
-                                const struct pp_plot_envelope *found, const char *block,
+                                const struct pp_plot_envelope *found,
+                                const struct pp_plot_envelope_task *task,
                                 struct pp_error *err)
 {
-    const struct pp_site_rooms site = {rooms->list, rooms->before, rooms->count};
+    const struct pp_site_rooms site = {rooms->list, rooms->before, rooms->count,
+                                       task->rule.french_m};
     struct pp_site_sheet sheet;
     enum pp_status status = pp_site_study_make(&sheet, &site, err);
     if (status == PP_OK)
-        status = pp_envelope_sheet_add(&sheet, found, block, err);
+        status = pp_envelope_sheet_add(&sheet, found, task->block, err);
     if (status == PP_OK)
         status = pp_site_chart_draw(canvas, &sheet, err);
     pp_site_sheet_clear(&sheet);
@@ -99,12 +102,14 @@ static const struct pp_world *find_deciding(int *opening,
 }
 
 static enum pp_status draw_sky(struct pp_canvas *canvas, const struct pp_world *world,
-                               int opening, struct pp_error *err)
+                               int opening, double french_m, struct pp_error *err)
 {
     struct pp_waldram_sheet sheet = {0};
     enum pp_status status = pp_canvas_next_sheet(canvas, err);
     if (status == PP_OK)
-        status = pp_waldram_sheet_fill_site(&sheet, world, opening, err);
+        status = pp_waldram_sheet_fill_site(
+            &sheet, world, opening,
+            pp_vertical_sky_point(&world->openings[opening], french_m), err);
     if (status == PP_OK)
         status = pp_waldram_chart_draw(canvas, &sheet, err);
     pp_board_sheets_waldram_clear(&sheet);
@@ -120,10 +125,11 @@ enum pp_status pp_draw_envelope(struct pp_canvas *canvas,
     int opening = 0;
     enum pp_status status = resolve(&rooms, task->building, file, err);
     if (status == PP_OK)
-        status = draw_plan(canvas, &rooms, found, task->block, err);
+        status = draw_plan(canvas, &rooms, found, task, err);
     if (status == PP_OK && pp_canvas_has_sheets(canvas)) {
         const struct pp_world *world = find_deciding(&opening, &rooms, found);
-        status = world ? draw_sky(canvas, world, opening, err) : PP_OK;
+        status =
+            world ? draw_sky(canvas, world, opening, task->rule.french_m, err) : PP_OK;
     }
     clear(&rooms);
     return status;

@@ -6,6 +6,7 @@
 #include "charts/drawing_board/waldram_chart.h"
 #include "methods/waldram/skylight_indicator_fill.h"
 #include "methods/waldram/waldram_sheet_fill.h"
+#include "studies/criteria/windows/vertical_sky.h"
 
 static enum pp_status draw_vertical_sky(struct pp_canvas *canvas,
                                         struct pp_study_room *room,
@@ -20,7 +21,11 @@ static enum pp_status draw_vertical_sky(struct pp_canvas *canvas,
         room ? pp_choose_window(&window, room->world, choice->board.window, true, err)
              : PP_OK;
     if (status == PP_OK)
-        status = room ? pp_waldram_sheet_fill_site(&sheet, room->world, window, err)
+        status = room ? pp_waldram_sheet_fill_site(
+                     &sheet, room->world, window,
+                     pp_vertical_sky_point(&room->world->openings[window],
+                                           choice->site.french_m),
+                     err)
                       : pp_waldram_sheet_fill_upright(&sheet, &choice->board.sky, err);
     if (status == PP_OK && choice->board.inclined)
         status = pp_waldram_sheet_fill_inclined(

@@ -382,6 +382,24 @@ enum pp_status pp_options_read_lux(const char *text, void *place, struct pp_erro
     return PP_OK;
 }
 
+int pp_options_numbers(const char *text, char between, double *list, int most)
+{
+    int count = 0;
+    for (;; count++) {
+        size_t length = strcspn(text, (const char[]){between, '\0'});
+        char copy[64];
+        if (count == most || length >= sizeof copy)
+            return -1;
+        memcpy(copy, text, length);
+        copy[length] = '\0';
+        if (!pp_text_parse_number(copy, &list[count]))
+            return -1;
+        if (!text[length])
+            return count + 1;
+        text += length + 1;
+    }
+}
+
 enum pp_status pp_options_read_metres(const char *text, void *place,
                                       struct pp_error *err)
 {

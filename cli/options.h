@@ -58,6 +58,10 @@ void pp_options_help(const struct pp_command_line *line, FILE *out);
 /* A line of help on some other word, laid out as those on options are. */
 void pp_options_help_word(const char *word, const char *text, FILE *out);
 
+/* Numbers with a letter between them, as many as there are up to `most`; -1: something
+ * else stands there. */
+int pp_options_numbers(const char *text, char between, double *list, int most);
+
 /* Readers, by the type of the place. */
 pp_option_reader pp_options_read_text; /* const char *, not empty; borrowed from argv */
 pp_option_reader pp_options_read_input; /* the same, of a file that is read */

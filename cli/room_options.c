@@ -103,6 +103,14 @@ const struct pp_option pp_room_sky_options[] = {
     {0},
 };
 
+const struct pp_option pp_room_french_option[] = {
+    {"vsc-point-french", 0, "M",
+     "The vertical sky component of windows down to the floor at this height above it, "
+     "such as 1.6, and not at their middle.",
+     pp_options_read_metres, 0},
+    {0},
+};
+
 const struct pp_option pp_room_external_option[] = {
     {"external", 0, "LUX",
      "Set illuminances beside the daylight factors: what they make of so many lux "

@@ -32,6 +32,8 @@ extern const struct pp_option pp_room_methods_option[];
 extern const struct pp_option pp_room_points_option[];
 extern const struct pp_option pp_room_sky_options[]; /* sky, room */
 extern const struct pp_option pp_room_external_option[];
+/* vsc-point-french; its values are one double, 0 where it is not given. */
+extern const struct pp_option pp_room_french_option[];
 extern const struct pp_option pp_room_simulate_option[];
 /* Of commands that simulate by default: simulate, and by-hand in its place. */
 extern const struct pp_option pp_room_by_hand_options[];

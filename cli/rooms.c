@@ -235,9 +235,22 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
     return result;
 }
 
+/* As it is, or with its mirror image at the line. */
+static enum pp_status settle(struct pp_building *building,
+                             const struct pp_mirror_line *line, struct pp_error *err)
+{
+    struct pp_error why = {0};
+    if (!line)
+        return pp_building_set_state(building, PP_STATE_EXISTING, err);
+    enum pp_status status = pp_building_mirror(building, line, &why);
+    return status == PP_OK ? PP_OK
+                           : pp_fail(err, status, "--mirror-image: %s", why.message);
+}
+
 /* One building of those rooms again, from its text. */
-static enum pp_exit load_existing(struct loading *loading, const char *file,
-                                  const struct pp_building *proposed)
+static enum pp_exit load_again(struct loading *loading, const char *file,
+                               const struct pp_building *proposed,
+                               const struct pp_mirror_line *line)
 {
     struct pp_mistakes mistakes;
     struct pp_building *building = NULL;
@@ -246,7 +259,7 @@ static enum pp_exit load_existing(struct loading *loading, const char *file,
     enum pp_status status =
         pp_building_read_again(&building, proposed, &mistakes, &err);
     if (status == PP_OK)
-        status = pp_building_set_state(building, PP_STATE_EXISTING, &err);
+        status = settle(building, line, &err);
     enum pp_exit result = status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
     enum pp_exit kept = keep_building(loading->rooms, building);
     if (result == PP_EXIT_DONE)
@@ -259,9 +272,11 @@ static enum pp_exit load_existing(struct loading *loading, const char *file,
     return result;
 }
 
-enum pp_exit pp_rooms_load_existing(struct pp_rooms *rooms, const char *command,
-                                    const struct pp_rooms *proposed,
-                                    const struct pp_room_options *options)
+/* Every building of those rooms again that has states. */
+static enum pp_exit load_all_again(struct pp_rooms *rooms, const char *command,
+                                   const struct pp_rooms *proposed,
+                                   const struct pp_room_options *options,
+                                   const struct pp_mirror_line *line)
 {
     *rooms = (struct pp_rooms){.more_than_one_file = proposed->more_than_one_file};
     struct loading loading = {rooms, command, options};
@@ -272,11 +287,36 @@ enum pp_exit pp_rooms_load_existing(struct pp_rooms *rooms, const char *command,
         if (room->building == last || !pp_building_has_states(room->building))
             continue;
         last = room->building;
-        result = load_existing(&loading, room->file, last);
+        result = load_again(&loading, room->file, last, line);
     }
     if (result != PP_EXIT_DONE)
         pp_rooms_clear(rooms);
     return result;
+}
+
+enum pp_exit pp_rooms_load_existing(struct pp_rooms *rooms, const char *command,
+                                    const struct pp_rooms *proposed,
+                                    const struct pp_room_options *options)
+{
+    return load_all_again(rooms, command, proposed, options, NULL);
+}
+
+enum pp_exit pp_rooms_load_mirrored(struct pp_rooms *rooms, const char *command,
+                                    const struct pp_rooms *proposed,
+                                    const struct pp_room_options *options,
+                                    const struct pp_mirror_line *line)
+{
+    struct pp_error err;
+    for (int i = 0; i < proposed->count; i++) {
+        if (pp_building_has_states(proposed->list[i].building))
+            continue;
+        pp_fail(&err, PP_BAD_INPUT,
+                "%s: --mirror-image: nothing in it has a state; expected a file that "
+                "says what is existing and what is proposed",
+                proposed->list[i].file);
+        return pp_message_error(&err);
+    }
+    return load_all_again(rooms, command, proposed, options, line);
 }
 
 void pp_rooms_clear(struct pp_rooms *rooms)

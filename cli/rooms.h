@@ -27,6 +27,13 @@ enum pp_exit pp_rooms_load_existing(struct pp_rooms *rooms, const char *command,
                                     const struct pp_rooms *proposed,
                                     const struct pp_room_options *options);
 
+/* The rooms of those files with the mirror image of what each building keeps in place of
+ * what is proposed. Every file must have states. */
+enum pp_exit pp_rooms_load_mirrored(struct pp_rooms *rooms, const char *command,
+                                    const struct pp_rooms *proposed,
+                                    const struct pp_room_options *options,
+                                    const struct pp_mirror_line *line);
+
 void pp_rooms_clear(struct pp_rooms *rooms);
 
 #endif

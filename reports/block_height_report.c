@@ -62,6 +62,7 @@ enum pp_status pp_block_height_report(const struct pp_block_height *found,
             : "before: the site without the block; now: as the file has it; "
               "then: with the block at the height found [BR209]",
         2, 2, width, out);
+    pp_sky_dues_table_point(&task->rule, width, out);
     return good ? PP_OK : pp_fail_memory(err);
 }
 
@@ -76,6 +77,8 @@ enum pp_status pp_block_height_report_json(const struct pp_block_height *found,
                 && pp_json_text(object, "verdict", verdicts[found->verdict])
                 && pp_json_number(object, "keep", task->rule.keep)
                 && pp_json_number(object, "enough", 100.0 * task->rule.enough)
+                && (!(task->rule.french_m > 0.0)
+                    || pp_json_number(object, "vsc_point_french", task->rule.french_m))
                 && pp_json_number(object, "now", found->now_m)
                 && pp_json_number(object, "height", found->height_m)
                 && pp_sky_dues_table_json(object, &found->dues, task->rule.of,

@@ -104,6 +104,7 @@ enum pp_status pp_plot_envelope_report(const struct pp_plot_envelope *found,
               "the envelope [BR209]; plane: its altitude, degrees, where it limits "
               "the envelope",
         2, 2, width, out);
+    pp_sky_dues_table_point(&task->rule, width, out);
     return good ? PP_OK : pp_fail_memory(err);
 }
 
@@ -154,6 +155,8 @@ enum pp_status pp_plot_envelope_report_json(const struct pp_plot_envelope *found
                 && pp_json_text(object, "verdict", verdicts[found->verdict])
                 && pp_json_number(object, "keep", task->rule.keep)
                 && pp_json_number(object, "enough", 100.0 * task->rule.enough)
+                && (!(task->rule.french_m > 0.0)
+                    || pp_json_number(object, "vsc_point_french", task->rule.french_m))
                 && pp_json_number(object, "volume", found->volume_m3)
                 && pp_json_number(object, "factor", found->factor)
                 && pp_sky_dues_table_json(object, &found->dues, task->rule.of,

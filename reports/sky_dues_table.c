@@ -6,6 +6,7 @@
 
 #include "model/base/text.h"
 #include "model/geometry/vec.h"
+#include "reports/parts/print.h"
 
 void pp_sky_dues_table_say(char *text, size_t size, const struct pp_sky_dues_rule *rule)
 {
@@ -122,4 +123,16 @@ bool pp_sky_dues_table_json(struct json_object *object, const struct pp_sky_dues
                                                altitudes_rad ? &altitudes_rad[i] : NULL,
                                                i == deciding));
     return good;
+}
+
+void pp_sky_dues_table_point(const struct pp_sky_dues_rule *rule, int width, FILE *out)
+{
+    char text[128];
+    if (!(rule->french_m > 0.0))
+        return;
+    snprintf(text, sizeof text,
+             "components of windows down to the floor are those at %g m above it",
+             rule->french_m);
+    fputs("  ", out);
+    pp_print_wrapped(text, 2, 2, width, out);
 }

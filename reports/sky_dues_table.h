@@ -25,4 +25,8 @@ bool pp_sky_dues_table_json(struct json_object *object, const struct pp_sky_dues
                             enum pp_sky_dues_of of, int deciding,
                             const double *altitudes_rad);
 
+/* Below a table: where the components of windows down to the floor are taken, if not at
+ * their middle; `width` columns. */
+void pp_sky_dues_table_point(const struct pp_sky_dues_rule *rule, int width, FILE *out);
+
 #endif

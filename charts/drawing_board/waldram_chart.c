@@ -93,9 +93,9 @@ static void upright_titles(const struct pp_waldram_sheet *sheet, const char *sky
     else
         snprintf(subtitle, room,
                  "Vertical sky component of the window on line %d, its outside's "
-                 "middle x\u00a0%.2f, y\u00a0%.2f, z\u00a0%.2f\u00a0m, %s",
-                 sheet->panels->windows->line, sheet->point.x, sheet->point.y,
-                 sheet->point.z, sky);
+                 "%s x\u00a0%.2f, y\u00a0%.2f, z\u00a0%.2f\u00a0m, %s",
+                 sheet->panels->windows->line, sheet->off_middle ? "point" : "middle",
+                 sheet->point.x, sheet->point.y, sheet->point.z, sky);
 }
 
 static void titles(const struct pp_waldram_sheet *sheet, char *title, char *subtitle,

@@ -255,6 +255,10 @@ static void say_foot(const struct elevation_drawing *drawing, char *foot, size_t
     pp_page_say(
         foot, room, "Figures in per cent, at the middle of each window's outside%s.",
         site->has_before ? "; above, in light type, what they were before" : "");
+    if (site->french_m > 0.0)
+        pp_page_say(foot, room,
+                    "Of windows down to the floor they are those at %g m above it.",
+                    site->french_m);
     if (site->has_before)
         pp_page_say(foot, room,
                     "Heavily framed: under 27\u00a0%% and under 0.8 of before.");

@@ -420,6 +420,11 @@ static void draw_sheet(struct site_drawing *drawing, struct pp_canvas *canvas)
         foot, sizeof foot,
         "Before each upright window its vertical sky component in per cent, the "
         "lowest storey next to the wall. Heights are above the ground.");
+    if (sheet->french_m > 0.0)
+        pp_page_say(foot, sizeof foot,
+                    "Of windows down to the floor it is that at %g m above the "
+                    "floor, of all others at their middle.",
+                    sheet->french_m);
     if (sheet->cell_count > 0)
         pp_page_say(
             foot, sizeof foot,

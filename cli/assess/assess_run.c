@@ -38,6 +38,8 @@ static enum pp_status compute(void *data, struct pp_error *err)
     const struct pp_rooms *rooms = run->rooms;
     const struct pp_rooms_before then = {run->before->list, run->before->count,
                                          !run->words->before};
+    const struct pp_rooms_before mirrored = {run->mirrored->list, run->mirrored->count,
+                                             true};
     const struct pp_study_options *study = &run->words->room.study;
     const struct pp_assess_options wanted = {
         .study = study,
@@ -46,6 +48,7 @@ static enum pp_status compute(void *data, struct pp_error *err)
         .place = run->words->place,
         .median_lux = run->words->median_lux,
         .french_m = run->words->french_m,
+        .mirrored = &mirrored,
         .sunshine = run->words->sunshine.known ? &run->words->sunshine : NULL,
         .of_weather = run->words->weather != NULL};
     enum pp_status status = PP_OK;
@@ -83,6 +86,7 @@ static bool is_finished(const void *data)
 
 static enum pp_exit run_on(struct pp_assess_words *words, const struct pp_rooms *rooms,
                            const struct pp_rooms *before,
+                           const struct pp_rooms *mirrored,
                            enum pp_status (*print)(const void *, FILE *,
                                                    struct pp_error *))
 {
@@ -91,6 +95,7 @@ static enum pp_exit run_on(struct pp_assess_words *words, const struct pp_rooms 
     struct pp_assess_run run = {.words = words,
                                 .rooms = rooms,
                                 .before = before,
+                                .mirrored = mirrored,
                                 .all = {.several = rooms->several,
                                         .more_than_one_file = rooms->more_than_one_file,
                                         .options = &words->room.study}};
@@ -102,18 +107,23 @@ static enum pp_exit run_on(struct pp_assess_words *words, const struct pp_rooms 
     return exit_status;
 }
 
-static enum pp_status refuse_without_before(const struct pp_criterion *criterion,
-                                            struct pp_error *err)
+static enum pp_status refuse_alone(const struct pp_criterion *criterion,
+                                   struct pp_error *err)
 {
+    if (criterion->needs_mirror_image)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s compares with the building's mirror image; it needs "
+                       "--mirror-image X1,Y1,X2,Y2, the line of the boundary",
+                       criterion->name);
     return pp_fail(err, PP_BAD_INPUT,
                    "%s compares with the room as it was; it needs --before FILE, or a "
                    "file that says what is existing and what is proposed",
                    criterion->name);
 }
 
-/* A criterion that was asked for by name must have a room before to compare with. */
-static enum pp_exit check_before(const struct pp_assess_words *words,
-                                 const char *command)
+/* A criterion that was asked for by name must have what it compares with. */
+static enum pp_exit check_compared(const struct pp_assess_words *words,
+                                   const char *command, bool has_before)
 {
     bool chosen[PP_CRITERIA_MOST];
     struct pp_error err;
@@ -122,8 +132,10 @@ static enum pp_exit check_before(const struct pp_assess_words *words,
         || pp_assessment_choose(chosen, words->criteria, &err) != PP_OK)
         return PP_EXIT_DONE;
     for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
-        if (chosen[i] && criterion->needs_before) {
-            refuse_without_before(criterion, &err);
+        if (chosen[i]
+            && ((criterion->needs_before && !has_before)
+                || (criterion->needs_mirror_image && !words->mirror_image.given))) {
+            refuse_alone(criterion, &err);
             return pp_message_usage(command, &err);
         }
     return PP_EXIT_DONE;
@@ -134,7 +146,7 @@ enum pp_exit pp_assess_run(struct pp_assess_words *words, const char *command,
                            enum pp_status (*print)(const void *data, FILE *out,
                                                    struct pp_error *err))
 {
-    struct pp_rooms rooms = {0}, before = {0};
+    struct pp_rooms rooms = {0}, before = {0}, mirrored = {0};
     enum pp_exit exit_status = PP_EXIT_DONE;
     if (words->weather)
         exit_status = pp_availability_options_median(words->weather, &words->median_lux,
@@ -151,10 +163,14 @@ enum pp_exit pp_assess_run(struct pp_assess_words *words, const char *command,
     } else if (words->room.state == PP_STATE_BOTH) {
         exit_status = pp_rooms_load_existing(&before, command, &rooms, &words->room);
     }
-    if (exit_status == PP_EXIT_DONE && before.count == 0)
-        exit_status = check_before(words, command);
     if (exit_status == PP_EXIT_DONE)
-        exit_status = run_on(words, &rooms, &before, print);
+        exit_status = check_compared(words, command, before.count > 0);
+    if (exit_status == PP_EXIT_DONE && words->mirror_image.given)
+        exit_status = pp_rooms_load_mirrored(&mirrored, command, &rooms, &words->room,
+                                             &words->mirror_image.line);
+    if (exit_status == PP_EXIT_DONE)
+        exit_status = run_on(words, &rooms, &before, &mirrored, print);
+    pp_rooms_clear(&mirrored);
     pp_rooms_clear(&before);
     pp_rooms_clear(&rooms);
     return exit_status;

@@ -10,6 +10,7 @@
 struct pp_assess_run {
     const struct pp_assess_words *words;
     const struct pp_rooms *rooms, *before; /* before: as they were; may be empty */
+    const struct pp_rooms *mirrored; /* with the mirror image outside; may be empty */
     struct pp_assessments all;
 };
 

@@ -1,6 +1,7 @@
 /* assess_words.c - see assess_words.h. */
 #include "cli/assess/assess_words.h"
 
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -10,6 +11,24 @@
 #include "studies/criteria/capitals.h"
 
 #define PLACE(member) offsetof(struct pp_assess_words, member)
+
+/* Ends nearer together are no line (m). */
+#define BOUNDARY_LEAST_M 0.01
+
+static enum pp_status read_boundary(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_boundary_words *words = place;
+    double v[4];
+    bool good = pp_options_numbers(text, ',', v, 4) == 4;
+    for (int i = 0; i < 4 && good; i++)
+        good = fabs(v[i]) <= 1e6;
+    if (!good || hypot(v[2] - v[0], v[3] - v[1]) < BOUNDARY_LEAST_M)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "two points X1,Y1,X2,Y2 in metres that are apart, such as "
+                       "0,-7.5,12,-7.5");
+    *words = (struct pp_boundary_words){true, {{v[0], v[1]}, {v[2], v[3]}}};
+    return PP_OK;
+}
 
 const struct pp_option pp_assess_words_table[] = {
     {"table", 0, NULL,
@@ -28,6 +47,11 @@ const struct pp_option pp_assess_words_choice[] = {
     {"before", 'b', "FILE",
      "The room as it was before something was built outside: sky and area lost.",
      pp_options_read_input, PLACE(before)},
+    {"mirror-image", 0, "X1,Y1,X2,Y2",
+     "Beside the site as proposed what the building's own mirror image at that "
+     "boundary "
+     "line would leave: sky and lit area.",
+     read_boundary, PLACE(mirror_image)},
     {"place", 0, "NAME",
      "A capital of EN 17037's table, whose median illuminance is taken; by default "
      "that "
@@ -40,10 +64,6 @@ const struct pp_option pp_assess_words_choice[] = {
      "The same by a weather file in EnergyPlus format, and how likely the sun is to "
      "shine.",
      pp_options_read_input, PLACE(weather)},
-    {"vsc-point-french", 0, "M",
-     "The vertical sky component of windows down to the floor at this height above it, "
-     "such as 1.6, and not at their middle.",
-     pp_options_read_metres, PLACE(french_m)},
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room.room)},
     {"state", 0, "STATE",
@@ -120,6 +140,13 @@ enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
         status = pp_fail(err, PP_BAD_INPUT,
                          "--criteria and --for both say what is judged; expected one "
                          "of them");
+    if (status == PP_OK && options->mirror_image.given
+        && (options->before || options->room.state != PP_STATE_BOTH))
+        status =
+            pp_fail(err, PP_BAD_INPUT,
+                    "--mirror-image is set beside a file's own existing and proposed "
+                    "state; it does not go with %s",
+                    options->before ? "--before" : "--state");
     if (status == PP_OK && options->before && options->room.state != PP_STATE_BOTH)
         status = pp_fail(err, PP_BAD_INPUT,
                          "--before and --state both say what is set beside each other; "

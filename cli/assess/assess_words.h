@@ -6,17 +6,25 @@
 #include <stdbool.h>
 
 #include "cli/room_options.h"
+#include "model/room/building.h"
 #include "pepperpot.h"
 #include "studies/climate/sunshine.h"
 #include "studies/criteria/profile.h"
+
+/* The line at which the building is mirrored, if one was asked for. */
+struct pp_boundary_words {
+    bool given;
+    struct pp_mirror_line line;
+};
 
 struct pp_assess_words {
     struct pp_room_options room;
     const char *criteria;     /* as typed; NULL: all */
     const char *profile_name; /* as typed; NULL: none asked for */
     const struct pp_profile *profile;
-    bool table;          /* one table of all rooms in place of a sheet a room */
-    const char *before;  /* the file with the room as it was; NULL: none */
+    bool table;         /* one table of all rooms in place of a sheet a room */
+    const char *before; /* the file with the room as it was; NULL: none */
+    struct pp_boundary_words mirror_image;
     const char *place;   /* a capital of the standard's table; NULL: the room's site */
     double median_lux;   /* instead; 0: not given */
     double french_m;     /* height of the point of French windows; 0: the middle */

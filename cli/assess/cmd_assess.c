@@ -46,6 +46,7 @@ static enum pp_exit run(void *words, char **files, int file_count)
 
 static const struct pp_option_group groups[] = {
     {"What is judged", pp_assess_words_choice, 0},
+    {"What is judged", pp_room_french_option, PLACE(french_m)},
     {"What is judged", pp_room_external_option, PLACE(room)},
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
     {"Output", pp_assess_words_table, 0},

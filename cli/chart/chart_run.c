@@ -135,8 +135,9 @@ static enum pp_status draw_sheet(struct chart_task *task, struct pp_canvas *canv
     struct pp_study_room *room = NULL;
     if (task->rooms.count > 0) {
         room = &task->rooms.list[first];
-        choice.site = (struct pp_chart_site){room, &task->before[first],
-                                             rooms_on_sheet(task, first)};
+        choice.site =
+            (struct pp_chart_site){room, &task->before[first],
+                                   rooms_on_sheet(task, first), choice.site.french_m};
     }
     return pp_chart_sheet_draw(task->kind, canvas, room, &task->room_options->study,
                                &choice, &task->finished, err);

@@ -205,6 +205,7 @@ struct chart_command {
 
 static const struct pp_option_group groups[] = {
     {"The sheet", sheet_options, PLACE(chart)},
+    {"The sheet", pp_room_french_option, PLACE(chart.choice.site.french_m)},
     {"Diagrams of the drawing board", board_options, PLACE(chart)},
     {"Overlay", pp_overlay_options, PLACE(chart.choice.board.overlay)},
     {"Scale model", pp_model_options, PLACE(chart.choice.model)},
@@ -251,6 +252,11 @@ static enum pp_status check(void *values, char **words, int word_count,
                        "%s shows a room as it is; --before is of a plan, a site, an "
                        "elevation or sun paths",
                        kind->name);
+    if (chart->choice.site.french_m > 0.0 && !kind->of_site
+        && kind != &pp_draw_vertical_sky)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--vsc-point-french is of a site, an elevation or a diagram of "
+                       "the vertical sky");
     if (chart->choice.line_said && kind != &pp_draw_plan)
         return pp_fail(err, PP_BAD_INPUT, "--line is of a plan");
     chart->before_is_state = !chart->before || strcmp(chart->before, "existing") == 0;

@@ -11,32 +11,12 @@
 
 /* ---- readers ---- */
 
-/* Numbers with a letter between them, as many as there are up to `most`; -1: something
- * else stands there. */
-static int read_numbers(const char *text, char between, double *list, int most)
-{
-    int count = 0;
-    for (;; count++) {
-        size_t length = strcspn(text, (const char[]){between, '\0'});
-        char copy[64];
-        if (count == most || length >= sizeof copy)
-            return -1;
-        memcpy(copy, text, length);
-        copy[length] = '\0';
-        if (!pp_text_parse_number(copy, &list[count]))
-            return -1;
-        if (!text[length])
-            return count + 1;
-        text += length + 1;
-    }
-}
-
 static enum pp_status read_coordinates(const char *text, void *place, int least,
                                        const char *expected, struct pp_error *err)
 {
     struct pp_coordinates *coordinates = place;
     double v[3] = {0.0, 0.0, NAN};
-    int count = read_numbers(text, ',', v, 3);
+    int count = pp_options_numbers(text, ',', v, 3);
     for (int i = 0; i < count; i++)
         if (fabs(v[i]) > 1e6)
             count = -1;
@@ -179,7 +159,7 @@ static enum pp_status read_windows(const char *text, void *place, struct pp_erro
 static enum pp_status read_size(const char *text, void *place, struct pp_error *err)
 {
     double sides[2];
-    int count = read_numbers(text, 'x', sides, 2);
+    int count = pp_options_numbers(text, 'x', sides, 2);
     for (int i = 0; i < count; i++)
         if (sides[i] != floor(sides[i]) || sides[i] < 1.0
             || sides[i] > PP_PICTURE_SIDE_MOST)
@@ -214,7 +194,7 @@ static enum pp_status read_exposure(const char *text, void *place, struct pp_err
 static enum pp_status read_levels(const char *text, void *place, struct pp_error *err)
 {
     struct pp_levels levels = {0};
-    levels.count = read_numbers(text, ',', levels.list, PP_LEVELS_MOST);
+    levels.count = pp_options_numbers(text, ',', levels.list, PP_LEVELS_MOST);
     bool good = levels.count >= 1 && levels.list[0] > 0.0;
     for (int i = 1; i < levels.count; i++)
         good = good && levels.list[i] > levels.list[i - 1];

@@ -43,6 +43,10 @@ static void put_choice(const struct pp_assess_words *words, FILE *out)
     put_option("--criteria", words->criteria, out);
     put_option("--for", words->profile_name, out);
     put_option("--before", words->before, out);
+    if (words->mirror_image.given)
+        fprintf(out, " --mirror-image %.10g,%.10g,%.10g,%.10g",
+                words->mirror_image.line.from[0], words->mirror_image.line.from[1],
+                words->mirror_image.line.to[0], words->mirror_image.line.to[1]);
     put_option("--place", words->place, out);
     if (words->median_lux > 0.0 && !words->weather)
         fprintf(out, " --median-diffuse %.10g", words->median_lux);

@@ -110,8 +110,9 @@ static bool is_site(const struct drawing_task *task, int first, int count)
 static enum pp_status draw_site(struct drawing_task *task, int first, int count,
                                 struct pp_error *err)
 {
-    const struct pp_chart_choice choice = {
-        .site = {&task->run->rooms->list[first], &task->before[first], count}};
+    const struct pp_chart_choice choice = {.site = {&task->run->rooms->list[first],
+                                                    &task->before[first], count,
+                                                    task->run->words->french_m}};
     enum pp_status status =
         add(task, PP_SITE_WHOLE, first, "site",
             "The site, with the vertical sky component of windows", choice, err);

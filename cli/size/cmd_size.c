@@ -177,6 +177,7 @@ static enum pp_exit run(void *values, char **files, int file_count)
 static const struct pp_option_group groups[] = {
     {"What is wanted", pp_size_task_options, 0},
     {"What is wanted", pp_size_block_options, 0},
+    {"What is wanted", pp_room_french_option, PLACE(rule.french_m)},
     PP_ROOM_PLACE_GROUPS("What is wanted", PLACE(room)),
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
     {"Output", pp_format_option, PLACE(format)},

@@ -146,11 +146,14 @@ static enum pp_status settle_block(struct pp_size_options *options,
     if (options->obstruction && options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
                        "csv is the format of --envelope; expected text or json");
-    if (rule->of == PP_SKY_DUES_LIT_AREA && (rule->window || rule->enough > 0.0))
+    if (rule->of == PP_SKY_DUES_LIT_AREA
+        && (rule->window || rule->enough > 0.0 || rule->french_m > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "--%s is of windows, and a lit area is a room's; expected "
                        "--of vsc or%s",
-                       rule->window ? "window-name" : "enough",
+                       rule->window         ? "window-name"
+                       : rule->enough > 0.0 ? "enough"
+                                            : "vsc-point-french",
                        rule->window ? " --room NAME" : " --keep alone");
     if (rule->keep == 0.0)
         rule->keep = PP_SIZE_OPTIONS_KEEP;
@@ -179,6 +182,7 @@ static const char *stray_rule(const struct pp_size_options *options)
            : rule->window                     ? "window-name"
            : rule->keep > 0.0                 ? "keep"
            : rule->enough > 0.0               ? "enough"
+           : rule->french_m > 0.0             ? "vsc-point-french"
            : rule->of == PP_SKY_DUES_LIT_AREA ? "of"
                                               : NULL;
 }

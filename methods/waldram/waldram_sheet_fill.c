@@ -281,7 +281,7 @@ static enum pp_status fill_site_pieces(struct pp_board_window *window,
 
 enum pp_status pp_waldram_sheet_fill_site(struct pp_waldram_sheet *sheet,
                                           const struct pp_world *world, int opening,
-                                          struct pp_error *err)
+                                          struct pp_vec3 point, struct pp_error *err)
 {
     const struct pp_opening *window = &world->openings[opening];
     const struct pp_sky overcast = pp_sky_overcast();
@@ -297,7 +297,9 @@ enum pp_status pp_waldram_sheet_fill_site(struct pp_waldram_sheet *sheet,
     struct pp_waldram_panel *panel = sheet->panels;
     sheet->blank = false;
     sheet->name = world->name;
-    sheet->point = pp_exterior_opening_centroid(window);
+    sheet->point = point;
+    sheet->off_middle =
+        pp_vec_length(pp_vec_sub(point, pp_exterior_opening_centroid(window))) > 0.0;
     panel->wall = world->surfaces[window->face].name;
     panel->windows = calloc(1, sizeof *panel->windows);
     status = panel->windows ? pp_waldram_site_init(&site, &waldram, world, sheet->point,

@@ -31,12 +31,12 @@ enum pp_status pp_waldram_sheet_fill_upright(struct pp_waldram_sheet *sheet,
                                              const struct pp_sky *sky,
                                              struct pp_error *err);
 
-/* With the sky and the obstructions before the outside of an upright opening of the
- * world, by its index, under the CIE overcast sky: one window of two pieces, of which the
+/* With the sky and the obstructions before a point on the outside of an upright opening of
+ * the world, by its index, under the CIE overcast sky: one window of two pieces, of which the
  * sky's is counted. The sum is the vertical sky component. */
 enum pp_status pp_waldram_sheet_fill_site(struct pp_waldram_sheet *sheet,
                                           const struct pp_world *world, int opening,
-                                          struct pp_error *err);
+                                          struct pp_vec3 point, struct pp_error *err);
 
 /* Droop lines of horizontal edges that stand at an angle to the window in plan, in place of
  * those of perpendicular ones, on all panels of a filled sheet. The edge is nearest at

@@ -83,6 +83,7 @@ struct pp_waldram_sheet {
     bool blank;       /* no room, no point */
     bool upright; /* for a wall's outside, at `point`: the one window's middle there */
     struct pp_vec3 point;
+    bool off_middle; /* is that point not the middle of a window of a site? */
     struct pp_sky sky;
     double worth;       /* of a square, fraction of Eh */
     bool inclined;      /* are `across` the lines of edges that are inclined in plan, */

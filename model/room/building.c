@@ -157,6 +157,14 @@ enum pp_status pp_building_set_state(struct pp_building *building,
     return pp_building_site_settle(building, state, err);
 }
 
+enum pp_status pp_building_mirror(struct pp_building *building,
+                                  const struct pp_mirror_line *line,
+                                  struct pp_error *err)
+{
+    building->boundary = *line;
+    return pp_building_site_settle(building, PP_STATE_BOTH, err);
+}
+
 /* ---- Blocks by their names ---- */
 
 /* Of the building, or of a lone room. */

@@ -13,6 +13,11 @@
 /* One room as the file describes it: names, lengths and lines, nothing resolved. */
 struct pp_room;
 
+/* A line in plan. */
+struct pp_mirror_line {
+    double from[2], to[2];
+};
+
 /* What one file holds: one room, or a building of several. */
 struct pp_building;
 
@@ -56,6 +61,14 @@ bool pp_building_has_states(const struct pp_building *building);
  * proposed. Fails only where memory is out. */
 enum pp_status pp_building_set_state(struct pp_building *building,
                                      enum pp_site_state state, struct pp_error *err);
+
+/* The rooms that there are in both states, with what stands there in both, and the mirror
+ * image of those that have a place, in place of all else; as pp_building_set_state. The
+ * line is in the building's axes (m), its ends apart. PP_BAD_INPUT where rooms stand on
+ * both sides of it, or none has a place. */
+enum pp_status pp_building_mirror(struct pp_building *building,
+                                  const struct pp_mirror_line *line,
+                                  struct pp_error *err);
 
 /* The file's own text, as it was read; not owned. */
 const char *pp_building_text(const struct pp_building *building, size_t *length);

@@ -23,6 +23,8 @@ enum shown {
     FIGURE,
     WANTED,
     VERDICT,
+    MIRRORED,
+    BY_MIRROR_IMAGE,
     /* of rights of light */
     AREA,
     SHARE,
@@ -39,18 +41,31 @@ struct heading {
 };
 
 static const char sky[] = "vertical sky component, %", lit[] = "area that sees sky, m2",
-                  found[] = "found", sunlit[] = "sunlit for two hours, %",
+                  mirror_image[] = "mirror image", found[] = "found",
+                  sunlit[] = "sunlit for two hours, %",
                   adequate[] = "adequately lit, m2", lost[] = "lost, m2";
 static const struct heading of_windows[] = {
-    {NULL, "room", ROOM, false},        {NULL, "ref", REF, false},
-    {NULL, "window", OF, false},        {sky, "existing", EXISTING, true},
-    {sky, "proposed", PROPOSED, false}, {sky, "ratio", RATIO, true},
-    {sky, "verdict", VERDICT, false},   {0}};
+    {NULL, "room", ROOM, false},
+    {NULL, "ref", REF, false},
+    {NULL, "window", OF, false},
+    {sky, "existing", EXISTING, true},
+    {sky, "proposed", PROPOSED, false},
+    {sky, "ratio", RATIO, true},
+    {sky, "verdict", VERDICT, false},
+    {mirror_image, "sky, %", MIRRORED, false},
+    {mirror_image, "verdict", BY_MIRROR_IMAGE, false},
+    {0}};
 static const struct heading of_rooms[] = {
-    {NULL, "room", ROOM, false},        {NULL, "ref", REF, false},
-    {NULL, "use", USE, false},          {lit, "existing", EXISTING, true},
-    {lit, "proposed", PROPOSED, false}, {lit, "ratio", RATIO, true},
-    {lit, "verdict", VERDICT, true},    {0}};
+    {NULL, "room", ROOM, false},
+    {NULL, "ref", REF, false},
+    {NULL, "use", USE, false},
+    {lit, "existing", EXISTING, true},
+    {lit, "proposed", PROPOSED, false},
+    {lit, "ratio", RATIO, true},
+    {lit, "verdict", VERDICT, true},
+    {mirror_image, "area, m2", MIRRORED, false},
+    {mirror_image, "verdict", BY_MIRROR_IMAGE, false},
+    {0}};
 static const struct heading of_gardens[] = {
     {NULL, "garden", OF, false},           {sunlit, "existing", EXISTING, true},
     {sunlit, "proposed", PROPOSED, false}, {sunlit, "ratio", RATIO, true},
@@ -105,6 +120,7 @@ static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
     double compared = pp_figure_scale(finding->compared);
     char text[PP_FINDING_CELL];
     const char *verdict = pp_finding_verdict(finding->verdict);
+    const struct pp_finding *mirrored = row->by_mirror_image;
     switch (shown) {
     case ROOM:
         pp_text_excerpt(cell, PP_CELL_BYTES, world->name ? world->name : "-");
@@ -139,6 +155,13 @@ static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
     case VERDICT:
         snprintf(cell, PP_CELL_BYTES, "%s", verdict ? verdict : "-");
         break;
+    case MIRRORED:
+        put_number(cell, compared * row->mirrored, 2);
+        break;
+    case BY_MIRROR_IMAGE:
+        verdict = mirrored ? pp_finding_verdict(mirrored->verdict) : NULL;
+        snprintf(cell, PP_CELL_BYTES, "%s", verdict ? verdict : "-");
+        break;
     default:
         put_number(cell, NAN, 0);
     }
@@ -153,8 +176,10 @@ static enum pp_status print_table(const char *title, const struct heading *headi
                                   struct pp_error *err)
 {
     bool compares = false, has_ref = false, all_have = true, good = true;
+    bool mirrored = false;
     for (int i = 0; i < count; i++) {
         compares |= !isnan(rows[i].existing);
+        mirrored |= rows[i].by_mirror_image != NULL;
         has_ref |= rows[i].room->room->world->ref != NULL;
         all_have &= rows[i].room->room->world->ref != NULL;
     }
@@ -164,7 +189,8 @@ static enum pp_status print_table(const char *title, const struct heading *headi
     pp_table_init(&table, sum ? count + 1 : count);
     table.last_label = sum ? "sum" : NULL;
     for (const struct heading *h = headings; h->words && good; h++) {
-        if ((h->compares && !compares) || (h->shown == REF && !has_ref))
+        if ((h->compares && !compares) || (h->shown == REF && !has_ref)
+            || (h->group == mirror_image && !mirrored))
             continue;
         /* Findings and their bounds take the line: rooms go by their references. */
         const bool by_ref = h->shown == ROOM && headings == of_others && all_have;
@@ -178,7 +204,8 @@ static enum pp_status print_table(const char *title, const struct heading *headi
         if (good && sum)
             put_lit(column->cells[count], sum, shown);
         if (good)
-            column->is_words = h->shown <= OF || h->shown == VERDICT;
+            column->is_words =
+                h->shown <= OF || h->shown == VERDICT || h->shown == BY_MIRROR_IMAGE;
     }
     fprintf(out, "\n  %s\n\n", title);
     if (good) {
@@ -207,6 +234,13 @@ static void print_foot(const struct pp_site_table *table, int width, FILE *out)
                                criterion->title, criterion->source);
             last = criterion;
         }
+    if (table->has_mirror_image)
+        pp_text_append(
+            text, sizeof text,
+            ". Under \"mirror image\": as proposed no less than with the mirror "
+            "image of the building's own rooms at the boundary, of their "
+            "height and on the same ground, in place of what is proposed [%s]",
+            pp_criterion_mirror_image.source);
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
 }

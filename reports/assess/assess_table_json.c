@@ -26,6 +26,10 @@ static struct json_object *row_object(const struct pp_site_row *row, bool compar
                && pp_json_number(object, "proposed", scale * row->proposed)
                && pp_json_number(object, "ratio", row->ratio)
                && pp_json_text(object, "unit", pp_figure_unit(finding->compared));
+    if (good && row->by_mirror_image)
+        good = pp_json_number(object, "mirror_image", scale * row->mirrored)
+               && pp_json_text(object, "mirror_image_verdict",
+                               pp_finding_verdict(row->by_mirror_image->verdict));
     if (good && !compares)
         good = pp_json_number(object, "figure", scale * finding->figure)
                && pp_json_number(object, "wanted", scale * finding->wanted)

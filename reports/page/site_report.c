@@ -76,8 +76,16 @@ static bool has_before(const struct pp_site_row *rows, int count)
     return false;
 }
 
+static bool has_mirror_image(const struct pp_site_row *rows, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (rows[i].by_mirror_image)
+            return true;
+    return false;
+}
+
 static void put_row(struct pp_document *document, const struct pp_site_row *row,
-                    bool named, bool compares)
+                    bool named, bool compares, bool mirrored)
 {
     const char *name = row->room->room->world->name;
     double scale = pp_figure_scale(row->finding->compared);
@@ -91,13 +99,19 @@ static void put_row(struct pp_document *document, const struct pp_site_row *row,
     if (compares)
         pp_room_chapter_number(document, row->ratio, 3);
     pp_room_chapter_verdict(document, row->finding);
+    if (mirrored)
+        pp_room_chapter_number(document, scale * row->mirrored, 2);
+    if (mirrored && row->by_mirror_image)
+        pp_room_chapter_verdict(document, row->by_mirror_image);
+    else if (mirrored)
+        pp_document_cell(document, PP_TONE_PLAIN, "%s", "");
 }
 
 /* of: what the second column names; NULL: there is none. */
 static void put_rows(struct pp_document *document, const char *title, const char *of,
                      const char *unit, const struct pp_site_row *rows, int count)
 {
-    bool compares = has_before(rows, count);
+    bool compares = has_before(rows, count), mirrored = has_mirror_image(rows, count);
     if (count == 0)
         return;
     pp_document_heading(document, 3, "%s", title);
@@ -112,8 +126,12 @@ static void put_rows(struct pp_document *document, const char *title, const char
     if (compares)
         pp_document_column(document, PP_COLUMN_NUMBERS, "ratio");
     pp_document_column(document, PP_COLUMN_WORDS, "verdict");
+    if (mirrored) {
+        pp_document_column(document, PP_COLUMN_NUMBERS, "mirror image, %s", unit);
+        pp_document_column(document, PP_COLUMN_WORDS, "verdict by it");
+    }
     for (int i = 0; i < count; i++)
-        put_row(document, &rows[i], of != NULL, compares);
+        put_row(document, &rows[i], of != NULL, compares, mirrored);
 }
 
 static void put_areas(struct pp_document *document, const char *name,

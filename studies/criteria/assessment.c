@@ -86,6 +86,8 @@ static enum pp_status judge(struct pp_assessment *assessment,
         .light = &assessment->room->light,
         .before = assessment->before ? assessment->before->world : NULL,
         .pairs = assessment->pairs,
+        .mirrored = assessment->mirrored ? assessment->mirrored->world : NULL,
+        .mirrored_pairs = assessment->mirrored_pairs,
         .factors = assessment->has_factors ? &assessment->report : NULL,
         .median = assessment->median,
         .sunshine = options->sunshine,
@@ -99,6 +101,7 @@ static enum pp_status judge(struct pp_assessment *assessment,
     const struct pp_criterion *criterion;
     for (int i = 0; status == PP_OK && (criterion = pp_criteria_at(i)) != NULL; i++) {
         if (!chosen[i] || (criterion->needs_before && !inquiry.before)
+            || (criterion->needs_mirror_image && !inquiry.mirrored)
             || (criterion->of_gardens && inquiry.world->garden_count == 0))
             continue;
         struct pp_answer *answer = &assessment->answers[assessment->answer_count++];
@@ -150,6 +153,9 @@ enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
     if (before && before->count > 0)
         status = pp_room_before_find(&assessment->before, &assessment->pairs, room,
                                      room_count, before, err);
+    if (status == PP_OK && options->mirrored && options->mirrored->count > 0)
+        status = pp_room_before_find(&assessment->mirrored, &assessment->mirrored_pairs,
+                                     room, room_count, options->mirrored, err);
     return status == PP_OK ? gather(assessment, options, err) : status;
 }
 
@@ -181,4 +187,5 @@ void pp_assessment_clear(struct pp_assessment *assessment)
     pp_report_clear(&assessment->report);
     free(assessment->grid);
     free(assessment->pairs);
+    free(assessment->mirrored_pairs);
 }

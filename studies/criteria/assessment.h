@@ -24,7 +24,10 @@ struct pp_assess_options {
     double french_m;   /* as an inquiry's */
     bool of_weather;   /* is that median a weather file's? */
     const struct pp_sunshine *sunshine; /* not owned; NULL: not known */
-    bool verdicts_only;                 /* what would help is not looked for */
+    const struct pp_rooms_before
+        *mirrored;      /* the rooms of the same files with the mirror
+                                             * image outside; not owned; NULL: none */
+    bool verdicts_only; /* what would help is not looked for */
 };
 
 /* A criterion that was asked for, and what it found. */
@@ -37,6 +40,8 @@ struct pp_assessment {
     const struct pp_study_room *room;   /* not owned */
     const struct pp_study_room *before; /* not owned; NULL */
     int *pairs;
+    const struct pp_study_room *mirrored; /* not owned; NULL */
+    int *mirrored_pairs;
     bool has_factors; /* does any criterion that was asked for judge by them? */
     struct pp_receiver *grid;
     struct pp_report report; /* daylight factors on the grid */

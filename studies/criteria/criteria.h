@@ -12,6 +12,7 @@ extern const struct pp_criterion pp_criterion_sunlight;
 extern const struct pp_criterion pp_criterion_sun_exposure;
 extern const struct pp_criterion pp_criterion_gardens;
 extern const struct pp_criterion pp_criterion_no_sky_line;
+extern const struct pp_criterion pp_criterion_mirror_image;
 extern const struct pp_criterion pp_criterion_sky_line;
 extern const struct pp_criterion pp_criterion_limiting_depth;
 extern const struct pp_criterion pp_criterion_glazing_ratio;

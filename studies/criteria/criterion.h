@@ -26,6 +26,11 @@ struct pp_inquiry {
     const int *pairs; /* for each opening of `world` its index in `before`, as
                        * pp_pair_rooms finds them */
 
+    const struct pp_world
+        *mirrored;             /* with the building's mirror image outside in place
+                                      * of what is proposed; NULL: none was asked for */
+    const int *mirrored_pairs; /* as pairs, of it */
+
     /* Daylight factors at the points of EN 17037's grid (en17037_grid.h), which are the
      * report's receivers, and averages over the working plane: columns "traced" where
      * the room was simulated, and the columns that pp_factors_by_hand adds. */
@@ -41,11 +46,12 @@ struct pp_criterion {
     const char *name;  /* as typed on the command line, and in JSON */
     const char *alias; /* its short name in the field, which is good as well; or NULL */
     const char *title; /* for people */
-    const char *source;  /* keys in docs/SOURCES.md, with ", " between */
-    const char *summary; /* one line for the help, without a full stop */
-    bool needs_before;   /* is evaluated only where there is a room before */
-    bool of_gardens;     /* is evaluated only with a room that has gardens */
-    bool of_factors;     /* judges by the inquiry's factors; else they may be NULL */
+    const char *source;      /* keys in docs/SOURCES.md, with ", " between */
+    const char *summary;     /* one line for the help, without a full stop */
+    bool needs_before;       /* is evaluated only where there is a room before */
+    bool needs_mirror_image; /* likewise with the mirror image */
+    bool of_gardens;         /* is evaluated only with a room that has gardens */
+    bool of_factors; /* judges by the inquiry's factors; else they may be NULL */
     bool (*bears_on_use)(enum pp_room_use use); /* NULL: on rooms of any use */
     const char *countries; /* whose it is, "GB IE"; NULL: anybody's */
 

@@ -8,7 +8,9 @@
 
 static const struct pp_profile profiles[] = {
     {"uk-planning", "a neighbour's light and the new rooms' own, as BR 209 has it",
-     "vertical-sky,former-sky,obstruction,sunlight,gardens,no-sky-line,uk-annex", "GB"},
+     "vertical-sky,former-sky,obstruction,sunlight,gardens,no-sky-line,mirror-image,"
+     "uk-annex",
+     "GB"},
     {"en17037", "daylight provision and exposure to sunlight by EN 17037",
      "en17037,sun-exposure", ""},
     {"uk-dwellings", "daylight in dwellings by the UK annex of EN 17037", "uk-annex",

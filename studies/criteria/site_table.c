@@ -2,11 +2,13 @@
  *
  * Where a room has been judged with the room as it was, its windows stand with the
  * criterion that compares (former-sky), else with the one that does not (vertical-sky).
+ * What the building's mirror image leaves stands beside them.
  */
 #include "studies/criteria/site_table.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "model/base/array.h"
 
@@ -24,8 +26,29 @@ static enum pp_status add(struct pp_site_row **rows, int *count,
                              .finding = finding,
                              .existing = before,
                              .proposed = finding->now,
-                             .ratio = before > 0.0 ? finding->now / before : NAN};
+                             .ratio = before > 0.0 ? finding->now / before : NAN,
+                             .mirrored = NAN};
     return PP_OK;
+}
+
+/* Puts what a room's mirror image leaves beside the window or the room that it is of; false
+ * where that has no line. */
+static bool put_beside(struct pp_site_table *table, const struct pp_assessment *room,
+                       const struct pp_finding *finding)
+{
+    const bool of_window = finding->line > 0;
+    struct pp_site_row *rows = of_window ? table->windows : table->rooms;
+    const int count = of_window ? table->window_count : table->room_count;
+    for (int i = 0; i < count; i++) {
+        if (rows[i].room != room
+            || (of_window && strcmp(rows[i].finding->what, finding->what) != 0))
+            continue;
+        rows[i].mirrored = finding->wanted;
+        rows[i].by_mirror_image = finding;
+        table->has_mirror_image = true;
+        return true;
+    }
+    return false;
 }
 
 /* Does the room have findings of that criterion? */
@@ -83,6 +106,9 @@ static enum pp_status add_answer(struct pp_site_table *table,
     if (criterion == &pp_criterion_rights_of_light)
         return add_rights(table, room, answer, err);
     for (int i = 0; i < findings->count; i++) {
+        if (criterion == &pp_criterion_mirror_image
+            && put_beside(table, room, &findings->list[i]))
+            continue;
         if (criterion == &pp_criterion_gardens) {
             if (add(&table->gardens, &table->garden_count, room, answer,
                     &findings->list[i], err)

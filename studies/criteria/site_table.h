@@ -16,10 +16,15 @@ struct pp_site_row {
     double ratio;                     /* proposed over existing; NAN: not known */
     const struct pp_lit_change
         *lit; /* of rights of light; NULL: not judged, or another */
+    double
+        mirrored; /* with the building's mirror image in place of what is proposed; NAN:
+                      * not known */
+    const struct pp_finding *by_mirror_image; /* whose verdict is by that; NULL: none */
 };
 
 /* The lines of all rooms, in their order. */
 struct pp_site_table {
+    bool has_mirror_image;       /* has any line one? */
     struct pp_site_row *windows; /* vertical sky component, a line a window */
     int window_count;
     struct pp_site_row *rooms; /* area that sees sky, a line a room */

@@ -16,12 +16,14 @@ static const double same_m = 0.01;
 /* ---- windows ---- */
 
 static double before_of(const struct pp_study_room *before, const int *pairs,
-                        int opening, enum pp_status *status, struct pp_error *err)
+                        int opening, double french_m, enum pp_status *status,
+                        struct pp_error *err)
 {
     double component = NAN;
     if (before)
-        *status = pp_vertical_sky_component(
-            &component, before->world, &before->world->openings[pairs[opening]], err);
+        *status = pp_vertical_sky_at_point(&component, before->world,
+                                           &before->world->openings[pairs[opening]],
+                                           french_m, err);
     return component;
 }
 
@@ -51,8 +53,8 @@ static enum pp_status add_window(struct pp_site_sheet *sheet,
         place, pp_vec_along(middle, box.high[0] - at, opening->along));
     window.to = pp_placement_to_building(
         place, pp_vec_along(middle, box.low[0] - at, opening->along));
-    enum pp_status status =
-        pp_vertical_sky_component(&window.component, world, opening, err);
+    enum pp_status status = pp_vertical_sky_at_point(&window.component, world, opening,
+                                                     sheet->french_m, err);
     if (status == PP_OK)
         status = pp_array_append(&sheet->windows, sheet->window_count,
                                  sizeof *sheet->windows, err);
@@ -74,7 +76,7 @@ static enum pp_status add_windows(struct pp_site_sheet *sheet,
     for (int i = 0; i < room->world->opening_count && status == PP_OK; i++) {
         if (!pp_vertical_sky_is_upright(&room->world->openings[i]))
             continue;
-        double former = before_of(before, pairs, i, &status, err);
+        double former = before_of(before, pairs, i, sheet->french_m, &status, err);
         if (status == PP_OK)
             status = add_window(sheet, room, i, former, err);
     }
@@ -283,6 +285,7 @@ static enum pp_status make(struct pp_site_sheet *sheet,
     const struct pp_world *first = rooms->list[0].world;
     const char *building = pp_building_name(rooms->list[0].building);
     sheet->title = building ? building : first->name;
+    sheet->french_m = rooms->french_m;
     sheet->north_rad = first->north_rad + first->placement.rotate_rad;
     sheet->ground_m = first->ground_level_m + first->placement.z;
     enum pp_status status = add_shapes(sheet, first, err);

@@ -14,6 +14,7 @@ struct pp_site_rooms {
     const struct pp_study_room *list;
     const struct pp_study_room *const *before;
     int count;
+    double french_m; /* as for pp_vertical_sky_at_point (vertical_sky.h); 0: none */
 };
 
 /* Fills sheet, which the caller clears; empty on failure. What stands outside is taken from

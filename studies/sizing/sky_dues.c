@@ -5,18 +5,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "methods/exact/exterior.h"
 #include "model/base/array.h"
 #include "model/base/text.h"
 #include "model/room/world.h"
+#include "studies/criteria/windows/vertical_sky.h"
 #include "studies/lit_line.h"
 
 static const double next_to_nothing = 1e-6; /* who has less before keeps nothing */
 
 const char *const pp_sky_dues_words[] = {"vsc", "lit-area", NULL};
 
-static enum pp_status add(struct pp_sky_dues *dues, const struct pp_world *world,
-                          int place, const struct pp_opening *opening, double value,
+static enum pp_status add(struct pp_sky_dues *dues, const struct pp_sky_dues_rule *rule,
+                          const struct pp_world *world, int place,
+                          const struct pp_opening *opening, double value,
                           struct pp_error *err)
 {
     enum pp_status status =
@@ -28,8 +29,8 @@ static enum pp_status add(struct pp_sky_dues *dues, const struct pp_world *world
         (struct pp_sky_due){.place = place, .before = NAN, .now = value, .after = NAN};
     if (opening) {
         due->line = opening->line;
-        due->middle = pp_placement_to_building(&world->placement,
-                                               pp_exterior_opening_centroid(opening));
+        due->middle = pp_placement_to_building(
+            &world->placement, pp_vertical_sky_point(opening, rule->french_m));
         due->outward = pp_placement_turn(pp_vec_scale(opening->inner.normal, -1.0),
                                          world->placement.rotate_rad);
     }
@@ -45,11 +46,6 @@ static bool is_called(const char *own, const char *wanted)
     return !wanted || (own && strcmp(own, wanted) == 0);
 }
 
-static bool is_upright(const struct pp_opening *opening)
-{
-    return fabs(opening->slope_rad - PP_PI / 2.0) < 1.0 * PP_RAD;
-}
-
 /* With `only`, the windows of its line alone. */
 static enum pp_status add_windows(struct pp_sky_dues *dues,
                                   const struct pp_sky_dues_rule *rule,
@@ -57,31 +53,30 @@ static enum pp_status add_windows(struct pp_sky_dues *dues,
                                   const struct pp_world *world, int place,
                                   struct pp_error *err)
 {
-    const struct pp_sky overcast = pp_sky_overcast();
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &world->openings[i];
         double share;
-        if (!is_upright(opening) || !is_called(opening->name, rule->window)
+        if (!pp_vertical_sky_is_upright(opening)
+            || !is_called(opening->name, rule->window)
             || (only && opening->line != only->line))
             continue;
-        status = pp_exterior_sky_on_plane(&share, world, opening,
-                                          pp_vec_scale(opening->inner.normal, -1.0),
-                                          &overcast, err);
+        status = pp_vertical_sky_at_point(&share, world, opening, rule->french_m, err);
         if (status == PP_OK)
-            status = add(dues, world, place, opening, share, err);
+            status = add(dues, rule, world, place, opening, share, err);
     }
     return status;
 }
 
 static enum pp_status add_lit_area(struct pp_sky_dues *dues,
+                                   const struct pp_sky_dues_rule *rule,
                                    const struct pp_world *world, int place,
                                    struct pp_error *err)
 {
     struct pp_lit_area area;
     enum pp_status status = pp_lit_line_find(&area, world, PP_LIT_NO_SKY, err);
     if (status == PP_OK)
-        status = add(dues, world, place, NULL, area.lit_m2, err);
+        status = add(dues, rule, world, place, NULL, area.lit_m2, err);
     pp_lit_area_clear(&area);
     return status;
 }
@@ -106,7 +101,7 @@ static enum pp_status add_room(struct pp_sky_dues *dues,
     if (status == PP_OK && is_called(world->name, rule->room))
         status = rule->of == PP_SKY_DUES_VSC
                      ? add_windows(dues, rule, only, world, place, err)
-                     : add_lit_area(dues, world, place, err);
+                     : add_lit_area(dues, rule, world, place, err);
     pp_world_destroy(world);
     return status;
 }

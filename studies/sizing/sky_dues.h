@@ -1,7 +1,7 @@
 /* sky_dues.h - what the windows or the rooms about a site have of the sky, and what they are
  * due of it.
  *
- * A window has its vertical sky component (methods/exact/exterior.h), a room the area of its
+ * A window has its vertical sky component (criteria/windows/vertical_sky.h), a room the area of its
  * working plane that sees sky, before the no-sky line (studies/lit_line.h). Each is due a
  * share of what it has before something is built; a window with enough is due no more:
  *
@@ -23,6 +23,7 @@ struct pp_sky_dues_rule {
     const char *room;   /* only rooms of that name count; NULL: all */
     const char *window; /* only windows of that name count, of VSC; NULL: all */
     double keep;        /* share that each keeps, above 0, below 1 */
+    double french_m;    /* as for pp_vertical_sky_at_point (vertical_sky.h); 0: none */
     double enough;      /* who has that much has his due; INFINITY: nobody has */
 };
 
@@ -31,8 +32,9 @@ struct pp_sky_due {
     char room[64],
         window[64];  /* names, cut; may be empty, and of a room the window's is */
     int place, line; /* the room's in its building; the window's, of a room 0 */
-    struct pp_vec3 middle, outward; /* of the window's outside, in the building's axes;
-                                     * of a room 0 */
+    struct pp_vec3 middle,
+        outward;               /* of the window's outside, or where its component is
+                                     * taken, in the building's axes; of a room 0 */
     double before, now, after; /* VSC (a fraction) or area (m2): before, as the file has
                                 * it, and with what was found */
 };

@@ -99,4 +99,33 @@ check "sun paths of no place" refuses 1 "expected a site with a latitude" \
 check "a window that is not there" refuses 1 "expected the line of a window" \
     chart sun-path --room Study --window attic "$site" -o "$scratch/no.svg"
 check "nothing was written" test ! -e "$scratch/no.svg"
+
+# A French window is judged at 1.6 m in drawings and by sizing as by assess.
+cat >"$scratch/french.xml" <<'EOF'
+<building version="1" name="French">
+<block name="Tower" x="-20" y="-14" width="40" depth="5" height="6"/>
+<room name="R" x="0" y="0"><plan width="4.3" depth="5.1" height="2.7"/>
+<window name="Door" wall="south" left="0.4" sill="0" width="1.5" height="2.1"/>
+<window name="W" wall="south" left="2.6" sill="0.9" width="1.1" height="1.3"/></room></building>
+EOF
+french="--vsc-point-french 1.6"
+check "at 1.6 m" shows "27.06954462" assess -c vsc -f csv $french "$scratch/french.xml"
+for kind in site elevation vertical-sky; do
+    check "chart $kind at 1.6 m" quietly chart $kind $french "$scratch/french.xml" -o "$scratch/$kind.pdf"
+    check "has that figure" says "$scratch/$kind.pdf" "27.1"
+done
+check "and says where" says "$scratch/site.pdf" "1.6 m above the"
+check "of an elevation too" says "$scratch/elevation.pdf" "1.6 m above it"
+check "and of the diagram" says "$scratch/vertical-sky.pdf" "point x 1.15, y 0.00, z 1.60"
+check "sizing begins there" shows '"now": 27.06954462' \
+    size --obstruction Tower -f json $french "$scratch/french.xml"
+check "and says so" grep -q '"vsc_point_french": 1.6' "$scratch/out"
+check "in words too" shows "down to the floor are those at 1.6 m above it" \
+    size --envelope Tower $french "$scratch/french.xml"
+check "a lit area has no such point" refuses 2 "--vsc-point-french is of windows" \
+    size --obstruction Tower --of lit-area $french "$scratch/french.xml"
+check "nor has a window to be sized" refuses 2 "--vsc-point-french is for --obstruction" \
+    size --target 2% $french "$scratch/french.xml"
+check "nor a plan" refuses 2 "is of a site, an elevation or a diagram" \
+    chart plan $french "$scratch/french.xml" -o "$scratch/x.pdf"
 tap_done

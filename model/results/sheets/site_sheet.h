@@ -57,9 +57,11 @@ struct pp_site_cell {
 
 struct pp_site_sheet {
     const char *title;
-    double north_rad;             /* bearing of +y */
-    bool has_before;              /* of any window */
-    double ground_m;              /* z of the ground */
+    double north_rad; /* bearing of +y */
+    bool has_before;  /* of any window */
+    double french_m; /* height above the floor where the component of windows down to it
+                      * is taken; 0: at their middle */
+    double ground_m; /* z of the ground */
     struct pp_site_shape *shapes; /* from low to high */
     int shape_count;
     struct pp_site_window *windows;

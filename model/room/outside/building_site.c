@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "model/geometry/region_pieces.h"
+#include "model/geometry/tolerance.h"
+#include "model/room/outside/mirror_image.h"
 #include "model/room/outside/outside_parts.h"
 #include "model/room/outside/room_shell.h"
 #include "model/room/outside/site_state.h"
@@ -66,7 +68,7 @@ static enum pp_status add_faces(struct pp_room *room, const struct pp_room *othe
     enum pp_status status = PP_OK;
     for (int i = 0; i < shell->body->face_count && status == PP_OK; i++) {
         const struct pp_polygon *face = &shell->body->surfaces[i].outline;
-        part.reflectance = pp_room_shell_reflectance(shell, i);
+        part.reflectance = shell->body->surfaces[i].back;
         if (!shell->is_divided[i])
             status = pp_outside_parts_add_surface(room, &part, face->vertices,
                                                   face->count, err);
@@ -186,12 +188,46 @@ static bool has_too_many(const struct pp_building *building)
     return placed > PP_ROOM_PLACED_MOST;
 }
 
+/* What a state is made of. */
+struct settling {
+    struct pp_building *building;
+    enum pp_site_state state;
+    struct pp_room_shell *shells; /* of each room that was read */
+    struct pp_room_shell *images; /* mirrored; NULL: there is no line to mirror at */
+    struct pp_clipper *clipper;
+};
+
+/* Does the room stand before others in the state? */
+static bool stands(const struct settling *site, int index)
+{
+    const struct pp_room *room = &site->building->read[index];
+    return room->placement.given && pp_site_state_has(site->state, room->state);
+}
+
+static enum pp_status add_neighbours(struct pp_room *room, int index,
+                                     const struct settling *site, struct pp_error *err)
+{
+    const struct pp_room_shell *own = &site->shells[index];
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < site->building->read_count && status == PP_OK; i++) {
+        const struct pp_room *other = &site->building->read[i];
+        if (!stands(site, i))
+            continue;
+        if (i != index)
+            status =
+                add_neighbour(room, own, other, &site->shells[i], site->clipper, err);
+        if (site->images && status == PP_OK)
+            status =
+                add_neighbour(room, own, other, &site->images[i], site->clipper, err);
+    }
+    return status;
+}
+
 /* Room `index` as it stands in the state, with all that is outside it. */
-static enum pp_status settle_room(struct pp_building *building, int index,
-                                  const struct pp_room_shell *shells,
-                                  enum pp_site_state state, struct pp_clipper *clipper,
+static enum pp_status settle_room(const struct settling *site, int index,
                                   struct pp_error *err)
 {
+    struct pp_building *building = site->building;
     const struct pp_room *common = &building->common;
     struct pp_room *read = &building->read[index], *room = NULL;
     bool stays =
@@ -215,51 +251,35 @@ static enum pp_status settle_room(struct pp_building *building, int index,
         room->north_rad = north_rad - room->placement.rotate_rad;
     if (stays)
         return PP_OK;
-    pp_site_state_keep(room, state);
-    status = add_common(room, &shells[index], common, state, err);
+    pp_site_state_keep(room, site->state);
+    status = add_common(room, &site->shells[index], common, site->state, err);
     for (int i = 0; i < common->garden_count && status == PP_OK
-                    && has_gardens(building, index, state);
+                    && has_gardens(building, index, site->state);
          i++)
-        if (pp_site_state_has(state, common->gardens[i].state))
+        if (pp_site_state_has(site->state, common->gardens[i].state))
             status = pp_outside_parts_add_garden(room, &common->gardens[i], err);
-    bool neighbours = room->placement.given && !has_too_many(building);
-    for (int i = 0; i < building->read_count && status == PP_OK; i++) {
-        const struct pp_room *other = &building->read[i];
-        if (i != index && neighbours && other->placement.given
-            && pp_site_state_has(state, other->state))
-            status =
-                add_neighbour(room, &shells[index], other, &shells[i], clipper, err);
-    }
+    if (status == PP_OK && room->placement.given && !has_too_many(building))
+        status = add_neighbours(room, index, site, err);
     return status;
-}
-
-/* Does the room stand before others in the state? */
-static bool stands(const struct pp_building *building, int index,
-                   enum pp_site_state state)
-{
-    const struct pp_room *room = &building->read[index];
-    return room->placement.given && pp_site_state_has(state, room->state);
 }
 
 /* A room's facades end where the others stand, and where the facades of those do that come
  * before it in the file. */
-static enum pp_status make_way(struct pp_room_shell *shells, int index,
-                               const struct pp_building *building,
-                               enum pp_site_state state, struct pp_clipper *clipper,
-                               struct pp_error *err)
+static enum pp_status make_way(struct settling *site, int index, struct pp_error *err)
 {
+    const struct pp_room_shell *shells = site->shells;
     enum pp_status status = PP_OK;
     for (int f = 0; f < shells[index].front_count; f++) {
         struct pp_room_front *front = &shells[index].fronts[f];
-        for (int i = 0; i < building->read_count && status == PP_OK; i++) {
-            if (i == index || !stands(building, i, state))
+        for (int i = 0; i < site->building->read_count && status == PP_OK; i++) {
+            if (i == index || !stands(site, i))
                 continue;
-            status = pp_room_front_give_way(front, shells[i].body, clipper, err);
+            status = pp_room_front_give_way(front, shells[i].body, site->clipper, err);
             for (int k = 0; k < shells[i].front_count && i < index && status == PP_OK;
                  k++)
                 if (pp_room_front_overlaps(front, &shells[i].fronts[k]))
                     status = pp_room_front_take_out(front, &shells[i].fronts[k],
-                                                    clipper, err);
+                                                    site->clipper, err);
         }
     }
     return status;
@@ -267,25 +287,91 @@ static enum pp_status make_way(struct pp_room_shell *shells, int index,
 
 /* What the rooms are to each other; of those that stand by themselves, their walls'
  * names. */
-static enum pp_status make_shells(struct pp_room_shell *shells,
-                                  const struct pp_building *building,
-                                  enum pp_site_state state, struct pp_clipper *clipper,
-                                  struct pp_error *err)
+static enum pp_status make_shells(struct settling *site, struct pp_error *err)
 {
+    const struct pp_building *building = site->building;
     int count = building->read_count;
     enum pp_status status = PP_OK;
     bool too_many = has_too_many(building);
     for (int i = 0; i < count && status == PP_OK; i++) {
         const struct pp_room *room = &building->read[i];
-        bool outside = stands(building, i, state) && !too_many;
         if (room->placement.given || building->common.skyline_count > 0)
-            status =
-                pp_room_shell_make(&shells[i], room, outside ? state : PP_STATE_BOTH,
-                                   building->glass_reflectance, err);
+            status = pp_room_shell_make(&site->shells[i], room, site->state,
+                                        stands(site, i) && !too_many,
+                                        building->glass_reflectance, err);
     }
     for (int i = 0; i < count && status == PP_OK; i++)
-        status = make_way(shells, i, building, state, clipper, err);
+        status = make_way(site, i, err);
     return status;
+}
+
+static const char *name_of(const struct settling *site, int index)
+{
+    const char *name = site->building->read[index].name;
+    return name ? name : "";
+}
+
+/* A building has a mirror image where all of it is on one side of the line. */
+static enum pp_status check_sides(const struct settling *site, struct pp_error *err)
+{
+    const struct pp_mirror_line *line = &site->building->boundary;
+    int on[2] = {-1, -1};
+    for (int i = 0; i < site->building->read_count; i++) {
+        double sides_m[2];
+        if (!stands(site, i))
+            continue;
+        pp_mirror_image_sides(sides_m, &site->shells[i], line);
+        for (int k = 0; k < 2; k++)
+            if (sides_m[k] > PP_SAME_M)
+                on[k] = i;
+        if (on[0] == i && on[1] == i)
+            return pp_fail(err, PP_BAD_INPUT,
+                           "the line from (%g, %g) to (%g, %g) goes through the room "
+                           "\"%.60s\"; expected all rooms on one side of it",
+                           line->from[0], line->from[1], line->to[0], line->to[1],
+                           name_of(site, i));
+    }
+    if (on[0] < 0 && on[1] < 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "no room with a place stands both before and after; expected "
+                       "rooms with x, y, z or rotate to be mirrored");
+    if (on[0] < 0 || on[1] < 0)
+        return PP_OK;
+    return pp_fail(err, PP_BAD_INPUT,
+                   "the rooms \"%.60s\" and \"%.60s\" stand on two sides of the line "
+                   "from (%g, %g) to (%g, %g); expected all of them on one side",
+                   name_of(site, on[0]), name_of(site, on[1]), line->from[0],
+                   line->from[1], line->to[0], line->to[1]);
+}
+
+static enum pp_status make_images(struct settling *site, struct pp_error *err)
+{
+    enum pp_status status = check_sides(site, err);
+    if (status != PP_OK)
+        return status;
+    int count = site->building->read_count;
+    site->images = calloc((size_t)count + 1, sizeof *site->images);
+    if (!site->images)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count && status == PP_OK; i++)
+        if (stands(site, i))
+            status =
+                pp_mirror_image_make(&site->images[i], &site->shells[i],
+                                     &site->building->boundary, site->clipper, err);
+    return status;
+}
+
+static void clear(struct settling *site)
+{
+    for (int i = 0; i < site->building->read_count; i++) {
+        if (site->shells)
+            pp_room_shell_clear(&site->shells[i]);
+        if (site->images)
+            pp_room_shell_clear(&site->images[i]);
+    }
+    free(site->shells);
+    free(site->images);
+    pp_clipper_destroy(site->clipper);
 }
 
 void pp_building_site_clear(struct pp_building *building)
@@ -314,11 +400,12 @@ enum pp_status pp_building_site_settle(struct pp_building *building,
     building->places = calloc((size_t)count + 1, sizeof *building->places);
     building->moved = calloc((size_t)count + 1, sizeof *building->moved);
     building->openings = calloc((size_t)count + 1, sizeof *building->openings);
-    struct pp_room_shell *shells = calloc((size_t)count + 1, sizeof *shells);
-    struct pp_clipper *clipper = NULL;
+    struct settling site = {.building = building,
+                            .state = state,
+                            .shells = calloc((size_t)count + 1, sizeof *site.shells)};
     enum pp_status status = PP_OK;
     if (!building->rooms || !building->places || !building->moved || !building->openings
-        || !shells)
+        || !site.shells)
         status = pp_fail_memory(err);
     building->has_states = pp_site_state_matters(&building->common);
     for (int i = 0; i < count && status == PP_OK; i++) {
@@ -326,16 +413,15 @@ enum pp_status pp_building_site_settle(struct pp_building *building,
         building->has_states |= pp_site_state_matters(&building->read[i]);
     }
     if (status == PP_OK)
-        status = pp_clipper_create(&clipper, err);
+        status = pp_clipper_create(&site.clipper, err);
     if (status == PP_OK)
-        status = make_shells(shells, building, state, clipper, err);
+        status = make_shells(&site, err);
+    if (status == PP_OK && state == PP_STATE_BOTH)
+        status = make_images(&site, err);
     for (int i = 0; i < count && status == PP_OK; i++)
         if (pp_site_state_has(state, building->read[i].state))
-            status = settle_room(building, i, shells, state, clipper, err);
-    for (int i = 0; shells && i < count; i++)
-        pp_room_shell_clear(&shells[i]);
-    pp_clipper_destroy(clipper);
-    free(shells);
+            status = settle_room(&site, i, err);
+    clear(&site);
     if (status != PP_OK)
         pp_building_site_clear(building);
     return status;

@@ -17,7 +17,9 @@
 #include "model/room/read/read_elements.h"
 
 /* Makes building->rooms anew: those that there are in that state (PP_STATE_EXISTING or
- * PP_STATE_PROPOSED). Fails only where memory is out; then there are none. */
+ * PP_STATE_PROPOSED), or with PP_STATE_BOTH what there is in both, and the mirror image of
+ * the placed rooms at building->boundary. Fails where memory is out, or where there is no
+ * such image (PP_BAD_INPUT); then there are none. */
 enum pp_status pp_building_site_settle(struct pp_building *building,
                                        enum pp_site_state state, struct pp_error *err);
 

@@ -20,6 +20,9 @@
 #include "model/room/outside/shades.h"
 #include "model/room/outside/site_state.h"
 
+/* Of outer faces of walls and roofs. */
+static const double outside_reflectance = 0.2;
+
 void pp_room_shell_clear(struct pp_room_shell *shell)
 {
     pp_world_destroy(shell->body);
@@ -173,15 +176,6 @@ static enum pp_status make_fronts(struct pp_room_shell *shell, struct pp_error *
 
 /* ---- faces with windows ---- */
 
-double pp_room_shell_reflectance(const struct pp_room_shell *shell, int face)
-{
-    for (int i = 0; i < shell->body->facade_count; i++)
-        if (shell->body->facades[i].face == face
-            && shell->body->facades[i].depth_m < PP_SET_OFF_M)
-            return shell->body->facades[i].reflectance;
-    return PP_ROOM_SHELL_REFLECTANCE;
-}
-
 static enum pp_status carry_rest(struct pp_room_shell *shell,
                                  const struct pp_room_carried *wall, int face,
                                  struct pp_clipper *clipper, struct pp_error *err)
@@ -220,7 +214,7 @@ static enum pp_status divide_faces(struct pp_room_shell *shell,
         status = carry(shell, &piece, pane->vertices, pane->count, err);
     }
     for (int i = 0; i < world->face_count && status == PP_OK; i++) {
-        piece.part.reflectance = pp_room_shell_reflectance(shell, i);
+        piece.part.reflectance = world->surfaces[i].back;
         if (shell->is_divided[i])
             status = carry_rest(shell, &piece, i, clipper, err);
     }
@@ -260,6 +254,16 @@ static enum pp_status resolve(struct pp_room_shell *shell, const struct pp_room 
     return status == PP_SYSTEM ? pp_fail(err, status, "%s", fault.message) : PP_OK;
 }
 
+/* Of a wall whose facade lies in its own plane that of the facade. */
+static void set_reflectances(struct pp_world *body)
+{
+    for (int i = 0; i < body->face_count; i++)
+        body->surfaces[i].back = outside_reflectance;
+    for (int i = 0; i < body->facade_count; i++)
+        if (body->facades[i].depth_m < PP_SET_OFF_M)
+            body->surfaces[body->facades[i].face].back = body->facades[i].reflectance;
+}
+
 static void turn_body(struct pp_room_shell *shell)
 {
     for (int i = 0; i < shell->body->face_count; i++) {
@@ -285,11 +289,11 @@ static enum pp_status fit_out(struct pp_room_shell *shell, double glass_reflecta
 
 enum pp_status pp_room_shell_make(struct pp_room_shell *shell,
                                   const struct pp_room *room, enum pp_site_state state,
-                                  double glass_reflectance, struct pp_error *err)
+                                  bool outside, double glass_reflectance,
+                                  struct pp_error *err)
 {
-    const bool outside = state != PP_STATE_BOTH
-                         && (has_outside(room) || !isnan(glass_reflectance))
-                         && pp_resolve_is_comparable(room);
+    outside = outside && (has_outside(room) || !isnan(glass_reflectance))
+              && pp_resolve_is_comparable(room);
     bool sound = false;
     *shell = (struct pp_room_shell){.placement = room->placement,
                                     .body = calloc(1, sizeof *shell->body)};
@@ -305,6 +309,7 @@ enum pp_status pp_room_shell_make(struct pp_room_shell *shell,
         calloc((size_t)shell->body->face_count + 1, sizeof *shell->is_divided);
     if (status == PP_OK && !shell->is_divided)
         status = pp_fail_memory(err);
+    set_reflectances(shell->body);
     if (status == PP_OK && outside && sound)
         status = fit_out(shell, glass_reflectance, err);
     if (!sound) {

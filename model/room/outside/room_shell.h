@@ -18,7 +18,8 @@ struct pp_room_carried {
 
 struct pp_room_shell {
     struct pp_placement placement;
-    struct pp_world *body; /* its faces are those of the room, in the building's axes */
+    struct pp_world *body; /* its faces are those of the room, in the building's axes;
+                            * `back` is what they reflect outside */
     char **walls;          /* their names */
     int wall_count;
     struct pp_room *own; /* the room by itself in the state, whose blocks and meshes
@@ -30,21 +31,15 @@ struct pp_room_shell {
     int front_count;
 };
 
-/* What the outside of walls and roofs reflects. */
-#define PP_ROOM_SHELL_REFLECTANCE 0.2
-
 /* With a reflectance for its windows (NAN: they are as walls), faces are divided by them.
  * Mistakes in what a room's file says are noted where the room itself is resolved: of
- * such a room there is nothing outside. Without a state, PP_STATE_BOTH, there is the body
- * alone. To be cleared in any case. */
+ * such a room there is nothing outside. Unless `outside` there is the body alone. To be
+ * cleared in any case. */
 enum pp_status pp_room_shell_make(struct pp_room_shell *shell,
                                   const struct pp_room *room, enum pp_site_state state,
-                                  double glass_reflectance, struct pp_error *err);
+                                  bool outside, double glass_reflectance,
+                                  struct pp_error *err);
 void pp_room_shell_clear(struct pp_room_shell *shell);
-
-/* What a face of the room reflects outside: of a wall whose facade lies in its own plane
- * that of the facade. */
-double pp_room_shell_reflectance(const struct pp_room_shell *shell, int face);
 
 /* Is there a wall of that name? */
 bool pp_room_shell_has_wall(const struct pp_room_shell *shell, const char *name);

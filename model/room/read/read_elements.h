@@ -16,6 +16,7 @@ struct pp_building {
                             * skylines, blocks, surfaces; it has no plan */
     double glass_reflectance; /* of the windows of placed rooms, for the others; NAN: as
                                * walls */
+    struct pp_mirror_line boundary; /* at which it is mirrored */
     struct pp_room *read; /* the rooms as the file has them, each by itself; those that
                            * nothing is added to or taken from have moved to `rooms` */
     int read_count;

@@ -37,16 +37,6 @@ bool pp_vertical_sky_is_upright(const struct pp_opening *opening)
     return fabs(opening->slope_rad - PP_PI / 2.0) < 1.0 * PP_RAD;
 }
 
-enum pp_status pp_vertical_sky_component(double *share, const struct pp_world *world,
-                                         const struct pp_opening *opening,
-                                         struct pp_error *err)
-{
-    const struct pp_sky overcast = pp_sky_overcast();
-    return pp_exterior_sky_on_plane(share, world, opening,
-                                    pp_vec_scale(opening->inner.normal, -1.0),
-                                    &overcast, err);
-}
-
 /* Is the window one to be judged at french_m? */
 static bool is_french(const struct pp_opening *opening, double french_m)
 {
@@ -58,18 +48,25 @@ static bool is_french(const struct pp_opening *opening, double french_m)
     return french_m > 0.0 && low <= FRENCH_FOOT_M && high > french_m;
 }
 
+struct pp_vec3 pp_vertical_sky_point(const struct pp_opening *opening, double french_m)
+{
+    struct pp_vec3 point = pp_exterior_opening_centroid(opening);
+    if (is_french(opening, french_m))
+        point.z = french_m;
+    return point;
+}
+
 enum pp_status pp_vertical_sky_at_point(double *share, const struct pp_world *world,
                                         const struct pp_opening *opening,
                                         double french_m, struct pp_error *err)
 {
-    if (!is_french(opening, french_m))
-        return pp_vertical_sky_component(share, world, opening, err);
     const struct pp_outside_light light = {.sky = pp_sky_overcast()}; /* no ground */
-    struct pp_vec3 point = pp_exterior_opening_centroid(opening);
+    const struct pp_vec3 out = pp_vec_scale(opening->inner.normal, -1.0);
     struct pp_exterior_light outside;
-    point.z = french_m;
+    if (!is_french(opening, french_m))
+        return pp_exterior_sky_on_plane(share, world, opening, out, &light.sky, err);
     enum pp_status status = pp_exterior_light_on_plane(
-        &outside, world, &light, point, pp_vec_scale(opening->inner.normal, -1.0),
+        &outside, world, &light, pp_vertical_sky_point(opening, french_m), out,
         opening->face, err);
     if (status == PP_OK)
         *share = outside.sky;

@@ -58,7 +58,7 @@ static void make(struct made_sheet *made, const char *xml, bool compared)
         read_site(&made->then, xml, PP_STATE_EXISTING);
     for (int i = 0; compared && i < made->now.count; i++)
         before[i] = &made->then.rooms[i];
-    const struct pp_site_rooms rooms = {made->now.rooms, before, made->now.count};
+    const struct pp_site_rooms rooms = {made->now.rooms, before, made->now.count, 0.0};
     struct pp_error err;
     if (pp_elevation_study_make(&made->sheet, &rooms, &err) != PP_OK)
         fail_msg("%s", err.message);

@@ -7,8 +7,10 @@
 #include "model/room/building.h"
 #include "tests/lib/room_of.h"
 
-/* That room of the building, whose element has these attributes. */
-static struct pp_world *world_in(const char *attributes, const char *inside, int index)
+/* That room of the building, whose element has these attributes; line: with its mirror
+ * image there, NULL: as proposed. */
+static struct pp_world *world_by(const char *attributes, const char *inside, int index,
+                                 const struct pp_mirror_line *line)
 {
     char xml[8192];
     snprintf(xml, sizeof xml, "<building version=\"1\" %s>%s</building>", attributes,
@@ -18,12 +20,18 @@ static struct pp_world *world_in(const char *attributes, const char *inside, int
     struct pp_mistakes mistakes;
     pp_mistakes_init(&mistakes, "test");
     if (pp_building_parse(&building, xml, strlen(xml), &mistakes, NULL) != PP_OK
+        || (line && pp_building_mirror(building, line, NULL) != PP_OK)
         || pp_world_create(&world, pp_building_room(building, index), &mistakes, NULL)
                != PP_OK)
         fail_msg("%s: %s", xml, mistakes.count ? mistakes.list[0].text : "no room");
     pp_building_destroy(building);
     pp_mistakes_clear(&mistakes);
     return world;
+}
+
+static struct pp_world *world_in(const char *attributes, const char *inside, int index)
+{
+    return world_by(attributes, inside, index, NULL);
 }
 
 /* Vertical sky component at the first opening. */
@@ -267,6 +275,75 @@ static void panes_are_areas_of_their_own_reflectance(void **state)
     }
 }
 
+/* A house 5.3 m deep whose front is 4 m behind a boundary at 30 degrees, seen from its window:
+ * the mirror image is the box turned by 60 degrees more about the mirrored corner, worked out
+ * beside the program, with a facade up to 6 m. What is proposed and what goes is not
+ * there. */
+static void the_mirror_image_is_the_house_beyond_the_boundary(void **state)
+{
+    (void)state;
+    const double turn = 30.0 * M_PI / 180.0, c = cos(2.0 * turn), s = sin(2.0 * turn);
+    const struct pp_mirror_line line = {{0.0, -4.0},
+                                        {7.0 * cos(turn), -4.0 + 7.0 * sin(turn)}};
+    static const char inside[] =
+        "<block state='proposed' x='0' y='-20' width='9' depth='5' height='40'/>"
+        "<block state='existing' x='0' y='-20' width='9' depth='5' height='40'/>"
+        "<room x='-6' y='1' z='0.3'>" ROOM "<facade wall='south' up='3.3'/></room>";
+    struct pp_world *world = world_by("", inside, 0, &line);
+    double mirrored = component_of(world);
+    pp_world_destroy(world);
+    /* A corner of the building and its image, in the room's own axes. */
+    char alone[4096], *end = alone;
+    const double corners[4][2] = {{-6, 1}, {-1.8, 1}, {-1.8, 6.3}, {-6, 6.3}};
+    double image[4][2];
+    for (int i = 0; i < 4; i++) {
+        double x = corners[i][0], y = corners[i][1] + 4.0;
+        image[i][0] = c * x + s * y + 6.0;
+        image[i][1] = s * x - c * y - 4.0 - 1.0;
+    }
+    end += sprintf(end,
+                   ROOM "<facade wall='south' up='3.3'/><block x='%.17g' y='%.17g' "
+                        "base='0' width='4.2' depth='5.3' height='2.7' rotate='%.17g'/>"
+                        "<surface>",
+                   image[3][0], image[3][1],
+                   atan2(image[2][1] - image[3][1], image[2][0] - image[3][0]) * 180.0
+                       / M_PI);
+    for (int i = 0; i < 4; i++) /* over its front */
+        end += sprintf(end, "<vertex x='%.17g' y='%.17g' z='%g'/>",
+                       image[i == 1 || i == 2][0], image[i == 1 || i == 2][1],
+                       i < 2 ? 2.7 : 6.0);
+    sprintf(end, "</surface>");
+    assert_near(mirrored, component_alone(alone), 1e-9);
+    assert_true(mirrored < 0.39);
+}
+
+static void a_boundary_through_the_building_has_no_mirror_image(void **state)
+{
+    (void)state;
+    static const struct {
+        struct pp_mirror_line line;
+        const char *why;
+    } lines[] = {{{{-9.0, 1.0}, {9.0, 1.1}}, "goes through the room \"A\""},
+                 {{{5.0, 0.0}, {5.0, 3.0}}, "stand on two sides"}};
+    static const char xml[] =
+        "<building version='1'><room name='A' x='0'>" ROOM
+        "</room><room name='B' x='7' y='4'>" ROOM "</room></building>";
+    for (int i = 0; i < 2; i++) {
+        struct pp_building *building = NULL;
+        struct pp_mistakes mistakes;
+        struct pp_error err = {0};
+        pp_mistakes_init(&mistakes, "test");
+        assert_int_equal(
+            pp_building_parse(&building, xml, strlen(xml), &mistakes, &err), PP_OK);
+        assert_int_equal(pp_building_mirror(building, &lines[i].line, &err),
+                         PP_BAD_INPUT);
+        assert_non_null(strstr(err.message, lines[i].why));
+        assert_int_equal(pp_building_room_count(building), 0);
+        pp_building_destroy(building);
+        pp_mistakes_clear(&mistakes);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -276,6 +353,8 @@ int main(void)
         cmocka_unit_test(a_front_hides_nothing_of_the_windows_in_it),
         cmocka_unit_test(a_front_leaves_no_gap_between_storeys),
         cmocka_unit_test(a_front_ends_at_a_bay_that_comes_through_it),
+        cmocka_unit_test(the_mirror_image_is_the_house_beyond_the_boundary),
+        cmocka_unit_test(a_boundary_through_the_building_has_no_mirror_image),
         cmocka_unit_test(panes_are_areas_of_their_own_reflectance),
         cmocka_unit_test(a_rooms_own_block_shades_the_others_in_its_state),
     };
