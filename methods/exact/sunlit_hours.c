@@ -139,11 +139,72 @@ static enum pp_status add_rest(struct pp_sunlit_day *day,
     return status == PP_OK && from < end ? append(day, from, end, err) : status;
 }
 
-enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
-                                   const struct pp_hidden_cones *cones,
-                                   struct pp_sunlit_place place,
-                                   const struct pp_sunlit_sun *sun,
-                                   struct pp_error *err)
+/* The declinations between which a cone may hide the sun (rad), a little more than it does. */
+struct declinations {
+    double low, high;
+};
+
+/* A cone whose edges in turn meet in rays lies in the cap round their mean that holds them
+ * all, if that is less than a hemisphere. Any other may hide the sun on any day. */
+static struct declinations declinations_of(const struct pp_vec3 *half_spaces, int count,
+                                           struct pp_vec3 pole)
+{
+    const struct declinations all = {-PP_PI, PP_PI};
+    enum { RAYS_MOST = 16 };
+    const double hair_rad = 1e-6;
+    struct pp_vec3 rays[RAYS_MOST], middle = pp_vec(0, 0, 0);
+    if (count < 3 || count > RAYS_MOST)
+        return all;
+    for (int i = 0; i < count; i++) {
+        struct pp_vec3 ray = pp_vec_cross(half_spaces[i], half_spaces[(i + 1) % count]);
+        double length = pp_vec_length(ray), side = 0.0;
+        if (!(length > 0.0))
+            return all;
+        ray = pp_vec_scale(ray, 1.0 / length);
+        for (int k = 0; k < count; k++)
+            side += pp_vec_dot(half_spaces[k], ray);
+        rays[i] = side < 0.0 ? pp_vec_scale(ray, -1.0) : ray;
+        for (int k = 0; k < count; k++)
+            if (pp_vec_dot(half_spaces[k], rays[i])
+                < -1e-9 * pp_vec_length(half_spaces[k]))
+                return all;
+        middle = pp_vec_add(middle, rays[i]);
+    }
+    double reach = 1.0;
+    if (!(pp_vec_length(middle) > 0.0))
+        return all;
+    middle = pp_vec_unit(middle);
+    for (int i = 0; i < count; i++)
+        reach = fmin(reach, pp_vec_dot(middle, rays[i]));
+    if (!(reach > 0.01))
+        return all;
+    double at = asin(fmin(fmax(pp_vec_dot(middle, pole), -1.0), 1.0));
+    double half = acos(reach) + hair_rad;
+    return (struct declinations){at - half, at + half};
+}
+
+/* The cones' declinations, to be freed; NULL: memory is out, or there are no cones. */
+static struct declinations *declinations_of_all(const struct pp_hidden_cones *cones,
+                                                struct pp_sunlit_place place)
+{
+    struct pp_vec3 pole = in_world(
+        pp_vec(0.0, cos(place.latitude_rad), sin(place.latitude_rad)), place.north_rad);
+    struct declinations *list =
+        cones ? malloc(((size_t)cones->count + 1) * sizeof *list) : NULL;
+    for (int i = 0, first = 0; list && i < cones->count; i++) {
+        list[i] =
+            declinations_of(cones->half_spaces + first, cones->ends[i] - first, pole);
+        first = cones->ends[i];
+    }
+    return list;
+}
+
+/* bands: of the cones; NULL: any of them may hide the sun. */
+static enum pp_status add_times(struct pp_sunlit_day *day,
+                                const struct pp_hidden_cones *cones,
+                                const struct declinations *bands,
+                                struct pp_sunlit_place place,
+                                const struct pp_sunlit_sun *sun, struct pp_error *err)
 {
     struct path path = path_of(place, sun->declination_rad);
     /* The sun's height has its greatest value at noon: q.z >= 0 and r.z = 0. */
@@ -153,6 +214,10 @@ enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
     enum pp_status status = PP_OK;
     for (int i = 0; cones && from < to && i < cones->count && status == PP_OK; i++) {
         int first = i > 0 ? cones->ends[i - 1] : 0;
+        if (bands
+            && (sun->declination_rad < bands[i].low
+                || sun->declination_rad > bands[i].high))
+            continue;
         status = add_cone(&hidden, &path, cones->half_spaces + first,
                           cones->ends[i] - first, err);
     }
@@ -163,12 +228,24 @@ enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
     return status;
 }
 
+enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
+                                   const struct pp_hidden_cones *cones,
+                                   struct pp_sunlit_place place,
+                                   const struct pp_sunlit_sun *sun,
+                                   struct pp_error *err)
+{
+    return add_times(day, cones, NULL, place, sun, err);
+}
+
 enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
                                       const struct pp_hidden_cones *cones,
                                       struct pp_sunlit_place place, int month, int date,
                                       struct pp_error *err)
 {
     enum pp_status status = PP_OK;
+    struct declinations *bands = declinations_of_all(cones, place);
+    if (cones && !bands)
+        return pp_fail_memory(err);
     for (int hour = 0; hour < 24 && status == PP_OK; hour++) {
         double n = pp_sun_days_since_2000(2025, month, date, hour + 0.5);
         struct pp_sunlit_sun sun = {
@@ -176,8 +253,9 @@ enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
             .from_rad = (hour - 12) * PP_PI / 12.0,
             .to_rad = (hour - 11) * PP_PI / 12.0,
         };
-        status = pp_sunlit_hours_add(day, cones, place, &sun, err);
+        status = add_times(day, cones, bands, place, &sun, err);
     }
+    free(bands);
     pp_sunlit_hours_unite(day);
     return status;
 }
@@ -223,17 +301,21 @@ enum pp_status pp_sunlit_hours_of_year(struct pp_sunlit_year *year,
     struct pp_sunlit_day today = {0};
     enum pp_status status = PP_OK;
     *year = (struct pp_sunlit_year){0};
+    struct declinations *bands = declinations_of_all(cones, place);
+    if (cones && !bands)
+        return pp_fail_memory(err);
     for (int month = 1; month <= 12; month++)
         for (int day = 1; day <= days[month - 1] && status == PP_OK; day++) {
             today.count = 0;
             struct pp_sunlit_sun sun = {pp_sun_path_declination(month, day), -PP_PI,
                                         PP_PI};
-            status = pp_sunlit_hours_add(&today, cones, place, &sun, err);
+            status = add_times(&today, cones, bands, place, &sun, err);
             double hours = share ? weighted_sum(&today, share[month - 1])
                                  : pp_sunlit_hours_sum(&today);
             year->all += hours;
             year->winter += is_winter(month, day) ? hours : 0.0;
         }
+    free(bands);
     pp_sunlit_hours_clear(&today);
     return status;
 }

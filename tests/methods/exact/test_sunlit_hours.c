@@ -15,7 +15,7 @@
 
 static struct pp_world *room(const char *north, const char *body)
 {
-    char text[4096];
+    char text[12288];
     snprintf(text, sizeof text,
              "<room version=\"1\" name=\"Test\" north=\"%s\">" PLAN "%s</room>", north,
              body);
@@ -243,6 +243,46 @@ static void a_year_is_what_counting_makes_of_it(void **state)
     pp_world_destroy(world);
 }
 
+/* Each day by itself asks every cone, the year only those that reach the day's sun: the same
+ * to the bit, before triangles high and low, a block, a skyline, a reveal and a facade. */
+static void a_year_is_the_sum_of_its_days(void **state)
+{
+    (void)state;
+    static const int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    static const double latitudes_deg[] = {51.5, -33.0, 0.0, 68.0};
+    char body[8192] =
+        WINDOW("south") "<skyline wall=\"south\" angle=\"7\"/>"
+                        "<facade wall=\"south\" left=\"1\" up=\"2\"/>"
+                        "<block x=\"-9\" y=\"-14\" width=\"6\" depth=\"4\" "
+                        "height=\"9\"/>";
+    for (int i = 0; i < 40; i++)
+        snprintf(
+            body + strlen(body), sizeof body - strlen(body),
+            "<surface><vertex x=\"%.4f\" y=\"-8\" z=\"%.4f\"/><vertex x=\"%.4f\" "
+            "y=\"-9\" z=\"%.4f\"/><vertex x=\"%.4f\" y=\"-8.5\" z=\"%.4f\"/></surface>",
+            -9.0 + 0.5 * i, 0.4 + 0.31 * (i % 17), -8.2 + 0.5 * i,
+            0.5 + 0.31 * (i % 17), -8.6 + 0.5 * i, 1.3 + 0.31 * (i % 17));
+    struct pp_world *world = room("17", body);
+    struct pp_hidden_view view = pp_hidden_cones_outside(&world->openings[0]);
+    struct pp_hidden_cones cones;
+    assert_int_equal(pp_hidden_cones_init(&cones, world, &view, NULL), PP_OK);
+    for (int l = 0; l < 4; l++) {
+        const struct pp_sunlit_place place = {latitudes_deg[l] * PP_RAD,
+                                              world->north_rad};
+        struct pp_sunlit_year year;
+        double sum = 0.0;
+        assert_int_equal(pp_sunlit_hours_of_year(&year, &cones, place, NULL, NULL),
+                         PP_OK);
+        for (int month = 1; month <= 12; month++)
+            for (int day = 1; day <= days[month - 1]; day++)
+                sum += hours_of_day(world, latitudes_deg[l],
+                                    pp_sun_path_declination(month, day));
+        assert_true(year.all == sum && sum > 100.0);
+    }
+    pp_hidden_cones_clear(&cones);
+    pp_world_destroy(world);
+}
+
 int main(void)
 {
     static const struct CMUnitTest tests[] = {
@@ -254,6 +294,7 @@ int main(void)
         cmocka_unit_test(a_tower_hides_the_hours_of_its_azimuths),
         cmocka_unit_test(mornings_mirror_afternoons),
         cmocka_unit_test(a_year_is_what_counting_makes_of_it),
+        cmocka_unit_test(a_year_is_the_sum_of_its_days),
     };
     return cmocka_run_group_tests_name("sunlit hours", tests, NULL, NULL);
 }
