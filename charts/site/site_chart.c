@@ -12,6 +12,7 @@
 #include "charts/sheet/hatch.h"
 #include "charts/sheet/labels.h"
 #include "charts/sheet/page.h"
+#include "charts/site/site_shape.h"
 #include "charts/site/sky_bands.h"
 
 struct site_drawing {
@@ -87,44 +88,6 @@ static void place(struct site_drawing *drawing, struct pp_box room)
 }
 
 /* ---- what stands there ---- */
-
-static void trace_shape(struct site_drawing *drawing, const struct pp_site_shape *shape)
-{
-    for (int i = 0; i < shape->count; i++)
-        cairo_line_to(drawing->cr, pp_room_plan_x(&drawing->frame, shape->corners[i].x),
-                      pp_room_plan_y(&drawing->frame, shape->corners[i].y));
-    cairo_close_path(drawing->cr);
-}
-
-static void draw_shape(struct site_drawing *drawing, const struct pp_site_shape *shape)
-{
-    cairo_t *cr = drawing->cr;
-    const struct pp_style *style = &drawing->style;
-    static const double gone_dashes[] = {1.4, 0.8};
-    double dashes[2] = {gone_dashes[0] * style->scale, gone_dashes[1] * style->scale};
-    cairo_new_path(cr);
-    trace_shape(drawing, shape);
-    if (shape->is_level && shape->when != PP_SITE_GONE) {
-        pp_style_grey(cr, shape->is_room ? 1.0 : PP_GREY_FILL);
-        cairo_fill_preserve(cr);
-        if (shape->when == PP_SITE_NEW) {
-            cairo_path_t *path = cairo_copy_path(cr);
-            pp_hatch_path(cr, frame_box(&drawing->frame), 1.4 * style->scale,
-                          style->hair, PP_GREY_TEXT);
-            cairo_append_path(cr, path);
-            cairo_path_destroy(path);
-        }
-    }
-    pp_style_line(cr,
-                  shape->is_room                  ? style->medium
-                  : shape->when == PP_SITE_ALWAYS ? style->hair
-                                                  : style->thin,
-                  shape->is_room ? PP_INK : PP_GREY_TEXT);
-    if (shape->when == PP_SITE_GONE)
-        cairo_set_dash(cr, dashes, 2, 0.0);
-    cairo_stroke(cr);
-    cairo_set_dash(cr, NULL, 0, 0.0);
-}
 
 /* Is it the name of a room, as those of other rooms' outsides are? */
 static bool is_room_name(const struct pp_site_sheet *sheet, const char *name)
@@ -397,7 +360,8 @@ static void draw_site(struct site_drawing *drawing)
     for (int pass = 0; pass < 2; pass++)
         for (int i = 0; i < sheet->shape_count; i++)
             if ((sheet->shapes[i].when == PP_SITE_GONE) == (pass == 1))
-                draw_shape(drawing, &sheet->shapes[i]);
+                pp_site_shape_draw(drawing->cr, &drawing->style, &drawing->frame, box,
+                                   &sheet->shapes[i]);
     for (int i = 0; i < sheet->garden_count; i++)
         draw_garden(drawing, &sheet->gardens[i]);
     draw_cells(drawing);

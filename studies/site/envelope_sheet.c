@@ -12,7 +12,7 @@ enum pp_status pp_envelope_sheet_add(struct pp_site_sheet *sheet,
     for (int i = 0; i < sheet->shape_count; i++) {
         struct pp_site_shape *shape = &sheet->shapes[i];
         if (shape->name && strcmp(shape->name, block) == 0)
-            free(shape->corners);
+            pp_site_sheet_clear_shape(shape);
         else
             sheet->shapes[kept++] = *shape;
     }

@@ -9,6 +9,7 @@
 #include "studies/criteria/pair_rooms.h"
 #include "studies/criteria/windows/vertical_sky.h"
 #include "studies/site/garden_sun.h"
+#include "studies/site/mesh_shapes.h"
 
 /* Corners nearer together than this are the same, before and now. */
 static const double same_m = 0.01;
@@ -159,12 +160,15 @@ static enum pp_status add_shapes(struct pp_site_sheet *sheet,
                                  const struct pp_world *world, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    for (int i = world->face_count; i < world->surface_count && status == PP_OK; i++) {
+    int count = pp_world_before_meshes(world);
+    for (int i = world->face_count; i < count && status == PP_OK; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
         if (!surface->inside && surface->role != PP_FACADE)
             status = add_shape(sheet, &surface->outline, &world->placement,
                                name_of(world, surface), false, err);
     }
+    for (int i = 0; i < world->mesh_count && status == PP_OK; i++)
+        status = pp_mesh_shapes_add(sheet, world, &world->meshes[i], err);
     return status;
 }
 
@@ -196,34 +200,90 @@ static bool is_same(const struct pp_site_shape *a, const struct pp_site_shape *b
     return false;
 }
 
+/* A shape by the x of its middle, which one that is the same has too. */
+struct shape_place {
+    double x;
+    int index;
+};
+
+static double middle_x(const struct pp_site_shape *shape)
+{
+    double sum = 0.0;
+    for (int i = 0; i < shape->count; i++)
+        sum += shape->corners[i].x;
+    return sum / shape->count;
+}
+
+static int by_x(const void *left, const void *right)
+{
+    const struct shape_place *a = left, *b = right;
+    return (a->x > b->x) - (a->x < b->x);
+}
+
+/* The first place with an x of `least` or more. */
+static int first_from(const struct shape_place *places, int count, double least)
+{
+    int low = 0, high = count;
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+        if (places[middle].x < least)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Marks those of the sheet's shapes that are the same; false: there is none. */
+static bool mark_same(struct pp_site_sheet *sheet, const struct shape_place *places,
+                      int count, const struct pp_site_shape *former)
+{
+    bool found = false;
+    double x = middle_x(former);
+    for (int i = first_from(places, count, x - same_m);
+         i < count && places[i].x <= x + same_m; i++)
+        if (is_same(&sheet->shapes[places[i].index], former)) {
+            sheet->shapes[places[i].index].when = PP_SITE_ALWAYS;
+            found = true;
+        }
+    return found;
+}
+
+/* Moves a shape that has gone to the sheet. */
+static enum pp_status add_gone(struct pp_site_sheet *sheet,
+                               struct pp_site_shape *former, struct pp_error *err)
+{
+    enum pp_status status =
+        pp_array_append(&sheet->shapes, sheet->shape_count, sizeof *sheet->shapes, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_site_shape *gone = &sheet->shapes[sheet->shape_count++];
+    *gone = *former;
+    gone->when = PP_SITE_GONE;
+    *former = (struct pp_site_shape){0};
+    return PP_OK;
+}
+
 /* Marks what is new, and adds what has gone. */
 static enum pp_status compare(struct pp_site_sheet *sheet,
                               const struct pp_world *before, struct pp_error *err)
 {
     struct pp_site_sheet former = {0};
-    enum pp_status status = add_shapes(&former, before, err);
     int now = sheet->shape_count;
-    for (int i = 0; i < now; i++)
+    struct shape_place *places = malloc(((size_t)now + 1) * sizeof *places);
+    enum pp_status status =
+        places ? add_shapes(&former, before, err) : pp_fail_memory(err);
+    for (int i = 0; i < now && places; i++) {
         sheet->shapes[i].when = PP_SITE_NEW;
-    for (int k = 0; k < former.shape_count && status == PP_OK; k++) {
-        bool found = false;
-        for (int i = 0; i < now; i++)
-            if (is_same(&sheet->shapes[i], &former.shapes[k])) {
-                sheet->shapes[i].when = PP_SITE_ALWAYS;
-                found = true;
-            }
-        if (found)
-            continue;
-        status = pp_array_append(&sheet->shapes, sheet->shape_count,
-                                 sizeof *sheet->shapes, err);
-        if (status == PP_OK) {
-            struct pp_site_shape *gone = &sheet->shapes[sheet->shape_count++];
-            *gone = former.shapes[k];
-            gone->when = PP_SITE_GONE;
-            former.shapes[k].corners = NULL;
-        }
+        places[i] = (struct shape_place){middle_x(&sheet->shapes[i]), i};
     }
+    if (places && now > 0)
+        qsort(places, (size_t)now, sizeof *places, by_x);
+    for (int k = 0; k < former.shape_count && status == PP_OK; k++)
+        if (!mark_same(sheet, places, now, &former.shapes[k]))
+            status = add_gone(sheet, &former.shapes[k], err);
     pp_site_sheet_clear(&former);
+    free(places);
     return status;
 }
 

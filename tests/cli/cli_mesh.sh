@@ -117,6 +117,14 @@ room '<mesh file="street.obj"/><grid spacing="0.3" margin="0"/>' >"$scratch/fine
 check "of too many points the exact method does, too" \
     shows "too many triangles" df --methods exact "$scratch/fine.xml"
 
+houses 300 >"$scratch/few.obj"
+room '<site latitude="51.5" longitude="0"/><mesh file="few.obj"/>' |
+    awk '/<site/ { site = 1 } 1' >"$scratch/few.xml"
+# A house each is one roof of four edges, however many triangles it has.
+check "a plan of the site has roofs, not triangles" quietly chart site -o "$scratch/site.svg" "$scratch/street.xml"
+check "and is small" test "$(wc -c <"$scratch/site.svg")" -lt 400000
+check "sun paths have one outline of the street" sh -c "
+    '$pepperpot' chart sun-path -o '$scratch/sun.svg' '$scratch/few.xml' && [ \$(wc -c <'$scratch/sun.svg') -lt 500000 ]"
 check "contours over the plane are refused in words" refuses 1 \
     "too many to be cut to the view of all points" chart plan "$scratch/street.xml" -o "$scratch/plan.svg"
 

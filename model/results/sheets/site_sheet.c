@@ -5,10 +5,18 @@
 
 const double pp_site_sheet_levels[PP_SITE_LEVELS] = {0.05, 0.15, 0.27};
 
+void pp_site_sheet_clear_shape(struct pp_site_shape *shape)
+{
+    free(shape->corners);
+    free(shape->ends);
+    free(shape->unseen);
+    *shape = (struct pp_site_shape){0};
+}
+
 void pp_site_sheet_clear(struct pp_site_sheet *sheet)
 {
     for (int i = 0; i < sheet->shape_count; i++)
-        free(sheet->shapes[i].corners);
+        pp_site_sheet_clear_shape(&sheet->shapes[i]);
     for (int i = 0; i < sheet->garden_count; i++) {
         free(sheet->gardens[i].corners);
         pp_curve_list_clear(&sheet->gardens[i].dark);

@@ -17,10 +17,16 @@
 /* When something stands there, of what is known before and now. */
 enum pp_site_when { PP_SITE_ALWAYS, PP_SITE_GONE, PP_SITE_NEW };
 
-/* A polygon that stands outside, or a room's own floor. */
+/* A polygon that stands outside, a part of a mesh, or a room's own floor. */
 struct pp_site_shape {
     int count;
     struct pp_vec3 *corners;
+    int *
+        ends; /* of a part of a mesh, which has several rings: past the last corner of each;
+                * NULL: the corners are one ring */
+    int ring_count;
+    bool *
+        unseen; /* is the edge from a corner to the next no line? NULL: all are lines */
     double top_m;     /* z of its highest corner */
     const char *name; /* of the thing that it is a side of; NULL: none */
     enum pp_site_when when;
@@ -74,6 +80,7 @@ struct pp_site_sheet {
 };
 
 void pp_site_sheet_clear(struct pp_site_sheet *sheet);
+void pp_site_sheet_clear_shape(struct pp_site_shape *shape);
 
 /* The vertical sky components at which the advice on windows changes [BR209]: fractions,
  * ascending. */

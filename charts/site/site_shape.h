@@ -1,0 +1,15 @@
+/* site_shape.h - a thing that stands on a site, as its plan shows it: what covers something is
+ * filled, what is new hatched, what has gone dashed.
+ */
+#ifndef PP_CHARTS_SITE_SITE_SHAPE_H
+#define PP_CHARTS_SITE_SITE_SHAPE_H
+
+#include "charts/room/room_plan.h"
+#include "model/results/sheets/site_sheet.h"
+
+/* frame: of the site's x and y; hatching stays within the box on paper. */
+void pp_site_shape_draw(cairo_t *cr, const struct pp_style *style,
+                        const struct pp_room_plan *frame, struct pp_box within,
+                        const struct pp_site_shape *shape);
+
+#endif
