@@ -167,7 +167,8 @@ static enum pp_status draw_room(struct drawing_task *task, int room,
 {
     const struct pp_chart_choice alone = {0},
                                  compared = {.site = {&task->run->rooms->list[room],
-                                                      &task->before[room], 1}};
+                                                      &task->before[room], 1,
+                                                      task->run->words->french_m}};
     enum pp_status status =
         add(task, room, room, "plan",
             "Plan, with contours of the daylight factor by hand", alone, err);
