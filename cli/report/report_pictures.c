@@ -166,11 +166,9 @@ static enum pp_status draw_room(struct drawing_task *task, int room,
                                 struct pp_error *err)
 {
     const struct pp_chart_choice alone = {0},
-                                 compared = {.site = {
-                                                 .rooms = &task->run->rooms->list[room],
-                                                 .before = &task->before[room],
-                                                 .count = 1,
-                                             }};
+                                 compared = {.site = {&task->run->rooms->list[room],
+                                                      &task->before[room], 1,
+                                                      task->run->words->french_m}};
     enum pp_status status =
         add(task, room, room, "plan",
             "Plan, with contours of the daylight factor by hand", alone, err);

@@ -8,8 +8,9 @@
  *     p_building = (x, y, z) + R(rotate) p_room        north_room = north - rotate
  *
  * What the building holds goes into each room's own axes by the inverse. Faces of placed
- * rooms stand before the others as opaque outside walls. A room that is not placed
- * stands by itself, at the building's origin, and before no other.
+ * rooms stand before the others as opaque outside walls, and with them what is fixed
+ * outside (room_shell.h). A room that is not placed stands by itself, at the building's
+ * origin, and before no other.
  */
 #ifndef PP_MODEL_ROOM_OUTSIDE_BUILDING_SITE_H
 #define PP_MODEL_ROOM_OUTSIDE_BUILDING_SITE_H
