@@ -23,7 +23,7 @@ static double seconds_allowed(void)
 {
     const char *preloaded = getenv("LD_PRELOAD");
 #ifdef __SANITIZE_ADDRESS__
-    return 10.0;
+    return 30.0;
 #endif
     return preloaded && strstr(preloaded, "valgrind") ? 60.0 : 1.0;
 }
