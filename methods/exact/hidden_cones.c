@@ -12,7 +12,7 @@
 void pp_hidden_cones_clear(struct pp_hidden_cones *cones)
 {
     free(cones->half_spaces);
-    free(cones->cones);
+    free(cones->list);
     *cones = (struct pp_hidden_cones){0};
 }
 
@@ -31,9 +31,9 @@ static enum pp_status add_half_space(struct pp_hidden_cones *cones, struct pp_ve
 static enum pp_status end_cone(struct pp_hidden_cones *cones, struct pp_error *err)
 {
     enum pp_status status = pp_array_reserve(
-        &cones->cones, &cones->capacity, cones->count + 1, sizeof *cones->cones, err);
+        &cones->list, &cones->capacity, cones->count + 1, sizeof *cones->list, err);
     if (status == PP_OK)
-        cones->cones[cones->count++] =
+        cones->list[cones->count++] =
             (struct pp_hidden_cone){.end = cones->half_space_count};
     return status;
 }
@@ -64,7 +64,7 @@ static void add_cap(struct pp_hidden_cones *cones, struct pp_vec3 eye,
     }
     if (!(least - hair > PP_HIDDEN_CONE_COS_WIDEST))
         return;
-    struct pp_hidden_cone *cone = &cones->cones[cones->count - 1];
+    struct pp_hidden_cone *cone = &cones->list[cones->count - 1];
     cone->axis = axis;
     cone->cos_radius = least - hair;
     cone->sin_radius = sqrt(1.0 - cone->cos_radius * cone->cos_radius);

@@ -30,7 +30,7 @@ struct pp_hidden_cone {
 struct pp_hidden_cones {
     struct pp_vec3 *half_spaces; /* of all cones, one cone behind the other */
     int half_space_count, half_space_capacity;
-    struct pp_hidden_cone *cones;
+    struct pp_hidden_cone *list;
     int count, capacity;
 };
 

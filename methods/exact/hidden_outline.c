@@ -97,7 +97,7 @@ static bool hidden_towards(struct hidden_span *span,
                            struct pp_vec3 h)
 {
     *span = (struct hidden_span){0.0, 0.5 * PP_PI, cone};
-    for (int i = cone > 0 ? cones->cones[cone - 1].end : 0; i < cones->cones[cone].end;
+    for (int i = cone > 0 ? cones->list[cone - 1].end : 0; i < cones->list[cone].end;
          i++) {
         double level = pp_vec_dot(cones->half_spaces[i], h);
         double up = cones->half_spaces[i].z;

@@ -171,10 +171,10 @@ enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
     struct pp_sunlit_day hidden = {0};
     enum pp_status status = PP_OK;
     for (int i = 0; cones && from < to && i < cones->count && status == PP_OK; i++) {
-        int first = i > 0 ? cones->cones[i - 1].end : 0;
-        if (!is_clear_of(&path, &cones->cones[i]))
+        int first = i > 0 ? cones->list[i - 1].end : 0;
+        if (!is_clear_of(&path, &cones->list[i]))
             status = add_cone(&hidden, &path, cones->half_spaces + first,
-                              cones->cones[i].end - first, err);
+                              cones->list[i].end - first, err);
     }
     pp_sunlit_hours_unite(&hidden);
     if (status == PP_OK)

@@ -2,6 +2,7 @@
 #include "model/room/room_parts.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 void pp_room_parts_clear_vertices(struct pp_vertices *vertices)
 {
@@ -33,6 +34,26 @@ void pp_room_parts_clear_surface(struct pp_surface_part *surface)
     free(surface->name);
     pp_room_parts_clear_vertices(&surface->vertices);
     *surface = (struct pp_surface_part){0};
+}
+
+enum pp_status pp_room_parts_copy_surface(struct pp_surface_part *copy,
+                                          const struct pp_surface_part *part,
+                                          const struct pp_vec3 *vertices, int count,
+                                          struct pp_error *err)
+{
+    *copy = *part;
+    copy->name = part->name ? strdup(part->name) : NULL;
+    copy->vertices = (struct pp_vertices){malloc((size_t)count * sizeof *vertices),
+                                          malloc((size_t)count * sizeof(int)), count};
+    if (!copy->vertices.list || !copy->vertices.lines || (part->name && !copy->name)) {
+        pp_room_parts_clear_surface(copy);
+        return pp_fail_memory(err);
+    }
+    for (int i = 0; i < count; i++) {
+        copy->vertices.list[i] = vertices[i];
+        copy->vertices.lines[i] = part->line;
+    }
+    return PP_OK;
 }
 
 void pp_room_parts_clear_plan(struct pp_plan_part *plan)

@@ -271,6 +271,12 @@ struct pp_room {
 void pp_room_parts_clear(struct pp_room *room);
 void pp_room_parts_clear_plan(struct pp_plan_part *plan);
 void pp_room_parts_clear_surface(struct pp_surface_part *surface);
+
+/* A copy with these vertices in place of the part's, each of the part's line. */
+enum pp_status pp_room_parts_copy_surface(struct pp_surface_part *copy,
+                                          const struct pp_surface_part *part,
+                                          const struct pp_vec3 *vertices, int count,
+                                          struct pp_error *err);
 void pp_room_parts_clear_mesh(struct pp_mesh_part *mesh);
 void pp_room_parts_clear_garden(struct pp_garden_part *garden);
 void pp_room_parts_clear_vertices(struct pp_vertices *vertices);

@@ -58,6 +58,16 @@ static struct pp_vec3 begin(const struct pp_path_state *state,
                            : start->position;
 }
 
+/* A ray from where a path starts. */
+static struct pp_light_ray start_ray(const struct pp_path_state *state,
+                                     const struct pp_start *start, struct pp_vec3 from,
+                                     struct pp_vec3 to)
+{
+    return (struct pp_light_ray){from, start->normal, to,
+                                 state->light.scene->has_room ? PP_INDOORS
+                                                              : PP_ANYWHERE};
+}
+
 /* A ray of the point's cosine lobe. */
 static struct pp_light_ray lobe_ray(const struct pp_path_state *state,
                                     const struct pp_start *start)
@@ -65,9 +75,8 @@ static struct pp_light_ray lobe_ray(const struct pp_path_state *state,
     double u[2];
     struct pp_vec3 a, b, from = begin(state, start, 0, u);
     pp_lobe_frame(start->normal, &a, &b);
-    return (struct pp_light_ray){
-        from, start->normal, pp_lobe_sample_in_frame(a, b, start->normal, u[0], u[1]),
-        state->light.scene->has_room ? PP_INDOORS : PP_ANYWHERE};
+    return start_ray(state, start, from,
+                     pp_lobe_sample_in_frame(a, b, start->normal, u[0], u[1]));
 }
 
 static struct pp_light_path path_of(const struct pp_path_state *state,
@@ -140,16 +149,15 @@ static void gather_run(struct pp_path_state *state, const struct pp_start *start
     double u[2][PP_RUN_MOST];
     struct pp_lanes_directions to;
     struct pp_convex_nearest nearest[PP_RUN_MOST];
-    const struct pp_light_scene *scene = state->light.scene;
     pp_sobol_sequence_draw_run(&state->light.sequence, state->light.index, count, 0, 2,
                                u);
     pp_lobe_run(frame, u, count, &to);
-    bool known = pp_light_scene_nearest(scene, start->position, &to, count, nearest);
+    bool known = pp_light_scene_nearest(state->light.scene, start->position, &to, count,
+                                        nearest);
     for (int i = 0; i < count; i++, state->light.index++) {
-        struct pp_light_ray ray = {start->position, start->normal,
-                                   pp_vec(to.x[i], to.y[i], to.z[i]),
-                                   scene->has_room ? PP_INDOORS : PP_ANYWHERE};
-        *sum += gathered(state, &ray, known && scene->has_room ? &nearest[i] : NULL);
+        struct pp_light_ray ray =
+            start_ray(state, start, start->position, pp_vec(to.x[i], to.y[i], to.z[i]));
+        *sum += gathered(state, &ray, known ? &nearest[i] : NULL);
     }
 }
 

@@ -1,8 +1,9 @@
 /* sky_dues.h - what the windows or the rooms about a site have of the sky, and what they are
  * due of it.
  *
- * A window has its vertical sky component (criteria/windows/vertical_sky.h), a room the area of its
- * working plane that sees sky, before the no-sky line (studies/lit_line.h). Each is due a
+ * A window has its vertical sky component (criteria/windows/vertical_sky.h), a room the
+ * area of its working plane that sees sky, before the no-sky line (studies/lit_line.h).
+ * Each is due a
  * share of what it has before something is built; a window with enough is due no more:
  *
  *     due = min(keep before, enough)       [BR209]: keep = 0.8; of VSC, enough = 27 %

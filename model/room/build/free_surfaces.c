@@ -207,8 +207,8 @@ static void flatten(struct pp_polygon *polygon)
 }
 
 /* Moves a surface that lies in a face of the envelope off it into the room, or out if
- * that is where it stands. A face or a facade of another room, whose normal points into that, is moved only where it is turned to this
- * room: two fronts in one plane stay so. */
+ * that is where it stands. A face or a facade of another room, whose normal points into
+ * that, is moved only where it is turned to this room: two fronts in one plane stay so. */
 static void set_off(const struct pp_world *world, struct pp_polygon *polygon,
                     bool inside, bool is_of_room)
 {

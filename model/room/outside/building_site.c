@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/geometry/region_pieces.h"
 #include "model/geometry/tolerance.h"
 #include "model/room/outside/mirror_image.h"
 #include "model/room/outside/outside_parts.h"
@@ -76,32 +75,17 @@ static enum pp_status add_faces(struct pp_room *room, const struct pp_room *othe
     return status;
 }
 
-/* The sheet's normal is turned towards its own room, as those of faces are. */
 static enum pp_status add_sheet(struct pp_room *room, const struct pp_room *other,
                                 const struct pp_room_front *front,
                                 struct pp_clipper *clipper, struct pp_error *err)
 {
-    const struct pp_surface_part part = {.reflectance = front->reflectance,
-                                         .finish = front->finish,
-                                         .name = other->name,
-                                         .what = "facade",
-                                         .is_front = true,
-                                         .is_of_site = true,
-                                         .line = front->line};
+    struct pp_surface_part part = pp_room_front_part(front);
     struct pp_region_pieces pieces;
-    enum pp_status status =
-        pp_region_pieces_cut(&pieces, &front->sheet, front->origin, front->along,
-                             front->up, PP_ROOM_FRONT_PIECE_M2, clipper, err);
-    for (int i = 0; i < pieces.count && status == PP_OK; i++) {
-        struct pp_vec3 *corners = pieces.list[i].corners;
-        int count = pieces.list[i].count;
-        for (int k = 0; k < count / 2; k++) {
-            struct pp_vec3 swap = corners[k];
-            corners[k] = corners[count - 1 - k];
-            corners[count - 1 - k] = swap;
-        }
-        status = pp_outside_parts_add_surface(room, &part, corners, count, err);
-    }
+    enum pp_status status = pp_room_front_cut(&pieces, front, clipper, err);
+    part.name = other->name;
+    for (int i = 0; i < pieces.count && status == PP_OK; i++)
+        status = pp_outside_parts_add_surface(room, &part, pieces.list[i].corners,
+                                              pieces.list[i].count, err);
     pp_region_pieces_clear(&pieces);
     return status;
 }
@@ -296,9 +280,9 @@ static enum pp_status make_shells(struct settling *site, struct pp_error *err)
     for (int i = 0; i < count && status == PP_OK; i++) {
         const struct pp_room *room = &building->read[i];
         if (room->placement.given || building->common.skyline_count > 0)
-            status = pp_room_shell_make(&site->shells[i], room, site->state,
-                                        stands(site, i) && !too_many,
-                                        building->glass_reflectance, err);
+            status = pp_room_shell_make(
+                &site->shells[i], room, site->state, stands(site, i) && !too_many,
+                building->glass_reflectance, site->clipper, err);
     }
     for (int i = 0; i < count && status == PP_OK; i++)
         status = make_way(site, i, err);

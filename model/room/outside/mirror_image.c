@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "model/base/array.h"
-#include "model/geometry/region_pieces.h"
 
 /* The line's unit direction. */
 static struct pp_vec3 direction(const struct pp_mirror_line *line)
@@ -73,27 +72,27 @@ static enum pp_status mirror_body(struct pp_room_shell *image,
     return PP_OK;
 }
 
-/* One more polygon, like it but mirrored. */
+/* One more polygon, like it but mirrored, and nobody's. */
 static enum pp_status carry(struct pp_room_shell *image,
                             const struct pp_surface_part *part,
                             const struct pp_vec3 *corners, int count,
                             const struct pp_mirror_line *line, struct pp_error *err)
 {
-    struct pp_room_carried added = {.part = *part};
-    added.part.name = NULL;
-    added.part.vertices =
-        (struct pp_vertices){malloc((size_t)count * sizeof *corners),
-                             calloc((size_t)count, sizeof(int)), count};
-    if (!added.part.vertices.list || !added.part.vertices.lines
-        || pp_array_append(&image->carried, image->carried_count,
-                           sizeof *image->carried, NULL)
-               != PP_OK) {
-        pp_room_parts_clear_surface(&added.part);
-        return pp_fail_memory(err);
-    }
+    struct pp_surface_part unnamed = *part;
+    struct pp_room_carried added = {0};
+    unnamed.name = NULL;
+    enum pp_status status =
+        pp_room_parts_copy_surface(&added.part, &unnamed, corners, count, err);
+    if (status != PP_OK)
+        return status;
     mirror_corners(added.part.vertices.list, corners, count, line);
-    image->carried[image->carried_count++] = added;
-    return PP_OK;
+    status = pp_array_append(&image->carried, image->carried_count,
+                             sizeof *image->carried, err);
+    if (status == PP_OK)
+        image->carried[image->carried_count++] = added;
+    else
+        pp_room_parts_clear_surface(&added.part);
+    return status;
 }
 
 static enum pp_status mirror_front(struct pp_room_shell *image,
@@ -101,16 +100,9 @@ static enum pp_status mirror_front(struct pp_room_shell *image,
                                    const struct pp_mirror_line *line,
                                    struct pp_clipper *clipper, struct pp_error *err)
 {
-    const struct pp_surface_part part = {.reflectance = front->reflectance,
-                                         .finish = front->finish,
-                                         .what = "facade",
-                                         .is_front = true,
-                                         .is_of_site = true,
-                                         .line = front->line};
+    const struct pp_surface_part part = pp_room_front_part(front);
     struct pp_region_pieces pieces;
-    enum pp_status status =
-        pp_region_pieces_cut(&pieces, &front->sheet, front->origin, front->along,
-                             front->up, PP_ROOM_FRONT_PIECE_M2, clipper, err);
+    enum pp_status status = pp_room_front_cut(&pieces, front, clipper, err);
     for (int i = 0; i < pieces.count && status == PP_OK; i++)
         status = carry(image, &part, pieces.list[i].corners, pieces.list[i].count, line,
                        err);

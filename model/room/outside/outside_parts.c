@@ -32,25 +32,20 @@ enum pp_status pp_outside_parts_add_surface(struct pp_room *room,
                                             const struct pp_vec3 *vertices, int count,
                                             struct pp_error *err)
 {
-    struct pp_surface_part added = *part;
-    added.name = part->name ? strdup(part->name) : NULL;
-    added.vertices =
-        (struct pp_vertices){.list = malloc((size_t)count * sizeof *vertices),
-                             .lines = calloc((size_t)count, sizeof(int)),
-                             .count = count};
-    if ((part->name && !added.name) || !added.vertices.list || !added.vertices.lines
-        || pp_array_append(&room->surfaces, room->surface_count, sizeof *room->surfaces,
-                           NULL)
-               != PP_OK) {
-        pp_room_parts_clear_surface(&added);
-        return pp_fail_memory(err);
-    }
-    for (int i = 0; i < count; i++) {
+    struct pp_surface_part added;
+    enum pp_status status =
+        pp_room_parts_copy_surface(&added, part, vertices, count, err);
+    if (status != PP_OK)
+        return status;
+    for (int i = 0; i < count; i++)
         added.vertices.list[i] = pp_placement_to_room(&room->placement, vertices[i]);
-        added.vertices.lines[i] = part->line;
-    }
-    room->surfaces[room->surface_count++] = added;
-    return PP_OK;
+    status = pp_array_append(&room->surfaces, room->surface_count,
+                             sizeof *room->surfaces, err);
+    if (status == PP_OK)
+        room->surfaces[room->surface_count++] = added;
+    else
+        pp_room_parts_clear_surface(&added);
+    return status;
 }
 
 enum pp_status pp_outside_parts_add_mesh(struct pp_room *room,

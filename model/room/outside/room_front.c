@@ -108,6 +108,35 @@ enum pp_status pp_room_front_copy(struct pp_room_front *copy,
     return pp_region_copy(&copy->sheet, &front->sheet, err);
 }
 
+enum pp_status pp_room_front_cut(struct pp_region_pieces *pieces,
+                                 const struct pp_room_front *front,
+                                 struct pp_clipper *clipper, struct pp_error *err)
+{
+    enum pp_status status =
+        pp_region_pieces_cut(pieces, &front->sheet, front->origin, front->along,
+                             front->up, PP_ROOM_FRONT_PIECE_M2, clipper, err);
+    for (int i = 0; i < pieces->count; i++) {
+        struct pp_vec3 *corners = pieces->list[i].corners;
+        int count = pieces->list[i].count;
+        for (int k = 0; k < count / 2; k++) {
+            struct pp_vec3 swap = corners[k];
+            corners[k] = corners[count - 1 - k];
+            corners[count - 1 - k] = swap;
+        }
+    }
+    return status;
+}
+
+struct pp_surface_part pp_room_front_part(const struct pp_room_front *front)
+{
+    return (struct pp_surface_part){.reflectance = front->reflectance,
+                                    .finish = front->finish,
+                                    .what = "facade",
+                                    .is_front = true,
+                                    .is_of_site = true,
+                                    .line = front->line};
+}
+
 /* ---- what it gives way to ---- */
 
 static bool meets(const struct pp_bounds2 *a, const struct pp_bounds2 *b)

@@ -11,6 +11,7 @@
 #define PP_MODEL_ROOM_OUTSIDE_ROOM_FRONT_H
 
 #include "model/geometry/clipper.h"
+#include "model/geometry/region_pieces.h"
 #include "model/room/room_parts.h"
 
 /* Walls that stand behind a sheet by less are those that it is the outside of (m): more
@@ -55,6 +56,15 @@ bool pp_room_front_overlaps(const struct pp_room_front *a,
 enum pp_status pp_room_front_take_out(struct pp_room_front *front,
                                       const struct pp_room_front *other,
                                       struct pp_clipper *clipper, struct pp_error *err);
+
+/* The sheet in outlines, whose normals are turned towards its own room as those of faces
+ * are; to be cleared in any case. */
+enum pp_status pp_room_front_cut(struct pp_region_pieces *pieces,
+                                 const struct pp_room_front *front,
+                                 struct pp_clipper *clipper, struct pp_error *err);
+
+/* What each of them is as a part of the building's, without its vertices. */
+struct pp_surface_part pp_room_front_part(const struct pp_room_front *front);
 
 enum pp_status pp_room_front_copy(struct pp_room_front *copy,
                                   const struct pp_room_front *front,

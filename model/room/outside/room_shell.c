@@ -80,25 +80,21 @@ static enum pp_status carry(struct pp_room_shell *shell,
                             struct pp_error *err)
 {
     struct pp_room_carried added = *it;
-    struct pp_surface_part *part = &added.part;
-    part->is_of_site = !part->is_room_outside;
-    part->name = part->name ? strdup(part->name) : NULL;
-    part->vertices = (struct pp_vertices){malloc((size_t)count * sizeof *corners),
-                                          calloc((size_t)count, sizeof(int)), count};
-    if (!part->vertices.list || !part->vertices.lines || (it->part.name && !part->name)
-        || pp_array_append(&shell->carried, shell->carried_count,
-                           sizeof *shell->carried, NULL)
-               != PP_OK) {
-        pp_room_parts_clear_surface(part);
-        return pp_fail_memory(err);
-    }
-    for (int i = 0; i < count; i++) {
-        part->vertices.list[i] =
+    enum pp_status status =
+        pp_room_parts_copy_surface(&added.part, &it->part, corners, count, err);
+    if (status != PP_OK)
+        return status;
+    added.part.is_of_site = !added.part.is_room_outside;
+    for (int i = 0; i < count; i++)
+        added.part.vertices.list[i] =
             pp_placement_to_building(&shell->placement, corners[i]);
-        part->vertices.lines[i] = part->line;
-    }
-    shell->carried[shell->carried_count++] = added;
-    return PP_OK;
+    status = pp_array_append(&shell->carried, shell->carried_count,
+                             sizeof *shell->carried, err);
+    if (status == PP_OK)
+        shell->carried[shell->carried_count++] = added;
+    else
+        pp_room_parts_clear_surface(&added.part);
+    return status;
 }
 
 /* What shades a window. */
@@ -160,17 +156,15 @@ static enum pp_status carry_surfaces(struct pp_room_shell *shell, struct pp_erro
     return status;
 }
 
-static enum pp_status make_fronts(struct pp_room_shell *shell, struct pp_error *err)
+static enum pp_status make_fronts(struct pp_room_shell *shell,
+                                  struct pp_clipper *clipper, struct pp_error *err)
 {
     const struct pp_world *world = shell->body;
-    struct pp_clipper *clipper = NULL;
     shell->fronts = calloc((size_t)world->facade_count + 1, sizeof *shell->fronts);
-    enum pp_status status =
-        shell->fronts ? pp_clipper_create(&clipper, err) : pp_fail_memory(err);
+    enum pp_status status = shell->fronts ? PP_OK : pp_fail_memory(err);
     for (int i = 0; i < world->facade_count && status == PP_OK; i++)
         status = pp_room_front_of(&shell->fronts[shell->front_count++], world, i,
                                   &shell->placement, clipper, err);
-    pp_clipper_destroy(clipper);
     return status;
 }
 
@@ -199,15 +193,15 @@ static enum pp_status carry_rest(struct pp_room_shell *shell,
 
 /* Panes in the face's own plane, and the face round them. */
 static enum pp_status divide_faces(struct pp_room_shell *shell,
-                                   double glass_reflectance, struct pp_error *err)
+                                   double glass_reflectance, struct pp_clipper *clipper,
+                                   struct pp_error *err)
 {
     const struct pp_world *world = shell->body;
     struct pp_room_carried piece = {.part = {.reflectance = glass_reflectance,
                                              .name = shell->own->name,
                                              .is_room_outside = true,
                                              .line = shell->own->line}};
-    struct pp_clipper *clipper = NULL;
-    enum pp_status status = pp_clipper_create(&clipper, err);
+    enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_polygon *pane = &world->openings[i].inner;
         shell->is_divided[world->openings[i].face] = true;
@@ -218,7 +212,6 @@ static enum pp_status divide_faces(struct pp_room_shell *shell,
         if (shell->is_divided[i])
             status = carry_rest(shell, &piece, i, clipper, err);
     }
-    pp_clipper_destroy(clipper);
     return status;
 }
 
@@ -228,7 +221,8 @@ static enum pp_status divide_faces(struct pp_room_shell *shell,
  * as it is written, not set off the room's own faces. *sound: that has no mistakes, which
  * are noted where the room itself is resolved. */
 static enum pp_status resolve(struct pp_room_shell *shell, const struct pp_room *room,
-                              bool outside, bool *sound, struct pp_error *err)
+                              bool outside, bool *sound, struct pp_clipper *clipper,
+                              struct pp_error *err)
 {
     static enum pp_status (*const steps[])(struct pp_resolver *, struct pp_error *) = {
         pp_build_envelope,       pp_build_corners, pp_build_watertight,
@@ -237,14 +231,16 @@ static enum pp_status resolve(struct pp_room_shell *shell, const struct pp_room 
     const size_t count = outside ? sizeof steps / sizeof *steps : 1;
     struct pp_mistakes unsaid;
     pp_mistakes_init(&unsaid, "room");
-    struct pp_resolver r = {
-        .room = room, .world = shell->body, .mistakes = &unsaid, .keeps_places = true};
+    struct pp_resolver r = {.room = room,
+                            .world = shell->body,
+                            .clipper = clipper,
+                            .mistakes = &unsaid,
+                            .keeps_places = true};
     struct pp_error fault = {0};
     shell->body->ground_level_m = room->site.ground_level_m;
-    enum pp_status status = pp_clipper_create(&r.clipper, &fault);
+    enum pp_status status = PP_OK;
     for (size_t i = 0; i < count && status == PP_OK; i++)
         status = steps[i](&r, &fault);
-    pp_clipper_destroy(r.clipper);
     shell->walls = r.walls;
     shell->wall_count = r.wall_count;
     *sound = status == PP_OK && unsaid.count == 0;
@@ -277,20 +273,20 @@ static void turn_body(struct pp_room_shell *shell)
 
 /* What is fixed outside a room that has no mistakes, and the panes in its faces. */
 static enum pp_status fit_out(struct pp_room_shell *shell, double glass_reflectance,
-                              struct pp_error *err)
+                              struct pp_clipper *clipper, struct pp_error *err)
 {
     enum pp_status status = carry_surfaces(shell, err);
     if (status == PP_OK && shell->body->facade_count > 0)
-        status = make_fronts(shell, err);
+        status = make_fronts(shell, clipper, err);
     if (status == PP_OK && !isnan(glass_reflectance))
-        status = divide_faces(shell, glass_reflectance, err);
+        status = divide_faces(shell, glass_reflectance, clipper, err);
     return status;
 }
 
 enum pp_status pp_room_shell_make(struct pp_room_shell *shell,
                                   const struct pp_room *room, enum pp_site_state state,
                                   bool outside, double glass_reflectance,
-                                  struct pp_error *err)
+                                  struct pp_clipper *clipper, struct pp_error *err)
 {
     outside = outside && (has_outside(room) || !isnan(glass_reflectance))
               && pp_resolve_is_comparable(room);
@@ -304,14 +300,14 @@ enum pp_status pp_room_shell_make(struct pp_room_shell *shell,
         return status;
     if (outside)
         pp_site_state_keep(shell->own, state);
-    status = resolve(shell, outside ? shell->own : room, outside, &sound, err);
+    status = resolve(shell, outside ? shell->own : room, outside, &sound, clipper, err);
     shell->is_divided =
         calloc((size_t)shell->body->face_count + 1, sizeof *shell->is_divided);
     if (status == PP_OK && !shell->is_divided)
         status = pp_fail_memory(err);
     set_reflectances(shell->body);
     if (status == PP_OK && outside && sound)
-        status = fit_out(shell, glass_reflectance, err);
+        status = fit_out(shell, glass_reflectance, clipper, err);
     if (!sound) {
         pp_room_destroy(shell->own);
         shell->own = NULL;

@@ -38,7 +38,7 @@ struct pp_room_shell {
 enum pp_status pp_room_shell_make(struct pp_room_shell *shell,
                                   const struct pp_room *room, enum pp_site_state state,
                                   bool outside, double glass_reflectance,
-                                  struct pp_error *err);
+                                  struct pp_clipper *clipper, struct pp_error *err);
 void pp_room_shell_clear(struct pp_room_shell *shell);
 
 /* Is there a wall of that name? */

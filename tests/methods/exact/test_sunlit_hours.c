@@ -274,8 +274,8 @@ static void caps_change_no_hour(void **state)
                          PP_OK);
         int caps = 0;
         for (int i = 0; i < cones.count; i++) {
-            caps += cones.cones[i].cos_radius > 0.0;
-            cones.cones[i].cos_radius = 0.0;
+            caps += cones.list[i].cos_radius > 0.0;
+            cones.list[i].cos_radius = 0.0;
         }
         assert_int_equal(pp_sunlit_hours_of_year(&without, &cones, place, NULL, NULL),
                          PP_OK);
