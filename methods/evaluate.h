@@ -14,8 +14,7 @@
  *
  * The average over the working plane of a method that speaks for a point is the mean
  * reading of receivers that face up: an integral over directions where the method has
- * one (pp_method.average), else by adaptive cubature to a relative estimated error of
- * PP_AVERAGE_ERROR, with at most PP_AVERAGE_POINTS points. A method with an average of
+ * one (pp_method.average), else by adaptive cubature (method_run.h). A method with an average of
  * its own (has_average) gives that one.
  */
 #ifndef PP_METHODS_EVALUATE_H
@@ -23,9 +22,6 @@
 
 #include "model/base/error.h"
 #include "model/results/report.h"
-
-#define PP_AVERAGE_ERROR 1e-3
-enum { PP_AVERAGE_POINTS = 2000 };
 
 /* Adds the columns of a selection of methods (selection.h) to `report`, whose world,
  * light, receivers and receiver_count the caller has set. A column that the report has

@@ -13,6 +13,7 @@
 #include <stdbool.h>
 
 #include "methods/allowance.h"
+#include "methods/view/beams.h"
 #include "model/light/outside_light.h"
 #include "model/results/reading.h"
 #include "model/results/worksheet.h"
@@ -120,10 +121,14 @@ struct pp_method {
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err);
 
-    /* The mean of the components of one opening over the working plane, for receivers
-     * that face up, in place of an integral over points; *known is false where there is
-     * none for this opening. May be NULL. */
-    enum pp_status (*average)(const struct pp_world *world,
+    /* The direct method whose figures these are in a world like that, or NULL. NULL
+     * function: there is none. */
+    const struct pp_method *(*same_as)(const struct pp_world *world);
+
+    /* The mean of the components of one opening over the working plane of the beams'
+     * world, for receivers that face up, in place of an integral over points; *known is
+     * false where there is none for this opening. May be NULL. */
+    enum pp_status (*average)(struct pp_beams *beams,
                               const struct pp_outside_light *light,
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err);

@@ -5,7 +5,7 @@
 struct averages {
     struct pp_part *parts;
     const struct pp_method *method;
-    const struct pp_world *world;
+    struct pp_beams *beams;
     const struct pp_outside_light *light;
     const void *tools;
     struct pp_crew *crew;
@@ -23,7 +23,7 @@ static bool average_one(void *data, int member, int i)
     struct pp_error err = {0};
     bool known = false;
     enum pp_status status = averages->method->average(
-        averages->world, averages->light, averages->world->openings + i,
+        averages->beams, averages->light, pp_beams_world(averages->beams)->openings + i,
         averages->tools, averages->parts + i, &known, &err);
     if (status == PP_OK && known)
         return true;
@@ -39,15 +39,16 @@ static bool average_one(void *data, int member, int i)
 
 enum pp_status pp_opening_averages(struct pp_part *parts, bool *known,
                                    const struct pp_method *method,
-                                   const struct pp_world *world,
+                                   struct pp_beams *beams,
                                    const struct pp_outside_light *light,
                                    const void *tools, struct pp_crew *crew,
                                    struct pp_error *err)
 {
-    struct averages averages = {
-        parts, method, world, light, tools, crew, .first = world->opening_count};
-    pp_crew_run(crew, 0, world->opening_count, average_one, &averages);
-    *known = averages.first == world->opening_count;
+    int count = pp_beams_world(beams)->opening_count;
+    struct averages averages = {parts, method, beams,         light,
+                                tools, crew,   .first = count};
+    pp_crew_run(crew, 0, count, average_one, &averages);
+    *known = averages.first == count;
     return averages.status == PP_OK
                ? PP_OK
                : pp_fail(err, averages.status, "%s", averages.err.message);

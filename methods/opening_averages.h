@@ -6,12 +6,12 @@
 #include "methods/method.h"
 #include "model/base/crew.h"
 
-/* parts[i], zero before, is that of world->openings[i], before the corrections for
+/* parts[i], zero before, is that of opening i of the beams' world, before the corrections for
  * glass, frame and dirt. *known is false where the method has none for one of them; the
  * parts are then not valid. The crew's members share the openings. */
 enum pp_status pp_opening_averages(struct pp_part *parts, bool *known,
                                    const struct pp_method *method,
-                                   const struct pp_world *world,
+                                   struct pp_beams *beams,
                                    const struct pp_outside_light *light,
                                    const void *tools, struct pp_crew *crew,
                                    struct pp_error *err);

@@ -3,7 +3,9 @@
 #include "methods/plane_average.h"
 
 #include <cubature.h>
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "model/geometry/clipper.h"
 
@@ -115,12 +117,27 @@ static enum pp_status cut_figure(struct plane_pieces *pieces,
     return PP_OK;
 }
 
+/* The points of the cubature rule: the least that a piece takes. */
+enum { FIRST_POINTS = 17 };
+
+/* The integral over one piece, and what the function was at the rule's points, which
+ * every cubature of the piece begins with. */
+struct piece_integral {
+    double values[PP_PLANE_VALUES];
+    double error; /* estimated, in the sum of the values; INFINITY: nothing is known */
+    double first[FIRST_POINTS][PP_PLANE_VALUES];
+    bool stopped;
+};
+
 /* The context of the integrand over one piece. */
 struct integral {
     const struct plane_piece *piece;
     double z;
     pp_plane_function *function;
     void *data;
+    struct piece_integral *of;
+    int points; /* asked so far */
+    int known;  /* of those at the beginning */
     bool stopped;
 };
 
@@ -146,6 +163,11 @@ static int integrand_at(unsigned dim, const double *square, void *data, unsigned
         element = piece->figure_m2 * graded_slope(u) * piece->wide[0] * graded_slope(v)
                   * piece->wide[1];
     }
+    int point = integral->points++;
+    if (point < integral->known) {
+        memcpy(values, integral->of->first[point], sizeof integral->of->first[point]);
+        return 0;
+    }
     struct pp_receiver receiver = {
         .position = {piece->origin[0] + s * piece->a[0] + t * piece->b[0],
                      piece->origin[1] + s * piece->a[1] + t * piece->b[1], integral->z},
@@ -155,11 +177,10 @@ static int integrand_at(unsigned dim, const double *square, void *data, unsigned
         integral->stopped = !integral->function(integral->data, &receiver, values);
     for (int k = 0; k < PP_PLANE_VALUES; k++)
         values[k] = integral->stopped ? 0.0 : values[k] * element;
+    if (point < FIRST_POINTS)
+        memcpy(integral->of->first[point], values, sizeof integral->of->first[point]);
     return 0;
 }
-
-/* The points of the cubature rule: the least that a piece takes. */
-enum { FIRST_POINTS = 17 };
 
 /* The integrals over all pieces, which the crew's members share. */
 struct piece_integrals {
@@ -167,27 +188,32 @@ struct piece_integrals {
     const struct integral *like;
     double absolute; /* the error allowed for a piece, in the sum of its values */
     int points;      /* the most of a piece */
-    struct piece_integral {
-        double values[PP_PLANE_VALUES];
-        bool stopped;
-    } * of;
+    struct piece_integral *of;
 };
 
-/* All pieces are asked, whoever stops: what a function notes on the way is then the same
- * each time. */
+/* Of a piece that is not known well enough. All pieces are asked, whoever stops: what a
+ * function notes on the way is then the same each time. */
 static bool integrate_piece(void *data, int member, int i)
 {
     (void)member;
     const struct piece_integrals *integrals = data;
     const double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
     double error[PP_PLANE_VALUES];
+    struct piece_integral *of = &integrals->of[i];
     struct integral own = *integrals->like;
+    if (of->error <= integrals->absolute)
+        return true;
     own.piece = integrals->pieces->list + i;
+    own.of = of;
+    own.known = isinf(of->error) ? 0 : FIRST_POINTS;
     bool done = hcubature(PP_PLANE_VALUES, integrand_at, &own, 2, low, high,
                           (size_t)integrals->points, integrals->absolute, 0.0, ERROR_L1,
-                          integrals->of[i].values, error)
+                          of->values, error)
                 == 0;
-    integrals->of[i].stopped = !done || own.stopped;
+    of->error = 0.0;
+    for (int k = 0; k < PP_PLANE_VALUES; k++)
+        of->error += error[k];
+    of->stopped = !done || own.stopped;
     return true;
 }
 
@@ -239,9 +265,11 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
      * asked for is allowed, since the two sums of a rule may agree where both are
      * wrong: with the grading this took the rms error of 200 random boxes from 0.21 to
      * 0.05 %, the worst from 2.1 to 0.4 %. */
+    for (int i = 0; i < pieces.count; i++)
+        of[i].error = INFINITY;
     struct integral integral = {
         .z = world->working_plane_m, .function = function, .data = data};
-    struct piece_integrals integrals = {&pieces, &integral, INFINITY, FIRST_POINTS, of};
+    struct piece_integrals integrals = {&pieces, &integral, 1e300, FIRST_POINTS, of};
     double sum[PP_PLANE_VALUES];
     bool done = integrate(sum, &integrals, crew);
     double total = 0.0;

@@ -126,6 +126,15 @@ static enum pp_status read_rooflight(const struct pp_world *world,
     return PP_OK;
 }
 
+/* Where nothing slopes it is the table of windows. */
+static const struct pp_method *same_as(const struct pp_world *world)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (pp_refusals_unless_vertical(&world->openings[i]))
+            return NULL;
+    return &pp_method_brs_table;
+}
+
 static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_outside_light *light,
                                const struct pp_opening *opening,
@@ -151,5 +160,6 @@ const struct pp_method pp_method_brs_rooflight = {
     .allowances = PP_ALLOWS_CLEAR_GLASS,
     .refuses_room = refuses_room,
     .refuses = refuses,
+    .same_as = same_as,
     .evaluate = evaluate,
 };

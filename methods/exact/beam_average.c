@@ -3,9 +3,6 @@
 #include "methods/exact/beam_average.h"
 
 #include <cubature.h>
-#include <stdlib.h>
-
-#include "methods/view/beam.h"
 
 /* Directions by bearing from the opening's own and altitude (radians). */
 struct bearing_range {
@@ -13,14 +10,13 @@ struct bearing_range {
 };
 
 struct beam_integral {
-    const struct pp_beam *beam;
+    struct pp_kept_beam *beam;
     const struct pp_beam_light *light;
     struct pp_vec3 out, across; /* horizontal: the opening's bearing, square to it */
     double level,
         tilt;          /* u.w = level cos(altitude) cos(bearing) + tilt sin(altitude) */
     double bearing[2]; /* of the part */
     double share[2];   /* of the altitudes that the opening faces */
-    struct pp_beam_space space;
     bool failed;
 };
 
@@ -60,7 +56,7 @@ static int integrand_at(unsigned dim, const double *square, void *data, unsigned
     values[0] = values[1] = 0.0;
     if (!(facing > 0.0) || integral->failed)
         return 0;
-    if (pp_beam_areas(&areas, integral->beam, &integral->space, u, NULL) != PP_OK)
+    if (pp_kept_beam_areas(&areas, integral->beam, u, NULL) != PP_OK)
         integral->failed = true;
     const struct pp_beam_light *light = integral->light;
     double weight = facing * level * (integral->bearing[1] - integral->bearing[0])
@@ -86,43 +82,50 @@ static const double layers[LAYERS + 1] = {0.0, 0.21, 0.53, 1.0};
 /* One part by the cubature rule: its points. */
 enum { FIRST_POINTS = 17, MOST_POINTS = 6000 };
 
-static enum pp_status integrate(double sum[2], const struct beam_integral *like,
-                                int parts, double absolute, int points,
-                                struct pp_error *err)
+/* What is known of a part: its values, and their errors together. */
+struct part_integral {
+    double values[2], error;
+};
+
+/* Works out the parts that have a larger error than `absolute`, and adds all up. */
+static enum pp_status integrate(double sum[2], struct part_integral *of,
+                                const struct beam_integral *like, int parts,
+                                double absolute, int points, struct pp_error *err)
 {
-    double values[PARTS][2];
     bool failed = false;
     for (int i = 0; i < parts && !failed; i++) {
         const double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
         struct beam_integral own = *like;
         double error[2];
+        if (of[i].error <= absolute)
+            continue;
         for (int k = 0; k < 2; k++) {
             own.bearing[k] = bearings[i / LAYERS + k] * PP_PI / 2.0;
             own.share[k] = layers[i % LAYERS + k];
         }
         failed = hcubature(2, integrand_at, &own, 2, low, high, (size_t)points,
-                           absolute, 0.0, ERROR_L1, values[i], error)
+                           absolute, 0.0, ERROR_L1, of[i].values, error)
                      != 0
                  || own.failed;
-        pp_beam_space_clear(&own.space);
+        of[i].error = error[0] + error[1];
     }
     sum[0] = sum[1] = 0.0;
     for (int i = 0; i < parts && !failed; i++) {
-        sum[0] += values[i][0];
-        sum[1] += values[i][1];
+        sum[0] += of[i].values[0];
+        sum[1] += of[i].values[1];
     }
     return failed ? pp_fail_memory(err) : PP_OK;
 }
 
-enum pp_status pp_beam_average(double mean[2], const struct pp_world *world,
+enum pp_status pp_beam_average(double mean[2], struct pp_beams *beams,
                                const struct pp_opening *opening,
                                const struct pp_beam_light *light, double relative_error,
                                struct pp_error *err)
 {
-    struct pp_beam *beam;
+    struct pp_kept_beam *beam;
     mean[0] = mean[1] = 0.0;
     enum pp_status status =
-        pp_beam_create(&beam, world, opening, light->with_outside, err);
+        pp_beams_of(&beam, beams, opening, light->with_outside, err);
     if (status != PP_OK)
         return status;
     struct pp_vec3 w = pp_vec_scale(opening->inner.normal, -1.0);
@@ -140,13 +143,15 @@ enum pp_status pp_beam_average(double mean[2], const struct pp_world *world,
     /* An opening that does not slope upwards faces half of the bearings. */
     int parts = (integral.tilt > 0.0 ? FRONT + BACK : FRONT) * LAYERS;
     double sum[2];
-    status = integrate(sum, &integral, parts, INFINITY, FIRST_POINTS, err);
+    struct part_integral of[PARTS];
+    for (int i = 0; i < parts; i++)
+        of[i].error = INFINITY;
+    status = integrate(sum, of, &integral, parts, 1e300, FIRST_POINTS, err);
     double absolute = relative_error / 8.0 * (sum[0] + sum[1]) / sqrt(parts);
     if (status == PP_OK && absolute > 0.0)
-        status = integrate(sum, &integral, parts, absolute, MOST_POINTS, err);
-    double area_m2 = pp_region_area(&world->plane);
+        status = integrate(sum, of, &integral, parts, absolute, MOST_POINTS, err);
+    double area_m2 = pp_region_area(&pp_beams_world(beams)->plane);
     mean[0] = sum[0] / area_m2;
     mean[1] = sum[1] / area_m2;
-    pp_beam_destroy(beam);
     return status;
 }

@@ -4,7 +4,7 @@
 #define PP_METHODS_EXACT_BEAM_AVERAGE_H
 
 #include "methods/exact/quadrature.h"
-#include "model/room/world.h"
+#include "methods/view/beams.h"
 
 /* What one direction brings: luminances through the glass, over Eh. */
 struct pp_beam_light {
@@ -19,9 +19,9 @@ struct pp_beam_light {
  * tests/methods/exact/test_beam_average.c the figures are within a tenth. */
 #define PP_BEAM_AVERAGE_ERROR 1e-3
 
-/* The means over world->plane of the sky component and the externally reflected
+/* The means over the world's plane of the sky component and the externally reflected
  * component of one opening. The plane must not be empty. */
-enum pp_status pp_beam_average(double mean[2], const struct pp_world *world,
+enum pp_status pp_beam_average(double mean[2], struct pp_beams *beams,
                                const struct pp_opening *opening,
                                const struct pp_beam_light *light, double relative_error,
                                struct pp_error *err);

@@ -300,7 +300,7 @@ enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *w
     return status;
 }
 
-enum pp_status pp_direct_average(struct pp_direct *mean, const struct pp_world *world,
+enum pp_status pp_direct_average(struct pp_direct *mean, struct pp_beams *beams,
                                  const struct pp_outside_light *light,
                                  const struct pp_opening *opening,
                                  const struct pp_glass *glass, struct pp_error *err)
@@ -313,9 +313,15 @@ enum pp_status pp_direct_average(struct pp_direct *mean, const struct pp_world *
                                  .of_reflectance =
                                      pp_visible_luminance_factor(&light->sky, 1.0),
                                  .with_outside = true};
-    double values[2];
-    enum pp_status status =
-        pp_beam_average(values, world, opening, &beam, PP_BEAM_AVERAGE_ERROR, err);
+    struct pp_kept_beam *kept;
+    double values[2] = {0.0, 0.0};
+    enum pp_status status = pp_beams_of(&kept, beams, opening, beam.with_outside, err);
+    if (status == PP_OK && !pp_kept_beam_means(values, kept, glass)) {
+        status =
+            pp_beam_average(values, beams, opening, &beam, PP_BEAM_AVERAGE_ERROR, err);
+        if (status == PP_OK)
+            pp_kept_beam_keep_means(kept, glass, values);
+    }
     mean->sky = values[0];
     mean->external = values[1];
     return status;

@@ -20,6 +20,7 @@
 
 #include "methods/exact/pane_light.h"
 #include "methods/exact/solid_angle.h"
+#include "methods/view/beams.h"
 #include "methods/view/visible.h"
 #include "model/base/error.h"
 #include "model/light/outside_light.h"
@@ -51,9 +52,9 @@ enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *w
                                  const struct pp_receiver *receiver,
                                  const struct pp_glass *glass, struct pp_error *err);
 
-/* The means over the working plane, for a receiver that faces up, of the components
- * that pp_direct_through gives at a point. */
-enum pp_status pp_direct_average(struct pp_direct *mean, const struct pp_world *world,
+/* The means over the working plane of the beams' world, for a receiver that faces up, of the components
+ * that pp_direct_through gives at a point. All that ask one `beams` have one light. */
+enum pp_status pp_direct_average(struct pp_direct *mean, struct pp_beams *beams,
                                  const struct pp_outside_light *light,
                                  const struct pp_opening *opening,
                                  const struct pp_glass *glass, struct pp_error *err);

@@ -223,7 +223,7 @@ static double unity(const void *context, struct pp_vec3 u)
     return 1.0;
 }
 
-static enum pp_status average_of_even_pane(const struct pp_world *world,
+static enum pp_status average_of_even_pane(struct pp_beams *beams,
                                            const struct pp_outside_light *light,
                                            const struct pp_opening *opening,
                                            struct pp_part *part, struct pp_error *err)
@@ -232,11 +232,11 @@ static enum pp_status average_of_even_pane(const struct pp_world *world,
     struct pp_exterior_light outside;
     double mean[2];
     enum pp_status status = pp_exterior_light_on_plane(
-        &outside, world, light, opening->outer.vertices[0],
+        &outside, pp_beams_world(beams), light, opening->outer.vertices[0],
         pp_vec_scale(opening->inner.normal, -1.0), opening->face, err);
     if (status == PP_OK)
         status =
-            pp_beam_average(mean, world, opening, &beam, PP_BEAM_AVERAGE_ERROR, err);
+            pp_beam_average(mean, beams, opening, &beam, PP_BEAM_AVERAGE_ERROR, err);
     if (status != PP_OK)
         return status;
     part->sky = opening->glass.diffuse / PP_PI * outside.sky * mean[0];
@@ -244,20 +244,21 @@ static enum pp_status average_of_even_pane(const struct pp_world *world,
     return PP_OK;
 }
 
-static enum pp_status average(const struct pp_world *world,
+static enum pp_status average(struct pp_beams *beams,
                               const struct pp_outside_light *light,
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err)
 {
     (void)tools;
-    *known = !opening->glass.diffusing || pp_exterior_is_uniform(world, opening);
+    *known = !opening->glass.diffusing
+             || pp_exterior_is_uniform(pp_beams_world(beams), opening);
     if (!*known)
         return PP_OK;
     if (opening->glass.diffusing)
-        return average_of_even_pane(world, light, opening, part, err);
+        return average_of_even_pane(beams, light, opening, part, err);
     struct pp_direct mean = {0};
     enum pp_status status =
-        pp_direct_average(&mean, world, light, opening, &opening->glass, err);
+        pp_direct_average(&mean, beams, light, opening, &opening->glass, err);
     part->sky = mean.sky;
     part->external = mean.external;
     return status;

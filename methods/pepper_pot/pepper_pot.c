@@ -131,7 +131,7 @@ static enum pp_status evaluate(const struct pp_world *world,
 
 /* The mean of many counts is the component itself, which an average over the plane
  * takes instead of dots. */
-static enum pp_status average(const struct pp_world *world,
+static enum pp_status average(struct pp_beams *beams,
                               const struct pp_outside_light *light,
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err)
@@ -141,7 +141,7 @@ static enum pp_status average(const struct pp_world *world,
         opening->glass.panes > 0 ? &diagrams->glazed->glass : &opening->glass;
     struct pp_direct mean = {0};
     *known = true;
-    enum pp_status status = pp_direct_average(&mean, world, light, opening, glass, err);
+    enum pp_status status = pp_direct_average(&mean, beams, light, opening, glass, err);
     part->sky = mean.sky;
     part->external = mean.external;
     return status;

@@ -133,7 +133,7 @@ static enum pp_status evaluate(const struct pp_world *world,
 }
 
 /* The mean of many counts is the component itself. */
-static enum pp_status average(const struct pp_world *world,
+static enum pp_status average(struct pp_beams *beams,
                               const struct pp_outside_light *light,
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err)
@@ -143,7 +143,7 @@ static enum pp_status average(const struct pp_world *world,
     struct pp_glass glass = glass_of(opening);
     *known = true;
     enum pp_status status =
-        pp_direct_average(&mean, world, light, opening, &glass, err);
+        pp_direct_average(&mean, beams, light, opening, &glass, err);
     part->sky = mean.sky;
     part->external = mean.external;
     return status;

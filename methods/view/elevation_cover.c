@@ -12,10 +12,19 @@ void pp_elevation_cover_init(struct pp_elevation_cover *cover,
 {
     cover->left = seen->left;
     cover->width = (seen->right - seen->left) / PP_ELEVATION_COLUMNS;
-    for (int i = 0; i < PP_ELEVATION_COLUMNS; i++) {
-        cover->high[i] = seen->low;
-        cover->distance_m[i] = 0.0;
+    cover->alike = true;
+    cover->high[0] = seen->low;
+    cover->distance_m[0] = 0.0;
+}
+
+/* Sets the columns where all are as the first. */
+static void part_columns(struct pp_elevation_cover *cover)
+{
+    for (int i = 1; i < PP_ELEVATION_COLUMNS; i++) {
+        cover->high[i] = cover->high[0];
+        cover->distance_m[i] = cover->distance_m[0];
     }
+    cover->alike = false;
 }
 
 /* A jamb in columns from the first, within those there are. */
@@ -34,6 +43,10 @@ void pp_elevation_cover_add(struct pp_elevation_cover *cover,
         first = 0;
     if (outline->right >= cover->left + PP_ELEVATION_COLUMNS * cover->width)
         end = PP_ELEVATION_COLUMNS;
+    if (cover->alike && first < end && end - first < PP_ELEVATION_COLUMNS)
+        part_columns(cover);
+    if (cover->alike && first < end)
+        end = 1;
     for (int i = first; i < end; i++)
         if (outline->low <= cover->high[i] && outline->high > cover->high[i]) {
             cover->high[i] = outline->high;
@@ -48,6 +61,10 @@ bool pp_elevation_cover_hides(const struct pp_elevation_cover *cover, double lef
     int end = (int)ceil(column_of(cover, right) + grain);
     first = first < 0 ? 0 : first;
     end = end > PP_ELEVATION_COLUMNS ? PP_ELEVATION_COLUMNS : end;
+    if (cover->alike && first < end) {
+        first = 0;
+        end = 1;
+    }
     for (int i = first; i < end; i++)
         if (!(high <= cover->high[i] && distance_m > cover->distance_m[i]))
             return false;

@@ -127,7 +127,7 @@ static double charted_luminance(const void *context, struct pp_vec3 u)
 
 /* The mean of many counts is the area: an average over the plane takes the area, with
  * the diagram's losses, instead of squares. */
-static enum pp_status average(const struct pp_world *world,
+static enum pp_status average(struct pp_beams *beams,
                               const struct pp_outside_light *light,
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err)
@@ -137,7 +137,7 @@ static enum pp_status average(const struct pp_world *world,
     if (opening->glass.panes == 0) {
         struct pp_direct mean = {0};
         enum pp_status plain =
-            pp_direct_average(&mean, world, light, opening, &opening->glass, err);
+            pp_direct_average(&mean, beams, light, opening, &opening->glass, err);
         part->sky = mean.sky;
         part->external = mean.external;
         return plain;
@@ -151,7 +151,7 @@ static enum pp_status average(const struct pp_world *world,
         .with_outside = true};
     double mean[2];
     enum pp_status status =
-        pp_beam_average(mean, world, opening, &beam, PP_BEAM_AVERAGE_ERROR, err);
+        pp_beam_average(mean, beams, opening, &beam, PP_BEAM_AVERAGE_ERROR, err);
     part->sky = mean[0];
     part->external = mean[1];
     return status;

@@ -159,7 +159,7 @@ static enum pp_status evaluate(const struct pp_world *world,
 }
 
 /* The mean of many counts is the component itself. */
-static enum pp_status average(const struct pp_world *world,
+static enum pp_status average(struct pp_beams *beams,
                               const struct pp_outside_light *light,
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err)
@@ -168,7 +168,7 @@ static enum pp_status average(const struct pp_world *world,
     struct pp_direct mean = {0};
     *known = true;
     enum pp_status status =
-        pp_direct_average(&mean, world, light, opening, &opening->glass, err);
+        pp_direct_average(&mean, beams, light, opening, &opening->glass, err);
     part->sky = mean.sky;
     part->external = mean.external;
     return status;

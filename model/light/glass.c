@@ -123,6 +123,13 @@ struct pp_glass pp_glass_none(void)
     return (struct pp_glass){.scale = 1.0, .normal = 1.0, .diffuse = 1.0};
 }
 
+bool pp_glass_is_same(const struct pp_glass *a, const struct pp_glass *b)
+{
+    return a->panes == b->panes && a->n == b->n && a->kl == b->kl
+           && a->scale == b->scale && a->diffusing == b->diffusing
+           && a->normal == b->normal && a->diffuse == b->diffuse;
+}
+
 struct pp_glass pp_glass_diffusing(double transmittance)
 {
     return (struct pp_glass){.panes = 1,

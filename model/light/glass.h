@@ -30,6 +30,8 @@ struct pp_glass pp_glass_clear_single(void);
 
 struct pp_glass pp_glass_none(void);
 
+bool pp_glass_is_same(const struct pp_glass *a, const struct pp_glass *b);
+
 /* panes > 0, n > 1, kl >= 0. */
 struct pp_glass pp_glass_panes(int panes, double n, double kl);
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "methods/method.h"
+#include "methods/method_run.h"
 #include "methods/selection.h"
 #include "tests/lib/room_of.h"
 

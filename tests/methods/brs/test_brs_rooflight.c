@@ -1,6 +1,7 @@
 /* test_brs_rooflight.c - simplified daylight tables of rooflights. */
 #include "methods/brs/brs_rooflight.h"
 #include "methods/brs/brs_table.h"
+#include "methods/evaluate.h"
 #include "methods/method.h"
 
 #include <stdio.h>
@@ -190,6 +191,43 @@ static void windows_are_read_off_the_vertical_table(void **state)
     pp_world_destroy(world);
 }
 
+/* It is the table of windows where there are windows alone: the average is that table's,
+ * worked out once. */
+static void a_room_of_windows_has_the_average_of_their_table(void **state)
+{
+    (void)state;
+    static const char roof[] = "<rooflight x='1' y='3' width='1' depth='1'/>";
+    for (int with_roof = 0; with_roof < 2; with_roof++) {
+        char xml[500];
+        snprintf(xml, sizeof xml,
+                 "<room version='1'><plan width='4' depth='6' height='2.7'/>"
+                 "<window wall='south' left='1' sill='0.9' width='2' height='1.3'/>%s"
+                 "</room>",
+                 with_roof ? roof : "");
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_lit_world(&light, xml);
+        assert_ptr_equal(pp_method_brs_rooflight.same_as(world),
+                         with_roof ? NULL : &pp_method_brs_table);
+        struct pp_report both = {.world = world, .light = light},
+                         alone = {.world = world, .light = light};
+        assert_int_equal(
+            pp_methods_evaluate(&both, "brs-table,brs-table-rooflight", NULL), PP_OK);
+        assert_int_equal(pp_methods_evaluate(&alone, "brs-table-rooflight", NULL),
+                         PP_OK);
+        for (int k = PP_SC; k <= PP_ERC; k++) {
+            const struct pp_column *a = pp_report_find(&both, k, "brs-table-rooflight");
+            const struct pp_column *b =
+                pp_report_find(&alone, k, "brs-table-rooflight");
+            assert_near(a->average.value, b->average.value, 0.0);
+        }
+        assert_true(pp_report_find(&both, PP_SC, "brs-table-rooflight")->average.value
+                    > 0.0);
+        pp_report_clear(&both);
+        pp_report_clear(&alone);
+        pp_world_destroy(world);
+    }
+}
+
 static void other_slopes_and_diffusing_panes_are_refused(void **state)
 {
     (void)state;
@@ -219,6 +257,7 @@ int main(void)
         cmocka_unit_test(corners_add_up_above_and_aside_of_the_point),
         cmocka_unit_test(roof_windows_are_near_to_exact),
         cmocka_unit_test(windows_are_read_off_the_vertical_table),
+        cmocka_unit_test(a_room_of_windows_has_the_average_of_their_table),
         cmocka_unit_test(other_slopes_and_diffusing_panes_are_refused),
     };
     return cmocka_run_group_tests_name("brs-table-rooflight", tests, NULL, NULL);

@@ -35,7 +35,9 @@ static void assert_same_mean(const char *body, int points, double share)
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(&light, xml);
     struct pp_crew *crew;
+    struct pp_beams *beams;
     assert_true(world->opening_count > 0);
+    assert_int_equal(pp_beams_create(&beams, world, NULL), PP_OK);
     assert_int_equal(pp_crew_create(&crew, 1, NULL), PP_OK);
     for (int i = 0; i < world->opening_count; i++) {
         struct pointwise task = {world, &light, &world->openings[i]};
@@ -46,7 +48,7 @@ static void assert_same_mean(const char *body, int points, double share)
                                           points, crew, NULL),
                          PP_OK);
         assert_false(stopped);
-        assert_int_equal(pp_method_exact.average(world, &light, task.opening, NULL,
+        assert_int_equal(pp_method_exact.average(beams, &light, task.opening, NULL,
                                                  &part, &known, NULL),
                          PP_OK);
         assert_true(known);
@@ -56,6 +58,7 @@ static void assert_same_mean(const char *body, int points, double share)
         assert_near(part.external, mean[1], share * sum);
     }
     pp_crew_destroy(crew);
+    pp_beams_destroy(beams);
     pp_world_destroy(world);
 }
 

@@ -168,8 +168,11 @@ static void black_room_has_the_direct_light_alone(void **state)
     assert_int_equal(
         pp_method_efficiency.evaluate(world, &light, slit, NULL, NULL, &part, NULL),
         PP_OK);
-    assert_int_equal(pp_direct_average(&mean, world, &light, slit, &slit->glass, NULL),
+    struct pp_beams *beams;
+    assert_int_equal(pp_beams_create(&beams, world, NULL), PP_OK);
+    assert_int_equal(pp_direct_average(&mean, beams, &light, slit, &slit->glass, NULL),
                      PP_OK);
+    pp_beams_destroy(beams);
     /* the plate in the wall reflects 0.1 and is a third of a per cent of the walls */
     assert_relative(part.value, mean.sky, 0.006);
     pp_world_destroy(world);

@@ -1,0 +1,254 @@
+/* method_run.c - calls the method for each opening, applies the corrections (symbol by
+ * symbol for the steps) and adds up; at a point, for the room, or as an average. */
+#include "methods/method_run.h"
+
+#include <stdlib.h>
+
+#include "methods/component_steps.h"
+#include "methods/opening_averages.h"
+#include "methods/plane_average.h"
+
+/* D applies to the internally reflected component. A method that gives the daylight
+ * factor as a whole has no such part, and gets no D. */
+static double decorations_of(const struct pp_method_run *run)
+{
+    return run->method->gives == PP_GIVES_INTERNAL ? run->world->decorations : 1.0;
+}
+
+enum pp_status pp_method_run_init(struct pp_method_run *run,
+                                  const struct pp_method *method,
+                                  const struct pp_variant *variant,
+                                  const struct pp_report *report,
+                                  struct pp_method_company company,
+                                  struct pp_error *err)
+{
+    static const struct pp_method_options no_options;
+    const struct pp_world *world = report->world;
+    *run = (struct pp_method_run){.method = method,
+                                  .name = variant ? variant->name : method->name,
+                                  .varied = variant,
+                                  .world = world,
+                                  .light = &report->light,
+                                  .company = company};
+    enum pp_status status = pp_formulary_create(
+        &run->formulary, method->formulae, variant ? &variant->formula : NULL, err);
+    if (status != PP_OK)
+        return status;
+    run->factors = malloc(((size_t)world->opening_count + 1) * sizeof(double));
+    if (!run->factors) {
+        pp_formulary_destroy(run->formulary);
+        return pp_fail_memory(err);
+    }
+    for (int i = 0; i < world->opening_count; i++)
+        run->factors[i] = pp_allowance_factor(method->allowances, world->openings + i)
+                          * decorations_of(run);
+    bool refused =
+        method->refuses_room && method->refuses_room(world, run->light, NULL);
+    if (method->prepare && !refused)
+        status = method->prepare(&run->tools, world, run->light, err);
+    if (method->prepare_with_options && !refused)
+        status = method->prepare_with_options(
+            &run->tools, world, run->light,
+            report->options ? report->options : &no_options, err);
+    if (status != PP_OK) {
+        pp_formulary_destroy(run->formulary);
+        free(run->factors);
+    }
+    return status;
+}
+
+void pp_method_run_clear(struct pp_method_run *run)
+{
+    if (run->method->destroy_tools)
+        run->method->destroy_tools(run->tools);
+    pp_formulary_destroy(run->formulary);
+    free(run->factors);
+}
+
+/* Adds the components of one opening times its corrections, which it returns. */
+static struct pp_part add_part(struct pp_part *sum, const struct pp_part *part,
+                               double factor)
+{
+    const struct pp_part own = {.sky = factor * part->sky,
+                                .external = factor * part->external,
+                                .value = factor * part->value};
+    sum->sky += own.sky;
+    sum->external += own.external;
+    sum->value += own.value;
+    return own;
+}
+
+/* Adds up the components of all openings by the method. */
+static enum pp_status add_openings(const struct pp_method_run *run,
+                                   const struct pp_receiver *receiver,
+                                   struct pp_answer *answer, struct pp_error *err)
+{
+    const struct pp_method *method = run->method;
+    const struct pp_world *world = run->world;
+    bool roughly = run->roughly && method->evaluate_roughly, used = false;
+    for (int i = 0; i < world->opening_count; i++) {
+        struct pp_part part = {
+            .sheet = {.steps = answer->steps, .formulary = run->formulary}};
+        int first = 0;
+        if (answer->steps) {
+            first = answer->steps->count;
+            answer->steps->line = world->openings[i].line;
+        }
+        enum pp_status status = (roughly ? method->evaluate_roughly : method->evaluate)(
+            world, run->light, world->openings + i, receiver, run->tools, &part, err);
+        if (status != PP_OK)
+            return status;
+        if (part.why) {
+            answer->why = part.why;
+            answer->opening = world->openings + i;
+            return PP_OK;
+        }
+        if (part.sheet.fault.what) {
+            answer->why = part.sheet.fault.what;
+            answer->column = part.sheet.fault.column + 1;
+            answer->opening = world->openings + i;
+            return PP_OK;
+        }
+        used |= part.sheet.varied;
+        const struct pp_part own = add_part(&answer->part, &part, run->factors[i]);
+        if (answer->steps)
+            pp_component_steps_add(answer->steps, method, world, i, &part, &own,
+                                   decorations_of(run), first);
+    }
+    /* A point may see nothing of the openings; a room has all of them. */
+    if (run->varied && !used && method->speaks_for != PP_FOR_POINT
+        && world->opening_count > 0)
+        answer->why = "the room has no opening that its formula is for";
+    return PP_OK;
+}
+
+/* Sets down why the method does not cover the room or one of its openings; false: it
+ * does. */
+static bool refuse(const struct pp_method_run *run, const struct pp_receiver *receiver,
+                   struct pp_answer *answer)
+{
+    const struct pp_method *method = run->method;
+    const struct pp_world *world = run->world;
+    if (method->refuses_room)
+        answer->why = method->refuses_room(world, run->light, receiver);
+    for (int i = 0; i < world->opening_count && method->refuses && !answer->why; i++) {
+        answer->why = method->refuses(world, run->light, world->openings + i, receiver);
+        answer->opening = answer->why ? world->openings + i : NULL;
+    }
+    return answer->why != NULL;
+}
+
+enum pp_status pp_method_run_answer(const struct pp_method_run *run,
+                                    const struct pp_receiver *receiver,
+                                    struct pp_answer *answer, struct pp_error *err)
+{
+    const struct pp_world *world = run->world;
+    *answer = (struct pp_answer){.steps = answer->steps};
+    if (refuse(run, receiver, answer))
+        return PP_OK;
+    enum pp_status status = add_openings(run, receiver, answer, err);
+    if (status != PP_OK || answer->why || !answer->steps)
+        return status;
+    if (world->opening_count != 1)
+        pp_component_steps_add_sums(answer->steps, run->method, world, &answer->part);
+    return answer->steps->failed ? pp_fail_memory(err) : PP_OK;
+}
+
+/* The context of the integrand over the working plane. */
+struct plane_sum {
+    const struct pp_method_run *run;
+    struct pp_answer refusal; /* of the first opening, and column, that has one */
+    bool failed;
+};
+
+/* Which of two reasons is said, whatever the order of the points. */
+static bool comes_before(const struct pp_answer *a, const struct pp_answer *b)
+{
+    if (!b->why || a->opening != b->opening)
+        return !b->why || a->opening < b->opening;
+    return a->column < b->column;
+}
+
+static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
+                         double values[PP_PLANE_VALUES])
+{
+    struct plane_sum *sum = data;
+    struct pp_answer answer = {0};
+    bool failed = pp_method_run_answer(sum->run, receiver, &answer, NULL) != PP_OK;
+    if (failed || answer.why) {
+        pp_crew_lock(sum->run->company.crew);
+        sum->failed |= failed;
+        if (!failed && comes_before(&answer, &sum->refusal))
+            sum->refusal = answer;
+        pp_crew_unlock(sum->run->company.crew);
+        return false;
+    }
+    bool direct = sum->run->method->gives == PP_GIVES_DIRECT;
+    values[0] = direct ? answer.part.sky : answer.part.value;
+    values[1] = direct ? answer.part.external : 0.0;
+    return true;
+}
+
+/* The sum over the openings of their averages by the method itself; *known is false
+ * where there is none for one of them. */
+static enum pp_status sum_averages(const struct pp_method_run *run,
+                                   struct pp_answer *answer, bool *known,
+                                   struct pp_error *err)
+{
+    const struct pp_world *world = run->world;
+    const struct pp_receiver receiver = {.position = {world->plane.rings[0].xy[0][0],
+                                                      world->plane.rings[0].xy[0][1],
+                                                      world->working_plane_m},
+                                         .normal = {0.0, 0.0, 1.0}};
+    *answer = (struct pp_answer){0};
+    *known = true;
+    if (refuse(run, &receiver, answer))
+        return PP_OK;
+    struct pp_part *parts = calloc((size_t)world->opening_count + 1, sizeof *parts);
+    if (!parts)
+        return pp_fail_memory(err);
+    enum pp_status status =
+        pp_opening_averages(parts, known, run->method, run->company.beams, run->light,
+                            run->tools, run->company.crew, err);
+    for (int i = 0; i < world->opening_count; i++)
+        add_part(&answer->part, parts + i, run->factors[i]);
+    free(parts);
+    return status;
+}
+
+enum pp_status pp_method_run_average(const struct pp_method_run *run,
+                                     struct pp_answer *answer, struct pp_error *err)
+{
+    struct pp_method_run rough_run = *run;
+    rough_run.roughly = true;
+    struct plane_sum sum = {.run = &rough_run};
+    double mean[PP_PLANE_VALUES];
+    bool stopped;
+    *answer = (struct pp_answer){0};
+    if (pp_region_area(&run->world->plane) <= 0.0) {
+        answer->why = "the room has no working plane at that height";
+        return PP_OK;
+    }
+    if (run->method->average) {
+        bool known;
+        enum pp_status status = sum_averages(run, answer, &known, err);
+        if (status != PP_OK || known)
+            return status;
+        *answer = (struct pp_answer){0};
+    }
+    enum pp_status status =
+        pp_plane_average(mean, &stopped, run->world, plane_sum_at, &sum,
+                         PP_AVERAGE_ERROR, PP_AVERAGE_POINTS, run->company.crew, err);
+    if (status != PP_OK)
+        return status;
+    if (sum.refusal.why) {
+        *answer = sum.refusal;
+        return PP_OK;
+    }
+    if (stopped)
+        return pp_fail(err, PP_SYSTEM,
+                       "%s could not be averaged over the working plane", run->name);
+    answer->part =
+        (struct pp_part){.sky = mean[0], .external = mean[1], .value = mean[0]};
+    return PP_OK;
+}

@@ -1,0 +1,66 @@
+/* method_run.h - one method on one world: its sum over the openings at a receiver or for
+ * the room, corrected for glass, frame and dirt (methods/allowance.h), and the average of
+ * that over the working plane. */
+#ifndef PP_METHODS_METHOD_RUN_H
+#define PP_METHODS_METHOD_RUN_H
+
+#include "methods/method.h"
+#include "methods/variant.h"
+#include "model/base/crew.h"
+#include "model/results/report.h"
+
+/* The relative error that an average by points is estimated to have, and the most of
+ * these. */
+#define PP_AVERAGE_ERROR 1e-3
+enum { PP_AVERAGE_POINTS = 2000 };
+
+/* What the methods of one evaluation share; not owned. */
+struct pp_method_company {
+    struct pp_beams *beams; /* of the world */
+    struct pp_crew *crew;
+};
+
+/* A method as published or with a variant of a formula. */
+struct pp_method_run {
+    const struct pp_method *method;
+    const char *name; /* of its columns */
+    bool varied;      /* by a variant */
+    const struct pp_world *world;
+    const struct pp_outside_light *light;
+    double *factors; /* product of the missing corrections, one for each opening */
+    void *tools;     /* made by the method; NULL for a room that it refuses */
+    struct pp_formulary *formulary;
+    struct pp_method_company company;
+    bool roughly; /* by evaluate_roughly, for an average */
+};
+
+/* The components by a method over all openings, corrected, or why there are none. */
+struct pp_answer {
+    struct pp_part part;
+    const char *why;                  /* not owned; NULL: part is valid */
+    const struct pp_opening *opening; /* the subject of why; NULL: the room */
+    int column;                       /* of why in a variant's text, from 1; 0: none */
+    struct pp_steps *steps;           /* where the sum is recorded; may be NULL */
+};
+
+/* Makes the method's tools for the report's world, light and options. variant: NULL, as
+ * published. On success the caller clears the run. */
+enum pp_status pp_method_run_init(struct pp_method_run *run,
+                                  const struct pp_method *method,
+                                  const struct pp_variant *variant,
+                                  const struct pp_report *report,
+                                  struct pp_method_company company,
+                                  struct pp_error *err);
+void pp_method_run_clear(struct pp_method_run *run);
+
+/* The sum over the openings for a receiver (NULL: for the room), or why there is none.
+ * The caller sets answer->steps, and owns them. Several threads may ask. */
+enum pp_status pp_method_run_answer(const struct pp_method_run *run,
+                                    const struct pp_receiver *receiver,
+                                    struct pp_answer *answer, struct pp_error *err);
+
+/* The average over the working plane by a method that speaks for a point. */
+enum pp_status pp_method_run_average(const struct pp_method_run *run,
+                                     struct pp_answer *answer, struct pp_error *err);
+
+#endif
