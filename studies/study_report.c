@@ -55,6 +55,15 @@ enum pp_status pp_study_report_traced(struct pp_report *report,
                                     NULL, err);
 }
 
+enum pp_status pp_study_report_traced_direct(struct pp_report *report,
+                                             const struct pp_study_options *options,
+                                             bool *by_clock, struct pp_error *err)
+{
+    return pp_study_report_simulate(report, &pp_engine_path,
+                                    (struct pp_engine_options){.direct = true}, options,
+                                    by_clock, NULL, err);
+}
+
 enum pp_status pp_study_report_simulate(struct pp_report *report,
                                         const struct pp_engine *engine,
                                         struct pp_engine_options engine_options,

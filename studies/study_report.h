@@ -30,10 +30,14 @@ enum pp_status pp_study_report_settle(struct pp_report *report,
 
 /* Adds the columns "traced" of all components, by light paths. A watch that stops it
  * leaves what there is so far, and report->finished is false. *by_clock: the time was
- * over before the simulation was done. */
+ * over before the simulation was done. The second one does so of direct light alone: its
+ * error is over the sum of sky and externally reflected component. */
 enum pp_status pp_study_report_traced(struct pp_report *report,
                                       const struct pp_study_options *options,
                                       bool *by_clock, struct pp_error *err);
+enum pp_status pp_study_report_traced_direct(struct pp_report *report,
+                                             const struct pp_study_options *options,
+                                             bool *by_clock, struct pp_error *err);
 
 /* The same by any engine. Of error, samples, seed and threads the study's options count.
  * kept (may be NULL): what a later run may begin with, where the simulation was not

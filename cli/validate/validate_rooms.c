@@ -20,6 +20,7 @@
 struct traced_report {
     struct pp_report *report;
     int room;
+    int own; /* number of the world; -1: the room's */
 };
 
 struct rooms_run {
@@ -73,10 +74,10 @@ static enum pp_status list_traced(struct rooms_run *run, struct pp_error *err)
         return pp_fail_memory(err);
     for (int i = 0; i < run->rooms->count; i++) {
         run->traced[run->traced_count++] =
-            (struct traced_report){&run->results.list[i].report, i};
+            (struct traced_report){&run->results.list[i].report, i, -1};
         for (int k = 0; k < pp_own_world_count(run->worlds[i]); k++)
             run->traced[run->traced_count++] =
-                (struct traced_report){pp_own_world_report(run->worlds[i], k), i};
+                (struct traced_report){pp_own_world_report(run->worlds[i], k), i, k};
     }
     return PP_OK;
 }
@@ -94,15 +95,16 @@ static enum pp_status simulate(const void *data, int index, struct pp_report *re
                                bool *by_clock, struct pp_error *err)
 {
     const struct rooms_run *run = data;
-    int room = run->traced[index].room;
+    int room = run->traced[index].room, own = run->traced[index].own;
     struct pp_study_options options = *run->results.options;
-    bool of_room = index == 0 || run->traced[index - 1].room != room;
-    if (!of_room && pp_interrupt_came()) {
+    if (own >= 0 && pp_interrupt_came()) {
         report->finished = false;
         return PP_OK;
     }
     options.seconds /= 1 + pp_own_world_count(run->worlds[room]);
-    return pp_study_report_traced(report, &options, by_clock, err);
+    return own < 0 ? pp_study_report_traced(report, &options, by_clock, err)
+                   : pp_own_world_trace_one(run->worlds[room], own, &options, by_clock,
+                                            err);
 }
 
 static enum pp_status compare(struct rooms_run *run, struct pp_error *err)

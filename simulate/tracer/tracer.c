@@ -50,7 +50,7 @@ struct pp_tracer {
     struct pp_sobol sobol;
     struct traced_point *points; /* the receivers, then the average if it is wanted */
     int point_count, receiver_count;
-    bool every_ray;
+    bool every_ray, direct; /* as in the options */
     struct pp_sampler sampler;
     struct pp_planner *planner;
 };
@@ -206,6 +206,42 @@ static uint32_t most_shared(double error)
     return most;
 }
 
+/* Of direct light alone. */
+static double direct_part_of(const void *client, int point,
+                             const struct pp_randomisation *randomisation,
+                             int estimator)
+{
+    (void)client, (void)point, (void)estimator;
+    return (randomisation->sums[PP_SC] + randomisation->sums[PP_ERC])
+           / randomisation->done.of[DIRECT];
+}
+
+/* There is no more of it than its parts. */
+static double direct_value_of(const void *client, int point,
+                              const struct pp_randomisation *randomisation,
+                              int component)
+{
+    return component == PP_SC || component == PP_ERC
+               ? randomisation->sums[component] / randomisation->done.of[DIRECT]
+               : direct_part_of(client, point, randomisation, DIRECT);
+}
+
+static double direct_bound_of(const void *client, int point, int component,
+                              unsigned found, const double *paths)
+{
+    return bound_of(client, point, component, found | 1U << PP_IRC, paths);
+}
+
+static struct pp_sampler of_direct_light(void)
+{
+    struct pp_sampler direct = sampler;
+    direct.estimators = DIRECT + 1;
+    direct.value = direct_value_of;
+    direct.part = direct_part_of;
+    direct.bound = direct_bound_of;
+    return direct;
+}
+
 /* Where a part of it is shared. The lobe then has little to correct. */
 static struct pp_sampler sharing(double error)
 {
@@ -275,15 +311,20 @@ enum pp_status pp_tracer_create(struct pp_tracer **result,
     tracer->scene = scene;
     tracer->environment = environment;
     tracer->every_ray = options->every_ray;
+    tracer->direct = options->direct;
     tracer->receiver_count = receiver_count;
     uint64_t seed = seed_of_room(options->seed, scene->world);
     pp_sobol_init(&tracer->sobol);
-    enum pp_status status =
-        pp_radiosity_solve(&tracer->radiosity, scene, environment, &tracer->sobol,
-                           pp_hash(seed, 1), options->threads, err);
-    if (status == PP_OK)
+    enum pp_status status = PP_OK;
+    if (!options->direct)
+        status =
+            pp_radiosity_solve(&tracer->radiosity, scene, environment, &tracer->sobol,
+                               pp_hash(seed, 1), options->threads, err);
+    if (status == PP_OK && !options->direct)
         status = share(tracer, pp_hash(seed, 2), err);
-    tracer->sampler = tracer->shared ? sharing(options->error) : sampler;
+    tracer->sampler = options->direct  ? of_direct_light()
+                      : tracer->shared ? sharing(options->error)
+                                       : sampler;
     if (status == PP_OK) {
         bool average = options->average && tracer->scene->plane_count > 0;
         tracer->point_count = receiver_count + average;
@@ -350,9 +391,11 @@ void pp_tracer_read(const struct pp_tracer *tracer, int index,
     if (index < 0)
         index = tracer->receiver_count;
     for (int i = 0; i < PP_COMPONENT_COUNT; i++)
-        readings[i] = index < tracer->point_count
-                          ? pp_planner_read(tracer->planner, index, i)
-                          : pp_reading_none("no average was asked for");
+        readings[i] = index >= tracer->point_count
+                          ? pp_reading_none("no average was asked for")
+                      : tracer->direct && i != PP_SC && i != PP_ERC
+                          ? pp_reading_none("direct light alone was asked for")
+                          : pp_planner_read(tracer->planner, index, i);
 }
 
 double pp_tracer_common(const struct pp_tracer *tracer)

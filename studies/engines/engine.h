@@ -24,6 +24,9 @@ struct pp_engine_options {
     uint64_t seed;
     int threads; /* 0: as many as there are processors */
 
+    bool direct; /* by light paths: sky and externally reflected component alone, the
+                  * error over their sum */
+
     double sensor_m; /* photons are counted on discs of this radius round the receivers;
                       * 0: the receivers are points */
 

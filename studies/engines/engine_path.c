@@ -29,7 +29,8 @@ static enum pp_status make(struct path_run *run, const struct pp_light_scene *sc
                                              .samples = options->samples,
                                              .seed = options->seed,
                                              .threads = options->threads,
-                                             .average = true};
+                                             .average = true,
+                                             .direct = options->direct};
     enum pp_status status =
         pp_light_scene_under(&run->environment, scene, &report->light, err);
     if (status == PP_OK)

@@ -21,6 +21,7 @@ struct own_kind {
 
 struct own_world {
     struct own_kind kind;
+    bool inside; /* is the internally reflected component asked of it, too? */
     struct pp_world *world;
     struct pp_report report;
 };
@@ -181,9 +182,14 @@ static enum pp_status add(struct pp_own_worlds *worlds, const struct pp_room *ro
     if (!method)
         return PP_OK;
     struct own_kind kind = kind_of(worlds, method);
-    if (index_of(worlds, kind, component) < worlds->count)
+    int index = index_of(worlds, kind, component);
+    if (index < 0)
         return PP_OK;
-    struct own_world *own = &worlds->list[worlds->count++];
+    struct own_world *own = &worlds->list[index];
+    own->inside |= component == PP_IRC;
+    if (index < worlds->count)
+        return PP_OK;
+    worlds->count++;
     own->kind = kind;
     return make(own, worlds, room, err);
 }
@@ -240,15 +246,23 @@ struct pp_report *pp_own_world_report(struct pp_own_worlds *worlds, int index)
     return &worlds->list[index].report;
 }
 
+enum pp_status pp_own_world_trace_one(struct pp_own_worlds *worlds, int index,
+                                      const struct pp_study_options *options,
+                                      bool *by_clock, struct pp_error *err)
+{
+    struct own_world *own = &worlds->list[index];
+    return (own->inside ? pp_study_report_traced : pp_study_report_traced_direct)(
+        &own->report, options, by_clock, err);
+}
+
 enum pp_status pp_own_world_trace(struct pp_own_worlds *worlds,
                                   const struct pp_study_options *options,
                                   bool *finished, bool *by_clock, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < worlds->count && *finished && status == PP_OK; i++) {
-        struct pp_report *report = &worlds->list[i].report;
-        status = pp_study_report_traced(report, options, by_clock, err);
-        *finished &= report->finished;
+        status = pp_own_world_trace_one(worlds, i, options, by_clock, err);
+        *finished &= worlds->list[i].report.finished;
     }
     return status;
 }

@@ -39,14 +39,20 @@ void pp_own_world_destroy(struct pp_own_worlds *worlds); /* NULL is allowed */
 
 int pp_own_world_count(const struct pp_own_worlds *worlds);
 
-/* Traces each of them, at the points of the room's report, as pp_study_report_traced does
- * the room. *finished, true at first: false where a watch stopped it, and what is left
+/* Traces one of them, at the points of the room's report, as pp_study_report_traced does
+ * the room; by direct light alone where no column has its internally reflected component
+ * of that world. */
+enum pp_status pp_own_world_trace_one(struct pp_own_worlds *worlds, int index,
+                                      const struct pp_study_options *options,
+                                      bool *by_clock, struct pp_error *err);
+
+/* Traces all of them. *finished, true at first: false where a watch stopped it, and what is left
  * has no readings. */
 enum pp_status pp_own_world_trace(struct pp_own_worlds *worlds,
                                   const struct pp_study_options *options,
                                   bool *finished, bool *by_clock, struct pp_error *err);
 
-/* The report of world `index`, to which "traced" is added by other ways. */
+/* The report of world `index`. */
 struct pp_report *pp_own_world_report(struct pp_own_worlds *worlds, int index);
 
 /* The report in whose world a column of the room's report has the component PP_SC, PP_ERC

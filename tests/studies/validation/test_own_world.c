@@ -147,6 +147,24 @@ static void the_sky_component_has_no_other_ground(void **state)
     clear(&c);
 }
 
+/* Of the world with the block and an open ground nothing is asked but the externally
+ * reflected component, as bre has a skyline in the block's place: it is traced by direct
+ * light alone. That of bre is traced whole. */
+static void a_world_is_traced_for_what_is_asked_of_it(void **state)
+{
+    (void)state;
+    struct compared c;
+    load(&c, room_of("ground-reflectance='0.3'", block), "exact+bre");
+    assert_int_equal(pp_own_world_count(c.worlds), 2);
+    trace(&c);
+    const struct pp_report *direct = world_for(&c, PP_ERC, "exact", PP_ERC);
+    const struct pp_report *whole = world_for(&c, PP_IRC, "bre", PP_IRC);
+    assert_true(isnan(pp_report_find(direct, PP_DF, "traced")->points[0].value));
+    assert_true(pp_report_find(direct, PP_ERC, "traced")->points[0].value > 0.0);
+    assert_true(pp_report_find(whole, PP_DF, "traced")->points[0].value > 0.0);
+    clear(&c);
+}
+
 /* ---- the ground ---- */
 
 static void bre_in_the_world_that_it_was_made_for_assumes_nothing_wrong(void **state)
@@ -412,6 +430,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(assumption_and_formula_make_the_whole),
         cmocka_unit_test(the_sky_component_has_no_other_ground),
+        cmocka_unit_test(a_world_is_traced_for_what_is_asked_of_it),
         cmocka_unit_test(bre_in_the_world_that_it_was_made_for_assumes_nothing_wrong),
         cmocka_unit_test(a_ground_brighter_than_bre_has_it_is_a_negative_assumption),
         cmocka_unit_test(the_own_world_is_the_room_of_a_file_that_says_so),
