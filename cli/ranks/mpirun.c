@@ -8,11 +8,9 @@
 #include <unistd.h>
 
 #include "cli/message.h"
+#include "cli/program_part.h"
 #include "cli/ranks/mpirun_module.h"
-#include "cli/ranks/module_folder.inc"
 #include "model/base/deal_ranks.h"
-
-static const char module_name[] = "pepperpot-mpi.so";
 
 /* Open MPI's mpirun says how many ranks there are; others only which one this is. */
 static bool is_rank(void)
@@ -23,31 +21,14 @@ static bool is_rank(void)
     return getenv("PMI_RANK") || getenv("PMIX_RANK");
 }
 
-/* The module where the program was built, else where it is installed. */
-static void *open_module(void)
-{
-    char path[4096];
-    ssize_t length = readlink("/proc/self/exe", path, sizeof path / 2);
-    void *module = NULL;
-    if (length > 0) {
-        path[length] = '\0';
-        char *slash = strrchr(path, '/');
-        snprintf(slash, sizeof path - (size_t)(slash - path), "/.libs/%s", module_name);
-        if (access(path, R_OK) == 0)
-            module = dlopen(path, RTLD_NOW | RTLD_GLOBAL);
-    }
-    if (module)
-        return module;
-    snprintf(path, sizeof path, "%s/%s", module_folder, module_name);
-    return dlopen(path, RTLD_NOW | RTLD_GLOBAL);
-}
-
 enum pp_exit pp_mpirun_begin(struct pp_mpirun *mpirun)
 {
     *mpirun = (struct pp_mpirun){.end = NULL};
     if (!is_rank())
         return PP_EXIT_DONE;
-    void *module = open_module();
+    char path[PP_PROGRAM_PART_PATH];
+    pp_program_part(path, ".libs/", PP_MODULE_FOLDER, "pepperpot-mpi.so");
+    void *module = dlopen(path, RTLD_NOW | RTLD_GLOBAL);
     pp_mpirun_module_begin *begin = NULL;
     if (module)
         *(void **)&begin = dlsym(module, "pp_mpirun_module");

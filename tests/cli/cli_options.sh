@@ -12,6 +12,27 @@ check "an unknown command suggests the nearest" \
 check "an unknown word is no command" refuses 2 'no command "zzz"' zzz
 check "an unknown first option is named" refuses 2 "--frobnicate" --frobnicate
 
+# What draws is a second program. The first loads nothing for it, and says if it is gone.
+drawing_libraries() {
+    ldd "$1" | grep -oE 'lib(cairo|pango|X11)[^ ]*' || true
+}
+alone=$scratch/alone
+mkdir "$alone"
+cp "$pepperpot" "$alone/pepperpot"
+without_the_whole() {
+    status=0
+    "$alone/pepperpot" chart section "$deep" >/dev/null 2>"$scratch/err" || status=$?
+    test $status -eq 3 && grep -q 'pepperpot-whole.*rest of the program' "$scratch/err"
+}
+check "df loads no library that draws" nothing "$(drawing_libraries "$pepperpot")"
+check "what draws does load them" test -n "$(drawing_libraries "$pepperpot-whole")"
+if [ -e "$(sed -n 's/.*PP_PROGRAM_FOLDER "\(.*\)"/\1/p' cli/part_folders.h)/pepperpot-whole" ]; then
+    skip "without the second program, a message" "one is installed"
+else
+    check "without the second program, a message" without_the_whole
+fi
+check "and daylight factors" "$alone/pepperpot" df "$deep"
+
 for command in df chart; do
     check "$command has help" shows "Usage: pepperpot $command" $command --help
     check "$command's help wins over what is wrong behind it" \
