@@ -4,20 +4,28 @@
 
 #include <math.h>
 
-double pp_interpolate_cubic(const double *values, int count, double low, double high,
-                            double x)
+/* The first of the four entries that a place between entries is interpolated from. */
+static int first_of_four(int below, int count)
 {
-    double place = (x - low) / (high - low) * (count - 1);
-    place = fmin(fmax(place, 0.0), count - 1.0);
-    int first = (int)place - 1;
-    first = first < 0 ? 0 : first > count - 4 ? count - 4 : first;
-    double t = place - first;
-    const double *v = values + first;
+    return below < 1 ? 0 : below > count - 3 ? count - 4 : below - 1;
+}
 
-    /* Lagrange's form with the entries at t = 0, 1, 2, 3. */
+/* Lagrange's form with the entries at t = 0, 1, 2, 3. */
+static double cubic(const double v[4], double t)
+{
     double t1 = t - 1.0, t2 = t - 2.0, t3 = t - 3.0;
     return -v[0] * t1 * t2 * t3 / 6.0 + v[1] * t * t2 * t3 / 2.0
            - v[2] * t * t1 * t3 / 2.0 + v[3] * t * t1 * t2 / 6.0;
+}
+
+double pp_interpolate_cubic(const double *values, int count, double low, double high,
+                            double x)
+{
+    double last = count - 1, place = (x - low) / (high - low) * last;
+    place = place > 0.0 ? place : 0.0;
+    place = place < last ? place : last;
+    int first = first_of_four((int)place, count);
+    return cubic(values + first, place - first);
 }
 
 void pp_interpolate_tabulate_integral(double *values, int count, double low,
@@ -51,16 +59,30 @@ double pp_interpolate_inverse(const double *values, int count, double low, doubl
         else
             above = middle;
     }
-    double step = (high - low) / (count - 1);
-    double left = low + below * step, right = low + above * step;
-    while (right - left > 1e-10 * (high - low)) {
-        double middle = (left + right) / 2.0;
-        if (pp_interpolate_cubic(values, count, low, high, middle) < value)
-            left = middle;
-        else
-            right = middle;
-    }
-    return (left + right) / 2.0;
+    int first = first_of_four(below, count), side = 0;
+    double step = (high - low) / (count - 1), left = below - first, right = left + 1.0;
+    double off_left = values[below] - value, off_right = values[above] - value;
+    if (off_left >= 0.0 || off_right <= 0.0)
+        return low + (off_left >= 0.0 ? below : above) * step;
+    /* By regula falsi, the end that stays taken for half as far off: some six cubics. */
+    double t = left, last;
+    do {
+        last = t;
+        t = right - off_right * (right - left) / (off_right - off_left);
+        double off = cubic(values + first, t) - value;
+        if (off < 0.0) {
+            left = t;
+            off_left = off;
+            off_right *= side < 0 ? 0.5 : 1.0;
+            side = -1;
+        } else {
+            right = t;
+            off_right = off;
+            off_left *= side > 0 ? 0.5 : 1.0;
+            side = 1;
+        }
+    } while (fabs(t - last) > 1e-11 && off_right > off_left);
+    return low + (first + t) * step;
 }
 
 int pp_interpolate_interval(const double *rows, int count, int width, int column,

@@ -32,8 +32,8 @@ struct opening_drawing {
     double face_m, glass_m;        /* distances of the point from wall face and glass */
     struct pp_elevation_part seen; /* the visible part of the opening */
     struct pp_elevation_obstructions obstructions;
-    struct pp_elevation_cover cover; /* by the obstructions */
-    int order;                       /* of the next one */
+    struct pp_elevation_cover *cover; /* by the obstructions; not owned */
+    int order;                        /* of the next one */
 };
 
 /* The rectangle of equal area with the centroid of a figure and the proportions of its
@@ -131,14 +131,14 @@ static enum pp_status add_obstruction(struct opening_drawing *drawing,
     const struct pp_elevation_part *outline = &obstruction.outline;
     obstruction.order = drawing->order++;
     if (is_empty(outline)
-        || pp_elevation_cover_hides(&drawing->cover, outline->left, outline->right,
+        || pp_elevation_cover_hides(drawing->cover, outline->left, outline->right,
                                     outline->high, obstruction.distance_m))
         return PP_OK;
     enum pp_status status = pp_array_append(&obstructions->list, obstructions->count,
                                             sizeof *obstructions->list, err);
     if (status == PP_OK) {
         obstructions->list[obstructions->count++] = obstruction;
-        pp_elevation_cover_add(&drawing->cover, outline, obstruction.distance_m);
+        pp_elevation_cover_add(drawing->cover, outline, obstruction.distance_m);
     }
     return status;
 }
@@ -337,7 +337,7 @@ static enum pp_status add_blocks(struct opening_drawing *drawing, struct pp_erro
     int first = drawing->order;
     for (int i = 0; i < bounds.count && status == PP_OK; i++) {
         const struct pp_block_bound *bound = &bounds.list[i];
-        if (pp_elevation_cover_hides(&drawing->cover, bound->left, bound->right,
+        if (pp_elevation_cover_hides(drawing->cover, bound->left, bound->right,
                                      bound->high, bound->distance_m))
             continue;
         drawing->order = first + bound->block;
@@ -355,7 +355,7 @@ static void drop_hidden(struct opening_drawing *drawing)
     int kept = 0;
     for (int i = 0; i < obstructions->count; i++) {
         const struct pp_elevation_obstruction *of = &obstructions->list[i];
-        if (!pp_elevation_cover_hides(&drawing->cover, of->outline.left,
+        if (!pp_elevation_cover_hides(drawing->cover, of->outline.left,
                                       of->outline.right, of->outline.high,
                                       of->distance_m))
             obstructions->list[kept++] = *of;
@@ -369,8 +369,10 @@ enum pp_status pp_elevation_init(struct pp_elevation *elevation,
                                  struct pp_error *err)
 {
     *elevation = (struct pp_elevation){0};
+    struct pp_elevation_cover cover; /* 16 kB, most of which is seldom touched */
     struct opening_drawing drawing = {
         .world = world,
+        .cover = &cover,
         .opening = opening,
         .frame = {point,
                   {opening->along, pp_vec_scale(opening->inner.normal, -1.0),
@@ -384,7 +386,7 @@ enum pp_status pp_elevation_init(struct pp_elevation *elevation,
     enum pp_status status = find_seen(&drawing, err);
     if (status != PP_OK || is_empty(&drawing.seen))
         return status;
-    pp_elevation_cover_init(&drawing.cover, &drawing.seen);
+    pp_elevation_cover_init(drawing.cover, &drawing.seen);
     status = add_skylines(&drawing, err);
     if (status == PP_OK)
         status = add_surfaces(&drawing, err);
