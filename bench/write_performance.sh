@@ -1,8 +1,8 @@
 #!/bin/sh
 # write_performance.sh PROGRAM BENCH ... - docs/PERFORMANCE.md, on standard output: the
-# machine, what each of the benchmark programs prints, and the comparison with Radiance by
-# compare_radiance.sh, which stands beside this script. SCENES="NAME ...": these of its
-# scenes. Run by make bench.
+# machine, what each of the benchmark programs prints, and the comparisons with Radiance by
+# compare_radiance.sh and compare_rpict.sh, which stand beside this script.
+# SCENES="NAME ...": these of the former's scenes. Run by make bench.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -85,3 +85,12 @@ a run through the cache is biased, so that it counts as it is, where its error i
 END
 # shellcheck disable=SC2086 # several words, or none: all scenes
 sh "$here/compare_radiance.sh" "$program" ${SCENES:-}
+say compare_rpict.sh
+cat <<'END'
+
+## Against rpict
+
+`bench/compare_rpict.sh`: one view of the deep office by `render` and by Radiance's `rpict`, each
+on one processor, with `rpict`'s cache at settings in common use and at ones that suit the scene.
+END
+sh "$here/compare_rpict.sh" "$program"

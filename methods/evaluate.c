@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "methods/component_steps.h"
+#include "methods/average/beams.h"
 #include "methods/method_run.h"
 #include "methods/pair.h"
 #include "methods/selection.h"
@@ -18,7 +19,8 @@ enum { LONE_POINTS = 64 };
 
 /* One component of an answer as a reading; the report keeps the text of its why. */
 static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *report,
-                                 const char *name, const struct pp_answer *answer,
+                                 const char *name,
+                                 const struct pp_method_answer *answer,
                                  enum pp_component component, struct pp_error *err)
 {
     if (!answer->why) {
@@ -46,7 +48,7 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
 struct answering {
     const struct pp_method_run *run;
     const struct pp_receiver *receivers;
-    struct pp_answer *answers;
+    struct pp_method_answer *answers;
     atomic_bool failed;
 };
 
@@ -62,7 +64,8 @@ static bool answer_one(void *data, int member, int i)
 
 static enum pp_status answer_points(const struct pp_method_run *run,
                                     const struct pp_report *report,
-                                    struct pp_answer *answers, struct pp_error *err)
+                                    struct pp_method_answer *answers,
+                                    struct pp_error *err)
 {
     struct answering answering = {run, report->receivers, answers, false};
     int count = report->receiver_count;
@@ -79,7 +82,8 @@ static enum pp_status answer_points(const struct pp_method_run *run,
 /* The average of a method whose figures are those of another in this world, if that has
  * a column. */
 static bool found_average(const struct pp_method_run *run,
-                          const struct pp_report *report, struct pp_answer *average)
+                          const struct pp_report *report,
+                          struct pp_method_answer *average)
 {
     const struct pp_method *same =
         run->method->same_as && !run->varied ? run->method->same_as(run->world) : NULL;
@@ -96,11 +100,11 @@ static bool found_average(const struct pp_method_run *run,
 /* The answers for each receiver and, behind them, for the room's average. */
 static enum pp_status answer_all(const struct pp_method_run *run,
                                  const struct pp_report *report,
-                                 struct pp_answer *answers, struct pp_error *err)
+                                 struct pp_method_answer *answers, struct pp_error *err)
 {
     int count = report->receiver_count;
     bool by_point = run->method->speaks_for == PP_FOR_POINT;
-    struct pp_answer *average = answers + count;
+    struct pp_method_answer *average = answers + count;
     enum pp_status status = PP_OK;
     if (!by_point || run->method->has_average)
         status = pp_method_run_answer(run, NULL, average, err);
@@ -114,18 +118,18 @@ static enum pp_status answer_all(const struct pp_method_run *run,
         if (run->method->refuses_room)
             why = run->method->refuses_room(run->world, run->light,
                                             report->receivers + i);
-        answers[i] = why ? (struct pp_answer){.why = why} : *average;
+        answers[i] = why ? (struct pp_method_answer){.why = why} : *average;
     }
     if (run->method->speaks_for == PP_FOR_MINIMUM && !average->why)
-        *average =
-            (struct pp_answer){.why = "it gives the least in the room, no average"};
+        *average = (struct pp_method_answer){
+            .why = "it gives the least in the room, no average"};
     return by_point ? answer_points(run, report, answers, err) : PP_OK;
 }
 
 /* Adds the column of one component from the answers of a method. */
 static enum pp_status add_column(struct pp_report *report,
                                  const struct pp_method *method, const char *name,
-                                 const struct pp_answer *answers,
+                                 const struct pp_method_answer *answers,
                                  enum pp_component component, struct pp_error *err)
 {
     if (pp_report_find(report, component, name))
@@ -147,7 +151,7 @@ static enum pp_status add_column(struct pp_report *report,
 
 /* Where steps are asked for, makes their lists: one for each receiver or one for the
  * room. */
-static bool create_steps(struct pp_answer *answers, struct pp_report *report,
+static bool create_steps(struct pp_method_answer *answers, struct pp_report *report,
                          const struct pp_method *method)
 {
     if (!report->explain)
@@ -175,7 +179,7 @@ static enum pp_status add_method(struct pp_report *report,
         pp_method_run_init(&run, method, variant, report, company, err);
     if (status != PP_OK)
         return status;
-    struct pp_answer *answers =
+    struct pp_method_answer *answers =
         calloc((size_t)report->receiver_count + 1, sizeof *answers);
     status =
         answers && create_steps(answers, report, method) ? PP_OK : pp_fail_memory(err);

@@ -13,11 +13,12 @@
 #include <stdbool.h>
 
 #include "methods/allowance.h"
-#include "methods/view/beams.h"
 #include "model/light/outside_light.h"
 #include "model/results/reading.h"
 #include "model/results/worksheet.h"
 #include "model/room/world.h"
+
+struct pp_beams; /* methods/average/beams.h */
 
 enum pp_gives {
     PP_GIVES_DIRECT,   /* sky and externally reflected component, at a point */

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 
 #include "methods/component_steps.h"
-#include "methods/opening_averages.h"
-#include "methods/plane_average.h"
+#include "methods/average/opening_averages.h"
+#include "methods/average/plane_average.h"
 
 /* D applies to the internally reflected component. A method that gives the daylight
  * factor as a whole has no such part, and gets no D. */
@@ -81,7 +81,8 @@ static struct pp_part add_part(struct pp_part *sum, const struct pp_part *part,
 /* Adds up the components of all openings by the method. */
 static enum pp_status add_openings(const struct pp_method_run *run,
                                    const struct pp_receiver *receiver,
-                                   struct pp_answer *answer, struct pp_error *err)
+                                   struct pp_method_answer *answer,
+                                   struct pp_error *err)
 {
     const struct pp_method *method = run->method;
     const struct pp_world *world = run->world;
@@ -125,7 +126,7 @@ static enum pp_status add_openings(const struct pp_method_run *run,
 /* Sets down why the method does not cover the room or one of its openings; false: it
  * does. */
 static bool refuse(const struct pp_method_run *run, const struct pp_receiver *receiver,
-                   struct pp_answer *answer)
+                   struct pp_method_answer *answer)
 {
     const struct pp_method *method = run->method;
     const struct pp_world *world = run->world;
@@ -140,10 +141,11 @@ static bool refuse(const struct pp_method_run *run, const struct pp_receiver *re
 
 enum pp_status pp_method_run_answer(const struct pp_method_run *run,
                                     const struct pp_receiver *receiver,
-                                    struct pp_answer *answer, struct pp_error *err)
+                                    struct pp_method_answer *answer,
+                                    struct pp_error *err)
 {
     const struct pp_world *world = run->world;
-    *answer = (struct pp_answer){.steps = answer->steps};
+    *answer = (struct pp_method_answer){.steps = answer->steps};
     if (refuse(run, receiver, answer))
         return PP_OK;
     enum pp_status status = add_openings(run, receiver, answer, err);
@@ -157,12 +159,14 @@ enum pp_status pp_method_run_answer(const struct pp_method_run *run,
 /* The context of the integrand over the working plane. */
 struct plane_sum {
     const struct pp_method_run *run;
-    struct pp_answer refusal; /* of the first opening, and column, that has one */
+    struct pp_method_answer
+        refusal; /* of the first opening, and column, that has one */
     bool failed;
 };
 
 /* Which of two reasons is said, whatever the order of the points. */
-static bool comes_before(const struct pp_answer *a, const struct pp_answer *b)
+static bool comes_before(const struct pp_method_answer *a,
+                         const struct pp_method_answer *b)
 {
     if (!b->why || a->opening != b->opening)
         return !b->why || a->opening < b->opening;
@@ -173,7 +177,7 @@ static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
                          double values[PP_PLANE_VALUES])
 {
     struct plane_sum *sum = data;
-    struct pp_answer answer = {0};
+    struct pp_method_answer answer = {0};
     bool failed = pp_method_run_answer(sum->run, receiver, &answer, NULL) != PP_OK;
     if (failed || answer.why) {
         pp_crew_lock(sum->run->company.crew);
@@ -192,7 +196,7 @@ static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
 /* The sum over the openings of their averages by the method itself; *known is false
  * where there is none for one of them. */
 static enum pp_status sum_averages(const struct pp_method_run *run,
-                                   struct pp_answer *answer, bool *known,
+                                   struct pp_method_answer *answer, bool *known,
                                    struct pp_error *err)
 {
     const struct pp_world *world = run->world;
@@ -200,7 +204,7 @@ static enum pp_status sum_averages(const struct pp_method_run *run,
                                                       world->plane.rings[0].xy[0][1],
                                                       world->working_plane_m},
                                          .normal = {0.0, 0.0, 1.0}};
-    *answer = (struct pp_answer){0};
+    *answer = (struct pp_method_answer){0};
     *known = true;
     if (refuse(run, &receiver, answer))
         return PP_OK;
@@ -217,14 +221,15 @@ static enum pp_status sum_averages(const struct pp_method_run *run,
 }
 
 enum pp_status pp_method_run_average(const struct pp_method_run *run,
-                                     struct pp_answer *answer, struct pp_error *err)
+                                     struct pp_method_answer *answer,
+                                     struct pp_error *err)
 {
     struct pp_method_run rough_run = *run;
     rough_run.roughly = true;
     struct plane_sum sum = {.run = &rough_run};
     double mean[PP_PLANE_VALUES];
     bool stopped;
-    *answer = (struct pp_answer){0};
+    *answer = (struct pp_method_answer){0};
     if (pp_region_area(&run->world->plane) <= 0.0) {
         answer->why = "the room has no working plane at that height";
         return PP_OK;
@@ -234,7 +239,7 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
         enum pp_status status = sum_averages(run, answer, &known, err);
         if (status != PP_OK || known)
             return status;
-        *answer = (struct pp_answer){0};
+        *answer = (struct pp_method_answer){0};
     }
     enum pp_status status =
         pp_plane_average(mean, &stopped, run->world, plane_sum_at, &sum,

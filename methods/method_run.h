@@ -35,7 +35,7 @@ struct pp_method_run {
 };
 
 /* The components by a method over all openings, corrected, or why there are none. */
-struct pp_answer {
+struct pp_method_answer {
     struct pp_part part;
     const char *why;                  /* not owned; NULL: part is valid */
     const struct pp_opening *opening; /* the subject of why; NULL: the room */
@@ -57,10 +57,12 @@ void pp_method_run_clear(struct pp_method_run *run);
  * The caller sets answer->steps, and owns them. Several threads may ask. */
 enum pp_status pp_method_run_answer(const struct pp_method_run *run,
                                     const struct pp_receiver *receiver,
-                                    struct pp_answer *answer, struct pp_error *err);
+                                    struct pp_method_answer *answer,
+                                    struct pp_error *err);
 
 /* The average over the working plane by a method that speaks for a point. */
 enum pp_status pp_method_run_average(const struct pp_method_run *run,
-                                     struct pp_answer *answer, struct pp_error *err);
+                                     struct pp_method_answer *answer,
+                                     struct pp_error *err);
 
 #endif

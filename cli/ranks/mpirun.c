@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "cli/message.h"
-#include "cli/program_part.h"
+#include "cli/program/program_part.h"
 #include "cli/ranks/mpirun_module.h"
 #include "model/base/deal_ranks.h"
 

@@ -4,7 +4,7 @@
 #define PP_METHODS_EXACT_BEAM_AVERAGE_H
 
 #include "methods/exact/quadrature.h"
-#include "methods/view/beams.h"
+#include "methods/average/beams.h"
 
 /* What one direction brings: luminances through the glass, over Eh. */
 struct pp_beam_light {

@@ -20,7 +20,7 @@
 
 #include "methods/exact/pane_light.h"
 #include "methods/exact/solid_angle.h"
-#include "methods/view/beams.h"
+#include "methods/average/beams.h"
 #include "methods/view/visible.h"
 #include "model/base/error.h"
 #include "model/light/outside_light.h"

@@ -26,7 +26,7 @@ without_the_whole() {
 }
 check "df loads no library that draws" nothing "$(drawing_libraries "$pepperpot")"
 check "what draws does load them" test -n "$(drawing_libraries "$pepperpot-whole")"
-if [ -e "$(sed -n 's/.*PP_PROGRAM_FOLDER "\(.*\)"/\1/p' cli/part_folders.h)/pepperpot-whole" ]; then
+if [ -e "$(sed -n 's/.*PP_PROGRAM_FOLDER "\(.*\)"/\1/p' cli/program/part_folders.h)/pepperpot-whole" ]; then
     skip "without the second program, a message" "one is installed"
 else
     check "without the second program, a message" without_the_whole

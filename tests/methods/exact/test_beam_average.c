@@ -3,7 +3,7 @@
 #include "methods/exact/beam_average.h"
 
 #include "methods/method.h"
-#include "methods/plane_average.h"
+#include "methods/average/plane_average.h"
 #include "tests/lib/room_of.h"
 
 struct pointwise {

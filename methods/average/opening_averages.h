@@ -1,7 +1,7 @@
 /* opening_averages.h - the averages over the working plane that a method has for itself
  * (pp_method.average), of all openings of a room. */
-#ifndef PP_METHODS_OPENING_AVERAGES_H
-#define PP_METHODS_OPENING_AVERAGES_H
+#ifndef PP_METHODS_AVERAGE_OPENING_AVERAGES_H
+#define PP_METHODS_AVERAGE_OPENING_AVERAGES_H
 
 #include "methods/method.h"
 #include "model/base/crew.h"

@@ -1,6 +1,6 @@
 /* whole_main.c - pepperpot-whole, daylight factors by hand and by ray: the list of
  * commands. */
-#include "cli/program.h"
+#include "cli/program/program.h"
 
 static const struct pp_command *const commands[] = {
     &pp_command_df,

@@ -1,5 +1,5 @@
 /* program_part.c - asks the system which file runs. */
-#include "cli/program_part.h"
+#include "cli/program/program_part.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* plane_average.h - the mean of a quantity over a room's working plane, by adaptive
  * cubature of degree 7. */
-#ifndef PP_METHODS_PLANE_AVERAGE_H
-#define PP_METHODS_PLANE_AVERAGE_H
+#ifndef PP_METHODS_AVERAGE_PLANE_AVERAGE_H
+#define PP_METHODS_AVERAGE_PLANE_AVERAGE_H
 
 #include "model/base/crew.h"
 #include "model/room/world.h"

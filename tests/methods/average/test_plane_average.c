@@ -1,5 +1,5 @@
 /* test_plane_average.c - means over the working plane. */
-#include "methods/plane_average.h"
+#include "methods/average/plane_average.h"
 
 #include <stdatomic.h>
 

@@ -1,6 +1,6 @@
 /* program.h - a program of commands, from its words to its exit status. */
-#ifndef PP_CLI_PROGRAM_H
-#define PP_CLI_PROGRAM_H
+#ifndef PP_CLI_PROGRAM_PROGRAM_H
+#define PP_CLI_PROGRAM_PROGRAM_H
 
 #include "cli/command.h"
 

@@ -1,5 +1,5 @@
 /* program.c - the program's own words, and what it does before and after a command. */
-#include "cli/program.h"
+#include "cli/program/program.h"
 
 #include "config.h"
 

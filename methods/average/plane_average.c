@@ -1,6 +1,6 @@
 /* plane_average.c - cuts the working plane into pieces and integrates over each by
  * hcubature, with rectangles graded towards the walls. */
-#include "methods/plane_average.h"
+#include "methods/average/plane_average.h"
 
 #include <cubature.h>
 #include <math.h>

@@ -5,8 +5,8 @@
  * them alike until their lights differ. Each is worked out once, and so is a mean that two
  * of them have in common.
  */
-#ifndef PP_METHODS_VIEW_BEAMS_H
-#define PP_METHODS_VIEW_BEAMS_H
+#ifndef PP_METHODS_AVERAGE_BEAMS_H
+#define PP_METHODS_AVERAGE_BEAMS_H
 
 #include "methods/view/beam.h"
 

@@ -1,8 +1,8 @@
 /* program_part.h - where a part of the program is that is a file of its own. */
-#ifndef PP_CLI_PROGRAM_PART_H
-#define PP_CLI_PROGRAM_PART_H
+#ifndef PP_CLI_PROGRAM_PROGRAM_PART_H
+#define PP_CLI_PROGRAM_PROGRAM_PART_H
 
-#include "cli/part_folders.h" /* made by make: PP_MODULE_FOLDER, PP_PROGRAM_FOLDER */
+#include "cli/program/part_folders.h" /* made by make: PP_MODULE_FOLDER, PP_PROGRAM_FOLDER */
 
 enum { PP_PROGRAM_PART_PATH = 4096 };
 

@@ -1,6 +1,6 @@
 /* test_beams.c - areas along beams are the same however often and in whatever order they
  * are asked for. */
-#include "methods/view/beams.h"
+#include "methods/average/beams.h"
 
 #include "tests/lib/dice.h"
 #include "tests/lib/room_of.h"

@@ -1,6 +1,8 @@
 /* opening_averages.c - asks the method for one opening after another, or for several at
  * once. */
-#include "methods/opening_averages.h"
+#include "methods/average/opening_averages.h"
+
+#include "methods/average/beams.h"
 
 struct averages {
     struct pp_part *parts;

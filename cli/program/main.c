@@ -6,8 +6,8 @@
 #include <unistd.h>
 
 #include "cli/message.h"
-#include "cli/program.h"
-#include "cli/program_part.h"
+#include "cli/program/program.h"
+#include "cli/program/program_part.h"
 
 static const struct pp_command *const commands[] = {
     &pp_command_df,           &pp_command_assess,

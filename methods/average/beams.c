@@ -1,5 +1,5 @@
 /* beams.c - each beam with a table of its areas by direction. */
-#include "methods/view/beams.h"
+#include "methods/average/beams.h"
 
 #include <math.h>
 #include <stdint.h>

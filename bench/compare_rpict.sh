@@ -1,0 +1,163 @@
+#!/bin/sh
+# compare_rpict.sh PROGRAM [SIZE] - error against processor time of pictures of the deep
+# office, SIZE pixels square (default 256), by PROGRAM's `render` and by Radiance's rpict, as
+# lines of Markdown. Minutes; where Radiance is not on PATH, that is said, and nothing is done.
+set -eu
+LC_ALL=C
+export LC_ALL
+
+if [ $# -lt 1 ]; then
+    echo "usage: compare_rpict.sh PROGRAM [SIZE]" >&2
+    exit 2
+fi
+pepperpot=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
+size=${2:-256}
+for program in oconv rpict rtrace pvalue; do
+    command -v $program >/dev/null && continue
+    echo "Radiance's $program is not on PATH: nothing is compared with it."
+    exit 0
+done
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+limit=600 # seconds that a run of rpict may take
+
+cat >"$scratch/room.xml" <<'END'
+<room version="1" name="Deep office"><plan width="3" depth="9" height="2.7"/>
+<finishes floor="0.2" walls="0.5" ceiling="0.7"/>
+<window wall="south" left="0.2" sill="0.8" width="2.6" height="1.5" glazing="clear-single"/>
+<working-plane height="0.85"/><point x="1.5" y="4"/></room>
+END
+"$pepperpot" export -q --to radiance -o "$scratch/scene" "$scratch/room.xml"
+(cd "$scratch/scene" && ./daylight_factors.sh -w -ab 0 >/dev/null)
+
+# ---- running ----
+
+# seconds COMMAND ...: its processor time, user's and system's.
+seconds() {
+    ("$@" >"$scratch/out" 2>"$scratch/err" </dev/null && times) | awk '
+        { last = $0 }
+        END {
+            n = split(last, parts, " ")
+            for (i = 1; i <= n; i++) {
+                split(parts[i], t, "m")
+                sum += 60 * t[1] + t[2]
+            }
+            printf "%.2f\n", sum
+        }'
+}
+
+# The picture's luminances, one a line. Both programs have them under 10,000 lx, over 179.
+values() {
+    pvalue -h -H -d -b "$1" >"$2"
+}
+
+# ours OUT OPTIONS ...: prints the seconds.
+ours() {
+    to=$1
+    shift
+    seconds "$pepperpot" render -q -j 1 --from 1.5,8,1.6 --towards 1.5,0,1.4 --angle 75 \
+        --size "${size}x$size" "$@" -o "$scratch/ours.hdr" "$scratch/room.xml"
+    values "$scratch/ours.hdr" "$to"
+}
+
+# theirs OUT OPTIONS ...: prints the seconds, 0 where it was stopped.
+theirs() {
+    to=$1
+    shift
+    (cd "$scratch/scene" && ulimit -t "$limit" &&
+        seconds rpict -w -t 0 -vtv -vp 1.5 8 1.6 -vd 0 -8 -0.2 -vu 0 0 1 -vh 75 -vv 75 \
+            -x "$size" -y "$size" -pa 1 -ps 1 -pj 0 -dt 0 "$@" scene.oct)
+    values "$scratch/out" "$to"
+}
+
+# ---- comparing ----
+
+# Pixels whose neighbours are like them, in a picture with little noise that is no reference:
+# to choose by those would choose where their noise cancels. A path through a pixel's middle
+# and the mean of a pixel are the same there. The window's are left out, which both programs
+# have straight from the sky.
+smooth() {
+    awk -v n="$size" '
+        { v[NR - 1] = $1; if ($1 > most) most = $1 }
+        END {
+            for (i = 0; i < NR; i++) {
+                x = i % n; good = x > 1 && x < n - 2 && i >= 2 * n && i < NR - 2 * n
+                for (dy = -2; good && dy <= 2; dy++)
+                    for (dx = -2; dx <= 2; dx++) {
+                        r = v[i + dy * n + dx] / v[i]
+                        if (r > 1.15 || r < 0.87) good = 0
+                    }
+                print (good && v[i] < 0.5 * most ? 1 : 0)
+            }
+        }' "$scratch/quiet" >"$scratch/smooth"
+}
+
+# off FOUND: root of the mean square of the relative error, per cent. The product of the
+# differences from two independent references has not their noise.
+off() {
+    paste -d' ' "$scratch/smooth" "$1" "$scratch/a" "$scratch/b" | awk '
+        $1 { n++; s += ($2 - $3) * ($2 - $4) / ($3 * $4) }
+        END { printf "%.2f\n", 100 * sqrt(s > 0 ? s / n : 0) }'
+}
+
+row() { # WORDS SECONDS FOUND KIND
+    error=$(off "$3")
+    printf '| %s | %.2f | %s |\n' "$1" "$2" "$error"
+    echo "$4 $2 $error" >>"$scratch/runs"
+}
+
+reference_s=$(ours "$scratch/a" --engine path --windows aimed --samples 256 --seed 101)
+ours "$scratch/b" --engine path --windows aimed --samples 256 --seed 202 >/dev/null
+ours "$scratch/quiet" --samples 64 --seed 303 >/dev/null
+smooth
+
+# The reference where rtrace follows paths without a cache, at some hundred of its pixels.
+awk -v n="$size" 'BEGIN { step = n / 16 } {
+        x = (NR - 1) % n; y = int((NR - 1) / n)
+        if ($1 && x % step == int(step / 2) && y % step == int(step / 2)) print NR, x, y
+    }' "$scratch/smooth" >"$scratch/some"
+awk -v n="$size" '
+    BEGIN { h = sin(37.5 * 3.14159265358979 / 180) / cos(37.5 * 3.14159265358979 / 180)
+            l = sqrt(64 + 0.04) }
+    {   # right and up of a view to -y, a little down; pictures are stored from the top
+        r = (2 * ($2 + 0.5) / n - 1) * h; u = (1 - 2 * ($3 + 0.5) / n) * h
+        printf "1.5 8 1.6 %.8f %.8f %.8f\n", -r, -8 / l - u * 0.2 / l, -0.2 / l + u * 8 / l
+    }' "$scratch/some" >"$scratch/rays"
+(cd "$scratch/scene" && rtrace -w -h -dt 0 -ab 22 -lr 0 -as 0 -aa 0 -lw 1e-7 -ad 4096 scene.oct \
+    <"$scratch/rays" | awk '{ print 0.265 * $1 + 0.670 * $2 + 0.065 * $3 }' >"$scratch/rtrace")
+apart=$(paste -d' ' "$scratch/a" "$scratch/b" | awk '
+    FNR == NR { wanted[$1] = FNR; next }
+    FNR in wanted { print ($1 + $2) / 2 }' "$scratch/some" - | paste -d' ' - "$scratch/rtrace" |
+    awk '{ d = $1 / $2 - 1; s += d; q += d * d }
+        END { printf "%+.2f %% in the mean of %d pixels, %.2f %% RMS", 100 * s / NR, NR, 100 * sqrt(q / NR) }')
+
+printf '\n### Deep office: a picture of %d by %d pixels\n\n' "$size" "$size"
+printf 'References: two of `render --engine path --samples 256` (%.1f s each); from `rtrace` without its\n' "$reference_s"
+printf 'cache they differ by %s. Error: RMS, relative, per cent, where neighbours are alike.\n\n' "$apart"
+echo '| run | processor s | error |'
+echo '| --- | ---: | ---: |'
+for options in '--samples 4 --accuracy 0.2' '--samples 8' ''; do
+    # shellcheck disable=SC2086 # options are several words
+    taken=$(ours "$scratch/found" $options)
+    row "\`render $options\`" "$taken" "$scratch/found" ours
+done
+for options in '-ab 5 -ad 1024 -as 256 -aa 0.1 -ar 256' '-ab 8 -ad 512 -as 128 -aa 0.2 -ar 100000' \
+    '-ab 8 -ad 1024 -as 256 -aa 0.15 -ar 100000' '-ab 8 -ad 2048 -as 512 -aa 0.1 -ar 100000'; do
+    # shellcheck disable=SC2086
+    taken=$(theirs "$scratch/found" $options)
+    if [ "$taken" = 0.00 ] || [ -z "$taken" ]; then
+        printf '| `rpict %s` | not done after %d s | |\n' "$options" "$limit"
+        continue
+    fi
+    row "\`rpict $options\`" "$taken" "$scratch/found" theirs
+done
+awk '
+    $1 == "ours" && $3 <= 2 && (own == 0 || $2 < own) { own = $2 }
+    $1 == "theirs" && $3 <= 2 && (their == 0 || $2 < their) { their = $2 }
+    END {
+        print ""
+        if (own && their)
+            printf "At 2 %% or less: %.3g s and, by rpict, %.3g s: %.0f times.\n", own, their, their / own
+        else
+            print "At 2 % or less: " (own ? own " s; " : "not ours; ") "no run of rpict is as good."
+    }' "$scratch/runs"
