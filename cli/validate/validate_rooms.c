@@ -103,8 +103,8 @@ static enum pp_status simulate(const void *data, int index, struct pp_report *re
     }
     options.seconds /= 1 + pp_own_world_count(run->worlds[room]);
     return own < 0 ? pp_study_report_traced(report, &options, by_clock, err)
-                   : pp_own_world_trace_one(run->worlds[room], own, &options, by_clock,
-                                            err);
+                   : pp_own_world_trace_one(run->worlds[room], own, report, &options,
+                                            by_clock, err);
 }
 
 static enum pp_status compare(struct rooms_run *run, struct pp_error *err)

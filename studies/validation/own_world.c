@@ -246,13 +246,14 @@ struct pp_report *pp_own_world_report(struct pp_own_worlds *worlds, int index)
     return &worlds->list[index].report;
 }
 
-enum pp_status pp_own_world_trace_one(struct pp_own_worlds *worlds, int index,
+enum pp_status pp_own_world_trace_one(const struct pp_own_worlds *worlds, int index,
+                                      struct pp_report *report,
                                       const struct pp_study_options *options,
                                       bool *by_clock, struct pp_error *err)
 {
-    struct own_world *own = &worlds->list[index];
-    return (own->inside ? pp_study_report_traced : pp_study_report_traced_direct)(
-        &own->report, options, by_clock, err);
+    return (worlds->list[index].inside
+                ? pp_study_report_traced
+                : pp_study_report_traced_direct)(report, options, by_clock, err);
 }
 
 enum pp_status pp_own_world_trace(struct pp_own_worlds *worlds,
@@ -261,8 +262,9 @@ enum pp_status pp_own_world_trace(struct pp_own_worlds *worlds,
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < worlds->count && *finished && status == PP_OK; i++) {
-        status = pp_own_world_trace_one(worlds, i, options, by_clock, err);
-        *finished &= worlds->list[i].report.finished;
+        struct pp_report *report = &worlds->list[i].report;
+        status = pp_own_world_trace_one(worlds, i, report, options, by_clock, err);
+        *finished &= report->finished;
     }
     return status;
 }

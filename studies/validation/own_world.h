@@ -39,10 +39,11 @@ void pp_own_world_destroy(struct pp_own_worlds *worlds); /* NULL is allowed */
 
 int pp_own_world_count(const struct pp_own_worlds *worlds);
 
-/* Traces one of them, at the points of the room's report, as pp_study_report_traced does
- * the room; by direct light alone where no column has its internally reflected component
- * of that world. */
-enum pp_status pp_own_world_trace_one(struct pp_own_worlds *worlds, int index,
+/* Traces one of them into its report, or into one of the same world, at the points of the
+ * room's report, as pp_study_report_traced does the room; by direct light alone where no
+ * column has its internally reflected component of that world. */
+enum pp_status pp_own_world_trace_one(const struct pp_own_worlds *worlds, int index,
+                                      struct pp_report *report,
                                       const struct pp_study_options *options,
                                       bool *by_clock, struct pp_error *err);
 
