@@ -8,9 +8,10 @@
 #include "model/geometry/convex_parts.h"
 #include "tests/lib/dice.h"
 #include "tests/lib/meridians.h"
+#include "tests/lib/watched.h"
 
 #ifndef SCENES
-#define SCENES 1000
+#define SCENES (PP_WATCHED ? 200 : 1000)
 #endif
 
 /* ---- a scene: one opening in a face, anything round it ---- */

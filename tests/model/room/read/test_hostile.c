@@ -15,6 +15,7 @@
 #include "model/room/room_parts.h"
 #include "model/room/read/xml.h"
 #include "tests/lib/near.h"
+#include "tests/lib/watched.h"
 
 #define PLAN "<plan width='4.2' depth='5.3' height='2.7'/>"
 
@@ -22,9 +23,8 @@
 static double seconds_allowed(void)
 {
     const char *preloaded = getenv("LD_PRELOAD");
-#ifdef __SANITIZE_ADDRESS__
-    return 30.0;
-#endif
+    if (PP_WATCHED)
+        return 30.0;
     return preloaded && strstr(preloaded, "valgrind") ? 60.0 : 1.0;
 }
 
@@ -225,21 +225,10 @@ static void endless_input_is_left_at_the_limit_of_size(void **state)
 
 /* Nothing above has taken much: twice the file and its tree, with room to spare. */
 /* AddressSanitizer keeps what was freed, and shadows all: it is not measured here. */
-#if defined __SANITIZE_ADDRESS__
-#define MEMORY_IS_OURS 0
-#elif defined __has_feature
-#if __has_feature(address_sanitizer)
-#define MEMORY_IS_OURS 0
-#endif
-#endif
-#ifndef MEMORY_IS_OURS
-#define MEMORY_IS_OURS 1
-#endif
-
 static void memory_stays_bounded(void **state)
 {
     (void)state;
-    if (!MEMORY_IS_OURS)
+    if (PP_WATCHED)
         skip();
     struct rusage usage;
     assert_int_equal(getrusage(RUSAGE_SELF, &usage), 0);
