@@ -74,7 +74,11 @@ a_stop_prints_what_is_there() {
         sleep 0.05
         mpirun=$(pgrep -P $job) && zero=$(pgrep -P "$mpirun" pepperpot | head -n 1)
     done
-    sleep 0.8
+    begun= tries=0
+    until simulates "$zero" || [ $tries -eq 400 ]; do
+        sleep 0.1
+        tries=$((tries + 1))
+    done
     kill -INT "$zero"
     wait $job
     status=$?
