@@ -21,18 +21,24 @@
 
 enum { FOLDS = 4, REFITS = 100 };
 
+/* Which rows a fit takes that leaves a fold out. */
+static void leave_out(int fold, const struct pp_fit_rooms *rooms, int *times)
+{
+    for (int i = 0; i < rooms->count; i++) {
+        int room = rooms->rows[i].room;
+        times[i] = room % 2 == 0 && room / 2 % FOLDS != fold;
+    }
+}
+
 /* The RMS of the logarithm that the search compares, weighted as the fit is. */
 static double held_out(struct pp_fit_model *model, const struct pp_fit_rooms *rooms,
                        int *times)
 {
     double sum = 0.0, weight = 0.0;
-    bool averages = model->shape == PP_FIT_EVEN && !model->sideways;
+    bool averages = model->shape == PP_FIT_EVEN && model->side == PP_FIT_ALIKE;
     for (int fold = 0; fold < FOLDS; fold++) {
         struct pp_fit_model tried = *model;
-        for (int i = 0; i < rooms->count; i++) {
-            int room = rooms->rows[i].room;
-            times[i] = room % 2 == 0 && room / 2 % FOLDS != fold;
-        }
+        leave_out(fold, rooms, times);
         pp_fit_model_fit(&tried, rooms, times);
         for (int i = 0; i < rooms->count; i++) {
             const struct pp_fit_row *row = rooms->rows + i;
@@ -56,7 +62,7 @@ static void print_model(const struct pp_fit_model *model)
     const double *value = model->value;
     if (model->shape != PP_FIT_EVEN)
         printf("  k %.3f", value[PP_FIT_DEPTH_K]);
-    if (model->sideways)
+    if (model->side != PP_FIT_ALIKE)
         printf("  s %.3f", value[PP_FIT_SIDE_S]);
     if (model->source >= PP_FIT_SPHERE_NOW)
         printf("  c %.3f  b %.3f  g %.3f", value[PP_FIT_START_C], value[PP_FIT_SHADE_B],
@@ -76,19 +82,19 @@ static void search_shapes(const struct pp_fit_rooms *rooms, int *times)
 {
     for (int source = 0; source < PP_FIT_SOURCES; source++)
         for (int shape = 1; shape < PP_FIT_SHAPES; shape++)
-            for (int sideways = 0; sideways < 2; sideways++) {
+            for (int side = 0; side < PP_FIT_SIDES; side++) {
                 if (source == PP_FIT_DF || source == PP_FIT_DF_NOW)
                     continue;
                 struct pp_fit_model model = {.source = source,
                                              .shape = shape,
                                              .power = 0.5,
-                                             .sideways = sideways,
+                                             .side = side,
                                              .count = 1,
                                              .terms = {PP_FIT_ONE},
                                              .value = {1.3, 0.4, 0.8, 0.5, 0.4}};
                 double error = held_out(&model, rooms, times);
-                printf("%.4f  %s, %s%s:", error, pp_fit_forms_sources[source],
-                       pp_fit_forms_shapes[shape], sideways ? " and sideways" : "");
+                printf("%.4f  %s, %s, %s:", error, pp_fit_forms_sources[source],
+                       pp_fit_forms_shapes[shape], pp_fit_forms_sides[side]);
                 print_model(&model);
             }
 }
@@ -108,34 +114,66 @@ static void search_ranges(const struct pp_fit_rooms *rooms, int *times)
         }
 }
 
-/* Errors at the darkest quarter of rooms left out, over those of printed `bre`: by ratio,
- * relatively, by daylight factor. */
-static void print_against_bre(struct pp_fit_model *model,
-                              const struct pp_fit_rooms *rooms, int *times)
+enum { DARK, ELSEWHERE, AVERAGES, PLACES };
+static const char *const place_names[PLACES] = {"darkest quarter", "elsewhere",
+                                                "averages"};
+
+static int place_of(const struct pp_fit_row *row)
 {
-    struct pp_fit_model bre = {.source = PP_FIT_BRE};
-    struct pp_fit_error ours = {0}, theirs = {0};
-    for (int fold = 0; fold < FOLDS; fold++) {
-        for (int i = 0; i < rooms->count; i++) {
-            int room = rooms->rows[i].room;
-            times[i] = room % 2 == 0 && room / 2 % FOLDS != fold;
-        }
-        pp_fit_model_fit(model, rooms, times);
-        for (int i = 0; i < rooms->count; i++) {
-            const struct pp_fit_row *row = rooms->rows + i;
-            if (row->room % 2 || times[i] || row->average || !row->dark)
-                continue;
-            pp_fit_model_note(&ours, pp_fit_model_value(model, row), row->irc);
-            pp_fit_model_note(&theirs, pp_fit_model_value(&bre, row), row->irc);
-        }
-    }
-    printf("dark/bre: ln %.3f rel %.3f abs %.3f ", sqrt(ours.log / theirs.log),
-           sqrt(ours.relative / theirs.relative),
-           sqrt(ours.absolute / theirs.absolute));
+    return row->average ? AVERAGES : row->dark ? DARK : ELSEWHERE;
 }
 
-/* What takes the place of what in `irc-atlas`: the back wall, one shade for all that
- * stands outside, the depth once more, at six constants and one more. */
+/* Fits a model, and notes its errors and those of a printed formula on the rooms left out.
+ * A model of averages has its position from `first`, which is fitted before it. */
+static void note_left_out(struct pp_fit_error ours[PLACES],
+                          struct pp_fit_error theirs[PLACES],
+                          struct pp_fit_model *model, struct pp_fit_model *first,
+                          enum pp_fit_source printed, const struct pp_fit_rooms *rooms,
+                          int *times)
+{
+    const struct pp_fit_model print = {.source = printed};
+    for (int fold = 0; fold < FOLDS; fold++) {
+        leave_out(fold, rooms, times);
+        if (first) {
+            pp_fit_model_fit(first, rooms, times);
+            memcpy(model->value, first->value, PP_FIT_UPWARD_U * sizeof(double));
+            model->held = true;
+        }
+        pp_fit_model_fit(model, rooms, times);
+        struct pp_fit_model placed = *model;
+        if (first) {
+            placed.shape = first->shape;
+            placed.side = first->side;
+            placed.power = first->power;
+        }
+        for (int i = 0; i < rooms->count; i++) {
+            const struct pp_fit_row *row = rooms->rows + i;
+            if (row->room % 2 || times[i])
+                continue;
+            int place = place_of(row);
+            pp_fit_model_note(ours + place, pp_fit_model_value(&placed, row), row->irc);
+            pp_fit_model_note(theirs + place, pp_fit_model_value(&print, row),
+                              row->irc);
+        }
+    }
+}
+
+/* Errors on rooms left out, over those of a printed formula: by ratio, relatively, by
+ * daylight factor. */
+static void print_against(struct pp_fit_model *model, struct pp_fit_model *first,
+                          enum pp_fit_source printed, const struct pp_fit_rooms *rooms,
+                          int *times)
+{
+    struct pp_fit_error ours[PLACES] = {{0}}, theirs[PLACES] = {{0}};
+    note_left_out(ours, theirs, model, first, printed, rooms, times);
+    for (int i = 0; i < PLACES; i++)
+        printf("%.3f %.3f %.3f  ", sqrt(ours[i].log / theirs[i].log),
+               sqrt(ours[i].relative / theirs[i].relative),
+               sqrt(ours[i].absolute / theirs[i].absolute));
+}
+
+/* What takes the place of what in `irc-atlas`: the back wall, the shade of the ground, the
+ * depth once more, at six constants and one more; the breadth beside the opening. */
 static void search_exchanges(const struct pp_fit_rooms *rooms, int *times)
 {
     static const struct {
@@ -147,21 +185,95 @@ static void search_exchanges(const struct pp_fit_rooms *rooms, int *times)
                 {3, {PP_FIT_PARTS, PP_FIT_REVEAL, PP_FIT_PLACE_LOST}}};
     for (int shape = PP_FIT_EXPONENTIAL; shape < PP_FIT_SHAPES; shape++)
         for (int set = 0; set < (int)(sizeof sets / sizeof *sets); set++)
-            for (int one_shade = 0; one_shade < 2; one_shade++) {
+            for (int shade = 0; shade < PP_FIT_SHADES; shade++) {
                 struct pp_fit_model model = pp_fit_forms_shipped[0].model;
                 model.shape = shape;
-                model.one_shade = one_shade;
+                model.shade = shade;
                 model.count = sets[set].count;
                 memcpy(model.terms, sets[set].terms, sizeof sets[set].terms);
                 for (int j = 0; j < 3; j++)
                     model.value[PP_FIT_FIRST_TERM + j] = 0.4;
-                print_against_bre(&model, rooms, times);
-                printf("%d constants, %s%s:",
-                       4 + (shape == PP_FIT_INSIDE) - one_shade + model.count,
-                       pp_fit_forms_shapes[shape], one_shade ? ", one shade" : "");
+                print_against(&model, NULL, PP_FIT_BRE, rooms, times);
+                printf("%d constants, %s, %s:",
+                       3 + (shape == PP_FIT_INSIDE) + (shade == PP_FIT_OWN_SHADE)
+                           + model.count,
+                       pp_fit_forms_shapes[shape], pp_fit_forms_shades[shade]);
                 print_model(&model);
                 fflush(stdout);
             }
+    for (int side = 0; side < PP_FIT_SIDES; side++) {
+        struct pp_fit_model model = pp_fit_forms_shipped[0].model;
+        model.side = side;
+        print_against(&model, NULL, PP_FIT_BRE, rooms, times);
+        printf("irc-atlas, %s:", pp_fit_forms_sides[side]);
+        print_model(&model);
+    }
+}
+
+/* The level of `bre` and of `split-flux`, corrected: what the light's way is, and what
+ * goes with it. At points with the position of `irc-atlas`. */
+static void search_levels(const struct pp_fit_rooms *rooms, int *times)
+{
+    static const struct {
+        enum pp_fit_source source;
+        bool upward, fading;
+        int count;
+        enum pp_fit_term terms[3];
+    } forms[] = {
+        {PP_FIT_BRE_NOW, true, false, 2, {PP_FIT_ONE, PP_FIT_PARTS}},
+        {PP_FIT_BRE_NOW, true, true, 2, {PP_FIT_LOSS, PP_FIT_PARTS}},
+        {PP_FIT_BRE_NOW, true, true, 2, {PP_FIT_MEAN, PP_FIT_PARTS}},
+        {PP_FIT_BRE_NOW, true, true, 2, {PP_FIT_UPPER, PP_FIT_PARTS}},
+        {PP_FIT_BRE_DOWN, false, false, 1, {PP_FIT_UPPER}},
+        {PP_FIT_BRE_DOWN, false, false, 2, {PP_FIT_UPPER, PP_FIT_PARTS}},
+        {PP_FIT_BRE_DOWN, true, true, 2, {PP_FIT_UPPER, PP_FIT_PARTS}},
+        {PP_FIT_BRE_DOWN, false, false, 2, {PP_FIT_UPPER, PP_FIT_REVEAL}},
+        {PP_FIT_BRE_DOWN, false, false, 2, {PP_FIT_UPPER, PP_FIT_LOW_LOST}},
+        {PP_FIT_BRE_DOWN, false, false, 3, {PP_FIT_UPPER, PP_FIT_PARTS, PP_FIT_REVEAL}},
+        {PP_FIT_BRE_DOWN,
+         false,
+         false,
+         3,
+         {PP_FIT_UPPER, PP_FIT_PARTS, PP_FIT_SHALLOW}},
+        {PP_FIT_BRE_DOWN, false, false, 3, {PP_FIT_UPPER, PP_FIT_PARTS, PP_FIT_DEEP}},
+        {PP_FIT_BRE_DOWN, false, false, 3, {PP_FIT_UPPER, PP_FIT_PARTS, PP_FIT_LOSS}},
+        {PP_FIT_BRE_DOWN, false, false, 3, {PP_FIT_UPPER, PP_FIT_PARTS, PP_FIT_GROUND}},
+        {PP_FIT_BRE_DOWN, false, false, 3, {PP_FIT_UPPER, PP_FIT_PARTS, PP_FIT_GLASS}},
+        {PP_FIT_BRE_DOWN,
+         false,
+         false,
+         3,
+         {PP_FIT_UPPER, PP_FIT_PARTS, PP_FIT_FLOOR_AREA}},
+        {PP_FIT_FLUX_NOW, false, false, 2, {PP_FIT_ONE, PP_FIT_LOW}},
+        {PP_FIT_FLUX_NOW, false, false, 2, {PP_FIT_GLASS, PP_FIT_LOW}},
+        {PP_FIT_FLUX_ALL, false, false, 0, {PP_FIT_ONE}},
+        {PP_FIT_FLUX_ALL, false, false, 1, {PP_FIT_LOW_LOST}},
+        {PP_FIT_FLUX_ALL, false, false, 1, {PP_FIT_LOW}},
+        {PP_FIT_FLUX_ALL, false, false, 1, {PP_FIT_PARTS}},
+        {PP_FIT_FLUX_ALL, true, true, 1, {PP_FIT_LOW_LOST}},
+        {PP_FIT_FLUX_ALL, false, false, 2, {PP_FIT_LOW_LOST, PP_FIT_SHALLOW}},
+        {PP_FIT_FLUX_ALL, false, false, 2, {PP_FIT_LOW_LOST, PP_FIT_REVEAL}}};
+    for (int i = 0; i < (int)(sizeof forms / sizeof *forms); i++)
+        for (int differ = 0; differ < 2; differ++) {
+            struct pp_fit_model first = pp_fit_forms_shipped[0].model;
+            struct pp_fit_model model = {.source = forms[i].source,
+                                         .shade = PP_FIT_HALF_SHADE,
+                                         .upward = forms[i].upward,
+                                         .fading = forms[i].fading,
+                                         .differ = 0.7 * differ,
+                                         .count = forms[i].count,
+                                         .value = {[PP_FIT_UPWARD_U] = 1.5}};
+            bool flux =
+                model.source == PP_FIT_FLUX_NOW || model.source == PP_FIT_FLUX_ALL;
+            memcpy(model.terms, forms[i].terms, sizeof forms[i].terms);
+            print_against(&model, &first, flux ? PP_FIT_FLUX : PP_FIT_BRE, rooms,
+                          times);
+            printf("%s%s%s:", pp_fit_forms_sources[model.source],
+                   model.fading ? ", u^(1-R)" : "",
+                   differ ? ", differences fitted too" : "");
+            print_model(&model);
+            fflush(stdout);
+        }
 }
 
 static bool has_term(const struct pp_fit_model *model, int term)
@@ -214,8 +326,13 @@ static void search(const struct pp_fit_rooms *rooms, int *times)
     search_shapes(rooms, times);
     puts("\nRanges:");
     search_ranges(rooms, times);
-    puts("\nExchanges:");
+    puts(
+        "\nExchanges; errors over those of the printed formula at the darkest quarter, "
+        "elsewhere and in averages, each by the ratio, relatively and by daylight "
+        "factor:");
     search_exchanges(rooms, times);
+    puts("\nLevels of bre and split-flux, the same:");
+    search_levels(rooms, times);
     puts("\nTerms, from the balance of the sphere with the light outside:");
     struct pp_fit_model model = pp_fit_forms_shipped[0].model;
     model.count = 0;
@@ -268,15 +385,14 @@ static void find_spread(const struct pp_fit_model *model,
     }
 }
 
-static void print_errors(const char *name, const struct pp_fit_error errors[3])
+static void print_errors(const char *name, const struct pp_fit_error errors[PLACES])
 {
-    static const char *const where[3] = {"darkest quarter", "elsewhere", "averages"};
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < PLACES; i++) {
         double n = errors[i].count;
         if (n > 0)
             printf("  %-18s %-16s %5.0f values  ln %.3f  relative %.3f  "
                    "absolute %.3f %%  bias %+.3f\n",
-                   name, where[i], n, sqrt(errors[i].log / n),
+                   name, place_names[i], n, sqrt(errors[i].log / n),
                    sqrt(errors[i].relative / n), sqrt(errors[i].absolute / n),
                    errors[i].bias / n);
     }
@@ -286,17 +402,13 @@ static void print_errors(const char *name, const struct pp_fit_error errors[3])
 static void print_held_out(const char *name, const struct pp_fit_model *model,
                            const struct pp_fit_rooms *rooms)
 {
-    struct pp_fit_error errors[3] = {{0, 0, 0, 0, 0}};
+    struct pp_fit_error errors[PLACES] = {{0}};
     for (int i = 0; i < rooms->count; i++) {
         const struct pp_fit_row *row = rooms->rows + i;
         double truth = model->of_df ? row->df : row->irc,
                figure = pp_fit_model_value(model, row);
         if (row->room % 2 && (row->average || !model->of_df) && figure > 0.0)
-            pp_fit_model_note(errors
-                                  + (row->average ? 2
-                                     : row->dark  ? 0
-                                                  : 1),
-                              figure, truth);
+            pp_fit_model_note(errors + place_of(row), figure, truth);
     }
     print_errors(name, errors);
 }
@@ -309,9 +421,6 @@ static void print_constants(const struct pp_fit_form *form,
         "PP_FITTED_DEPTH", "PP_FITTED_SIDE", "PP_FITTED_START", "PP_FITTED_SHADE"};
     for (int j = 0; j < PP_FIT_SHADE_G && all; j++)
         printf("  %s \"%.3f\"  +- %.3f\n", common[j], model->value[j], spread[j]);
-    if (model->upward)
-        printf("  %s \"%.3f\"  +- %.3f\n", form->upward, model->value[PP_FIT_UPWARD_U],
-               spread[PP_FIT_UPWARD_U]);
     for (int j = 0; j < model->count; j++) {
         double value = model->value[PP_FIT_FIRST_TERM + j],
                off = spread[PP_FIT_FIRST_TERM + j];
@@ -345,7 +454,7 @@ static void fit_shipped(const struct pp_fit_rooms *rooms, int *times)
         if (!model.of_df && i > 0) { /* at points: with the position of the first */
             struct pp_fit_model placed = model;
             placed.shape = first.shape;
-            placed.sideways = first.sideways;
+            placed.side = first.side;
             placed.power = first.power;
             print_held_out("  by position", &placed, rooms);
         }

@@ -31,9 +31,10 @@ static double place_of(const struct pp_fit_model *model, const struct pp_fit_ope
         double m = fmax(fabs(q), 0.001);
         f = m * exp(-q * u + (q - m) / 2.0) / (1.0 - exp(-m));
     }
-    if (!model->sideways)
+    if (model->side == PP_FIT_ALIKE)
         return f;
-    double q_s = s * o->w_r * each;
+    double breadth = model->side == PP_FIT_WALL ? o->w_r : fmax(o->w_r - o->w, 0.0);
+    double q_s = fmax(s * breadth * each, 1e-6);
     return f * q_s * exp(-2.0 * q_s * o->y / o->w_r) / (1.0 - exp(-q_s));
 }
 
@@ -42,9 +43,12 @@ static double source_of(const struct pp_fit_model *model,
                         const struct pp_fit_opening *o, const double *value)
 {
     const double *part = o->source[model->source], b = value[PP_FIT_SHADE_B];
+    double g = model->shade == PP_FIT_OWN_SHADE   ? value[PP_FIT_SHADE_G]
+               : model->shade == PP_FIT_ONE_SHADE ? b
+                                                  : b / 2.0;
+    double up = model->upward ? value[PP_FIT_UPWARD_U] : 1.0;
     return part[0] + part[1] * pow(o->v, b)
-           + part[2] * (model->upward ? value[PP_FIT_UPWARD_U] : 1.0)
-                 * pow(o->v, model->one_shade ? b : value[PP_FIT_SHADE_G]);
+           + part[2] * pow(up, model->fading ? 1.0 - o->R : 1.0) * pow(o->v, g);
 }
 
 static double terms_of(const struct pp_fit_model *model, const struct pp_fit_opening *o)
@@ -113,7 +117,7 @@ static double truth_of(const struct pp_fit_model *model, const struct pp_fit_row
 
 static bool takes_part(const struct pp_fit_model *model, const struct pp_fit_row *row)
 {
-    bool average = model->shape == PP_FIT_EVEN && !model->sideways;
+    bool average = model->shape == PP_FIT_EVEN && model->side == PP_FIT_ALIKE;
     return row->average == average && isfinite(log(truth_of(model, row)));
 }
 
@@ -131,8 +135,9 @@ static double cost_of(const struct pp_fit_model *model,
         const struct pp_fit_row *row = rooms->rows + i;
         if ((times && times[i] == 0) || !takes_part(model, row))
             continue;
-        double off = log(pp_fit_model_value(model, row) / truth_of(model, row));
-        sum += weight_of(row, times ? times[i] : 1) * off * off;
+        double figure = pp_fit_model_value(model, row), truth = truth_of(model, row);
+        double off = log(figure / truth), by = model->differ * 100.0 * (figure - truth);
+        sum += weight_of(row, times ? times[i] : 1) * (off * off + by * by);
     }
     return sum;
 }
@@ -172,12 +177,15 @@ static void normal(const struct pp_fit_model *model, const struct pp_fit_rooms *
         double slope[PP_FIT_PARAMETERS];
         if ((times && times[i] == 0) || !takes_part(model, row))
             continue;
-        double off = derive(model, row, slope) - log(truth_of(model, row));
+        double truth = truth_of(model, row), ratio = derive(model, row, slope);
+        double off = ratio - log(truth), figure = exp(ratio);
+        double of_figure = model->differ * 100.0 * figure,
+               by = model->differ * 100.0 * (figure - truth);
         double weight = weight_of(row, times ? times[i] : 1);
         for (int j = 0; j < PP_FIT_PARAMETERS; j++) {
-            b[j] -= weight * slope[j] * off;
+            b[j] -= weight * slope[j] * (off + of_figure * by);
             for (int k = 0; k < PP_FIT_PARAMETERS; k++)
-                a[j][k] += weight * slope[j] * slope[k];
+                a[j][k] += weight * slope[j] * slope[k] * (1.0 + of_figure * of_figure);
         }
     }
 }
@@ -192,11 +200,11 @@ static bool step_on(struct pp_fit_model *model, const struct pp_fit_rooms *rooms
         free_ones[n++] = PP_FIT_DEPTH_K;
     if (!model->held && model->shape == PP_FIT_INSIDE)
         free_ones[n++] = PP_FIT_START_C;
-    if (!model->held && model->sideways)
+    if (!model->held && model->side != PP_FIT_ALIKE)
         free_ones[n++] = PP_FIT_SIDE_S;
     if (!model->held && model->source >= PP_FIT_SPHERE_NOW) {
         free_ones[n++] = PP_FIT_SHADE_B;
-        if (!model->one_shade)
+        if (model->shade == PP_FIT_OWN_SHADE)
             free_ones[n++] = PP_FIT_SHADE_G;
     }
     if (model->upward)

@@ -51,13 +51,17 @@ static void fill_room(struct pp_fit_opening *to, const struct pp_traced_room *ro
     to->source[PP_FIT_FLUX][0] = printed(&pp_method_split_flux, room, opening);
     to->source[PP_FIT_SPHERE][0] = printed(&pp_method_sphere, room, opening);
     to->source[PP_FIT_DF][0] = printed(&pp_method_average_df, room, opening);
+    double bre_flux = to->source[PP_FIT_BRE][0]
+                      / (bre.C * bre.R_fw + PP_BRE_GROUND_REFLECTANCE / 2.0 * bre.R_cw);
     for (int k = 0; k < 3; k++) {
         bool up = k == 2; /* where the light falls first */
         to->source[PP_FIT_SPHERE_NOW][k] =
             flux * sqrt(rho_u) / (A * (1.0 - R)) * light[k] * (up ? 1.0 : rho_l);
         to->source[PP_FIT_BRE_NOW][k] =
-            to->source[PP_FIT_BRE][0] * light[k] * (up ? bre.R_cw : bre.R_fw)
-            / (bre.C * bre.R_fw + PP_BRE_GROUND_REFLECTANCE / 2.0 * bre.R_cw);
+            bre_flux * light[k] * (up ? bre.R_cw : bre.R_fw);
+        to->source[PP_FIT_BRE_DOWN][k] = bre_flux * light[k] * (up ? 1.0 : bre.R_fw);
+        to->source[PP_FIT_FLUX_ALL][k] =
+            2.0 * flux * rho_u / (A * (1.0 - R * R)) * light[k] * (up ? 1.0 : rho_l);
         to->source[PP_FIT_FLUX_NOW][k] = to->source[PP_FIT_FLUX][0] * light[k]
                                          * (up ? 1.0 / A_u : rho_l / A_l)
                                          / (ground / A_u + rho_l * bre.C / A_l);
@@ -78,12 +82,14 @@ static void fill_room(struct pp_fit_opening *to, const struct pp_traced_room *ro
     term[PP_FIT_REVEAL_ALWAYS] = -reveal;
     term[PP_FIT_REVEAL] = -(1.0 - R) * reveal;
     term[PP_FIT_LOW] = -low;
+    term[PP_FIT_LOW_LOST] = -(1.0 - R) * low;
     term[PP_FIT_FLOOR_AREA] = log(A / floor.area_m2);
     term[PP_FIT_GROUND] = -on.C_g / fmax(E, 1e-5);
     term[PP_FIT_CEILING] = logarithm(pp_interior_role(world, PP_CEILING).reflectance);
     term[PP_FIT_WALLS] = logarithm(pp_interior_role(world, PP_WALL).reflectance);
     term[PP_FIT_FLOOR] = logarithm(floor.reflectance);
     term[PP_FIT_MEAN] = logarithm(R);
+    term[PP_FIT_LOSS] = 1.0 - R;
     term[PP_FIT_GLASS] = log(bre.W / A);
     to->R = R;
 }
@@ -99,6 +105,7 @@ static void fill_place(struct pp_fit_opening *to, const struct pp_world *world,
         opening->middle_z_m - opening->height_m / 2.0 - world->working_plane_m;
     double *term = to->term;
     term[PP_FIT_DEEP] = log(place.d_r / h);
+    term[PP_FIT_SHALLOW] = (1.0 - to->R) * log1p(h / place.d_r);
     term[PP_FIT_BROAD] = log(place.w_r / h);
     term[PP_FIT_SILL] = sill / h;
     term[PP_FIT_HEAD] = (sill + opening->height_m) / h;
@@ -110,7 +117,7 @@ static void fill_place(struct pp_fit_opening *to, const struct pp_world *world,
     term[PP_FIT_ASIDE] = -place.y / place.w_r;
     term[PP_FIT_BESIDE] = -fmax(place.y - opening->width_m / 2.0, 0.0) / l;
     to->d_r = place.d_r, to->w_r = place.w_r, to->h_r = place.h_r;
-    to->x = place.x, to->y = place.y;
+    to->x = place.x, to->y = place.y, to->w = opening->width_m;
 }
 
 static bool is_covered(const struct pp_traced_room *room)

@@ -16,7 +16,9 @@ enum pp_fit_source {
     PP_FIT_SPHERE_NOW, /* tau Ag sqrt(rho_u)/(A (1-R)) ((V + E_b) rho_l + E_g) */
     PP_FIT_BRE_NOW,    /* the printed ones, with V + E_b and E_g in place of C and 5 */
     PP_FIT_FLUX_NOW,
-    PP_FIT_DF_NOW, /* 2 (V + E_b + E_g) in place of theta */
+    PP_FIT_DF_NOW,   /* 2 (V + E_b + E_g) in place of theta */
+    PP_FIT_BRE_DOWN, /* 0.85 W/(A (1-R)) ((V + E_b) R_fw + E_g) */
+    PP_FIT_FLUX_ALL, /* 2 tau Ag rho_u/(A (1-R^2)) ((V + E_b) rho_l + E_g) */
     PP_FIT_SOURCES
 };
 
@@ -33,13 +35,16 @@ enum pp_fit_term {
     PP_FIT_REVEAL,       /* -(1 - R) d (1/w + 1/h) */
     PP_FIT_REVEAL_ALWAYS,
     PP_FIT_LOW,        /* -n */
+    PP_FIT_LOW_LOST,   /* -(1 - R) n */
     PP_FIT_FLOOR_AREA, /* ln(A/A_f) */
     PP_FIT_GROUND,     /* -C_g/(V + C_b + C_g) */
     PP_FIT_CEILING,    /* ln of the reflectances of ceiling, walls, floor */
     PP_FIT_WALLS,
     PP_FIT_FLOOR,
     PP_FIT_MEAN,       /* ln R */
+    PP_FIT_LOSS,       /* 1 - R */
     PP_FIT_DEEP,       /* ln(d_r/h_r) */
+    PP_FIT_SHALLOW,    /* (1 - R) ln(1 + h_r/d_r) */
     PP_FIT_BROAD,      /* ln(w_r/h_r) */
     PP_FIT_GLASS,      /* ln(Ag/A) */
     PP_FIT_SILL,       /* height of the sill above the plane over h_r */
@@ -57,7 +62,7 @@ struct pp_fit_opening {
     double source[PP_FIT_SOURCES][3]; /* by V, C_b, C_g; of printed ones in all, 0, 0 */
     double v;                         /* V over that of the open sky; 0.003 at least */
     double term[PP_FIT_TERMS];
-    double R, d_r, w_r, h_r, x, y; /* as in fitted_position.h; x, y 0 of averages */
+    double R, d_r, w_r, h_r, w, x, y; /* as in fitted_position.h; x, y 0 of averages */
 };
 
 enum { PP_FIT_OPENINGS = 12 };

@@ -139,7 +139,7 @@ static void say_formulae(char *text, size_t room, const struct pp_nomogram_sheet
         "V, C_b, C_g: on the glass from the sky, from what stands outside and from "
         "the ground, without shade on either; \u03c1_l, A_l, \u03c1_u, A_u: "
         "reflectance "
-        "and area of what is below and above the middle of the window; d, w, h of L: "
+        "and area of what is below and above the middle of the window; d, w, h: "
         "its reveal, breadth and height; d_r, w_r, h_r: the room's. The formula "
         "irc-atlas, fitted to traced rooms: pepperpot.");
 }

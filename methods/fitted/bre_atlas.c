@@ -7,15 +7,19 @@
  *          reflects 0.1
  *   irc_m  mean over the working plane
  *
- * The ground's light counts nearly twice: it falls on the ceiling first, which the working plane
- * faces. A window high up, with more of the room below it, lights more of it. f_d and f_s:
- * fitted_position.h. Scope and allowances are those of `bre`, but for panes that spread
- * light.
+ * The printed formula is a mean over all surfaces. The working plane faces the upper part of
+ * the room: light of the ground is there before it is reflected, that of the sky after once,
+ * and all of it comes down by a power of rho_u. A window high up, with more of the room
+ * below it, lights more of it; a room that is shallow beside its height has more. In a
+ * furnace, R to 1, it is the energy balance 0.85 W (V + C_g)/(A (1 - R)) under an open sky,
+ * whatever was fitted. f_d and f_s: fitted_position.h. Scope and allowances are those of
+ * `bre`, but for panes that spread light.
  */
 #include <stdlib.h>
 
 #include "methods/fitted/fitted_constants.h"
 #include "methods/fitted/fitted_light.h"
+#include "methods/fitted/fitted_opening.h"
 #include "methods/fitted/fitted_parts.h"
 #include "methods/fitted/fitted_position.h"
 #include "methods/method.h"
@@ -27,6 +31,8 @@ static const struct pp_formula_quantity quantities[] = {
     PP_INTERIOR_QUANTITIES,
     PP_FITTED_PARTS_QUANTITIES,
     PP_FITTED_LIGHT_QUANTITIES,
+    {"d_r", PP_UNIT_METRE, "depth of the room, square to the opening's wall"},
+    {"h_r", PP_UNIT_METRE, "height of the room"},
     PP_FITTED_POSITION_QUANTITIES,
     {"IRC_av", PP_UNIT_SHARE, "average internally reflected component, as printed"},
     {"L", PP_UNIT_NUMBER, "light that enters, over that of the printed formula"},
@@ -36,8 +42,8 @@ static const struct pp_formula_quantity quantities[] = {
 
 static const struct pp_formula light_ratio = {
     .symbol = "L",
-    .sum = "((V + E_b) R_fw + " PP_FITTED_BRE_UPWARD
-           " E_g R_cw) / (C R_fw + " PP_BRE_TERMS_GROUND ")",
+    .sum = "((V + E_b) R_fw + E_g) rho_u^" PP_FITTED_BRE_UPPER
+           " / (C R_fw + " PP_BRE_TERMS_GROUND ")",
     .source = "ATLAS",
     .unit = PP_UNIT_NUMBER,
     .what = "light that enters, over that of the printed formula",
@@ -46,7 +52,8 @@ static const struct pp_formula light_ratio = {
 
 static const struct pp_formula mean = {
     .symbol = "irc_m",
-    .sum = PP_FITTED_BRE " IRC_av L (A_l / A_u)^(" PP_FITTED_BRE_PARTS " (1 - R))",
+    .sum = "IRC_av L ((A_l / A_u)^" PP_FITTED_BRE_PARTS
+           " (1 + h_r / d_r)^" PP_FITTED_BRE_SHALLOW ")^(1 - R)",
     .unit = PP_UNIT_SHARE,
     .source = "ATLAS",
     .what = "mean internally reflected component",
@@ -97,9 +104,12 @@ static enum pp_status evaluate(const struct pp_world *world,
         return status;
     pp_bre_terms_work(sheet, &pp_bre_terms_IRC_av, &terms, opening);
     pp_fitted_light_put(sheet, tools, world, opening);
+    pp_fitted_parts_put(sheet, world, opening);
     pp_worksheet_work(sheet, &light_ratio,
                       "light that enters, over that of the formula");
-    pp_fitted_parts_put(sheet, world, opening);
+    pp_fitted_position_put_room(sheet, world, opening);
+    if (receiver)
+        pp_fitted_opening_put_breadth(sheet, opening);
     part->value =
         pp_fitted_position_work(sheet, &mean, &at_point, world, opening, receiver);
     return PP_OK;

@@ -27,7 +27,7 @@ const struct pp_formula pp_fitted_light_E_b = {
 
 const struct pp_formula pp_fitted_light_E_g = {
     .symbol = "E_g",
-    .sum = "C_g max(V / 39.6, 0.003)^" PP_FITTED_SHADE,
+    .sum = "C_g max(V / 39.6, 0.003)^(" PP_FITTED_SHADE " / 2)",
     .unit = PP_UNIT_SHARE,
     .source = "ATLAS",
     .what = "on the opening's outside from the ground",

@@ -8,11 +8,12 @@
  *   E_b, E_g   what of these counts: what stands outside, and the ground, are themselves
  *         in the shade that the opening is in, and give less by a power of V over V of the
  *         open sky, 39.6 %; the convention of `exact` has obstructions as bright as the sky
- *         that they hide, times their reflectance
+ *         that they hide, times their reflectance. The ground faces more of the sky than the
+ *         opening does, and is in half of its shade
  *
- *     E_b = C_b (V / 39.6)^b,   E_g = C_g (V / 39.6)^b,   V / 39.6 at least 0.003
+ *     E_b = C_b (V / 39.6)^b,   E_g = C_g (V / 39.6)^(b/2),   V / 39.6 at least 0.003
  *
- * with b fitted [ATLAS], one for both.
+ * with b fitted [ATLAS].
  *
  * All over Eh, at the middle of the opening's outside and without glass, under the CIE
  * overcast sky. They do not depend on the receiver and are worked out once for a world.

@@ -12,6 +12,13 @@ void pp_fitted_opening_put_reveal(struct pp_worksheet *sheet,
     pp_worksheet_put(sheet, PP_UNIT_METRE, opening->height_m, "h", "its height");
 }
 
+void pp_fitted_opening_put_breadth(struct pp_worksheet *sheet,
+                                   const struct pp_opening *opening)
+{
+    pp_worksheet_put(sheet, PP_UNIT_METRE, opening->width_m, "w",
+                     "opening on line %d: its breadth", opening->line);
+}
+
 void pp_fitted_opening_put_low(struct pp_worksheet *sheet, const struct pp_world *world,
                                const struct pp_opening *opening)
 {

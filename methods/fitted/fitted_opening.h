@@ -18,9 +18,11 @@
         "n", PP_UNIT_NUMBER, "share of the opening below the working plane"            \
     }
 
-/* Put down d, w and h; n. */
+/* Put down d, w and h; w alone; n. */
 void pp_fitted_opening_put_reveal(struct pp_worksheet *sheet,
                                   const struct pp_opening *opening);
+void pp_fitted_opening_put_breadth(struct pp_worksheet *sheet,
+                                   const struct pp_opening *opening);
 void pp_fitted_opening_put_low(struct pp_worksheet *sheet, const struct pp_world *world,
                                const struct pp_opening *opening);
 

@@ -18,9 +18,15 @@
     {                                                                                  \
         "l", PP_UNIT_METRE, "range of the light if nothing were reflected"             \
     }
+#define BREADTH                                                                        \
+    {                                                                                  \
+        "w", PP_UNIT_METRE, "breadth of the opening"                                   \
+    }
 
 static const struct pp_formula_quantity of_l[] = {SECTION, DEPTH, {0}};
-static const struct pp_formula_quantity of_q[] = {SECTION, DEPTH, RANGE, {0}};
+static const struct pp_formula_quantity of_q_d[] = {SECTION, DEPTH, RANGE, {0}};
+static const struct pp_formula_quantity of_q_s[] = {
+    SECTION, DEPTH, RANGE, BREADTH, {0}};
 static const struct pp_formula_quantity of_f_d[] = {
     SECTION,
     DEPTH,
@@ -34,7 +40,8 @@ static const struct pp_formula_quantity of_f_s[] = {
     SECTION,
     DEPTH,
     RANGE,
-    {"q_s", PP_UNIT_NUMBER, "half the room's breadth in ranges of the light"},
+    {"q_s", PP_UNIT_NUMBER,
+     "half the breadth beside the opening in ranges of the light"},
     {"y", PP_UNIT_METRE, "distance from the middle of the opening, along its wall"},
     {0}};
 
@@ -52,7 +59,7 @@ const struct pp_formula pp_fitted_position_q_d = {
     .unit = PP_UNIT_NUMBER,
     .source = "ATLAS",
     .what = "depth of the room behind the start of the light, in ranges",
-    .quantities = of_q,
+    .quantities = of_q_d,
 };
 
 const struct pp_formula pp_fitted_position_m_d = {
@@ -74,11 +81,11 @@ const struct pp_formula pp_fitted_position_f_d = {
 
 const struct pp_formula pp_fitted_position_q_s = {
     .symbol = "q_s",
-    .sum = PP_FITTED_SIDE " w_r sqrt(1 - R) / l",
+    .sum = "max(" PP_FITTED_SIDE " (w_r - w) sqrt(1 - R) / l, 0.000001)",
     .unit = PP_UNIT_NUMBER,
     .source = "ATLAS",
-    .what = "half the room's breadth in ranges of the light, sideways",
-    .quantities = of_q,
+    .what = "half the breadth beside the opening in ranges of the light, never 0",
+    .quantities = of_q_s,
 };
 
 const struct pp_formula pp_fitted_position_f_s = {
@@ -122,6 +129,18 @@ struct pp_fitted_place pp_fitted_position_of(const struct pp_world *world,
     return place;
 }
 
+void pp_fitted_position_put_room(struct pp_worksheet *sheet,
+                                 const struct pp_world *world,
+                                 const struct pp_opening *opening)
+{
+    const struct pp_fitted_place room = pp_fitted_position_of(world, opening, NULL);
+    pp_worksheet_put(sheet, PP_UNIT_METRE, room.d_r, "d_r",
+                     "depth of the room, square to the wall of the opening on line %d",
+                     opening->line);
+    pp_worksheet_put(sheet, PP_UNIT_METRE, room.w_r, "w_r", "its breadth");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, room.h_r, "h_r", "its height");
+}
+
 /* f_d and f_s. */
 static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world,
                         const struct pp_opening *opening,
@@ -134,11 +153,6 @@ static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world
     }
     const struct pp_fitted_place place =
         pp_fitted_position_of(world, opening, receiver);
-    pp_worksheet_put(sheet, PP_UNIT_METRE, place.d_r, "d_r",
-                     "depth of the room, square to the wall of the opening on line %d",
-                     opening->line);
-    pp_worksheet_put(sheet, PP_UNIT_METRE, place.w_r, "w_r", "its breadth");
-    pp_worksheet_put(sheet, PP_UNIT_METRE, place.h_r, "h_r", "its height");
     pp_worksheet_work(sheet, &pp_fitted_position_l, "range of the light");
     pp_worksheet_put(sheet, PP_UNIT_METRE, place.x, "x",
                      "distance of the point from that wall");
@@ -148,7 +162,8 @@ static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world
                       "depth of the room behind the start of the light, in ranges");
     pp_worksheet_work(sheet, &pp_fitted_position_m_d, "the same without its sign");
     pp_worksheet_work(sheet, &pp_fitted_position_f_d, "by the depth of the point");
-    pp_worksheet_work(sheet, &pp_fitted_position_q_s, "half its breadth in ranges");
+    pp_worksheet_work(sheet, &pp_fitted_position_q_s,
+                      "half the breadth beside the opening in ranges");
     pp_worksheet_work(sheet, &pp_fitted_position_f_s, "by its place sideways");
 }
 

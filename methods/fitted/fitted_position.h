@@ -10,7 +10,11 @@
  *
  *     l = 2 w_r h_r / (w_r + h_r)
  *     f_d = q_d exp(-q_d x / d_r) / (1 - exp(-q_d)),   q_d = sqrt(1 - R) (k d_r / l - c) (1)
- *     f_s = q_s exp(-2 q_s y / w_r) / (1 - exp(-q_s)), q_s = s w_r sqrt(1 - R) / l       (2)
+ *     f_s = q_s exp(-2 q_s y / w_r) / (1 - exp(-q_s)),
+ *                                                 q_s = s (w_r - w) sqrt(1 - R) / l      (2)
+ *
+ * Sideways it is the wall beside the opening that counts: one as broad as its wall lights
+ * the room alike from side to side.
  *
  * The mean of (1) over the depth is 1, and that of (2) over the breadth for an opening in
  * the middle of its wall; R to 1 makes both 1 (the light of a furnace is the same
@@ -19,6 +23,7 @@
  *   x, y      from the opening's wall, and from its middle along the wall
  *   d_r, w_r  the room's depth and breadth, square to that wall and along it
  *   h_r       its height
+ *   w         breadth of the opening
  *
  * A point behind the plane of the opening's wall counts as in it.
  */
@@ -51,10 +56,15 @@ struct pp_fitted_place pp_fitted_position_of(const struct pp_world *world,
                                              const struct pp_opening *opening,
                                              const struct pp_receiver *receiver);
 
+/* Puts down d_r, w_r and h_r. */
+void pp_fitted_position_put_room(struct pp_worksheet *sheet,
+                                 const struct pp_world *world,
+                                 const struct pp_opening *opening);
+
 /* The last steps of a component by position: works the mean over the working plane out,
- * puts down f_d and f_s and what they come from but R, which is on the sheet, and works out
- * the value at the point, which is returned. Without a receiver both are 1, their mean
- * over the working plane. */
+ * puts down f_d and f_s and what they come from but R and, at a point, the room's extents
+ * and w, which are on the sheet, and works out the value at the point, which is returned.
+ * Without a receiver both are 1, their mean over the working plane. */
 double pp_fitted_position_work(struct pp_worksheet *sheet,
                                const struct pp_formula *mean,
                                const struct pp_formula *at_point,

@@ -102,6 +102,8 @@ static enum pp_status evaluate(const struct pp_world *world,
     pp_fitted_parts_put(sheet, world, opening);
     pp_fitted_opening_put_reveal(sheet, opening);
     pp_worksheet_work(sheet, &pp_irc_atlas_light, "light on it as it counts");
+    if (receiver)
+        pp_fitted_position_put_room(sheet, world, opening);
     part->value =
         pp_fitted_position_work(sheet, &mean, &at_point, world, opening, receiver);
     return PP_OK;

@@ -1,9 +1,14 @@
 /* split_flux_atlas.c - `split-flux-atlas`: the split-flux formula (reflected/split_flux.c)
  * corrected by what traced rooms say of it [ATLAS]: by what stands outside and the ground
- * that is seen, by glass below the working plane, and by position.
+ * that is seen, by what openings take, by glass below the working plane, and by position.
  *
- * Light through the share n of the opening below the working plane falls on what the
- * points above do not see. f_d and f_s: fitted_position.h. For vertical openings
+ *   1 - R^2   in place of 1 - rho_u rho_l: what goes to and fro is lost in openings, too,
+ *             and R has them; A/2 in place of A_u and A_l
+ *   n         light through this share of the opening, below the working plane, falls on
+ *             what the points above do not see
+ *
+ * In a furnace, R to 1, it is the energy balance tau Ag (V + C_g)/(A (1 - R)) under an open
+ * sky, whatever was fitted. f_d and f_s: fitted_position.h. For vertical openings
  * of clear glass under the CIE overcast sky and points that face up; allowances are those
  * of `split-flux`.
  */
@@ -33,9 +38,8 @@ static const struct pp_formula_quantity quantities[] = {
 
 static const struct pp_formula mean = {
     .symbol = "irc_m",
-    .sum = PP_FITTED_FLUX
-    " tau Ag / (1 - rho_u rho_l) (rho_u E_g / A_u + rho_u rho_l (V + E_b) / A_l)"
-    " exp(-" PP_FITTED_FLUX_LOW " n)",
+    .sum = "2 tau Ag / (A (1 - R^2)) (rho_u E_g + rho_u rho_l (V + E_b)) "
+           "exp(-" PP_FITTED_FLUX_LOW " (1 - R) n)",
     .unit = PP_UNIT_SHARE,
     .source = "ATLAS",
     .what = "mean internally reflected component",
@@ -74,6 +78,10 @@ static enum pp_status evaluate(const struct pp_world *world,
     pp_interior_put(sheet, &all);
     pp_fitted_parts_put(sheet, world, opening);
     pp_fitted_opening_put_low(sheet, world, opening);
+    if (receiver) {
+        pp_fitted_position_put_room(sheet, world, opening);
+        pp_fitted_opening_put_breadth(sheet, opening);
+    }
     part->value =
         pp_fitted_position_work(sheet, &mean, &at_point, world, opening, receiver);
     return PP_OK;

@@ -54,15 +54,19 @@ static void build_room(struct box_room *box, double depth, double reflectance)
  *   V = 0.396177, C_g = 0.085, tau = 0.85, Ag = 2.47, no reveal, nothing outside
  *   irc_m = 0.85 2.47/(A (1 - R)) (V rho_l + C_g) rho_u^(1/2)
  *           (A_l/A_u)^(c (1 - R))
- *   l = 2 3.7 2.9/6.6 = 3.251515; x = 4.1, y = 0.45 */
+ *   l = 2 3.7 2.9/6.6 = 3.251515; x = 4.1, y = 0.45, 1.8 m of wall beside the window */
+static void build_worked_room(struct box_room *box)
+{
+    box_room_build(box, 3.7, 5.3, 2.9, 0.15, 0.62, 0.81);
+    box_room_south(box, 0.9, 0.7, 1.9, 1.3)->glass.diffuse = 0.85;
+    box->light.ground_reflectance = 0.17;
+}
+
 static void worked_room_is_as_on_paper(void **state)
 {
     (void)state;
     struct box_room box;
-    box_room_build(&box, 3.7, 5.3, 2.9, 0.15, 0.62, 0.81);
-    struct pp_opening *window = box_room_south(&box, 0.9, 0.7, 1.9, 1.3);
-    window->glass.diffuse = 0.85;
-    box.light.ground_reflectance = 0.17;
+    build_worked_room(&box);
     double A = 91.42, R = 0.545889, A_l = 42.675, A_u = 46.275, rho_l = 0.404025;
     double mean = 0.85 * 2.47 / (A * (1 - R)) * (0.396177 * rho_l + 0.085)
                   * sqrt(0.700516) * pow(A_l / A_u, atof(PP_FITTED_PARTS) * (1 - R));
@@ -71,12 +75,70 @@ static void worked_room_is_as_on_paper(void **state)
     double l = 2 * 3.7 * 2.9 / 6.6,
            q_d =
                sqrt(1 - R) * (atof(PP_FITTED_DEPTH) * 5.3 / l - atof(PP_FITTED_START)),
-           q_s = atof(PP_FITTED_SIDE) * 3.7 * sqrt(1 - R) / l;
+           q_s = atof(PP_FITTED_SIDE) * 1.8 * sqrt(1 - R) / l;
     double f_d = q_d * exp(-q_d * 4.1 / 5.3) / (1 - exp(-q_d));
     double f_s = q_s * exp(-2 * q_s * 0.45 / 3.7) / (1 - exp(-q_s));
     struct pp_receiver point = at(0.9 + 1.9 / 2 + 0.45, 4.1);
     assert_relative(value_of(&pp_method_irc_atlas, &box, 0, &point), mean * f_d * f_s,
                     1e-4);
+}
+
+/* The same room by the other two. Without the window's wall, below 1.35 m
+ *   R_fw = (19.61 0.15 + 14.3 1.35 0.62)/(19.61 + 14.3 1.35) = 0.383157
+ * and of the window 0.15 m of 1.3 m are below the plane at 0.85 m. */
+static void worked_room_is_as_on_paper_by_bre_and_split_flux(void **state)
+{
+    (void)state;
+    struct box_room box;
+    build_worked_room(&box);
+    double A = 91.42, R = 0.545889, A_l = 42.675, A_u = 46.275, rho_l = 0.404025,
+           rho_u = 0.700516, R_fw = 0.383157;
+    double bre = 0.85 * 2.47 / (A * (1 - R)) * (0.396177 * R_fw + 0.085)
+                 * pow(rho_u, atof(PP_FITTED_BRE_UPPER))
+                 * pow(A_l / A_u, atof(PP_FITTED_BRE_PARTS) * (1 - R))
+                 * pow(1 + 2.9 / 5.3, atof(PP_FITTED_BRE_SHALLOW) * (1 - R));
+    assert_relative(value_of(&pp_method_bre_atlas, &box, 0, NULL), bre, 1e-4);
+
+    double flux = 2 * 0.85 * 2.47 / (A * (1 - R * R))
+                  * (rho_u * 0.085 + rho_u * rho_l * 0.396177)
+                  * exp(-atof(PP_FITTED_FLUX_LOW) * (1 - R) * 0.15 / 1.3);
+    assert_relative(value_of(&pp_method_split_flux_atlas, &box, 0, NULL), flux, 1e-4);
+}
+
+/* Behind an endless skyline of 40 degrees, black,
+ *   V = 3/14 (1 - sin 40) + 4/(7 pi) cos(40)^2 = 0.183283,
+ * 0.462836 of 0.396; what the ground adds is by its power b/2 less than in the open. */
+static void the_ground_stands_in_half_of_the_openings_shade(void **state)
+{
+    (void)state;
+    double light[2][2];
+    for (int shut = 0; shut < 2; shut++)
+        for (int bright = 0; bright < 2; bright++) {
+            struct box_room box;
+            build_worked_room(&box);
+            box.light.ground_reflectance = bright ? 0.34 : 0.17;
+            if (shut) {
+                box_room_skyline(&box, 40.0 * PP_RAD, 1.35, INFINITY);
+                box.skyline.reflectance = 0.0;
+            }
+            light[shut][bright] = value_of(&pp_method_irc_atlas, &box, 0, NULL);
+        }
+    assert_relative((light[1][1] - light[1][0]) / (light[0][1] - light[0][0]),
+                    pow(0.462836, atof(PP_FITTED_SHADE) / 2), 1e-3);
+}
+
+/* A window from wall to wall has no wall beside it that would be darker. */
+static void a_window_as_broad_as_its_wall_lights_alike_from_side_to_side(void **state)
+{
+    (void)state;
+    for (int i = 0; i < BY_POSITION; i++) {
+        struct box_room box;
+        box_room_build(&box, 3.7, 5.3, 2.9, 0.3, 0.5, 0.7);
+        box_room_south(&box, 0.0, 0.7, 3.7, 1.3);
+        struct pp_receiver middle = at(1.85, 2.1), side = at(0.3, 2.1);
+        assert_relative(value_of(by_position[i], &box, 0, &side),
+                        value_of(by_position[i], &box, 0, &middle), 1e-5);
+    }
 }
 
 static void a_furnace_is_lit_alike_everywhere_by_its_energy_balance(void **state)
@@ -89,11 +151,12 @@ static void a_furnace_is_lit_alike_everywhere_by_its_energy_balance(void **state
     double glass = 0.02 * 0.013;
     /* Only the opening takes light: A (1 - R) is 0.9 of its area. */
     double balance = 0.85 * glass * (0.396177 + 0.1) / (0.9 * glass);
-    for (double y = 0.7; y < 9.3; y += 2.1) {
-        struct pp_receiver point = at(2.9, y);
-        /* It differs by what is left of 1 - R, 2.4e-6, and of its root in f_d. */
-        assert_relative(value_of(&pp_method_irc_atlas, &box, 0, &point), balance, 1e-2);
-    }
+    for (int i = 0; i < BY_POSITION; i++)
+        for (double y = 0.7; y < 9.3; y += 2.1) {
+            struct pp_receiver point = at(2.9, y);
+            /* It differs by what is left of 1 - R, 2.4e-6, and of its root in f_d. */
+            assert_relative(value_of(by_position[i], &box, 0, &point), balance, 1e-2);
+        }
 }
 
 static void a_dark_room_reflects_nothing(void **state)
@@ -268,6 +331,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(worked_room_is_as_on_paper),
+        cmocka_unit_test(worked_room_is_as_on_paper_by_bre_and_split_flux),
+        cmocka_unit_test(the_ground_stands_in_half_of_the_openings_shade),
+        cmocka_unit_test(a_window_as_broad_as_its_wall_lights_alike_from_side_to_side),
         cmocka_unit_test(a_furnace_is_lit_alike_everywhere_by_its_energy_balance),
         cmocka_unit_test(a_dark_room_reflects_nothing),
         cmocka_unit_test(without_light_outside_there_is_none_inside),
