@@ -43,7 +43,7 @@ done
 killed=$scratch/killed.csv
 "$pepperpot" atlas --error 20% --quiet --rooms 400 -o "$killed" &
 process=$!
-while [ "$(wc -c <"$killed" 2>/dev/null || echo 0)" -lt 9000 ]; do sleep 0.02; done
+while [ "$({ wc -c <"$killed" || echo 0; } 2>/dev/null)" -lt 9000 ]; do sleep 0.02; done
 check "two runs cannot have a file at a time" \
     refuses_atlas 3 "being written by another run" --rooms 4 -o "$killed"
 kill -9 "$process"
