@@ -1,8 +1,8 @@
 #!/bin/sh
 # compare_radiance.sh PROGRAM [SCENE ...] - error against processor time of PROGRAM's
 # `df --simulate` and of Radiance's rtrace in the same rooms, as lines of Markdown. Scenes:
-# deep, street, triangles; all of them by default. Minutes; where Radiance is not on PATH,
-# that is said, and nothing is done.
+# deep, street, triangles (a hundred thousand, as leaves before the window); all of them by
+# default. Minutes; where Radiance is not on PATH, that is said, and nothing is done.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -36,6 +36,16 @@ deep_office() {
 <working-plane height="0.85"/>'
 }
 
+leaves() { # 100,000 of them, as trees before the window
+    awk 'BEGIN { srand(1)
+        for (i = 0; i < 100000; i++) {
+            x = 23 * rand() - 10; y = -3 - 17 * rand(); z = 8 * rand()
+            for (k = 0; k < 3; k++)
+                printf "v %.3f %.3f %.3f\n", x + 0.2 * rand(), y + 0.2 * rand(), z + 0.2 * rand()
+            print "f", 3 * i + 1, 3 * i + 2, 3 * i + 3
+        } }'
+}
+
 room() {
     case $1 in
     deep)
@@ -52,15 +62,8 @@ room() {
         ;;
     triangles)
         deep_office
-        awk 'BEGIN { srand(1)
-            for (i = 0; i < 100000; i++) {
-                x = 0.1 + 2.7 * rand(); y = 0.1 + 8.7 * rand(); z = 1.2 + 1.3 * rand()
-                print "<surface reflectance=\"0.5\">"
-                for (k = 0; k < 3; k++)
-                    printf "<vertex x=\"%.6f\" y=\"%.6f\" z=\"%.6f\"/>",
-                        x + 0.02 * rand(), y + 0.02 * rand(), z + 0.02 * rand()
-                print "</surface>"
-            } }'
+        leaves >"$scratch/leaves.obj"
+        echo '<mesh file="leaves.obj" reflectance="0.3"/>'
         points 4 6 3 9
         ;;
     *)
@@ -115,7 +118,7 @@ factors() {
 
 # traced OUT ERROR SEED FILE: ours, one a line; prints the seconds.
 traced() {
-    taken=$(seconds "$scratch/csv" /dev/null "$pepperpot" df -q -m average-df --simulate -j 1 \
+    taken=$(seconds "$scratch/csv" /dev/null "$pepperpot" df -q -m brs-table --no-bands --simulate -j 1 \
         --error "$2" --seed "$3" --format csv "$4")
     awk -F, '/,point,/ && $(NF - 5) == "df" && $(NF - 4) == "traced" { print $(NF - 3) / 100 }' \
         "$scratch/csv" >"$1"

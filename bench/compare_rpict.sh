@@ -19,7 +19,7 @@ for program in oconv rpict rtrace pvalue; do
 done
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-limit=600 # seconds that a run of rpict may take
+limit=${LIMIT:-600} # seconds that a run of rpict may take
 
 cat >"$scratch/room.xml" <<'END'
 <room version="1" name="Deep office"><plan width="3" depth="9" height="2.7"/>

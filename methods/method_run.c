@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "methods/component_steps.h"
+#include "methods/average/beams.h"
 #include "methods/average/opening_averages.h"
 #include "methods/average/plane_average.h"
 
@@ -237,6 +238,13 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
     if (run->method->average) {
         bool known;
         enum pp_status status = sum_averages(run, answer, &known, err);
+        if (status == PP_OK && pp_beams_gave_up(run->company.beams)) {
+            *answer = (struct pp_method_answer){
+                .why =
+                    "what stands outside is in too many pieces for an average within "
+                    "seconds"};
+            return PP_OK;
+        }
         if (status != PP_OK || known)
             return status;
         *answer = (struct pp_method_answer){0};

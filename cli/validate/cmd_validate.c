@@ -239,7 +239,7 @@ static enum pp_exit run(void *values, char **operands, int count)
     struct pp_terminal_watch watch;
     char **files = operands + options->words;
     int file_count = count - options->words;
-    bool deals = !options->against && (!options->suite || options->suite->of_rooms);
+    bool deals = !options->suite || options->suite->of_rooms;
     if (options->room.ranks && options->room.ranks->rank > 0 && !deals)
         return PP_EXIT_DONE;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);

@@ -18,6 +18,10 @@ enum { FIRST = 1 << 9, MOST = 1 << 15 };
 
 enum { GLASSES = 4 }; /* of which means are kept */
 
+/* What the looks through an opening may cost: a few seconds. Before 100,000 leaves a single
+ * one takes more than that, before as many triangles of a terrain all together less. */
+static const long long visits_most = 200000000;
+
 struct pp_kept_beam {
     struct pp_beam *beam; /* NULL: not made yet */
     struct pp_beam_space space;
@@ -117,10 +121,22 @@ static void grow(struct pp_kept_beam *kept)
     kept->places = places;
 }
 
+bool pp_beams_gave_up(const struct pp_beams *beams)
+{
+    for (int i = 0; i < 2 * beams->world->opening_count; i++)
+        if (pp_beam_space_is_spent(&beams->list[i].space))
+            return true;
+    return false;
+}
+
 enum pp_status pp_kept_beam_areas(struct pp_beam_areas *areas,
                                   struct pp_kept_beam *kept, struct pp_vec3 u,
                                   struct pp_error *err)
 {
+    *areas = (struct pp_beam_areas){0};
+    kept->space.visits_most = visits_most;
+    if (pp_beam_space_is_spent(&kept->space))
+        return PP_OK;
     if (2 * kept->count >= kept->places && kept->places < MOST)
         grow(kept);
     struct known_areas *known =

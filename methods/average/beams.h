@@ -8,7 +8,7 @@
 #ifndef PP_METHODS_AVERAGE_BEAMS_H
 #define PP_METHODS_AVERAGE_BEAMS_H
 
-#include "methods/view/beam.h"
+#include "methods/average/beam.h"
 
 struct pp_beams;
 
@@ -27,10 +27,14 @@ enum pp_status pp_beams_of(struct pp_kept_beam **kept, struct pp_beams *beams,
                            const struct pp_opening *opening, bool with_outside,
                            struct pp_error *err);
 
-/* pp_beam_areas, of one thread at a time. */
+/* pp_beam_areas, of one thread at a time; without the areas where the beam has given up. */
 enum pp_status pp_kept_beam_areas(struct pp_beam_areas *areas,
                                   struct pp_kept_beam *kept, struct pp_vec3 u,
                                   struct pp_error *err);
+
+/* Has a beam given up, as what stands outside is in too many pieces for a mean within
+ * seconds? No mean is to be used then. */
+bool pp_beams_gave_up(const struct pp_beams *beams);
 
 /* The means that were kept of the beam's light through that glass, under the one sky that
  * all ask of; false: none were. */

@@ -8,6 +8,7 @@
 #include "methods/view/fragments.h"
 #include "methods/view/occluder_rings.h"
 #include "methods/view/overlay.h"
+#include "methods/view/ring_cells.h"
 
 /* The open part, before anything hides it. */
 static enum pp_status add_open(struct pp_fragments *open,
@@ -99,6 +100,23 @@ static enum pp_status find_lights(int **first, int *count,
     return PP_OK;
 }
 
+struct hiding {
+    const struct pp_occluder_rings *rings;
+    struct pp_fragments *hidden;
+};
+
+/* pp_ring_cells_do */
+static enum pp_status hide_cell(void *data, struct pp_fragments *open, const int *rings,
+                                int count, struct pp_error *err)
+{
+    const struct hiding *hiding = data;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < count && open->count > 0 && status == PP_OK; i++)
+        status = pp_fragments_move(hiding->hidden, open,
+                                   &hiding->rings->rings[rings[i]], err);
+    return status;
+}
+
 /* Divides the open part where it does not matter which piece hides. */
 static enum pp_status divide_by_one_light(struct pp_visible *visible,
                                           struct pp_fragments *open,
@@ -108,8 +126,9 @@ static enum pp_status divide_by_one_light(struct pp_visible *visible,
 {
     struct pp_fragments hidden = {0};
     enum pp_status status = pp_occluder_rings_sort(rings, err);
-    for (int i = 0; i < rings->count && open->count > 0 && status == PP_OK; i++)
-        status = pp_fragments_move(&hidden, open, &rings->rings[i], err);
+    if (status == PP_OK)
+        status = pp_ring_cells(open, rings->rings, rings->count, hide_cell,
+                               &(struct hiding){rings, &hidden}, err);
     if (status == PP_OK)
         status = add_patch(visible, open, NULL, pieces, NULL, err);
     if (status == PP_OK && hidden.count > 0)
@@ -126,9 +145,7 @@ static enum pp_status divide_by_lights(struct pp_visible *visible,
                                        const int *first, int lights,
                                        struct pp_error *err)
 {
-    enum pp_status status = PP_OK;
-    for (int i = 0; i < rings->count && open->count > 0 && status == PP_OK; i++)
-        status = pp_fragments_cover(open, rings->rings, i, err);
+    enum pp_status status = pp_occluder_rings_cover(open, rings, err);
     if (status == PP_OK)
         status = add_patch(visible, open, rings, pieces, NULL, err);
     for (int k = 0; k < lights && status == PP_OK; k++)

@@ -51,6 +51,23 @@ enum pp_status pp_fragments_add(struct pp_fragments *fragments, const double (*x
     return push(fragments, PP_FRAGMENT_FREE, xy, count, err);
 }
 
+enum pp_status pp_fragments_append(struct pp_fragments *fragments,
+                                   const struct pp_fragments *more,
+                                   struct pp_error *err)
+{
+    if (more->count == 0)
+        return PP_OK;
+    enum pp_status status =
+        pp_array_reserve(&fragments->list, &fragments->capacity,
+                         fragments->count + more->count, sizeof *fragments->list, err);
+    if (status == PP_OK) {
+        memcpy(fragments->list + fragments->count, more->list,
+               (size_t)more->count * sizeof *more->list);
+        fragments->count += more->count;
+    }
+    return status;
+}
+
 void pp_fragments_close_ring(struct pp_fragment_ring *ring, double (*xy)[2], int count)
 {
     double twice = 0.0;

@@ -50,6 +50,11 @@ void pp_fragments_clear(struct pp_fragments *fragments);
 enum pp_status pp_fragments_add(struct pp_fragments *fragments, const double (*xy)[2],
                                 int count, struct pp_error *err);
 
+/* Adds the fragments of a list. */
+enum pp_status pp_fragments_append(struct pp_fragments *fragments,
+                                   const struct pp_fragments *more,
+                                   struct pp_error *err);
+
 /* Adds to `result` what lies within the ring. */
 enum pp_status pp_fragments_intersect(struct pp_fragments *result,
                                       const struct pp_fragments *fragments,

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "methods/view/ring_cells.h"
+
 enum { MOST = PP_FRAGMENT_CORNERS };
 
 /* Parts of a fan over a ring of `count` corners. */
@@ -99,20 +101,56 @@ enum pp_status pp_occluder_rings_sort(struct pp_occluder_rings *rings,
 
 /* ---- Which pieces are seen? ---- */
 
+struct marking {
+    bool *is_seen; /* of the pieces */
+    const struct pp_occluder_rings *rings;
+};
+
+/* pp_ring_cells_do */
+static enum pp_status mark_cell(void *data, struct pp_fragments *open, const int *rings,
+                                int count, struct pp_error *err)
+{
+    const struct marking *marking = data;
+    struct pp_fragments taken = {0};
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < count && open->count > 0 && status == PP_OK; i++) {
+        taken.count = 0;
+        status = pp_fragments_move(&taken, open, &marking->rings->rings[rings[i]], err);
+        marking->is_seen[marking->rings->of[rings[i]]] |= taken.count > 0;
+    }
+    pp_fragments_clear(&taken);
+    return status;
+}
+
 /* Marks the pieces that hide a part of the open fragments which no larger one hides. */
 static enum pp_status mark_in_union(bool *is_seen, struct pp_fragments *open,
                                     struct pp_occluder_rings *rings,
                                     struct pp_error *err)
 {
-    struct pp_fragments taken = {0};
+    struct marking marking = {is_seen, rings};
     enum pp_status status = pp_occluder_rings_sort(rings, err);
-    for (int i = 0; i < rings->count && status == PP_OK; i++) {
-        taken.count = 0;
-        status = pp_fragments_move(&taken, open, &rings->rings[i], err);
-        is_seen[rings->of[i]] |= taken.count > 0;
-    }
-    pp_fragments_clear(&taken);
+    return status == PP_OK ? pp_ring_cells(open, rings->rings, rings->count, mark_cell,
+                                           &marking, err)
+                           : status;
+}
+
+/* pp_ring_cells_do */
+static enum pp_status cover_cell(void *data, struct pp_fragments *open,
+                                 const int *rings, int count, struct pp_error *err)
+{
+    const struct pp_occluder_rings *all = data;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < count && status == PP_OK; i++)
+        status = pp_fragments_cover(open, all->rings, rings[i], err);
     return status;
+}
+
+enum pp_status pp_occluder_rings_cover(struct pp_fragments *open,
+                                       const struct pp_occluder_rings *rings,
+                                       struct pp_error *err)
+{
+    return pp_ring_cells(open, rings->rings, rings->count, cover_cell, (void *)rings,
+                         err);
 }
 
 /* Marks the pieces that are in front of all others in a part of the open fragments. */
@@ -120,9 +158,7 @@ static enum pp_status mark_in_front(bool *is_seen, struct pp_fragments *open,
                                     const struct pp_occluder_rings *rings,
                                     struct pp_error *err)
 {
-    enum pp_status status = PP_OK;
-    for (int i = 0; i < rings->count && status == PP_OK; i++)
-        status = pp_fragments_cover(open, rings->rings, i, err);
+    enum pp_status status = pp_occluder_rings_cover(open, rings, err);
     for (int i = 0; i < open->count && status == PP_OK; i++)
         if (open->list[i].owner != PP_FRAGMENT_FREE)
             is_seen[rings->of[open->list[i].owner]] = true;

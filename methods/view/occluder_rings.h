@@ -25,6 +25,11 @@ void pp_occluder_rings_clear(struct pp_occluder_rings *rings);
 enum pp_status pp_occluder_rings_sort(struct pp_occluder_rings *rings,
                                       struct pp_error *err);
 
+/* Gives each part of the open fragments to the nearest ring. */
+enum pp_status pp_occluder_rings_cover(struct pp_fragments *open,
+                                       const struct pp_occluder_rings *rings,
+                                       struct pp_error *err);
+
 /* Takes out the pieces of which others hide all, within the extent of the scene.
  * one_light: do all pieces give off the same light, so that any may hide another? Else
  * the nearer one hides. */

@@ -25,11 +25,13 @@ static void put_head(const struct pp_atlas_bands *bands, FILE *out)
 {
     fprintf(
         out,
-        "# atlas_bands.csv - how true daylight factors were to those of hand methods, "
+        "# atlas_bands%s.csv - how true daylight factors were to those of hand "
+        "methods, "
         "by regimes\n"
         "#   of rooms: quantiles of (truth + %g) / (hand + %g), daylight factors as "
         "fractions\n"
-        "# source: own, `pepperpot atlas FILE --bands` over %d rooms of the atlas\n"
+        "# source: own, `pepperpot atlas FILE --bands` over %d rooms of the atlas "
+        "under %s\n"
         "# place: of figures at points, or averages; span: from the least (low) to the "
         "most (high)\n"
         "#   that its rooms have of the feature in the place of the column\n"
@@ -40,7 +42,8 @@ static void put_head(const struct pp_atlas_bands *bands, FILE *out)
         "assumption: true of the room\n"
         "#   to true in that world\n"
         "# feature1 to 5: the regime has from <= feature < to; empty: no bound\n",
-        PP_BAND_OFFSET, PP_BAND_OFFSET, bands->rooms);
+        bands->iso ? "_iso" : "", PP_BAND_OFFSET, PP_BAND_OFFSET, bands->rooms,
+        bands->iso ? "the skies of ISO 15469" : "the overcast sky");
     fputs("place,component,column,rooms,low,median,high,spread,formula_low,"
           "formula_median,formula_high,assumption_low,assumption_median,"
           "assumption_high",
@@ -65,9 +68,12 @@ static void put_conditions(const struct pp_band_regime *regime, FILE *out)
     fputc('\n', out);
 }
 
+/* Nothing of a feature that the atlas does not have. */
 static void put_span(int feature, const struct pp_atlas_bands *bands, FILE *out)
 {
     const struct pp_atlas_span *span = &bands->spans[feature];
+    if (!isfinite(span->from))
+        return;
     const struct pp_band_regime none = {.condition_count = 0};
     fprintf(out, "span,-,%s,%d", pp_band_features_name(feature), bands->rooms);
     put_number(span->from, out);

@@ -109,6 +109,7 @@ enum pp_status pp_atlas_table_read(struct pp_atlas_table *table, const char *pat
            && (end = memchr(line, '\n', length - (size_t)(line - table->text)))) {
         *end = '\0';
         reading.line++;
+        table->iso |= strncmp(line, "# sky iso,", strlen("# sky iso,")) == 0;
         if (line[0] != '#')
             status = table->names ? read_row(&reading, line, err)
                                   : read_names(&reading, line, err);

@@ -1,6 +1,7 @@
 /* atlas_table.h - a file of the atlas in memory: named columns of numbers.
  *
- * The file is CSV: lines of comments (#), a line of names, rows of numbers, of which an
+ * The file is CSV: lines of comments (#), of which "# sky iso, ..." says that the rooms are
+ * under the skies of ISO 15469, a line of names, rows of numbers, of which an
  * empty one is NAN. It may be written on while it is read, and has been cut off where it
  * was: a last line without an end is left out, and so are the rows of a last room whose
  * average, the row of point -1, is not there yet.
@@ -9,6 +10,7 @@
 #define PP_STUDIES_ATLAS_ATLAS_TABLE_H
 
 #include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "model/base/error.h"
@@ -18,6 +20,7 @@ struct pp_atlas_table {
     int column_count, row_count;
     double *values;  /* row after row */
     int room, point; /* columns of these names */
+    bool iso;        /* rooms under the skies of ISO 15469, not the overcast one */
     char *text;      /* that the names are in */
 };
 

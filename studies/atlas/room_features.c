@@ -24,6 +24,8 @@ const char *const pp_room_feature_names[PP_ROOM_FEATURES] = {
     [PP_ROOM_OBSTRUCTION] = "obstruction",
     [PP_ROOM_THINGS] = "things",
     [PP_ROOM_GROUND] = "ground",
+    [PP_ROOM_FACING] = "facing",
+    [PP_ROOM_OPPOSITE] = "opposite",
     [PP_ROOM_DEPTH] = "depth",
     [PP_ROOM_SIDE] = "side",
     [PP_ROOM_VIEW] = "view",
@@ -151,20 +153,26 @@ static enum pp_status fill_outside(double features[PP_ROOM_FEATURES],
                                    const struct pp_outside_light *light,
                                    struct pp_error *err)
 {
-    double sum = 0.0, all = 0.0;
+    double sum = 0.0, facing = 0.0, opposite = 0.0, all = 0.0;
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
+        struct pp_vec3 in = opening->inner.normal;
         double angle_rad;
         enum pp_status status =
             pp_obstruction_angle(&angle_rad, world, light, opening, err);
         if (status != PP_OK)
             return status;
         sum += glass_m2(opening) * angle_rad / PP_RAD;
+        facing +=
+            glass_m2(opening) * pp_sky_on_plane(&light->sky, pp_vec_scale(in, -1.0));
+        opposite += glass_m2(opening) * pp_sky_on_plane(&light->sky, in);
         all += glass_m2(opening);
     }
     features[PP_ROOM_OBSTRUCTION] = sum / all;
     features[PP_ROOM_THINGS] = has_things(world);
     features[PP_ROOM_GROUND] = light->ground_reflectance;
+    features[PP_ROOM_FACING] = facing / all;
+    features[PP_ROOM_OPPOSITE] = opposite / all;
     return PP_OK;
 }
 

@@ -23,6 +23,8 @@
  *     things          0: nothing outside or skylines; 1: blocks, surfaces, facades or other
  *                     parts of the building
  *     ground          reflectance of the ground
+ *     facing          illuminance of the open sky on the openings' planes, mean, over Eh
+ *     opposite        the same on planes that face them, as buildings across a street do
  *
  * and of a point, NAN of a room as a whole:
  *
@@ -54,6 +56,8 @@ enum pp_room_feature {
     PP_ROOM_OBSTRUCTION,
     PP_ROOM_THINGS,
     PP_ROOM_GROUND,
+    PP_ROOM_FACING,
+    PP_ROOM_OPPOSITE,
     PP_ROOM_OF_POINTS, /* those behind it */
     PP_ROOM_DEPTH = PP_ROOM_OF_POINTS,
     PP_ROOM_SIDE,

@@ -41,7 +41,8 @@ static void look_up(struct ranking *ranking, const struct pp_report *report,
             || !pp_report_bands_has(report, column))
             continue;
         double figure = index < 0 ? column->average.value : column->points[index].value;
-        int count = pp_band_table_find(records, place, PP_DF, column->name);
+        int count = pp_band_table_find(records, pp_band_table_under(&report->light.sky),
+                                       place, PP_DF, column->name);
         pp_band_features_of_column(features, report, column, index);
         const struct pp_band_record *record =
             pp_band_table_regime(records, count, features);

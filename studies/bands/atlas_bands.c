@@ -177,7 +177,7 @@ enum pp_status pp_atlas_bands_fit(struct pp_atlas_bands *bands,
                                   const struct pp_atlas_table *table,
                                   struct pp_error *err)
 {
-    *bands = (struct pp_atlas_bands){0};
+    *bands = (struct pp_atlas_bands){.iso = table->iso};
     count_rooms(bands, table);
     find_spans(bands, table);
     enum pp_status status = PP_OK;

@@ -25,6 +25,7 @@ struct pp_atlas_span {
 
 struct pp_atlas_bands {
     int rooms;
+    bool iso; /* the rooms' skies: those of ISO 15469, or the overcast one */
     struct pp_atlas_span spans[PP_ROOM_FEATURES];
     struct pp_atlas_column *columns;
     int column_count;

@@ -1,4 +1,4 @@
-/* band_table.c - rows of the printed table, turned into records. */
+/* band_table.c - rows of the printed tables, turned into records. */
 #include "studies/bands/band_table.h"
 
 #include <math.h>
@@ -23,11 +23,36 @@ struct row {
     double from5, to5;
 };
 
-static const struct row rows[] = {
+static const struct row overcast_rows[] = {
 #include "tables/atlas_bands.inc"
 };
+static const struct row iso_rows[] = {
+#include "tables/atlas_bands_iso.inc"
+};
 
-enum { ROWS = sizeof rows / sizeof *rows };
+struct pp_band_table {
+    const struct row *rows;
+    int count;
+};
+const struct pp_band_table pp_band_table_overcast = {
+    overcast_rows, sizeof overcast_rows / sizeof *overcast_rows};
+const struct pp_band_table pp_band_table_iso = {iso_rows,
+                                                sizeof iso_rows / sizeof *iso_rows};
+
+/* ISO 15469's first type is the overcast sky. */
+const struct pp_band_table *pp_band_table_under(const struct pp_sky *sky)
+{
+    switch (sky->kind) {
+    case PP_SKY_OVERCAST:
+        return &pp_band_table_overcast;
+    case PP_SKY_ISO:
+        return sky->iso == 1  ? &pp_band_table_overcast
+               : sky->iso > 1 ? &pp_band_table_iso
+                              : NULL;
+    default:
+        return NULL;
+    }
+}
 
 /* ---- records ---- */
 
@@ -70,26 +95,29 @@ static struct pp_band_record record_of(const struct row *row)
     return record;
 }
 
-bool pp_band_table_at(struct pp_band_record *record, int index)
+bool pp_band_table_at(struct pp_band_record *record, const struct pp_band_table *table,
+                      int index)
 {
-    for (int i = 0; i < ROWS; i++)
-        if (is_record(&rows[i]) && index-- == 0) {
-            *record = record_of(&rows[i]);
+    for (int i = 0; i < table->count; i++)
+        if (is_record(&table->rows[i]) && index-- == 0) {
+            *record = record_of(&table->rows[i]);
             return true;
         }
     return false;
 }
 
 int pp_band_table_find(struct pp_band_record records[PP_BAND_REGIMES],
-                       enum pp_band_place place, enum pp_component component,
-                       const char *column)
+                       const struct pp_band_table *table, enum pp_band_place place,
+                       enum pp_component component, const char *column)
 {
     int count = 0;
-    for (int i = 0; i < ROWS && count < PP_BAND_REGIMES; i++)
-        if (strcmp(rows[i].column, column) == 0
-            && strcmp(rows[i].place, pp_band_figures_places[place]) == 0
-            && strcmp(rows[i].component, pp_band_features_components[component]) == 0)
-            records[count++] = record_of(&rows[i]);
+    for (int i = 0; i < table->count && count < PP_BAND_REGIMES; i++) {
+        const struct row *row = &table->rows[i];
+        if (strcmp(row->column, column) == 0
+            && strcmp(row->place, pp_band_figures_places[place]) == 0
+            && strcmp(row->component, pp_band_features_components[component]) == 0)
+            records[count++] = record_of(row);
+    }
     return count;
 }
 
@@ -104,22 +132,25 @@ const struct pp_band_record *pp_band_table_regime(const struct pp_band_record *r
 
 /* ---- the run ---- */
 
-bool pp_band_table_span(double *from, double *to, int feature)
+bool pp_band_table_span(double *from, double *to, const struct pp_band_table *table,
+                        int feature)
 {
-    for (int i = 0; i < ROWS; i++)
-        if (!is_record(&rows[i])
-            && strcmp(rows[i].column, pp_band_features_name(feature)) == 0) {
-            *from = rows[i].low;
-            *to = rows[i].high;
+    for (int i = 0; i < table->count; i++) {
+        const struct row *row = &table->rows[i];
+        if (!is_record(row)
+            && strcmp(row->column, pp_band_features_name(feature)) == 0) {
+            *from = row->low;
+            *to = row->high;
             return true;
         }
+    }
     return false;
 }
 
-int pp_band_table_rooms(void)
+int pp_band_table_rooms(const struct pp_band_table *table)
 {
     int most = 0;
-    for (int i = 0; i < ROWS; i++)
-        most = rows[i].rooms > most ? rows[i].rooms : most;
+    for (int i = 0; i < table->count; i++)
+        most = table->rows[i].rooms > most ? table->rows[i].rooms : most;
     return most;
 }

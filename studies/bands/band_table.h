@@ -1,5 +1,6 @@
-/* band_table.h - the bands that were found in the shipped run of the atlas, compiled in
- * (tables/atlas_bands.csv, which `pepperpot atlas FILE --bands` writes).
+/* band_table.h - the bands that were found in the shipped runs of the atlas, compiled in: of
+ * rooms under the overcast sky (tables/atlas_bands.csv) and under the skies of ISO 15469
+ * (tables/atlas_bands_iso.csv), as `pepperpot atlas FILE --bands` writes them.
  */
 #ifndef PP_STUDIES_BANDS_BAND_TABLE_H
 #define PP_STUDIES_BANDS_BAND_TABLE_H
@@ -7,7 +8,13 @@
 #include "studies/bands/band_features.h"
 #include "studies/bands/band_fit.h"
 
-/* What the table says of a column in one regime. */
+struct pp_band_table;
+extern const struct pp_band_table pp_band_table_overcast, pp_band_table_iso;
+
+/* That of the run under such skies; NULL: there was none. */
+const struct pp_band_table *pp_band_table_under(const struct pp_sky *sky);
+
+/* What a table says of a column in one regime. */
 struct pp_band_record {
     enum pp_band_place place;
     enum pp_component component;
@@ -16,14 +23,15 @@ struct pp_band_record {
 };
 
 /* Record `index` of the table; false: there are no more. */
-bool pp_band_table_at(struct pp_band_record *record, int index);
+bool pp_band_table_at(struct pp_band_record *record, const struct pp_band_table *table,
+                      int index);
 
 /* The regimes of one column, at most PP_BAND_REGIMES, in `records`; returns how many, 0
  * where the atlas has none. */
 enum { PP_BAND_REGIMES = 16 };
 int pp_band_table_find(struct pp_band_record records[PP_BAND_REGIMES],
-                       enum pp_band_place place, enum pp_component component,
-                       const char *column);
+                       const struct pp_band_table *table, enum pp_band_place place,
+                       enum pp_component component, const char *column);
 
 /* The one among records whose regime has the features; NULL where none has. */
 const struct pp_band_record *pp_band_table_regime(const struct pp_band_record *records,
@@ -31,9 +39,10 @@ const struct pp_band_record *pp_band_table_regime(const struct pp_band_record *r
 
 /* What the rooms of the run have of a feature of rooms or points, from the least to the
  * most. False: the run does not tell. */
-bool pp_band_table_span(double *from, double *to, int feature);
+bool pp_band_table_span(double *from, double *to, const struct pp_band_table *table,
+                        int feature);
 
 /* How many rooms the run has. */
-int pp_band_table_rooms(void);
+int pp_band_table_rooms(const struct pp_band_table *table);
 
 #endif

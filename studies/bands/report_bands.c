@@ -39,10 +39,8 @@ static bool has_things_inside(const struct pp_world *world)
 static const char *why_not(const struct pp_world *world,
                            const struct pp_outside_light *light)
 {
-    const struct pp_sky *sky = &light->sky;
-    bool overcast =
-        sky->kind == PP_SKY_OVERCAST || (sky->kind == PP_SKY_ISO && sky->iso == 1);
-    return !overcast                   ? "the sky is not overcast"
+    return !pp_band_table_under(&light->sky)
+               ? "the sky is neither overcast nor one of ISO 15469"
            : world->opening_count == 0 ? "there is no opening"
            : has_things_inside(world)  ? "surfaces stand in the room"
            : !is_convex(&world->plane) ? "the plan has a recess"
@@ -57,13 +55,14 @@ static bool is_within(double value, double from, double to)
     return isnan(value) || (value >= from - slack && value <= to + slack);
 }
 
-/* The first feature from `first` up to `end` in which no room of the atlas is like this
+/* The first feature from `first` up to `end` in which no room of the table is like this
  * one; -1: there is none. */
-static int find_unlike(const double *features, int first, int end, double *from,
-                       double *to)
+static int find_unlike(const struct pp_band_table *table, const double *features,
+                       int first, int end, double *from, double *to)
 {
     for (int i = first; i < end; i++)
-        if (pp_band_table_span(from, to, i) && !is_within(features[i], *from, *to))
+        if (pp_band_table_span(from, to, table, i)
+            && !is_within(features[i], *from, *to))
             return i;
     return -1;
 }
@@ -86,7 +85,8 @@ enum pp_status pp_report_bands_features(double features[PP_BAND_FEATURES],
         pp_room_features(features, report->world, &report->light, err);
     if (status != PP_OK)
         return status;
-    int unlike = find_unlike(features, 0, PP_ROOM_OF_POINTS, &from, &to);
+    int unlike = find_unlike(pp_band_table_under(&report->light.sky), features, 0,
+                             PP_ROOM_OF_POINTS, &from, &to);
     if (unlike < 0)
         return PP_OK;
     *why = pp_report_say(report,
@@ -104,7 +104,9 @@ bool pp_report_bands_point(double features[PP_BAND_FEATURES],
     if (receiver->normal.z < 1.0 - 1e-9)
         return false;
     pp_room_features_at(features, report->world, receiver->position);
-    return find_unlike(features, PP_ROOM_OF_POINTS, PP_ROOM_FEATURES, &from, &to) < 0;
+    return find_unlike(pp_band_table_under(&report->light.sky), features,
+                       PP_ROOM_OF_POINTS, PP_ROOM_FEATURES, &from, &to)
+           < 0;
 }
 
 /* ---- the bands of a column ---- */
@@ -172,9 +174,10 @@ static enum pp_status fill_column(struct lookup *lookup, struct pp_column *colum
                                   struct pp_error *err)
 {
     const struct pp_report *report = lookup->report;
-    lookup->point_count = pp_band_table_find(lookup->points, PP_BAND_POINT,
+    const struct pp_band_table *table = pp_band_table_under(&report->light.sky);
+    lookup->point_count = pp_band_table_find(lookup->points, table, PP_BAND_POINT,
                                              column->component, column->name);
-    lookup->average_count = pp_band_table_find(lookup->averages, PP_BAND_AVERAGE,
+    lookup->average_count = pp_band_table_find(lookup->averages, table, PP_BAND_AVERAGE,
                                                column->component, column->name);
     if (lookup->average_count > 0)
         column->average_band = average_band(lookup, column);

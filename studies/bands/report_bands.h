@@ -1,7 +1,7 @@
 /* report_bands.h - sets the band of the atlas beside each hand figure of a report.
  *
- * The bands hold for rooms like those of the atlas: under an overcast sky, of features
- * within those of its rooms, with nothing standing in them and no recess in their plan.
+ * The bands hold for rooms like those of the atlas: under an overcast sky or one of ISO
+ * 15469 (band_table.h), of features within those of its rooms, with nothing standing in them and no recess in their plan.
  */
 #ifndef PP_STUDIES_BANDS_REPORT_BANDS_H
 #define PP_STUDIES_BANDS_REPORT_BANDS_H
@@ -19,7 +19,8 @@ enum pp_status pp_report_bands_features(double features[PP_BAND_FEATURES],
                                         const char **why, struct pp_report *report,
                                         struct pp_error *err);
 
-/* Adds the features of a point; false: none of the atlas lies so. */
+/* Adds the features of a point of a room that the atlas covers; false: none of its points
+ * lies so. */
 bool pp_report_bands_point(double features[PP_BAND_FEATURES],
                            const struct pp_report *report, int index);
 

@@ -25,7 +25,13 @@ check "text has them in columns" shows '95 % band' df "$office"
 run df --no-bands "$office"
 check "and not without" nothing "$(grep '95 % band' "$scratch/out")"
 check "under a uniform sky there are none, and why" \
-    shows 'the sky is not overcast' df --sky uniform "$office"
+    shows 'the sky is neither overcast' df --sky uniform "$office"
+check "under a clear sky they are those of the second sweep" \
+    shows '95 % band' df -m exact+split-flux --sky iso-12,35,150 -p 2.1,3 "$office"
+check "of methods that know such a sky" \
+    shows 'use exact+' df --advise --sky iso-12,35,150 "$office"
+check "and under iso-1, which is overcast, those of the first" \
+    shows '95 % band' df -m exact+split-flux --sky iso-1 -p 2.1,3 "$office"
 check "nor in a plan with a recess" shows 'recess' df "$examples/l-shaped.xml"
 check "CSV has them when asked" shows 'band_low_percent' df --bands -f csv "$office"
 
@@ -50,6 +56,11 @@ check "bands are fitted to an atlas" gives atlas --bands "$scratch/made.csv"
 check "they lie where its figures are" \
     sh -c 'awk -F, "/^point,df/ { exit !(\$5 > 0.895 && \$5 < 0.92 && \$7 > 1.08 && \$7 < 1.105) }" "$1"' \
     sh "$scratch/out"
+check "of the overcast sky" grep -q '^# atlas_bands.csv.*' "$scratch/out"
+sed '1s/.*/# sky iso, error 2 %, seed 1/' "$scratch/made.csv" >"$scratch/iso.csv"
+check "or of the others, as the atlas says" gives atlas --bands "$scratch/iso.csv"
+check "for a table of their own" \
+    grep -q '^# source: .* under the skies of ISO 15469$' "$scratch/out"
 check "and hold on rooms held out" gives atlas --try "$scratch/made.csv"
 head -n 40 "$scratch/made.csv" >"$scratch/short.csv"
 check "too few rooms are refused" refuses 1 "expected enough for bands" \

@@ -133,6 +133,19 @@ check "so are elevations" refuses 1 "expected 2000 at most" \
 check "the line of what sees sky is not judged" shows "more than 10,000 triangles" \
     assess --by-hand -c nsl,rights-of-light "$scratch/street.xml"
 
+# Leaves hide one another: what is open between them is in thousands of pieces, which a view is
+# cut into, but not each of the thousands of looks of an average.
+awk 'BEGIN { srand(1)
+    for (i = 0; i < 12000; i++) {
+        x = 23 * rand() - 10; y = -3 - 17 * rand(); z = 8 * rand()
+        for (k = 0; k < 3; k++)
+            printf "v %.3f %.3f %.3f\n", x + 0.5 * rand(), y + 0.5 * rand(), z + 0.5 * rand()
+        print "f", 3 * i + 1, 3 * i + 2, 3 * i + 3
+    } }' >"$scratch/leaves.obj"
+room '<mesh file="leaves.obj"/>' >"$scratch/leaves.xml"
+check "before leaves there is no average of exact" shows "too many pieces for an average" \
+    df --methods exact,average-df --explain -p 1.5,2 "$scratch/leaves.xml"
+
 room '<mesh file="none.obj"/>' >"$scratch/wrong.xml"
 check "a file that is not there" refuses 1 'wrong.xml:4: mesh: ' df "$scratch/wrong.xml"
 room '<mesh file="box.obj" scale="0.001" y="12"/>' >"$scratch/wrong.xml"

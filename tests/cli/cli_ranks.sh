@@ -64,6 +64,25 @@ a_suite_is_run_once() {
     [ $status -eq 0 ] && cmp "$scratch/alone" "$scratch/out" || told
 }
 
+# In the place of Radiance, two programs that find an irradiance of 1 everywhere.
+the_same_bytes_beside_radiance() {
+    mkdir -p "$scratch/bin"
+    printf '#!/bin/sh\n' >"$scratch/bin/oconv"
+    printf '#!/bin/sh\nwhile read -r line; do echo 1 1 1; done\n' >"$scratch/bin/rtrace"
+    chmod +x "$scratch/bin/oconv" "$scratch/bin/rtrace"
+    (
+        PATH=$scratch/bin:$PATH
+        for words in radiance '--against radiance'; do
+            run validate $words $batch_of_two
+            cp "$scratch/out" "$scratch/alone"
+            ranks 2 validate $words $batch_of_two
+            cmp "$scratch/alone" "$scratch/out" || told || return 1
+        done
+    )
+    grep -q '"against": "radiance"' "$scratch/out" || told
+}
+batch_of_two="$deep $examples/office.xml --samples 8 --format json"
+
 # Has the process worked for a second? It simulates by then.
 simulates() {
     ticks=$(sed 's/.*) //' "/proc/$1/stat" 2>/dev/null | cut -d' ' -f12)
@@ -142,6 +161,8 @@ a_rank_may_be_killed() {
 
 check '1, 2 and 4 ranks give the bytes of one process' the_same_bytes_of_df
 check 'so does assess, with two threads each' the_same_bytes_of_assess
+check 'so does validate beside Radiance, whose programs each rank runs' \
+    the_same_bytes_beside_radiance
 check 'so does validate, which deals out rooms and the worlds of their methods' \
     the_same_bytes_of_validate
 check 'and its suites of known answers' a_suite_is_run_once

@@ -90,11 +90,32 @@ static void means_are_of_an_opening_a_view_and_a_glass(void **state)
     pp_world_destroy(world);
 }
 
+/* Looks that would cost more than the bound have no areas, and say so by it. */
+static void a_space_that_is_spent_has_no_more_areas(void **state)
+{
+    (void)state;
+    struct pp_world *world = room_before_a_block();
+    struct pp_beam *beam;
+    struct pp_beam_space space = {.visits_most = 40};
+    struct pp_beam_areas areas;
+    struct dice dice = {5};
+    assert_int_equal(pp_beam_create(&beam, world, world->openings, true, NULL), PP_OK);
+    int looks = 0;
+    while (!pp_beam_space_is_spent(&space) && ++looks < 1000)
+        assert_int_equal(pp_beam_areas(&areas, beam, &space, direction(&dice), NULL),
+                         PP_OK);
+    assert_true(looks > 3 && looks < 1000);
+    pp_beam_space_clear(&space);
+    pp_beam_destroy(beam);
+    pp_world_destroy(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(areas_are_those_of_the_beam),
         cmocka_unit_test(means_are_of_an_opening_a_view_and_a_glass),
+        cmocka_unit_test(a_space_that_is_spent_has_no_more_areas),
     };
     return cmocka_run_group_tests_name("beams", tests, NULL, NULL);
 }

@@ -39,7 +39,28 @@ static void a_side_lit_room_has_the_features_of_its_drawing(void **state)
     assert_near(f[PP_ROOM_OBSTRUCTION], 23.0, 1e-9);
     assert_near(f[PP_ROOM_THINGS], 0.0, 0.0);
     assert_near(f[PP_ROOM_GROUND], 0.15, 0.0);
+    /* The overcast sky on an upright plane: (3/14 + 4/(7 pi)), either way. */
+    assert_near(f[PP_ROOM_FACING], 3.0 / 14.0 + 4.0 / (7.0 * PP_PI), 1e-12);
+    assert_near(f[PP_ROOM_OPPOSITE], f[PP_ROOM_FACING], 1e-12);
     assert_true(isnan(f[PP_ROOM_DEPTH]) && isnan(f[PP_ROOM_VIEW]));
+}
+
+/* A clear sky with the sun before the window: it lights the window more than what faces it,
+ * and with the sun behind the room the other way round. */
+static void a_sun_before_the_window_is_behind_what_faces_it(void **state)
+{
+    (void)state;
+    struct box_room box;
+    double before[PP_ROOM_FEATURES], behind[PP_ROOM_FEATURES];
+    const double c = cos(30.0 * PP_RAD), s = sin(30.0 * PP_RAD);
+    build(&box);
+    assert_int_equal(pp_sky_iso(&box.light.sky, 12, pp_vec(0.0, -c, s), NULL), PP_OK);
+    assert_int_equal(pp_room_features(before, &box.world, &box.light, NULL), PP_OK);
+    assert_int_equal(pp_sky_iso(&box.light.sky, 12, pp_vec(0.0, c, s), NULL), PP_OK);
+    assert_int_equal(pp_room_features(behind, &box.world, &box.light, NULL), PP_OK);
+    assert_true(before[PP_ROOM_FACING] > 2.0 * before[PP_ROOM_OPPOSITE]);
+    assert_relative(behind[PP_ROOM_OPPOSITE], before[PP_ROOM_FACING], 1e-6);
+    assert_relative(behind[PP_ROOM_FACING], before[PP_ROOM_OPPOSITE], 1e-6);
 }
 
 /* Configuration factor of an upright rectangle for a level point before its lower corner,
@@ -106,6 +127,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_side_lit_room_has_the_features_of_its_drawing),
+        cmocka_unit_test(a_sun_before_the_window_is_behind_what_faces_it),
         cmocka_unit_test(a_point_has_its_depth_and_its_view_of_the_window),
         cmocka_unit_test(depth_is_to_the_nearest_part_of_the_window),
         cmocka_unit_test(glass_below_the_plane_counts_by_its_area),

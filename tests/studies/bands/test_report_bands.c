@@ -73,7 +73,8 @@ static void a_band_is_the_table_s_quantiles_on_the_figure(void **state)
     assert_null(m.report.no_bands);
     const struct pp_column *column = pp_report_find(&m.report, PP_DF, "exact+bre");
     assert_non_null(column->bands);
-    int count = pp_band_table_find(records, PP_BAND_POINT, PP_DF, "exact+bre");
+    int count = pp_band_table_find(records, &pp_band_table_overcast, PP_BAND_POINT,
+                                   PP_DF, "exact+bre");
     assert_true(count > 1);
     assert_int_equal(pp_report_bands_features(features, &why, &m.report, NULL), PP_OK);
     for (int i = 0; i < 2; i++) {

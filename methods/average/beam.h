@@ -15,8 +15,8 @@
  * The conventions are those of visible.h: what hides inside takes away, what hides
  * outside is told by its reflectance and exitance, the nearest counts.
  */
-#ifndef PP_METHODS_VIEW_BEAM_H
-#define PP_METHODS_VIEW_BEAM_H
+#ifndef PP_METHODS_AVERAGE_BEAM_H
+#define PP_METHODS_AVERAGE_BEAM_H
 
 #include "methods/view/fragments.h"
 #include "model/room/world.h"
@@ -29,6 +29,9 @@ struct pp_beam_space {
     double (*xy)[2];
     struct pp_fragment_ring *rings;
     double (*lights)[2]; /* reflectance and exitance of the rings */
+    /* Of rings to fragments in all looks so far, which is what they cost; beyond the most
+     * (0: no bound) a look ends, and its areas are none. */
+    long long visits, visits_most;
 };
 
 /* Parts of the opening in the face's plane, m2. */
@@ -50,6 +53,9 @@ void pp_beam_destroy(struct pp_beam *beam); /* NULL is allowed */
 enum pp_status pp_beam_areas(struct pp_beam_areas *areas, const struct pp_beam *beam,
                              struct pp_beam_space *space, struct pp_vec3 u,
                              struct pp_error *err);
+
+/* Have looks come to the bound of their cost? */
+bool pp_beam_space_is_spent(const struct pp_beam_space *space);
 
 void pp_beam_space_clear(struct pp_beam_space *space);
 

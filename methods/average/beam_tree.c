@@ -1,5 +1,5 @@
 /* beam_tree.c - halves the pieces along the longest extent of their middles. */
-#include "methods/view/beam_tree.h"
+#include "methods/average/beam_tree.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,10 +1,10 @@
 /* beam.c - projects what beam_pieces.c has clipped along a direction, and overlays it. */
-#include "methods/view/beam.h"
+#include "methods/average/beam.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "methods/view/beam_tree.h"
+#include "methods/average/beam_tree.h"
 #include "model/geometry/clip.h"
 
 enum pp_status pp_beam_create(struct pp_beam **made, const struct pp_world *world,
@@ -289,6 +289,11 @@ static double sum_areas(const struct pp_fragments *fragments)
     return sum;
 }
 
+bool pp_beam_space_is_spent(const struct pp_beam_space *space)
+{
+    return space->visits_most > 0 && space->visits > space->visits_most;
+}
+
 /* Takes what any obstruction hides out of the open part, until nothing is left. */
 static enum pp_status subtract_all(struct beam_look *look, struct pp_beam_space *space,
                                    struct pp_error *err)
@@ -297,8 +302,12 @@ static enum pp_status subtract_all(struct beam_look *look, struct pp_beam_space 
     enum pp_status status = PP_OK;
     int count = find_skylines(look, space->rings, space->xy, space->lights);
     do {
-        for (int i = 0; i < count && status == PP_OK; i++)
+        for (int i = 0; i < count && status == PP_OK; i++) {
+            space->visits += open->count;
             status = pp_fragments_subtract(open, &space->rings[i], err);
+        }
+        if (pp_beam_space_is_spent(space))
+            return status;
         const struct beam_node *leaf = open->count > 0 ? next_leaf(look) : NULL;
         if (status != PP_OK || !leaf)
             return status;
@@ -320,8 +329,11 @@ static enum pp_status cover_all(struct beam_look *look, struct pp_beam_space *sp
         find_skylines(look, space->rings + count,
                       space->xy + count * PP_FRAGMENT_CORNERS, space->lights + count);
     enum pp_status status = PP_OK;
-    for (int i = 0; i < count && status == PP_OK; i++)
+    for (int i = 0; i < count && status == PP_OK && !pp_beam_space_is_spent(space);
+         i++) {
+        space->visits += space->open.count;
         status = pp_fragments_cover(&space->open, space->rings, i, err);
+    }
     return status;
 }
 

@@ -1,9 +1,9 @@
 /* beam_pieces.h - what is clipped once for an opening and a working plane. For beam.c
  * only. */
-#ifndef PP_METHODS_VIEW_BEAM_PIECES_H
-#define PP_METHODS_VIEW_BEAM_PIECES_H
+#ifndef PP_METHODS_AVERAGE_BEAM_PIECES_H
+#define PP_METHODS_AVERAGE_BEAM_PIECES_H
 
-#include "methods/view/beam.h"
+#include "methods/average/beam.h"
 #include "model/geometry/projection.h"
 
 /* A convex polygon in the beam's axes: `count` corners from beam->corners[first] on. */

@@ -1,10 +1,10 @@
 /* beam_tree.h - the pieces outside by where they stand, so that one direction looks only at
  * those which may lie before the opening along it. For beam.c and beam_pieces.c only.
  */
-#ifndef PP_METHODS_VIEW_BEAM_TREE_H
-#define PP_METHODS_VIEW_BEAM_TREE_H
+#ifndef PP_METHODS_AVERAGE_BEAM_TREE_H
+#define PP_METHODS_AVERAGE_BEAM_TREE_H
 
-#include "methods/view/beam_pieces.h"
+#include "methods/average/beam_pieces.h"
 
 /* Neighbouring pieces, from `first` on, in a box of the beam's axes. A node is followed
  * by those within it, and these by node `next`. */

@@ -1,11 +1,11 @@
 /* beam_pieces.c - the opening's outlines, the working plane, and the surfaces before and
  * behind them, as convex pieces in the opening's own axes. */
-#include "methods/view/beam_pieces.h"
+#include "methods/average/beam_pieces.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "methods/view/beam_tree.h"
+#include "methods/average/beam_tree.h"
 #include "methods/view/occluders.h"
 #include "model/base/array.h"
 #include "model/geometry/clip.h"

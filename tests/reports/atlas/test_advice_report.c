@@ -1,0 +1,171 @@
+/* test_advice_report.c - advice that is made up, in words and as JSON: what it says is what is
+ * in it.
+ */
+#include "tests/lib/near.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "reports/atlas/advice_report.h"
+
+enum { POINTS = 6, WIDTH = 76 };
+
+static struct pp_receiver receivers[POINTS];
+static int indices[POINTS] = {0, 1, 2, 3, 4, 5};
+
+/* A method whose figures are a quarter low at all points, by its formula alone. */
+static struct pp_advice_item item_of(const char *column, double median)
+{
+    return (struct pp_advice_item){
+        .best = {.column = column,
+                 .entry = {.regime = {.ratio = {0.9 * median, median, 1.2 * median},
+                                      .rooms = 417},
+                           .formula = {1.1, 1.25, 1.5},
+                           .assumption = {0.97, 1.0, 1.03}}},
+        .others = {{.column = "exact+sphere",
+                    .entry = {.regime = {.ratio = {0.5, 0.8, 1.75}}}}},
+        .other_count = 1,
+        .points = indices,
+        .point_count = POINTS};
+}
+
+/* The advice in words, each line's start and end taken away; *widest: of its lines. */
+static char *words_of(const struct pp_advice *advice, size_t *widest)
+{
+    const struct pp_report report = {.receivers = receivers, .receiver_count = POINTS};
+    char *text = NULL, *line, *rest;
+    size_t length;
+    for (int i = 0; i < POINTS; i++)
+        receivers[i].position = pp_vec(1.5, 0.5 * (i + 1), 0.85);
+    FILE *out = open_memstream(&text, &length);
+    assert_non_null(out);
+    pp_advice_report(advice, &report, WIDTH, out);
+    fclose(out);
+    char *words = calloc(length + 2, 1);
+    assert_non_null(words);
+    *widest = 0;
+    for (line = strtok_r(text, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest)) {
+        *widest = strlen(line) > *widest ? strlen(line) : *widest;
+        strcat(words, line + strspn(line, " "));
+        strcat(words, " ");
+    }
+    free(text);
+    return words;
+}
+
+static void points_are_told_by_where_they_are(void **state)
+{
+    (void)state;
+    struct pp_advice_item items[] = {item_of("exact+bre", 1.25)};
+    size_t widest;
+    char *words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
+    assert_non_null(strstr(words, "For 6 points (1.5,0.5; 1.5,1; 1.5,1.5; ...; 1.5,3) "
+                                  "use exact+bre: in 417 rooms of the atlas"));
+    assert_true(widest <= WIDTH);
+    free(words);
+    items[0].point_count = 1;
+    words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
+    assert_non_null(strstr(words, "For 1 point (1.5,0.5) use"));
+    free(words);
+}
+
+/* What the figure is to be multiplied by is the middle of the truth over it. */
+static void a_bias_is_said_with_the_factor_that_takes_it_away(void **state)
+{
+    (void)state;
+    struct pp_advice_item items[] = {item_of("exact+bre", 1.25)};
+    size_t widest;
+    char *words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
+    assert_non_null(
+        strstr(words, "its figures are low there, and 1.25 times them is nearer"));
+    free(words);
+    items[0] = item_of("exact+bre", 0.8);
+    words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
+    assert_non_null(
+        strstr(words, "its figures are high there, and 0.80 times them is nearer"));
+    free(words);
+    items[0] = item_of("exact+bre", 1.02);
+    words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
+    assert_null(strstr(words, "times them"));
+    free(words);
+}
+
+static void formula_and_assumption_stand_apart_and_the_next_best_behind(void **state)
+{
+    (void)state;
+    struct pp_advice_item items[] = {item_of("exact+bre", 1.0)};
+    items[0].of_average = true;
+    size_t widest;
+    char *words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
+    assert_non_null(strstr(words, "For the average use exact+bre"));
+    assert_non_null(strstr(words, "0.90 to 1.20 times its figure in 95 %"));
+    assert_non_null(strstr(words, "the formula has 1.10 to 1.50"));
+    assert_non_null(strstr(words, "ground and surroundings 0.97 to 1.03"));
+    assert_non_null(strstr(words, "Next: exact+sphere 0.50 to 1.75"));
+    free(words);
+    items[0].best.entry.formula.low = NAN;
+    words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
+    assert_null(strstr(words, "the formula has"));
+    free(words);
+}
+
+static void where_there_is_none_it_says_why(void **state)
+{
+    (void)state;
+    struct pp_advice none = {.why_not = "the sky is not overcast"};
+    size_t widest;
+    char *words = words_of(&none, &widest);
+    assert_non_null(strstr(words, "the sky is not overcast"));
+    free(words);
+    struct json_object *object = json_object_new_object();
+    assert_true(pp_advice_report_json(object, &none));
+    assert_true(json_object_object_get_ex(object, "advice", NULL));
+    assert_null(json_object_object_get(object, "advice"));
+    assert_string_equal(
+        json_object_get_string(json_object_object_get(object, "no-advice")),
+        none.why_not);
+    json_object_put(object);
+}
+
+static double number_at(struct json_object *list, size_t index)
+{
+    return json_object_get_double(json_object_array_get_idx(list, index));
+}
+
+static void json_has_low_middle_and_high_of_each_ratio(void **state)
+{
+    (void)state;
+    struct pp_advice_item items[] = {item_of("exact+bre", 1.25)};
+    struct json_object *object = json_object_new_object(), *list, *ratio;
+    assert_true(
+        pp_advice_report_json(object, &(struct pp_advice){.items = items, .count = 1}));
+    assert_true(json_object_object_get_ex(object, "advice", &list));
+    assert_int_equal(json_object_array_length(list), 1);
+    struct json_object *one = json_object_array_get_idx(list, 0);
+    assert_string_equal(json_object_get_string(json_object_object_get(one, "use")),
+                        "exact+bre");
+    assert_int_equal(json_object_array_length(json_object_object_get(one, "points")),
+                     POINTS);
+    ratio = json_object_object_get(one, "ratio");
+    assert_near(number_at(ratio, 0), 1.125, 1e-12);
+    assert_near(number_at(ratio, 1), 1.25, 1e-12);
+    assert_near(number_at(ratio, 2), 1.5, 1e-12);
+    ratio =
+        json_object_object_get(json_object_object_get(one, "others"), "exact+sphere");
+    assert_near(number_at(ratio, 2), 1.75, 1e-12);
+    json_object_put(object);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_are_told_by_where_they_are),
+        cmocka_unit_test(a_bias_is_said_with_the_factor_that_takes_it_away),
+        cmocka_unit_test(formula_and_assumption_stand_apart_and_the_next_best_behind),
+        cmocka_unit_test(where_there_is_none_it_says_why),
+        cmocka_unit_test(json_has_low_middle_and_high_of_each_ratio),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
