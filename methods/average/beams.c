@@ -18,8 +18,8 @@ enum { FIRST = 1 << 9, MOST = 1 << 15 };
 
 enum { GLASSES = 4 }; /* of which means are kept */
 
-/* What the looks through an opening may cost: a few seconds. Before 100,000 leaves a single
- * one takes more than that, before as many triangles of a terrain all together less. */
+/* What the looks through an opening may cost: one to two seconds. Before a terrain of 100,000
+ * triangles 12,000 looks cost a 200th of that, before as many leaves 400 looks all of it. */
 static const long long visits_most = 200000000;
 
 struct pp_kept_beam {
