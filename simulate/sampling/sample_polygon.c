@@ -14,6 +14,18 @@ static const double LEAST_WEIGHT = 0.05;
  * by trial. */
 static const double NEAR_DIAGONALS = 0.6;
 
+/* The importance of a rectangle whose middle is nearer than this many of its diagonals is
+ * guessed by its solid angle: that of a long one is another near its end than at its
+ * middle. */
+static const double GUESSED_DIAGONALS = 1.0;
+
+/* An opening is chosen as if what it brings had this weight at least: the guess of it may be
+ * wrong. */
+static const double LEAST_CHOICE = 0.1;
+
+/* For that guess no point is nearer to its plane: it is above 0 for all that see it. */
+static const double LEAST_HEIGHT_M = 1e-3;
+
 /* Triangles of smaller solid angle are sampled by area: there Arvo's formulae lose
  * digits. */
 static const double SMALL_TRIANGLE_SR = 1e-3;
@@ -31,6 +43,11 @@ static double min2(double a, double b)
 static double height_over(const struct pp_target *target, struct pp_vec3 from)
 {
     return pp_vec_dot(target->normal, pp_vec_sub(from, target->middle));
+}
+
+static double diagonal_squared(const struct pp_target *target)
+{
+    return target->width_m * target->width_m + target->height_m * target->height_m;
 }
 
 static bool any_corner_before(const struct pp_target *target, struct pp_vec3 from,
@@ -68,6 +85,33 @@ static double receiver_weight(struct pp_vec3 v, double length, struct pp_vec3 n,
                         : brightness.ground);
 }
 
+/* Solid angle of the rectangle from the foot of a point to x and y on its plane, that point
+ * being so far off. */
+static double corner_solid_angle(double x, double y, double off)
+{
+    return atan2(x * y, off * sqrt(x * x + y * y + off * off));
+}
+
+/* What a rectangle may bring to a point so near to it that its middle says little: its
+ * solid angle, by the weight of its middle or of its nearest point. */
+static double importance_when_near(const struct pp_target *target, struct pp_vec3 from,
+                                   struct pp_vec3 n, struct pp_brightness brightness,
+                                   double middle_weight)
+{
+    struct pp_vec3 d = pp_vec_sub(target->corner, from);
+    double off = max2(height_over(target, from), LEAST_HEIGHT_M);
+    double x0 = pp_vec_dot(d, target->along), x1 = x0 + target->width_m;
+    double y0 = pp_vec_dot(d, target->up), y1 = y0 + target->height_m;
+    double x = max2(x0, min2(x1, 0.0)), y = max2(y0, min2(y1, 0.0));
+    double solid = corner_solid_angle(x1, y1, off) - corner_solid_angle(x0, y1, off)
+                   - corner_solid_angle(x1, y0, off) + corner_solid_angle(x0, y0, off);
+    struct pp_vec3 nearest =
+        pp_vec_along(pp_vec_along(pp_vec_scale(target->normal, -off), x, target->along),
+                     y, target->up);
+    double weight = receiver_weight(nearest, pp_vec_length(nearest), n, brightness);
+    return solid * max2(max2(weight, middle_weight), LEAST_CHOICE);
+}
+
 double pp_sample_polygon_importance(const struct pp_target *target, struct pp_vec3 from,
                                     struct pp_vec3 n, struct pp_brightness brightness)
 {
@@ -75,10 +119,14 @@ double pp_sample_polygon_importance(const struct pp_target *target, struct pp_ve
         return 0.0;
     struct pp_vec3 v = pp_vec_sub(target->middle, from);
     double square = pp_vec_dot(v, v), length = sqrt(square);
+    double weight = receiver_weight(v, length, n, brightness);
+    if (target->rectangle
+        && square < GUESSED_DIAGONALS * GUESSED_DIAGONALS * diagonal_squared(target))
+        return importance_when_near(target, from, n, brightness, weight);
     /* Between the far field and the half space that a near opening fills. */
     double slant = height_over(target, from) / length;
     double solid = target->area_m2 * max2(slant, 0.05) / (square + target->area_m2);
-    return solid * max2(receiver_weight(v, length, n, brightness), 0.1);
+    return solid * max2(weight, LEAST_CHOICE);
 }
 
 static struct pp_vec3 rectangle_point(const struct pp_target *target, double x,
@@ -140,11 +188,9 @@ static void rectangle_init(struct pp_polygon_sampler *sampler)
     sampler->y1 = sampler->y0 + target->height_m;
 
     double z2 = sampler->distance_m * sampler->distance_m;
-    double diagonal2 =
-        target->width_m * target->width_m + target->height_m * target->height_m;
     sampler->by_area = near_square(sampler->x0, sampler->x1)
                            + near_square(sampler->y0, sampler->y1) + z2
-                       > NEAR_DIAGONALS * NEAR_DIAGONALS * diagonal2;
+                       > NEAR_DIAGONALS * NEAR_DIAGONALS * diagonal_squared(target);
     if (sampler->by_area)
         return;
     sampler->b0 = -sampler->y0 / sqrt(sampler->y0 * sampler->y0 + z2);

@@ -106,6 +106,29 @@ static void a_rectangle_has_its_solid_angle_from_anywhere(void **state)
     }
 }
 
+/* A window 9 m long, from before its middle to past its end, near and far: the guess of what it
+ * brings is right to a factor of 4. By the direction to its middle alone it is 40 times too
+ * low near the end. */
+static void a_long_window_is_guessed_at_near_its_end(void **state)
+{
+    (void)state;
+    const struct pp_brightness even = {.ground = 1.0, .gradation = 0.0};
+    struct pp_target target = window(0.0, 0.9, 9.0, 0.6);
+    struct pp_vec3 corners[4] = {
+        {0.0, 0, 0.9}, {9.0, 0, 0.9}, {9.0, 0, 1.5}, {0.0, 0, 1.5}};
+    struct pp_vec3 n = {0.0, -1.0, 0.0};
+    double low = 1e9, high = 0.0;
+    for (double x = 4.5; x < 9.6; x += 0.3)
+        for (double y = 0.05; y < 5.0; y *= 2.0) {
+            struct pp_vec3 p = {x, y, 1.1};
+            double guess = pp_sample_polygon_importance(&target, p, n, even);
+            double ratio = guess / lambert(corners, 4, p, n);
+            low = fmin(low, ratio);
+            high = fmax(high, ratio);
+        }
+    assert_true(low > 0.25 && high < 4.0);
+}
+
 static void a_polygon_has_its_configuration_factor(void **state)
 {
     (void)state;
@@ -204,6 +227,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rectangle_has_its_solid_angle_from_anywhere),
+        cmocka_unit_test(a_long_window_is_guessed_at_near_its_end),
         cmocka_unit_test(a_polygon_has_its_configuration_factor),
         cmocka_unit_test(density_is_right_in_every_part_of_a_rectangle),
         cmocka_unit_test(the_guess_makes_a_few_directions_enough),
