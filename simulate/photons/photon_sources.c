@@ -198,7 +198,7 @@ static void share(struct pp_photon_sources *sources, const struct pp_light_scene
         source->chance = source->power / sources->power;
         source->limit = pp_photon_sources_limit(source->area_m2, source->chance);
     }
-    sources->all_seen = scene->convex && !pp_convex_room_has_niches(scene->convex);
+    sources->all_seen = scene->convex && !scene->has_niches;
     double area = area_inside(scene);
     sources->limit = area > 0.0 ? SURFACE_LIMIT * PP_PI / area : INFINITY;
 }

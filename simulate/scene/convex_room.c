@@ -11,6 +11,9 @@
 /* Points nearer than this to a plane lie in it. */
 static const double SAME_PLANE_M = 1e-7;
 
+/* And those nearer than this are in the room as well as in the plane: rounding. */
+static const double IN_PLANE_M = 1e-9;
+
 /* A ray may start so far behind a plane: in a corner it is rounding. */
 static const double BEHIND_M = 1e-5;
 
@@ -53,6 +56,32 @@ bool pp_convex_room_is(const struct pp_world *world)
             if (!all_before(&world->surfaces[k].outline, &world->surfaces[i].outline))
                 return false;
     return world->face_count > 0;
+}
+
+/* The mouth of an opening's niche lies in the face, before the pane. */
+static struct pp_target mouth_of(const struct pp_pane *pane)
+{
+    struct pp_target mouth = pane->target;
+    double depth_m = pane->opening->reveal_m;
+    mouth.corner = pp_vec_along(mouth.corner, depth_m, mouth.normal);
+    mouth.middle = pp_vec_along(mouth.middle, depth_m, mouth.normal);
+    return mouth;
+}
+
+void pp_convex_room_find_niches(struct pp_light_scene *scene)
+{
+    const struct pp_world *world = scene->world;
+    for (int i = world->face_count; i < world->surface_count; i++) {
+        const struct pp_surface *side = &world->surfaces[i];
+        if (side->role != PP_REVEAL || !world->openings[side->owner].rectangle)
+            continue;
+        struct pp_pane *pane = &scene->panes[side->owner];
+        double x = pp_vec_dot(side->outline.normal, pane->target.along);
+        double y = pp_vec_dot(side->outline.normal, pane->target.up);
+        pane->sides[x > 0.5 ? 0 : x < -0.5 ? 1 : y > 0.5 ? 2 : 3] = i;
+        pane->mouth = mouth_of(pane);
+        scene->parts[i].niche = side->owner;
+    }
 }
 
 static bool has_plane_twice(const struct pp_world *world)
@@ -112,12 +141,14 @@ void pp_convex_room_destroy(struct pp_convex_room *room)
     free(room);
 }
 
-bool pp_convex_room_has_niches(const struct pp_convex_room *room)
+bool pp_convex_room_encloses(const struct pp_convex_room *room, struct pp_vec3 point)
 {
-    for (int i = 0; i < room->plane_count; i++)
-        if (room->planes[i].niches)
-            return true;
-    return false;
+    for (int i = 0; i < room->plane_count; i++) {
+        const struct convex_plane *plane = &room->planes[i];
+        if (pp_vec_dot(plane->normal, point) - plane->offset_m < -IN_PLANE_M)
+            return false;
+    }
+    return true;
 }
 
 static bool in_triangle(const struct pp_vec3 t[3], struct pp_vec3 normal,
@@ -248,19 +279,51 @@ bool pp_convex_room_nearest(const struct pp_convex_room *room, struct pp_vec3 fr
                                                                 nearest);
 }
 
-/* Moves the point, where a ray has come to the mouth of a pane's niche, to the pane, if
- * the ray meets that; else it is a side of the niche's, or not known. */
-static bool reaches_pane(const struct pp_pane *pane, struct pp_vec3 to,
-                         double *distance_m, struct pp_vec3 *point)
+/* How far it is from x to the sides of an interval from 0 to `width`, for `step` in every
+ * metre of a ray; *high: to that side? */
+static double to_side(double x, double width, double step, bool *high)
 {
-    double depth_m = pane->opening->reveal_m;
-    double further_m = depth_m / -pp_vec_dot(pane->target.normal, to);
-    struct pp_vec3 there = pp_vec_along(*point, further_m, to);
-    if (!pane->target.rectangle || !in_target(&pane->target, there))
-        return false;
+    *high = step > 0.0;
+    return step == 0.0 ? INFINITY : (*high ? width - x : -x) / step;
+}
+
+int pp_convex_room_behind_mouth(const struct pp_pane *pane, struct pp_vec3 at,
+                                struct pp_vec3 to, double *further_m)
+{
+    const struct pp_target *mouth = &pane->mouth;
+    struct pp_vec3 in = pp_vec_sub(at, mouth->corner);
+    bool right, top;
+    double x_m = to_side(pp_vec_dot(in, mouth->along), mouth->width_m,
+                         pp_vec_dot(to, mouth->along), &right);
+    double y_m = to_side(pp_vec_dot(in, mouth->up), mouth->height_m,
+                         pp_vec_dot(to, mouth->up), &top);
+    double pane_m = pane->opening->reveal_m / -pp_vec_dot(mouth->normal, to);
+    *further_m = pane_m;
+    if (pane_m < x_m && pane_m < y_m)
+        return pane->part;
+    *further_m = fmax(0.0, fmin(x_m, y_m));
+    return x_m < y_m ? pane->sides[right] : pane->sides[2 + top];
+}
+
+/* The point brought to the plane that it lies in but for rounding. */
+static struct pp_vec3 on_plane(struct pp_vec3 normal, double offset_m,
+                               struct pp_vec3 point)
+{
+    return pp_vec_along(point, offset_m - pp_vec_dot(normal, point), normal);
+}
+
+/* The part that a ray meets which has come to a point of the mouth of a niche; moves the
+ * point there. */
+static int go_in(const struct pp_light_scene *scene, const struct pp_pane *pane,
+                 struct pp_vec3 to, double *distance_m, struct pp_vec3 *point)
+{
+    double further_m;
+    int met = pp_convex_room_behind_mouth(pane, *point, to, &further_m);
+    const struct pp_light_part *part = &scene->parts[met];
     *distance_m += further_m;
-    *point = there;
-    return true;
+    *point =
+        on_plane(part->normal, part->offset_m, pp_vec_along(*point, further_m, to));
+    return met;
 }
 
 int pp_convex_room_meet(const struct pp_convex_room *room,
@@ -274,16 +337,17 @@ int pp_convex_room_meet(const struct pp_convex_room *room,
         return -1;
     const struct convex_plane *plane = &room->planes[nearest.plane];
     *distance_m = nearest.distance_m;
-    struct pp_vec3 near = pp_vec_along(ray->from, *distance_m, ray->to);
-    *point = pp_vec_along(near, plane->offset_m - pp_vec_dot(plane->normal, near),
-                          plane->normal);
+    *point = on_plane(plane->normal, plane->offset_m,
+                      pp_vec_along(ray->from, *distance_m, ray->to));
     for (int i = plane->first; i < plane->first + plane->count; i++) {
         const struct pp_pane *pane = &scene->panes[room->panes[i]];
-        if (in_target(&pane->target, *point))
-            return !(pane->opening->reveal_m > 0.0)
-                           || reaches_pane(pane, ray->to, distance_m, point)
-                       ? pane->part
-                       : -1;
+        if (!in_target(&pane->target, *point))
+            continue;
+        if (!(pane->opening->reveal_m > 0.0))
+            return pane->part;
+        return pp_convex_room_has_niche(pane)
+                   ? go_in(scene, pane, ray->to, distance_m, point)
+                   : -1;
     }
     return plane->part;
 }

@@ -5,9 +5,9 @@
  * multiplications do what the ray kernels do for any scene, in double precision.
  *
  * The depth of an opening with a reveal, a niche, is no part of the room meant here: its
- * mouth lies in the face. A ray that passes a rectangular mouth ends on the pane, if that
- * has what lies straight behind; of the niche's sides, and of rays that start in a niche,
- * the kernels know.
+ * mouth lies in the face. A ray that passes a rectangular mouth ends on the pane or on one
+ * of the niche's four sides; of other niches' sides, and of rays that start in a niche, the
+ * kernels know.
  */
 #ifndef PP_SIMULATE_SCENE_CONVEX_ROOM_H
 #define PP_SIMULATE_SCENE_CONVEX_ROOM_H
@@ -15,6 +15,7 @@
 #include "model/base/error.h"
 #include "simulate/sampling/lanes.h"
 #include "simulate/scene/light_scene.h"
+#include "simulate/scene/openings.h"
 
 struct pp_convex_room;
 struct pp_world;
@@ -23,6 +24,20 @@ struct pp_world;
  * vertex lies behind the plane of a face. */
 bool pp_convex_room_is(const struct pp_world *world);
 
+/* Gives the sides of every niche that is a box to its pane, and the other way round. Once
+ * the scene's parts and panes are there; in any room. */
+void pp_convex_room_find_niches(struct pp_light_scene *scene);
+
+static inline bool pp_convex_room_has_niche(const struct pp_pane *pane)
+{
+    return pane->sides[0] >= 0;
+}
+
+/* The part that a ray meets, in direction `to`, which comes in by the mouth of the pane's
+ * niche at that point, and how much further. */
+int pp_convex_room_behind_mouth(const struct pp_pane *pane, struct pp_vec3 at,
+                                struct pp_vec3 to, double *further_m);
+
 /* Once the scene's parts and panes are there. On success *room is the caller's; NULL
  * where the scene's world is no such room, or has two faces in one plane. */
 enum pp_status pp_convex_room_create(struct pp_convex_room **room,
@@ -30,8 +45,8 @@ enum pp_status pp_convex_room_create(struct pp_convex_room **room,
                                      struct pp_error *err);
 void pp_convex_room_destroy(struct pp_convex_room *room); /* NULL is allowed */
 
-/* Has an opening of the room a reveal? */
-bool pp_convex_room_has_niches(const struct pp_convex_room *room);
+/* Is the point in the room, and not in a niche? */
+bool pp_convex_room_encloses(const struct pp_convex_room *room, struct pp_vec3 point);
 
 /* The plane that a ray comes to first, by its index, and how far off; -1: none, or the
  * ray starts outside, or in a niche or near its mouth. */
@@ -49,8 +64,8 @@ bool pp_convex_room_nearest(const struct pp_convex_room *room, struct pp_vec3 fr
 
 /* The part that a ray which runs indoors meets, and its distance. *point: where it meets
  * the part's plane. -1 where that is left to the kernels: the ray starts outside or in a
- * niche, or ends on a niche's side. known: the nearest plane
- * of this ray; NULL: to be found. */
+ * niche, or comes into one that is no box. known: the nearest plane of this ray; NULL: to
+ * be found. */
 int pp_convex_room_meet(const struct pp_convex_room *room,
                         const struct pp_light_scene *scene,
                         const struct pp_light_ray *ray,

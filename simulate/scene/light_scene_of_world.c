@@ -41,6 +41,7 @@ static struct pp_light_part part_of(const struct pp_light_scene *scene, int inde
                                  .tag = index,
                                  .round = -1,
                                  .window = -1,
+                                 .niche = -1,
                                  .emitter = {-1, -1},
                                  .mirror = -1,
                                  .reflector = {-1, -1}};
@@ -101,6 +102,8 @@ static enum pp_status add_triangles(struct pp_light_scene *scene,
         scene->plane_area_m2 += pp_triangle_area(scene->plane[i]);
     if (status == PP_OK)
         status = pp_openings_find(scene, list, first_pane, err);
+    if (status == PP_OK)
+        pp_convex_room_find_niches(scene);
     if (status == PP_OK)
         status = pp_reflectors_find(scene, err);
     if (status == PP_OK)

@@ -22,11 +22,12 @@ struct pp_light_part {
     double area_m2;        /* of a plane part */
     int material[2];       /* of front and back */
     int tag;
-    int round;              /* which of the round shapes; -1: plane */
-    int window;             /* whose pane; -1: none */
-    int emitter[2];         /* of front and back; -1: not a concentrated emitter */
-    int mirror;             /* in whose plane it mirrors; -1: none */
-    int reflector[2];       /* of front and back; -1: none */
+    int round;        /* which of the round shapes; -1: plane */
+    int window;       /* whose pane; -1: none */
+    int niche;        /* of which rectangular opening's it is a side; -1: of none */
+    int emitter[2];   /* of front and back; -1: not a concentrated emitter */
+    int mirror;       /* in whose plane it mirrors; -1: none */
+    int reflector[2]; /* of front and back; -1: none */
     unsigned char space[2]; /* enum pp_space of rays that leave front and back */
     bool envelope;          /* of a room: its back is not seen from inside */
     bool back_emits;
@@ -42,6 +43,7 @@ struct pp_light_scene {
     double size_m;                /* greatest coordinate of the room */
     struct pp_pane *panes;
     int pane_count;
+    bool has_niches; /* has one of them a reveal? */
     struct pp_vec3 (*pane_triangles)[3];
     struct pp_vec3 (*plane)[3]; /* the working plane's triangles */
     int plane_count;

@@ -78,7 +78,8 @@ enum pp_status pp_openings_find(struct pp_light_scene *scene,
     const struct pp_world *world = scene->world;
     size_t own = (size_t)(triangles->count - first);
     bool convex = world->opening_count > 0 && pp_convex_room_is(world);
-    bool seen_by_all = convex && !has_reveals(world);
+    scene->has_niches = has_reveals(world);
+    bool seen_by_all = convex && !scene->has_niches;
     scene->panes = calloc((size_t)world->opening_count + 1, sizeof *scene->panes);
     scene->pane_triangles = calloc(own + 1, sizeof *scene->pane_triangles);
     if (!scene->panes || !scene->pane_triangles)
@@ -91,7 +92,9 @@ enum pp_status pp_openings_find(struct pp_light_scene *scene,
                              .opening = opening,
                              .part = world->surface_count + i,
                              .seen_by_all = seen_by_all,
-                             .unobstructed = is_unobstructed(world, opening)};
+                             .unobstructed = is_unobstructed(world, opening),
+                             .sides = {-1, -1, -1, -1}};
+        scene->panes[i].mouth = scene->panes[i].target;
     }
     if (own > 0)
         memcpy(scene->pane_triangles, triangles->corners + first,
@@ -106,19 +109,19 @@ enum pp_status pp_openings_find(struct pp_light_scene *scene,
     return PP_OK;
 }
 
-/* The point of a surface for which a pane is chosen. */
+/* The openings that a viewer chooses among. */
 struct pane_choice {
     const struct pp_light_scene *scene;
-    struct pp_brightness brightness;
-    struct pp_vec3 point, normal;
+    const struct pp_openings_viewer *viewer;
 };
 
 static double importance_of(const void *of, int pane)
 {
     const struct pane_choice *choice = of;
-    return pp_sample_polygon_importance(&choice->scene->panes[pane].target,
-                                        choice->point, choice->normal,
-                                        choice->brightness);
+    const struct pp_openings_viewer *viewer = choice->viewer;
+    return pp_sample_polygon_importance(
+        pp_openings_aim(&choice->scene->panes[pane], viewer->mouths), viewer->point,
+        viewer->normal, viewer->brightness);
 }
 
 static double kept(const void *shares, int pane)
@@ -129,27 +132,29 @@ static double kept(const void *shares, int pane)
 static void find_shares(struct pp_openings_shares *shares,
                         const struct pane_choice *choice)
 {
-    struct pp_vec3 moved = pp_vec_sub(shares->point, choice->point);
-    struct pp_vec3 turned = pp_vec_sub(shares->normal, choice->normal);
-    if (pp_vec_dot(moved, moved) == 0.0 && pp_vec_dot(turned, turned) == 0.0)
+    const struct pp_openings_viewer *viewer = choice->viewer;
+    struct pp_vec3 moved = pp_vec_sub(shares->point, viewer->point);
+    struct pp_vec3 turned = pp_vec_sub(shares->normal, viewer->normal);
+    if (pp_vec_dot(moved, moved) == 0.0 && pp_vec_dot(turned, turned) == 0.0
+        && shares->mouths == viewer->mouths)
         return;
-    shares->point = choice->point;
-    shares->normal = choice->normal;
+    shares->point = viewer->point;
+    shares->normal = viewer->normal;
+    shares->mouths = viewer->mouths;
     for (int i = 0; i < choice->scene->pane_count; i++)
         shares->of[i] = importance_of(choice, i);
 }
 
 int pp_openings_choose(const struct pp_light_scene *scene,
-                       struct pp_brightness brightness, struct pp_vec3 point,
-                       struct pp_vec3 normal, struct pp_openings_shares *shares,
-                       double u, double *probability)
+                       const struct pp_openings_viewer *viewer,
+                       struct pp_openings_shares *shares, double u, double *probability)
 {
     if (scene->pane_count == 1) {
+        const struct pp_target *aim = pp_openings_aim(&scene->panes[0], viewer->mouths);
         *probability = 1.0;
-        return pp_sample_polygon_in_sight(&scene->panes[0].target, point, normal) ? 0
-                                                                                  : -1;
+        return pp_sample_polygon_in_sight(aim, viewer->point, viewer->normal) ? 0 : -1;
     }
-    struct pane_choice choice = {scene, brightness, point, normal};
+    struct pane_choice choice = {scene, viewer};
     if (scene->pane_count > PP_OPENINGS_KEPT)
         return pp_choose(importance_of, &choice, scene->pane_count, u, probability);
     find_shares(shares, &choice);

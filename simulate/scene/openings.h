@@ -10,14 +10,26 @@
 #include "simulate/scene/light_scene.h"
 #include "simulate/scene/triangles.h"
 
+enum { PP_PANE_SIDES = 4 };
+
 /* An opening, with facts that save rays. */
 struct pp_pane {
     struct pp_target target;
+    struct pp_target mouth;   /* of its niche, in the face; else as the target */
+    int sides[PP_PANE_SIDES]; /* parts: of the niche of a rectangle, where their normals
+                               * are along, -along, up and -up; -1: it has none */
     const struct pp_opening *opening; /* not owned */
     int part;
     bool seen_by_all;  /* no surface can stand between it and a point in the room */
     bool unobstructed; /* a ray that leaves by it meets no surface any more */
 };
+
+/* What directions to an opening are sampled to. */
+static inline const struct pp_target *pp_openings_aim(const struct pp_pane *pane,
+                                                      bool mouths)
+{
+    return mouths ? &pane->mouth : &pane->target;
+}
 
 /* Fills scene->panes from scene->world; triangles: those of all parts, with the
  * openings' own from `first` on. */
@@ -31,16 +43,24 @@ enum { PP_OPENINGS_KEPT = 16 };
 
 struct pp_openings_shares {
     struct pp_vec3 point, normal; /* whose they are; a normal of no length: nobody's */
+    bool mouths;
     double of[PP_OPENINGS_KEPT];
 };
 
-/* The opening that u in [0, 1) falls to, in proportion to what each may bring to that
- * side of a surface, and its probability; -1: none can bring anything. shares: of one
- * scene and brightness, at first all zero. */
+/* Who looks at openings, and at what of them. */
+struct pp_openings_viewer {
+    struct pp_brightness brightness; /* outside, as it is guessed */
+    struct pp_vec3 point, normal;    /* of one side of a surface */
+    bool mouths;                     /* mouths of niches, or panes */
+};
+
+/* The opening that u in [0, 1) falls to, in proportion to what each may bring to the
+ * viewer, and its probability; -1: none can bring anything. shares: of one scene and
+ * brightness, at first all zero. */
 int pp_openings_choose(const struct pp_light_scene *scene,
-                       struct pp_brightness brightness, struct pp_vec3 point,
-                       struct pp_vec3 normal, struct pp_openings_shares *shares,
-                       double u, double *probability);
+                       const struct pp_openings_viewer *viewer,
+                       struct pp_openings_shares *shares, double u,
+                       double *probability);
 
 /* The angular size of an opening from a point: the root of its area over its
  * distance. */

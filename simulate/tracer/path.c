@@ -34,6 +34,14 @@ static const double GOING_ON = 0.6;
  * over the arms that leave together: it may be wrong there. */
 static const double LEAST_SHARE = 0.5;
 
+/* NULL where no niche is known. */
+static const struct pp_niche_light *niches_of(const struct pp_radiosity *radiosity)
+{
+    return radiosity && radiosity->scene->convex && radiosity->scene->has_niches
+               ? &radiosity->niches
+               : NULL;
+}
+
 struct pp_path_state pp_path_state(const struct pp_light_scene *scene,
                                    const struct pp_environment *environment,
                                    const struct pp_radiosity *radiosity)
@@ -41,7 +49,8 @@ struct pp_path_state pp_path_state(const struct pp_light_scene *scene,
     return (struct pp_path_state){.light = {.scene = scene,
                                             .environment = environment,
                                             .options = pp_radiance_state_defaults()},
-                                  .radiosity = radiosity};
+                                  .radiosity = radiosity,
+                                  .niches = niches_of(radiosity)};
 }
 
 /* The point, where the random numbers of `vertex` begin with two for a direction. */
@@ -91,6 +100,23 @@ static struct pp_light_path path_of(const struct pp_path_state *state,
                                   .vertex = vertex};
 }
 
+/* The light of niches that next-event estimation at that point of the room has; NULL: none. */
+static const struct pp_niche_light *niches_from(const struct pp_path_state *state,
+                                                struct pp_vec3 point)
+{
+    const struct pp_light_scene *scene = state->light.scene;
+    return state->niches && pp_convex_room_encloses(scene->convex, point)
+               ? state->niches
+               : NULL;
+}
+
+bool pp_path_is_brought(const struct pp_path_state *state, struct pp_vec3 from,
+                        const struct pp_light_hit *met)
+{
+    return state->niches && state->light.scene->parts[met->part].niche >= 0
+           && niches_from(state, from);
+}
+
 struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
                                          struct pp_vec3 point, struct pp_vec3 normal,
                                          int vertex, uint32_t directions)
@@ -101,7 +127,8 @@ struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
                                        .space = PP_INDOORS,
                                        .diffuse = pp_rgb_grey(PP_PI),
                                        .vertex = vertex,
-                                       .directions = directions};
+                                       .directions = directions,
+                                       .niches = niches_from(state, point)};
     pp_light_path_windows(&state->light, &shading, &e);
     return e;
 }
@@ -132,12 +159,13 @@ static double radiosity_at(const struct pp_path_state *state,
                             : 0.0;
 }
 
-/* G where the ray has come, if that is a surface. */
+/* G where the ray has come, if that is a surface and wants to be gathered. */
 static double gathered(struct pp_path_state *state, const struct pp_light_ray *ray,
                        const struct pp_convex_nearest *nearest)
 {
     struct pp_light_hit met;
-    if (pp_radiance_state_meet_by(&state->light, ray, nearest, &met) != PP_MEETS_PART)
+    if (pp_radiance_state_meet_by(&state->light, ray, nearest, &met) != PP_MEETS_PART
+        || pp_path_is_brought(state, ray->from, &met))
         return 0.0;
     return radiosity_at(state, &met);
 }
@@ -286,7 +314,8 @@ static bool spread(struct pp_path_state *state, const struct path_fan *fan, int 
             || !(next->throughput > 0.0))
             continue;
         next->importance = next->throughput * radiosity_at(state, &next->met);
-        if (fan->gathers || !next->at_once)
+        if (!next->at_once
+            || (fan->gathers && !pp_path_is_brought(state, fan->from, &next->met)))
             *sum += next->importance;
         count++;
     }

@@ -45,6 +45,14 @@ double pp_radiosity_at(const struct pp_radiosity *radiosity,
     return below + t * (over - below);
 }
 
+double pp_radiosity_of_side(void *radiosity, const struct pp_light_hit *side,
+                            double worth)
+{
+    (void)worth;
+    const struct pp_radiosity *solution = radiosity;
+    return pp_radiosity_at(solution, solution->scene, side);
+}
+
 int pp_radiosity_nearest(const struct pp_radiosity *radiosity,
                          const struct pp_light_scene *scene,
                          const struct pp_light_hit *hit)

@@ -10,6 +10,7 @@
 #define PP_SIMULATE_TRACER_RADIOSITY_H
 
 #include "simulate/scene/light_scene.h"
+#include "simulate/transport/niche_light.h"
 
 /* The patches of one side of a part, in a grid; a patch's value stands at its
  * centre. */
@@ -24,6 +25,8 @@ struct pp_radiosity {
     struct pp_radiosity_grid (*grids)[2]; /* by part and side */
     double *values;                       /* exitance over Eh */
     int count;
+    const struct pp_light_scene *scene; /* not owned */
+    struct pp_niche_light niches;       /* of the sides of niches, by these values */
 };
 
 void pp_radiosity_destroy(struct pp_radiosity *radiosity); /* NULL is allowed */
@@ -32,6 +35,10 @@ void pp_radiosity_destroy(struct pp_radiosity *radiosity); /* NULL is allowed */
 double pp_radiosity_at(const struct pp_radiosity *radiosity,
                        const struct pp_light_scene *scene,
                        const struct pp_light_hit *hit);
+
+/* The same as a niche's light: `radiosity` is that solution. */
+double pp_radiosity_of_side(void *radiosity, const struct pp_light_hit *side,
+                            double worth);
 
 /* The number of the patch nearest to the hit; -1 where there are none. */
 int pp_radiosity_nearest(const struct pp_radiosity *radiosity,

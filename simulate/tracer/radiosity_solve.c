@@ -27,10 +27,13 @@ struct radiosity_patch {
     struct pp_vec3 point;
     int part;
     bool back;
-    bool in_figure;         /* is the centre in the surface's outline? */
-    double own;             /* exitance without exchange: M + rho E */
-    double exchanged;       /* and what comes by that, before it is smoothed */
-    int seen[LOBE_SAMPLES]; /* patches that its rays meet; -1: none */
+    bool in_figure;                /* is the centre in the surface's outline? */
+    double own;                    /* exitance without exchange: M + rho E */
+    double exchanged;              /* and what comes by that, before it is smoothed */
+    int seen[LOBE_SAMPLES];        /* patches that its rays meet; -1: none */
+    int sides[OPENING_SAMPLES];    /* those of niches that directions to mouths meet, */
+    double worth[OPENING_SAMPLES]; /* and what of their exitance the patch gets */
+    int side_count;
 };
 
 static bool in_polygon(const struct pp_polygon *polygon,
@@ -138,6 +141,23 @@ static const struct pp_material *material_of(const struct pp_light_scene *scene,
     return &scene->materials[scene->parts[patch->part].material[patch->back]];
 }
 
+/* A patch that notes the sides of niches that it sees. */
+struct noting {
+    struct radiosity_patch *patch;
+    const struct pp_radiosity *radiosity;
+};
+
+/* Nothing yet: what they give off is worked out by the exchange. */
+static double note_side(void *of, const struct pp_light_hit *side, double worth)
+{
+    const struct noting *noting = of;
+    struct radiosity_patch *patch = noting->patch;
+    patch->sides[patch->side_count] =
+        pp_radiosity_nearest(noting->radiosity, noting->radiosity->scene, side);
+    patch->worth[patch->side_count++] = worth;
+    return 0.0;
+}
+
 /* The irradiance of the patch by the openings, and the patches that its rays meet. */
 static void light_patch(struct radiosity_patch *patch,
                         const struct pp_radiosity *radiosity,
@@ -146,6 +166,10 @@ static void light_patch(struct radiosity_patch *patch,
                         const struct pp_sobol *sobol, uint64_t seed)
 {
     struct pp_path_state state = pp_path_state(scene, environment, NULL);
+    struct noting noting = {patch, radiosity};
+    const struct pp_niche_light niches = {note_side, &noting};
+    if (scene->convex && scene->has_niches)
+        state.niches = &niches;
     pp_sobol_sequence_init(&state.light.sequence, sobol, seed);
     const struct pp_light_part *part = &scene->parts[patch->part];
     const struct pp_material *material = material_of(scene, patch);
@@ -162,10 +186,23 @@ static void light_patch(struct radiosity_patch *patch,
             patch->point, n, pp_lobe_sample_in_frame(part->a, part->b, n, u[0], u[1]),
             PP_INDOORS};
         enum pp_meeting meeting = pp_radiance_state_meet(&state.light, &ray, &met);
-        patch->seen[i] = meeting == PP_MEETS_PART
-                             ? pp_radiosity_nearest(radiosity, scene, &met)
-                             : -1;
+        patch->seen[i] =
+            meeting == PP_MEETS_PART && !pp_path_is_brought(&state, patch->point, &met)
+                ? pp_radiosity_nearest(radiosity, scene, &met)
+                : -1;
     }
+}
+
+/* The irradiance of the patch by other patches, per exitance as `values`. */
+static double exchanged(const struct radiosity_patch *patch, const double *values)
+{
+    double sum = 0.0, sides = 0.0;
+    for (int k = 0; k < LOBE_SAMPLES; k++)
+        if (patch->seen[k] >= 0)
+            sum += values[patch->seen[k]];
+    for (int k = 0; k < patch->side_count; k++)
+        sides += patch->worth[k] * values[patch->sides[k]];
+    return sum / LOBE_SAMPLES + sides;
 }
 
 /* Gauss-Seidel iteration: each patch gathers from those that its rays meet, in turn,
@@ -179,12 +216,9 @@ static void exchange(double *values, const struct radiosity_patch *patches, int 
     for (int sweep = 0; sweep < MOST_SWEEPS && change > 1e-4 * total; sweep++) {
         change = total = 0.0;
         for (int i = 0; i < count; i++) {
-            double sum = 0.0;
-            for (int k = 0; k < LOBE_SAMPLES; k++)
-                if (patches[i].seen[k] >= 0)
-                    sum += values[patches[i].seen[k]];
             double reflectance = material_of(scene, &patches[i])->diffuse.g;
-            double value = patches[i].own + reflectance * sum / LOBE_SAMPLES;
+            double value =
+                patches[i].own + reflectance * exchanged(&patches[i], values);
             change += fabs(value - values[i]);
             total += value;
             values[i] = value;
@@ -317,6 +351,8 @@ enum pp_status pp_radiosity_solve(struct pp_radiosity **result,
     struct pp_radiosity *radiosity = calloc(1, sizeof *radiosity);
     if (!radiosity)
         return pp_fail_memory(err);
+    radiosity->scene = scene;
+    radiosity->niches = (struct pp_niche_light){pp_radiosity_of_side, radiosity};
     radiosity->grids = calloc((size_t)scene->part_count, sizeof *radiosity->grids);
     struct radiosity_patch *patches = NULL;
     if (radiosity->grids) {

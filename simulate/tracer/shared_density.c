@@ -119,7 +119,7 @@ enum pp_status pp_shared_density_create(struct pp_shared_density **result,
                                         struct pp_error *err)
 {
     *result = NULL;
-    if (!radiosity || !scene->convex || pp_convex_room_has_niches(scene->convex))
+    if (!radiosity || !scene->convex || scene->has_niches)
         return PP_OK;
     struct pp_shared_density *density = calloc(1, sizeof *density);
     if (!density)

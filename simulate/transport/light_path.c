@@ -110,6 +110,15 @@ static void add_images(struct pp_radiance_state *state,
     sum->rest = pp_rgb_add(sum->rest, pp_rgb_times(sample.weight, light));
 }
 
+/* The light of a niche's side, which is diffuse. */
+static void add_side(const struct pp_niche_light *niches,
+                     const struct pp_window_sample *sample, struct pp_rgb *sum)
+{
+    struct pp_rgb worth = pp_rgb_scale(sample->weight, 1.0 / PP_PI);
+    double exitance = niches->exitance(niches->of, &sample->side, worth.g);
+    *sum = pp_rgb_along(*sum, exitance, worth);
+}
+
 void pp_light_path_windows(struct pp_radiance_state *state,
                            const struct pp_shading_point *shading,
                            struct pp_irradiance *sum)
@@ -119,6 +128,10 @@ void pp_light_path_windows(struct pp_radiance_state *state,
     pp_light_windows_begin(state, shading, &sampling);
     while (pp_light_windows_next(state, &sampling, &sample)) {
         enum pp_first_met first_met;
+        if (sample.on_side) {
+            add_side(shading->niches, &sample, &sum->rest);
+            continue;
+        }
         struct pp_rgb light = light_outside(state, shading, &sample, &first_met);
         struct pp_rgb *part = first_met == PP_MET_SKY      ? &sum->sky
                               : first_met == PP_MET_INSIDE ? &sum->rest

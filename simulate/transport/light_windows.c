@@ -33,7 +33,8 @@ static bool is_made_for(const struct pp_polygon_sampler *sampler,
 static const struct pp_polygon_sampler *sampler_of(
     struct pp_radiance_state *state, const struct pp_shading_point *shading, int window)
 {
-    const struct pp_target *target = &state->scene->panes[window].target;
+    const struct pp_target *target =
+        pp_openings_aim(&state->scene->panes[window], shading->niches);
     struct pp_polygon_sampler *sampler = &state->samplers[window % PP_KEPT_SAMPLERS];
     if (is_made_for(sampler, target, shading))
         return sampler;
@@ -119,6 +120,35 @@ static bool meets_pane(struct pp_radiance_state *state,
            && hit.part == pane->part;
 }
 
+/* Is the window seen from the shading point, whatever the direction, or the mouth of its
+ * niche? */
+static bool is_open(const struct pp_shading_point *shading, const struct pp_pane *pane)
+{
+    if (shading->niches)
+        return pp_convex_room_has_niche(pane) || !(pane->opening->reveal_m > 0.0);
+    return pane->seen_by_all && shading->space == PP_INDOORS;
+}
+
+/* Where a direction to the mouth of the window's niche ends: *to is moved to the pane, or
+ * the sample is on one of the niche's sides. */
+static void go_in(const struct pp_light_scene *scene, struct pp_direction_sample *to,
+                  struct pp_window_sample *sample)
+{
+    const struct pp_pane *pane = &scene->panes[sample->window];
+    double further_m;
+    int part = pp_convex_room_behind_mouth(pane, to->point, to->direction, &further_m);
+    to->point = pp_vec_along(to->point, further_m, to->direction);
+    sample->on_side = part != pane->part;
+    if (sample->on_side)
+        sample->side = (struct pp_light_hit){.part = part,
+                                             .tag = scene->parts[part].tag,
+                                             .point = to->point,
+                                             .normal = scene->parts[part].normal,
+                                             .distance_m = to->distance_m + further_m,
+                                             .material = scene->parts[part].material[0],
+                                             .space = PP_INDOORS};
+}
+
 /* One direction to a window, `weight` times; false where no light comes along it. */
 static bool sample_window(struct pp_radiance_state *state,
                           const struct pp_window_sampling *sampling, double weight,
@@ -145,12 +175,16 @@ static bool sample_window(struct pp_radiance_state *state,
         pp_path_vertex_brdf(shading, to.direction, samples / to.per_density, share);
     if (pp_rgb_is_black(f))
         return false;
-    bool open = pane->seen_by_all && shading->space == PP_INDOORS;
+    bool open = is_open(shading, pane);
     if ((!open || state->every_ray) && !meets_pane(state, shading, to.direction, pane)
         && !open)
         return false;
     sample->weight = pp_rgb_scale(f, weight * cosine * to.per_density);
-    leave(state, shading, &to, sample);
+    sample->on_side = false;
+    if (shading->niches && pp_convex_room_has_niche(pane))
+        go_in(state->scene, &to, sample);
+    if (!sample->on_side)
+        leave(state, shading, &to, sample);
     return !pp_rgb_is_black(sample->weight);
 }
 
@@ -195,6 +229,7 @@ bool pp_light_windows_along(struct pp_radiance_state *state,
         there.point = hit.point;
     }
     sample->window = window;
+    sample->on_side = false;
     sample->weight = pp_rgb_grey(1.0);
     leave(state, shading, &there, sample);
     return !pp_rgb_is_black(sample->weight);
@@ -281,9 +316,11 @@ bool pp_light_windows_next(struct pp_radiance_state *state,
         draw(state, sampling, u);
         sampling->direction++;
         if (!sampling->all) {
-            sample->window = pp_openings_choose(
-                state->scene, state->environment->brightness, shading->point,
-                shading->normal, &state->shares, u[2], &probability);
+            const struct pp_openings_viewer viewer = {state->environment->brightness,
+                                                      shading->point, shading->normal,
+                                                      shading->niches};
+            sample->window = pp_openings_choose(state->scene, &viewer, &state->shares,
+                                                u[2], &probability);
             if (sample->window < 0)
                 continue;
         }

@@ -14,11 +14,13 @@
 
 #include "simulate/transport/path_vertex.h"
 
-/* A direction to a window. */
+/* A direction to a window, or to the mouth of its niche. */
 struct pp_window_sample {
     int window;
-    struct pp_light_ray ray; /* leaves it to the outside */
-    struct pp_rgb weight;    /* BRDF, cosine and transmittance over density */
+    struct pp_light_ray ray;  /* leaves it to the outside */
+    struct pp_rgb weight;     /* BRDF, cosine and transmittance over density */
+    bool on_side;             /* it ends in the niche, */
+    struct pp_light_hit side; /* here; no transmittance is in the weight then */
 };
 
 /* The directions to all windows that are sampled at one shading point. */

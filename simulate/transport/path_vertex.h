@@ -8,6 +8,7 @@
 #include "simulate/sampling/scatter.h"
 #include "simulate/scene/environment.h"
 #include "simulate/scene/light_scene_parts.h"
+#include "simulate/transport/niche_light.h"
 #include "simulate/transport/radiance_state.h"
 
 /* The random numbers of a vertex come in groups: for the path itself, for sources, for
@@ -142,6 +143,9 @@ struct pp_shading_point {
         *arrival;        /* by which the gloss is seen; NULL: another way */
     uint32_t directions; /* to windows, each to one that is chosen by its importance; 0:
                           * by light_windows.h's own rule */
+    const struct pp_niche_light
+        *niches; /* directions are to mouths; the point is in the
+                                          * room. NULL: to panes; not owned */
 };
 
 /* The BRDF (or BTDF) between the eye and direction o, 1/sr, for a sample of next-event

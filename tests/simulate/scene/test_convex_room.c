@@ -127,22 +127,38 @@ static void straight_up_lie_ceiling_and_rooflight(void **state)
     pp_world_destroy(world);
 }
 
-/* By planes alone: what passes the mouth of a niche 0.4 m deep meets the pane behind it; the
- * niche's sides, and all that starts in it, are the kernels'. */
-static void behind_the_mouth_of_a_niche_stands_its_pane(void **state)
+/* By planes alone: what passes the mouth of a niche 0.4 m deep meets the pane behind it, or
+ * one of its sides on the way; a niche that is no box, and all that starts in one, is the
+ * kernels'. */
+static void behind_the_mouth_of_a_niche_stand_its_pane_and_its_sides(void **state)
 {
     (void)state;
+    enum { KERNELS = -1, WALL, PANE, SIDE };
     struct pp_world *world = pp_test_world(NICHES "</room>");
     struct pp_light_scene *scene = pp_test_matt_scene(world);
     const struct {
         struct pp_vec3 from, to;
-        double distance_m; /* of the pane, else -1 */
-    } at[] = {{{1.5, 3.2, 1.4}, {0.0, -1.0, 0.0}, 3.6},
-              {{1.5, 3.0, 1.4}, {0.3, -1.0, 0.0}, 3.4 * 1.044030650891055},
-              {{1.5, 3.0, 1.4}, {0.0, -3.0, 0.76}, -1.0}, /* mouth 2.16, pane 2.26 */
-              {{1.5, 3.0, 1.4}, {0.0, -3.0, 0.86}, 0.0},  /* the wall above, 2.26 */
-              {{1.5, -0.2, 1.4}, {0.0, -1.0, 0.0}, -1.0},
-              {{1.5, -0.2, 1.4}, {0.0, 1.0, 0.0}, -1.0}};
+        int meets;
+        double distance_m;
+        struct pp_vec3 normal; /* there */
+    } at[] = {
+        {{1.5, 3.2, 1.4}, {0.0, -1.0, 0.0}, PANE, 3.6, {0.0, 1.0, 0.0}},
+        {{1.5, 3.0, 1.4},
+         {0.3, -1.0, 0.0},
+         PANE,
+         3.4 * 1.044030650891055,
+         {0.0, 1.0, 0.0}},
+        /* The niche's upper side lies at 2.2; the ray is at 2.16 at the mouth, at 2.26 at
+         * the pane. */
+        {{1.5, 3.0, 1.4}, {0.0, -3.0, 0.76}, SIDE, 3.257652, {0.0, 0.0, -1.0}},
+        {{1.5, 3.0, 1.4}, {0.0, -3.0, 0.86}, WALL, 3.120833, {0.0, 1.0, 0.0}},
+        /* Its left side at 0.3, which is reached at y = -0.2. */
+        {{1.5, 3.0, 1.4}, {-1.2, -3.2, 0.0}, SIDE, 3.417601, {1.0, 0.0, 0.0}},
+        {{1.5, 3.0, 1.4}, {1.1, -3.2, -0.1}, SIDE, 3.385262, {-1.0, 0.0, 0.0}},
+        {{1.5, 3.0, 1.4}, {0.0, -3.2, -0.6}, SIDE, 3.255764, {0.0, 0.0, 1.0}},
+        {{1.5, 3.5, 1.4}, {-1.0, 0.0, 0.0}, KERNELS, 0.0, {0.0, 0.0, 0.0}},
+        {{1.5, -0.2, 1.4}, {0.0, -1.0, 0.0}, KERNELS, 0.0, {0.0, 0.0, 0.0}},
+        {{1.5, -0.2, 1.4}, {0.0, 1.0, 0.0}, KERNELS, 0.0, {0.0, 0.0, 0.0}}};
     for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
         struct pp_light_ray ray = {.from = pp_vec_sub(at[i].from, scene->centre),
                                    .to = pp_vec_unit(at[i].to),
@@ -151,12 +167,40 @@ static void behind_the_mouth_of_a_niche_stands_its_pane(void **state)
         double distance;
         int part =
             pp_convex_room_meet(scene->convex, scene, &ray, NULL, &distance, &point);
-        assert_true((part < 0) == (at[i].distance_m < 0.0));
-        assert_true((part >= 0 && scene->parts[part].window == 0)
-                    == (at[i].distance_m > 0.0));
-        if (at[i].distance_m > 0.0)
-            assert_near(distance, at[i].distance_m, 1e-12);
+        assert_true((part < 0) == (at[i].meets == KERNELS));
+        if (part < 0)
+            continue;
+        const struct pp_light_part *met = &scene->parts[part];
+        assert_int_equal(met->window >= 0  ? PANE
+                         : met->niche >= 0 ? SIDE
+                                           : WALL,
+                         at[i].meets);
+        assert_true(at[i].meets == WALL || met->window == 0 || met->niche == 0);
+        assert_near(distance, at[i].distance_m, 1e-6);
+        assert_near(pp_vec_length(pp_vec_sub(met->normal, at[i].normal)), 0.0, 1e-12);
+        assert_near(pp_vec_dot(met->normal, point), met->offset_m, 1e-12);
     }
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
+/* In the depth of a niche a point is not in the room; on its mouth, a wall or in a corner it
+ * is. */
+static void a_niche_is_not_enclosed_by_the_room(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(NICHES "</room>");
+    struct pp_light_scene *scene = pp_test_matt_scene(world);
+    const struct {
+        struct pp_vec3 at;
+        bool enclosed;
+    } points[] = {{{1.5, 3.0, 1.4}, true},    {{1.5, 0.0, 1.4}, true},
+                  {{0.0, 0.0, 2.7}, true},    {{1.5, -0.2, 1.4}, false},
+                  {{1.5, -1e-6, 1.4}, false}, {{1.5, 4.9, 2.9}, false}};
+    for (size_t i = 0; i < sizeof points / sizeof *points; i++)
+        assert_true(pp_convex_room_encloses(scene->convex,
+                                            pp_vec_sub(points[i].at, scene->centre))
+                    == points[i].enclosed);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
@@ -261,7 +305,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rays_meet_what_the_kernels_say),
         cmocka_unit_test(straight_up_lie_ceiling_and_rooflight),
-        cmocka_unit_test(behind_the_mouth_of_a_niche_stands_its_pane),
+        cmocka_unit_test(behind_the_mouth_of_a_niche_stand_its_pane_and_its_sides),
+        cmocka_unit_test(a_niche_is_not_enclosed_by_the_room),
         cmocka_unit_test(rays_of_a_run_meet_what_each_meets_alone),
         cmocka_unit_test(a_room_with_a_corner_or_a_table_is_left_to_the_kernels),
         cmocka_unit_test(a_ray_from_outside_is_left_to_the_kernels),
