@@ -36,6 +36,7 @@ struct pp_study_options {
     double seconds; /* 0: not given */
     uint64_t seed;
     int threads; /* 0: as many as there are processors */
+    bool alone;  /* points share no light in light paths: sooner for few points */
     struct pp_watch watch;
 
     bool explain; /* are the methods to set out the sums of the room's one point? */

@@ -75,6 +75,7 @@ enum pp_status pp_study_report_simulate(struct pp_report *report,
     engine_options.samples = options->samples;
     engine_options.seed = options->seed;
     engine_options.threads = options->threads;
+    engine_options.alone = options->alone;
     struct pp_simulation *simulation;
     enum pp_simulation_end end;
     enum pp_status status =

@@ -320,7 +320,7 @@ enum pp_status pp_tracer_create(struct pp_tracer **result,
         status =
             pp_radiosity_solve(&tracer->radiosity, scene, environment, &tracer->sobol,
                                pp_hash(seed, 1), options->threads, err);
-    if (status == PP_OK && !options->direct)
+    if (status == PP_OK && !options->direct && !options->alone)
         status = share(tracer, pp_hash(seed, 2), err);
     tracer->sampler = options->direct  ? of_direct_light()
                       : tracer->shared ? sharing(options->error)

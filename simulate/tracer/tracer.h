@@ -28,6 +28,7 @@ struct pp_tracer_options {
     uint64_t seed;
     int threads;    /* 0: as many as the machine has processors */
     bool average;   /* the average over the working plane too */
+    bool alone;     /* points share no light: sooner for ten points or less at 1 % */
     bool direct;    /* sky and externally reflected component alone; the error is over
                      * their sum then, and nothing else can be read */
     bool every_ray; /* trace also the rays whose end is known beforehand: for checks */

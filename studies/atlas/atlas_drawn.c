@@ -55,7 +55,8 @@ enum pp_status pp_atlas_drawn_room(struct pp_atlas_drawn *drawn,
                                                  .simulate = true,
                                                  .error = trace->error,
                                                  .seed = trace->seed + (uint64_t)index,
-                                                 .threads = 1}};
+                                                 .threads = 1,
+                                                 .alone = true}};
     pp_mistakes_init(&mistakes, "atlas");
     enum pp_status status = read_room(drawn, design, index, &mistakes, err);
     pp_mistakes_clear(&mistakes);

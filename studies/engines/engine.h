@@ -24,6 +24,7 @@ struct pp_engine_options {
     uint64_t seed;
     int threads; /* 0: as many as there are processors */
 
+    bool alone;  /* points share no light in light paths */
     bool direct; /* by light paths: sky and externally reflected component alone, the
                   * error over their sum */
 

@@ -30,6 +30,7 @@ static enum pp_status make(struct path_run *run, const struct pp_light_scene *sc
                                              .seed = options->seed,
                                              .threads = options->threads,
                                              .average = true,
+                                             .alone = options->alone,
                                              .direct = options->direct};
     enum pp_status status =
         pp_light_scene_under(&run->environment, scene, &report->light, err);
