@@ -85,11 +85,14 @@ static double receiver_weight(struct pp_vec3 v, double length, struct pp_vec3 n,
                         : brightness.ground);
 }
 
-/* Solid angle of the rectangle from the foot of a point to x and y on its plane, that point
- * being so far off. */
-static double corner_solid_angle(double x, double y, double off)
+/* Turns a complex number by the solid angle, times `sign`, of the rectangle between the
+ * foot of a point and x and y on its plane, that point being so far off. */
+static void turn(double z[2], double sign, double x, double y, double off)
 {
-    return atan2(x * y, off * sqrt(x * x + y * y + off * off));
+    double re = off * sqrt(x * x + y * y + off * off), im = sign * x * y;
+    double turned = z[0] * re - z[1] * im;
+    z[1] = z[0] * im + z[1] * re;
+    z[0] = turned;
 }
 
 /* What a rectangle may bring to a point so near to it that its middle says little: its
@@ -103,8 +106,14 @@ static double importance_when_near(const struct pp_target *target, struct pp_vec
     double x0 = pp_vec_dot(d, target->along), x1 = x0 + target->width_m;
     double y0 = pp_vec_dot(d, target->up), y1 = y0 + target->height_m;
     double x = max2(x0, min2(x1, 0.0)), y = max2(y0, min2(y1, 0.0));
-    double solid = corner_solid_angle(x1, y1, off) - corner_solid_angle(x0, y1, off)
-                   - corner_solid_angle(x1, y0, off) + corner_solid_angle(x0, y0, off);
+    double z[2] = {1.0, 0.0};
+    turn(z, 1.0, x1, y1, off);
+    turn(z, -1.0, x0, y1, off);
+    turn(z, -1.0, x1, y0, off);
+    turn(z, 1.0, x0, y0, off);
+    double solid = atan2(z[1], z[0]);
+    if (solid < 0.0)
+        solid += 2.0 * PP_PI;
     struct pp_vec3 nearest =
         pp_vec_along(pp_vec_along(pp_vec_scale(target->normal, -off), x, target->along),
                      y, target->up);

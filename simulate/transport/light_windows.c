@@ -250,6 +250,7 @@ void pp_light_windows_begin(struct pp_radiance_state *state,
     sampling->shading = shading;
     sampling->all =
         shading->directions == 0 && samples_all(state->scene, shading->split);
+    sampling->numbers = sampling->all || count == 1 ? 2 : 3;
     sampling->window = -1;
     sampling->end = none ? 0 : sampling->all ? count : 1;
     sampling->direction = sampling->count = 0;
@@ -260,8 +261,8 @@ void pp_light_windows_begin(struct pp_radiance_state *state,
                       && (shading->directions & (shading->directions - 1)) == 0;
     if (sampling->drawn)
         pp_sobol_sequence_draw_run(&state->sequence, state->index * shading->directions,
-                                   (int)shading->directions, first_vertex(shading), 3,
-                                   sampling->u);
+                                   (int)shading->directions, first_vertex(shading),
+                                   sampling->numbers, sampling->u);
 }
 
 /* Goes on to the next window; false where there is none. */
@@ -292,14 +293,14 @@ static void draw(const struct pp_radiance_state *state,
 {
     int vertex = first_vertex(sampling->shading);
     if (sampling->drawn) {
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < sampling->numbers; k++)
             u[k] = sampling->u[k][sampling->direction];
         return;
     }
     if (sampling->all && sampling->window > 0)
         vertex = pp_path_vertex_branch(vertex, sampling->window);
-    pp_sobol_sequence_draw(&state->sequence, state->index, vertex,
-                           sampling->all ? 2 : 3, u);
+    pp_sobol_sequence_draw(&state->sequence, state->index, vertex, sampling->numbers,
+                           u);
 }
 
 bool pp_light_windows_next(struct pp_radiance_state *state,
@@ -310,7 +311,8 @@ bool pp_light_windows_next(struct pp_radiance_state *state,
     for (;;) {
         if (sampling->direction == sampling->count && !next_window(state, sampling))
             return false;
-        double u[3], probability = 1.0; /* place in the window (2), choice of it */
+        double u[3] = {0.0},
+               probability = 1.0; /* place in the window (2), choice of it */
         state->index = sampling->index * sampling->count + sampling->direction;
         sample->window = sampling->window;
         draw(state, sampling, u);

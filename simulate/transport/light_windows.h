@@ -30,6 +30,7 @@ struct pp_window_sampling {
     int window, end;                        /* the one in turn */
     uint32_t direction, count;              /* the one in turn, of that window's */
     uint32_t index; /* the path's own, which `state` has again at the end */
+    int numbers;    /* random ones of each: 2 for its place, 1 for which window */
     bool drawn;     /* are the random numbers of all directions in u? */
     double u[3][PP_RUN_MOST];
 };
