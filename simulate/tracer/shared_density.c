@@ -58,6 +58,12 @@ static struct pp_vec3 point_of(const struct pp_light_scene *scene,
                         patch->b + v * patch->height_m, part->b);
 }
 
+bool pp_shared_density_serves(const struct pp_shared_density *density,
+                              struct pp_vec3 point)
+{
+    return pp_convex_room_encloses(density->scene->convex, point);
+}
+
 static void weigh_patches(struct pp_shared_density *density)
 {
     const struct pp_light_scene *scene = density->scene;
@@ -78,6 +84,8 @@ static void weigh_patches(struct pp_shared_density *density)
             share = 1.0;
         if (point_of(scene, patch, 0.5, 0.5).z < plane_z)
             share *= BELOW_SHARE;
+        if (patch->part >= scene->world->face_count) /* the side of a niche */
+            share = 0.0;
         density->values[i] = share;
         density->below[i] = total;
         total += share * patch->width_m * patch->height_m;
@@ -119,7 +127,7 @@ enum pp_status pp_shared_density_create(struct pp_shared_density **result,
                                         struct pp_error *err)
 {
     *result = NULL;
-    if (!radiosity || !scene->convex || scene->has_niches)
+    if (!radiosity || !scene->convex)
         return PP_OK;
     struct pp_shared_density *density = calloc(1, sizeof *density);
     if (!density)

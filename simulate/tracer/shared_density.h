@@ -18,8 +18,8 @@
  * lights of [KELLER97], bounded as in [KK06].
  *
  * Only where any two points of the room see each other (convex_room.h): there (1) needs
- * no ray. Nor where an opening has a reveal: the bright sides of its niche, which the room
- * does not see the whole of, make what is shared noisier than paths in some rooms.
+ * no ray. Not all of it sees the sides of niches: no points lie there, and what they bring
+ * is left to the lobe's rays; nor is anything shared with receivers in a niche.
  */
 #ifndef PP_SIMULATE_TRACER_SHARED_DENSITY_H
 #define PP_SIMULATE_TRACER_SHARED_DENSITY_H
@@ -47,6 +47,10 @@ enum pp_status pp_shared_density_create(struct pp_shared_density **density,
                                         const struct pp_radiosity *radiosity,
                                         struct pp_error *err);
 void pp_shared_density_destroy(struct pp_shared_density *density); /* NULL is allowed */
+
+/* Does a receiver there see all points? Nothing is shared with others. */
+bool pp_shared_density_serves(const struct pp_shared_density *density,
+                              struct pp_vec3 point);
 
 /* A place for three numbers in (0, 1), with 1/(pi p), and the ray that looks at it from
  * the middle of the room. Where that meets another part, there is no surface: a pane, or

@@ -37,6 +37,7 @@ static const double LEAST_ERROR = 0.00002;
 /* A receiver, or the working plane as a whole. */
 struct traced_point {
     struct pp_start start;
+    bool shares; /* does it take shared light? */
     struct pp_room_bound most;
     uint64_t seed;
 };
@@ -79,6 +80,8 @@ static double shared_of(const struct pp_tracer *tracer, struct pp_path_state *pa
         pp_shared_light_list(tracer->shared, range->randomisation);
     const struct pp_start *start = &tracer->points[range->point].start;
     double sum = 0.0;
+    if (!tracer->points[range->point].shares)
+        return sum;
     for (path->light.index = range->first; path->light.index < range->end;
          path->light.index++)
         sum += pp_path_shared(path, start, &list[path->light.index]);
@@ -110,6 +113,7 @@ static void follow(const void *client, void *state, const struct pp_path_range *
     double *sums = randomisation->sums;
     long rays = path->light.rays, leaks = path->light.leaks;
     path->light.sequence = range->sequence;
+    path->shared = tracer->points[range->point].shares ? tracer->density : NULL;
     if (range->estimator == SHARED) {
         sums[SUM_SHARED] += shared_of(tracer, path, range);
         return;
@@ -174,7 +178,7 @@ static double bound_of(const void *client, int point, int component, unsigned fo
 {
     const struct pp_tracer *tracer = client;
     /* Of what is shared a receiver takes 1 on the average. */
-    double reflected = paths[tracer->shared ? SHARED : CORRECTION];
+    double reflected = paths[tracer->points[point].shares ? SHARED : CORRECTION];
     return pp_unsampled_of_component(&tracer->points[point].most, component, found,
                                      paths[DIRECT], reflected);
 }
@@ -267,9 +271,10 @@ static uint64_t seed_of_room(uint64_t seed, const struct pp_world *world)
 }
 
 /* Random numbers depend on where a receiver is, not on which others there are. */
-static struct traced_point point_of(const struct pp_light_scene *scene,
+static struct traced_point point_of(const struct pp_tracer *tracer,
                                     const struct pp_receiver *receiver, uint64_t seed)
 {
+    const struct pp_light_scene *scene = tracer->scene;
     struct traced_point point = {
         .start = {.anywhere = !receiver, .normal = {0.0, 0.0, 1.0}},
         .seed = pp_hash(seed, UINT64_MAX)};
@@ -279,6 +284,10 @@ static struct traced_point point_of(const struct pp_light_scene *scene,
         point.seed =
             pp_hash_vec(pp_hash_vec(seed, receiver->position), receiver->normal);
     }
+    point.shares =
+        tracer->density
+        && (!receiver
+            || pp_shared_density_serves(tracer->density, point.start.position));
     point.most = pp_unsampled_of_room(scene, receiver ? &point.start.position : NULL,
                                       point.start.normal);
     return point;
@@ -334,7 +343,7 @@ enum pp_status pp_tracer_create(struct pp_tracer **result,
     }
     for (int i = 0; status == PP_OK && i < tracer->point_count; i++)
         tracer->points[i] =
-            point_of(tracer->scene, i < receiver_count ? &receivers[i] : NULL, seed);
+            point_of(tracer, i < receiver_count ? &receivers[i] : NULL, seed);
     const struct pp_planner_options planned = {.error = options->error,
                                                .least_error = LEAST_ERROR,
                                                .samples = options->samples,

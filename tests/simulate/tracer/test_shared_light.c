@@ -134,18 +134,15 @@ static void shared_and_left_light_are_the_whole_lobe(void **state)
     clear(&room);
 }
 
-/* Without planes the scene leaves all to the kernels, and each point follows paths of
- * its own: beside walls, on the floor, at a tilt, and over the whole plane. */
-static void a_point_that_shares_agrees_with_one_that_does_not(void **state)
+/* Without planes the scene leaves all to the kernels, and each of five points follows paths
+ * of its own. */
+static void compare_with_own_paths(struct pp_world *world,
+                                   const struct pp_outside_light *light, double error)
 {
-    (void)state;
-    struct pp_outside_light light;
-    struct pp_world *world = pp_test_lit_world(&light, ROOM);
     struct pp_light_scene *scene = pp_test_matt_scene(world);
-    struct pp_environment *environment = pp_test_light_on(scene, &light);
+    struct pp_environment *environment = pp_test_light_on(scene, light);
     struct pp_convex_room *convex = scene->convex;
     struct pp_reading df[2][6];
-    const double error = PP_WATCHED ? 0.016 : 0.004;
     assert_non_null(convex);
     for (int alone = 0; alone < 2; alone++) {
         scene->convex = alone ? NULL : convex;
@@ -175,22 +172,53 @@ static void a_point_that_shares_agrees_with_one_that_does_not(void **state)
     pp_world_destroy(world);
 }
 
-/* A reveal of 1 cm, and each point has paths of its own, though planes tell its rays. */
-static void nothing_is_shared_where_an_opening_has_a_reveal(void **state)
+/* Beside walls, on the floor, at a tilt, and over the whole plane. */
+static void a_point_that_shares_agrees_with_one_that_does_not(void **state)
 {
     (void)state;
-    struct pp_world *world = pp_test_world(
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, ROOM);
+    compare_with_own_paths(world, &light, PP_WATCHED ? 0.016 : 0.004);
+}
+
+/* The sides of reveals are bright, and not all of the room sees them. One of the points lies
+ * in a niche, where most of the room is hidden. */
+static void points_share_light_in_a_room_with_reveals(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
         "<room version='1'><plan width='3.3' depth='5.2' height='2.6'/>"
-        "<window wall='south' left='0.4' sill='0.9' width='1.7' height='1.2' "
-        "reveal='0.01'/></room>");
-    struct pp_light_scene *scene = pp_test_matt_scene(world);
-    struct pp_radiosity some = {.count = 1};
-    struct pp_shared_density *density;
-    assert_non_null(scene->convex);
-    assert_int_equal(pp_shared_density_create(&density, scene, &some, NULL), PP_OK);
-    assert_null(density);
-    pp_light_scene_destroy(scene);
-    pp_world_destroy(world);
+        "<finishes floor='0.3' walls='0.7' ceiling='0.8'/>"
+        "<window wall='south' left='0.4' sill='0.9' width='1.2' height='1.2' "
+        "reveal='0.4'/>"
+        "<window wall='east' left='1.7' sill='0.9' width='1.1' height='1.3' "
+        "reveal='0.2'/>"
+        "<block x='-3' y='-7' width='9' depth='1' height='5' reflectance='0.5'/>"
+        "<working-plane height='0.8'/><point x='1.3' y='1.1'/>"
+        "<point x='1' y='0.2' z='1.1'/><point x='0.3' y='4.9'/>"
+        "<point x='2.9' y='0.3' z='0.9'/><point x='1.6' y='3.9' nx='0.3' ny='-1' "
+        "nz='0.2'/></room>");
+    world->receivers[1].position.y = -0.2;
+    compare_with_own_paths(world, &light, PP_WATCHED ? 0.03 : 0.01);
+}
+
+/* A receiver in a niche takes nothing of what is shared. */
+static void not_all_is_seen_from_a_niche(void **state)
+{
+    (void)state;
+    struct shared_room room;
+    init(&room, "<room version='1'><plan width='3.3' depth='5.2' height='2.6'/>"
+                "<window wall='south' left='0.4' sill='0.9' width='1.7' height='1.2' "
+                "reveal='0.4'/></room>");
+    struct pp_vec3 in = pp_vec(2.0, 0.1, 1.2), out = pp_vec(2.0, -0.1, 1.2);
+    assert_non_null(room.density);
+    assert_true(
+        pp_shared_density_serves(room.density, pp_vec_sub(in, room.scene->centre)));
+    assert_false(
+        pp_shared_density_serves(room.density, pp_vec_sub(out, room.scene->centre)));
+    clear(&room);
 }
 
 /* A shared point is known by its number: not by how many come after it, nor by when, nor
@@ -332,7 +360,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shared_and_left_light_are_the_whole_lobe),
         cmocka_unit_test(a_point_that_shares_agrees_with_one_that_does_not),
-        cmocka_unit_test(nothing_is_shared_where_an_opening_has_a_reveal),
+        cmocka_unit_test(points_share_light_in_a_room_with_reveals),
+        cmocka_unit_test(not_all_is_seen_from_a_niche),
         cmocka_unit_test(shared_points_do_not_depend_on_what_was_asked_before),
         cmocka_unit_test(a_point_that_shares_depends_on_no_other),
         cmocka_unit_test(what_points_have_in_common_is_known),
