@@ -43,13 +43,20 @@ static inline uint64_t pp_hash_vec(uint64_t seed, struct pp_vec3 part)
     return pp_hash_double(seed, part.z);
 }
 
+/* For one number or for lanes of them (lanes.h). */
+#define PP_HASH_MIX32(x)                                                               \
+    do {                                                                               \
+        x ^= x >> 16;                                                                  \
+        x *= UINT32_C(0x7feb352d);                                                     \
+        x ^= x >> 15;                                                                  \
+        x *= UINT32_C(0x846ca68b);                                                     \
+        x ^= x >> 16;                                                                  \
+    } while (0)
+
 static inline uint32_t pp_hash_mix32(uint32_t x)
 {
-    x ^= x >> 16;
-    x *= UINT32_C(0x7feb352d);
-    x ^= x >> 15;
-    x *= UINT32_C(0x846ca68b);
-    return x ^ x >> 16;
+    PP_HASH_MIX32(x);
+    return x;
 }
 
 #endif

@@ -89,13 +89,38 @@ void pp_sobol_init(struct pp_sobol *sobol)
     }
 }
 
-/* Seeds of a vertex: of the shuffle, then of each dimension's scramble. */
-static void vertex_seeds(uint64_t seed, int vertex, int count, uint32_t seeds[])
+/* Seeds of vertices from `first` on: of the shuffle, then of each dimension's scramble;
+ * a lane each. */
+PP_LANES_BODY void vertex_seeds(uint64_t seed, int first, int count,
+                                uint32_t seeds[][PP_INT_LANES])
 {
-    uint64_t mixed = pp_hash(seed, (uint64_t)vertex);
-    uint32_t low = (uint32_t)mixed, step = (uint32_t)(mixed >> 32) | 1;
-    for (int i = 0; i <= count; i++)
-        seeds[i] = pp_hash_mix32(low + (uint32_t)i * step);
+    const pp_int_lanes number = {0, 1, 2, 3, 4, 5, 6, 7};
+    for (int i = 0; i < count; i++) {
+        uint64_t mixed = pp_hash(seed, (uint64_t)(first + i));
+        uint32_t low = (uint32_t)mixed, step = (uint32_t)(mixed >> 32) | 1;
+        pp_int_lanes x = low + number * step;
+        PP_HASH_MIX32(x);
+        memcpy(seeds[i], &x, sizeof x);
+    }
+}
+
+static void vertex_seeds_plain(uint64_t seed, int first, int count,
+                               uint32_t seeds[][PP_INT_LANES])
+{
+    vertex_seeds(seed, first, count, seeds);
+}
+
+PP_LANES_WIDE static void vertex_seeds_wide(uint64_t seed, int first, int count,
+                                            uint32_t seeds[][PP_INT_LANES])
+{
+    vertex_seeds(seed, first, count, seeds);
+}
+
+static void make_seeds(uint64_t seed, int first, int count,
+                       uint32_t seeds[][PP_INT_LANES])
+{
+    (pp_lanes_are_wide() ? vertex_seeds_wide : vertex_seeds_plain)(seed, first, count,
+                                                                   seeds);
 }
 
 void pp_sobol_sequence_init(struct pp_sobol_sequence *sequence,
@@ -103,25 +128,24 @@ void pp_sobol_sequence_init(struct pp_sobol_sequence *sequence,
 {
     sequence->sobol = sobol;
     sequence->seed = seed;
-    for (int vertex = 0; vertex < PP_SOBOL_KEPT; vertex++)
-        vertex_seeds(seed, vertex, PP_SOBOL_DIMENSIONS, sequence->kept[vertex]);
+    make_seeds(seed, 0, PP_SOBOL_KEPT, sequence->kept);
 }
 
 /* A vertex's seeds: those that are kept, or made in `deep`. */
 static const uint32_t *seeds_of(const struct pp_sobol_sequence *sequence, int vertex,
-                                int count, uint32_t deep[])
+                                uint32_t deep[1][PP_INT_LANES])
 {
     if (vertex < PP_SOBOL_KEPT)
         return sequence->kept[vertex];
-    vertex_seeds(sequence->seed, vertex, count, deep);
-    return deep;
+    make_seeds(sequence->seed, vertex, 1, deep);
+    return deep[0];
 }
 
 void pp_sobol_sequence_draw(const struct pp_sobol_sequence *sequence, uint32_t index,
                             int vertex, int count, double u[])
 {
-    uint32_t deep[PP_SOBOL_DIMENSIONS + 1];
-    const uint32_t *seeds = seeds_of(sequence, vertex, count, deep);
+    uint32_t deep[1][PP_INT_LANES];
+    const uint32_t *seeds = seeds_of(sequence, vertex, deep);
     uint32_t i = owen_scramble_reversed(reverse_bits(index), seeds[0]);
     for (int k = 0; k < count; k++) {
         const uint32_t(*table)[256] = sequence->sobol->table[k];
@@ -205,8 +229,8 @@ void pp_sobol_sequence_draw_run(const struct pp_sobol_sequence *sequence,
                                 uint32_t first, int count, int vertex, int dimensions,
                                 double u[][PP_RUN_MOST])
 {
-    uint32_t deep[PP_SOBOL_DIMENSIONS + 1];
-    const uint32_t *seeds = seeds_of(sequence, vertex, dimensions, deep);
+    uint32_t deep[1][PP_INT_LANES];
+    const uint32_t *seeds = seeds_of(sequence, vertex, deep);
     (pp_lanes_are_wide() ? draw_run_wide : draw_run_plain)(sequence->sobol, seeds,
                                                            first, count, dimensions, u);
 }

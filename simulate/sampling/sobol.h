@@ -29,7 +29,7 @@ struct pp_sobol {
 struct pp_sobol_sequence {
     const struct pp_sobol *sobol; /* not owned */
     uint64_t seed;
-    uint32_t kept[PP_SOBOL_KEPT][PP_SOBOL_DIMENSIONS + 1];
+    uint32_t kept[PP_SOBOL_KEPT][PP_INT_LANES]; /* PP_SOBOL_DIMENSIONS + 1 in use */
 };
 
 void pp_sobol_init(struct pp_sobol *sobol);
