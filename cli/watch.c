@@ -3,10 +3,11 @@
 
 #include "cli/interrupt.h"
 
-static void begin(void *data, const char *name)
+static bool begin(void *data, const char *name)
 {
     struct pp_terminal_watch *terminal = data;
     pp_progress_begin(&terminal->progress, name, terminal->quiet);
+    return terminal->progress.shown;
 }
 
 static bool look(void *data, double done, double error)

@@ -94,8 +94,7 @@ enum pp_status pp_simulation_run(struct pp_simulation *simulation, double second
     enum pp_status status = PP_OK;
     *end = PP_SIMULATION_DONE;
     double done = 0.0, error = NAN;
-    if (watch->begin)
-        watch->begin(watch->data, name ? name : "room");
+    bool shown = watch->begin && watch->begin(watch->data, name ? name : "room");
     while (status == PP_OK && !pp_simulation_done(simulation)) {
         double spent = pp_clock_s() - started_s, slice = slice_s;
         if (watch->look && !watch->look(watch->data, done, error)) {
@@ -109,6 +108,8 @@ enum pp_status pp_simulation_run(struct pp_simulation *simulation, double second
         if (seconds > 0.0)
             slice = fmin(slice, seconds - spent);
         status = pp_simulation_advance(simulation, slice, err);
+        if (!shown)
+            continue;
         done = pp_simulation_progress(simulation);
         if (seconds > 0.0)
             done = fmax(done, spent / seconds);
@@ -125,22 +126,24 @@ enum pp_status pp_simulation_add_columns(const struct pp_simulation *simulation,
     const struct pp_engine *engine = simulation->engine;
     double common = engine->common ? engine->common(simulation->run) : 0.0;
     double near = engine->common_near ? engine->common_near(simulation->run) : 0.0;
-    for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++) {
-        struct pp_column *column =
-            (struct pp_column *)pp_report_find(report, component, engine->column);
-        if (!column)
-            column = pp_report_add(report, component, engine->column, true);
-        if (!column)
+    struct pp_reading average[PP_COMPONENT_COUNT], readings[PP_COMPONENT_COUNT];
+    engine->read(simulation->run, -1, average);
+    for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++)
+        if (!pp_report_find(report, component, engine->column)
+            && !pp_report_add(report, component, engine->column, true))
             return pp_fail_memory(err);
-        struct pp_reading readings[PP_COMPONENT_COUNT];
-        engine->read(simulation->run, -1, readings);
-        column->average = readings[component];
-        column->common = common;
-        column->common_near = near;
-        for (int i = 0; i < report->receiver_count; i++) {
-            engine->read(simulation->run, i, readings);
-            column->points[i] = readings[component];
-        }
+    struct pp_column *columns[PP_COMPONENT_COUNT];
+    for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++) {
+        columns[component] =
+            (struct pp_column *)pp_report_find(report, component, engine->column);
+        columns[component]->average = average[component];
+        columns[component]->common = common;
+        columns[component]->common_near = near;
+    }
+    for (int i = 0; i < report->receiver_count; i++) {
+        engine->read(simulation->run, i, readings);
+        for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++)
+            columns[component]->points[i] = readings[component];
     }
     return PP_OK;
 }

@@ -17,9 +17,11 @@ struct pp_point_list {
 /* Callbacks of a caller who watches a simulation: a progress bar, a request to stop. All NULL:
  * nobody. Called from one thread, between two slices of work. */
 struct pp_watch {
-    void (*begin)(void *data, const char *name); /* of the room */
+    /* name: of the room. Is anybody shown how far the simulation is? */
+    bool (*begin)(void *data, const char *name);
     /* done: 0 to 1; error: the largest standard error over daylight factor so far, NAN
-     * where there is none. false: stop here, what there is so far is good. */
+     * where there is none; 0 and NAN where nobody is shown them, as they take time. false:
+     * stop here, what there is so far is good. */
     bool (*look)(void *data, double done, double error);
     void (*end)(void *data);
     void *data;

@@ -269,27 +269,21 @@ void pp_cached_points_destroy(struct pp_cached_points *points)
 
 /* ---- readings and the loop ---- */
 
-static struct pp_reading reading_of(const struct pp_cached_points *points, int index,
-                                    int component)
-{
-    if (!points->grown)
-        return pp_reading_none("not reached before the simulation ended");
-    struct pp_reading reading = pp_planner_read(points->planner, index, component);
-    if (points->points[index].by == BY_RECORDS
-        && (component == PP_IRC || component == PP_DF))
-        reading.std_error = NAN;
-    return reading;
-}
-
 void pp_cached_points_read(const struct pp_cached_points *points, int index,
                            struct pp_reading readings[PP_COMPONENT_COUNT])
 {
     int at = index < 0 ? points->receiver_count : index;
-    for (int i = 0; i < PP_COMPONENT_COUNT; i++)
-        readings[i] =
-            at < points->point_count
-                ? reading_of(points, at, i)
-                : pp_reading_none("the room has no working plane to average over");
+    const char *why = at >= points->point_count
+                          ? "the room has no working plane to average over"
+                      : !points->grown ? "not reached before the simulation ended"
+                                       : NULL;
+    for (int i = 0; i < PP_COMPONENT_COUNT && why; i++)
+        readings[i] = pp_reading_none(why);
+    if (why)
+        return;
+    pp_planner_read(points->planner, at, readings);
+    if (points->points[at].by == BY_RECORDS)
+        readings[PP_IRC].std_error = readings[PP_DF].std_error = NAN;
 }
 
 /* Once the cache is done, what is not sampled; where it has no record after all, that

@@ -200,8 +200,10 @@ static double wanted_error(const struct pp_planner *planner, int index, double g
                     options->least_error);
     }
     struct pp_sampled pilot = sampled_of(planner, index, PILOT);
-    struct pp_reading reading = pp_spread_reading(&pilot, planner->sampler->values - 1);
-    return fmax(planner->round * reading.std_error, 1e-12);
+    struct pp_reading readings[PP_VALUES_MOST];
+    pp_spread_readings(&pilot, readings);
+    return fmax(planner->round * readings[planner->sampler->values - 1].std_error,
+                1e-12);
 }
 
 /* Has a pilot to grow before any point is planned? */
@@ -452,26 +454,27 @@ struct pp_sampled pp_planner_sampled(const struct pp_planner *planner, int point
     return sampled_of(planner, point, FINAL);
 }
 
-struct pp_reading pp_planner_read(const struct pp_planner *planner, int point,
-                                  int value)
+void pp_planner_read(const struct pp_planner *planner, int point,
+                     struct pp_reading readings[PP_VALUES_MOST])
 {
-    struct pp_reading reading = pp_reading_none("not sampled yet");
-    for (int stage = FINAL; isnan(reading.value) && stage >= PILOT; stage--) {
+    for (int i = 0; i < planner->sampler->values; i++)
+        readings[i] = pp_reading_none("not sampled yet");
+    for (int stage = FINAL; isnan(readings[0].value) && stage >= PILOT; stage--) {
         struct pp_sampled sampled = sampled_of(planner, point, (enum stage)stage);
         if (sampled.count > 0)
-            reading = pp_spread_reading(&sampled, value);
+            pp_spread_readings(&sampled, readings);
     }
-    return reading;
 }
 
 double pp_planner_error(const struct pp_planner *planner)
 {
     double largest = NAN;
     for (int i = 0; i < planner->point_count; i++) {
-        struct pp_reading reading =
-            pp_planner_read(planner, i, planner->sampler->values - 1);
-        if (reading.value > 0.0)
-            largest = fmax(largest, reading.std_error / reading.value);
+        struct pp_reading readings[PP_VALUES_MOST];
+        pp_planner_read(planner, i, readings);
+        const struct pp_reading *last = &readings[planner->sampler->values - 1];
+        if (last->value > 0.0)
+            largest = fmax(largest, last->std_error / last->value);
     }
     return largest;
 }

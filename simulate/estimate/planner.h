@@ -48,8 +48,9 @@ double pp_planner_progress(const struct pp_planner *planner);
  * any. */
 double pp_planner_error(const struct pp_planner *planner);
 
-struct pp_reading pp_planner_read(const struct pp_planner *planner, int point,
-                                  int value);
+/* All values of a point so far. */
+void pp_planner_read(const struct pp_planner *planner, int point,
+                     struct pp_reading readings[PP_VALUES_MOST]);
 
 /* The randomisations that the point's values come from. */
 struct pp_sampled pp_planner_sampled(const struct pp_planner *planner, int point);

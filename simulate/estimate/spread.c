@@ -160,14 +160,21 @@ double pp_spread_common(const struct pp_sampled *points, int count)
     return fmin(fmax((of_sum.squares - apart) / (together - apart), 0.0), 1.0);
 }
 
-unsigned pp_spread_found(const struct pp_sampled *sampled)
+/* All values, and which of them differ. */
+static unsigned find(const struct pp_sampled *sampled, struct pp_spread spreads[])
 {
     unsigned found = 0;
     for (int i = 0; i < sampled->sampler->values; i++) {
-        struct pp_spread spread = spread_of(sampled, i, -1);
-        found |= (unsigned)differs(&spread) << i;
+        spreads[i] = spread_of(sampled, i, -1);
+        found |= (unsigned)differs(&spreads[i]) << i;
     }
     return found;
+}
+
+unsigned pp_spread_found(const struct pp_sampled *sampled)
+{
+    struct pp_spread spreads[PP_VALUES_MOST];
+    return find(sampled, spreads);
 }
 
 void pp_spread_paths(const struct pp_sampled *sampled, double *paths)
@@ -184,20 +191,25 @@ double pp_spread_student(int count)
     return sqrt((count - 1.0) / (count - 3.0));
 }
 
-struct pp_reading pp_spread_reading(const struct pp_sampled *sampled, int value)
+void pp_spread_readings(const struct pp_sampled *sampled,
+                        struct pp_reading readings[PP_VALUES_MOST])
 {
-    struct pp_spread spread = spread_of(sampled, value, -1);
-    if (spread.count < (sampled->count < 4 ? sampled->count : 4))
-        return pp_reading_none("not sampled yet");
-    struct pp_reading reading = pp_reading_of(spread.mean);
-    if (spread.count < 4)
-        return reading;
-    double bound = 0.0, paths[PP_ESTIMATORS_MOST];
-    if (sampled->sampler->bound) {
-        pp_spread_paths(sampled, paths);
-        bound = sampled->sampler->bound(sampled->client, sampled->point, value,
-                                        pp_spread_found(sampled), paths);
+    const struct pp_sampler *sampler = sampled->sampler;
+    struct pp_spread spreads[PP_VALUES_MOST];
+    double paths[PP_ESTIMATORS_MOST];
+    unsigned found = find(sampled, spreads);
+    pp_spread_paths(sampled, paths);
+    for (int i = 0; i < sampler->values; i++) {
+        const struct pp_spread *spread = &spreads[i];
+        readings[i] = pp_reading_none("not sampled yet");
+        if (spread->count < (sampled->count < 4 ? sampled->count : 4))
+            continue;
+        readings[i] = pp_reading_of(spread->mean);
+        if (spread->count < 4)
+            continue;
+        double bound = 0.0;
+        if (sampler->bound)
+            bound = sampler->bound(sampled->client, sampled->point, i, found, paths);
+        readings[i].std_error = hypot(spread->std_error, bound);
     }
-    reading.std_error = hypot(spread.std_error, bound);
-    return reading;
 }

@@ -56,8 +56,10 @@ double pp_spread_common(const struct pp_sampled *points, int count);
 /* The factor sqrt((R - 1)/(R - 3)) above, for R > 3. */
 double pp_spread_student(int count);
 
-/* One value with its standard error, which is NAN where fewer than four randomisations
- * are wanted; NAN with a reason until four (or as many as are wanted) are begun. */
-struct pp_reading pp_spread_reading(const struct pp_sampled *sampled, int value);
+/* All values, each with its standard error, which is NAN where fewer than four
+ * randomisations are wanted; NAN with a reason until four (or as many as are wanted) are
+ * begun. */
+void pp_spread_readings(const struct pp_sampled *sampled,
+                        struct pp_reading readings[PP_VALUES_MOST]);
 
 #endif

@@ -403,10 +403,10 @@ void pp_photons_read(const struct pp_photons *photons, int index,
 {
     if (index < 0)
         index = photons->receiver_count;
-    for (int i = 0; i < PP_COMPONENT_COUNT; i++)
-        readings[i] = index < photons->point_count
-                          ? pp_planner_read(photons->planner, index, i)
-                          : pp_reading_none("no average was asked for");
+    if (index < photons->point_count)
+        pp_planner_read(photons->planner, index, readings);
+    for (int i = 0; i < PP_COMPONENT_COUNT && index >= photons->point_count; i++)
+        readings[i] = pp_reading_none("no average was asked for");
 }
 
 double pp_photons_common(const struct pp_photons *photons)

@@ -198,14 +198,15 @@ static void read_pixel(struct pp_render *render, int point)
         least = 0.5;
         scale = 1.0 / share;
     }
+    struct pp_reading readings[PP_VALUES_MOST];
+    pp_planner_read(render->planner, point, readings);
     for (int i = RED; i <= BLUE; i++) {
-        struct pp_reading reading = pp_planner_read(render->planner, point, i);
         bool shows = share > 0.0 && share >= least;
         pp_picture_at(&render->picture, x, y)[i] =
-            shows ? (float)(scale * reading.value) : NAN;
+            shows ? (float)(scale * readings[i].value) : NAN;
         if (render->errors.rgb)
             pp_picture_at(&render->errors, x, y)[i] =
-                shows ? (float)(scale * reading.std_error) : NAN;
+                shows ? (float)(scale * readings[i].std_error) : NAN;
     }
 }
 

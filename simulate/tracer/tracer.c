@@ -399,12 +399,13 @@ void pp_tracer_read(const struct pp_tracer *tracer, int index,
 {
     if (index < 0)
         index = tracer->receiver_count;
+    if (index < tracer->point_count)
+        pp_planner_read(tracer->planner, index, readings);
     for (int i = 0; i < PP_COMPONENT_COUNT; i++)
-        readings[i] = index >= tracer->point_count
-                          ? pp_reading_none("no average was asked for")
-                      : tracer->direct && i != PP_SC && i != PP_ERC
-                          ? pp_reading_none("direct light alone was asked for")
-                          : pp_planner_read(tracer->planner, index, i);
+        if (index >= tracer->point_count)
+            readings[i] = pp_reading_none("no average was asked for");
+        else if (tracer->direct && i != PP_SC && i != PP_ERC)
+            readings[i] = pp_reading_none("direct light alone was asked for");
 }
 
 double pp_tracer_common(const struct pp_tracer *tracer)

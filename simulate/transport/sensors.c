@@ -197,9 +197,8 @@ double pp_sensors_error(const struct pp_sensors *sensors)
 
 struct pp_sensor_reading pp_sensors_read(const struct pp_sensors *sensors, int index)
 {
-    struct pp_reading of[VALUES];
-    for (int i = 0; i < VALUES; i++)
-        of[i] = pp_planner_read(sensors->planner, index, i);
+    struct pp_reading of[PP_VALUES_MOST];
+    pp_planner_read(sensors->planner, index, of);
     return (struct pp_sensor_reading){
         .irradiance = {of[RED].value, of[GREEN].value, of[BLUE].value},
         .std_error = {of[RED].std_error, of[GREEN].std_error, of[BLUE].std_error},
