@@ -98,9 +98,11 @@ static enum pp_status begin(struct pp_planner *planner, struct pp_error *err)
         for (int k = 0; by_samples(planner) && k < PP_ESTIMATORS_MOST; k++)
             point->counts.of[k] = (uint32_t)fmin((double)options->samples,
                                                  pp_plan_most(planner->sampler, k));
-        status =
-            make(point, planner->stage,
-                 by_samples(planner) && count > 0 ? count : PP_RANDOMISATIONS, err);
+        if (by_error(planner))
+            count = PP_PILOT_RANDOMISATIONS;
+        else if (count == 0 || !by_samples(planner))
+            count = PP_RANDOMISATIONS;
+        status = make(point, planner->stage, count, err);
     }
     return status;
 }

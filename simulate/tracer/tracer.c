@@ -253,7 +253,7 @@ static struct pp_sampler sharing(double error)
     shared.estimators = ESTIMATORS;
     shared.fall[SHARED] = 1.05;
     shared.pilot = (struct pp_counts){{4, 8, 2, 8}};
-    shared.least = (struct pp_counts){{8, 16, 4, 8}};
+    shared.least = (struct pp_counts){{4, 8, 4, 8}};
     shared.most.of[SHARED] = most_shared(error);
     shared.cost[SHARED] = SHARED_COST;
     shared.cost_of_more = SHARED_COST * most_shared(error);
