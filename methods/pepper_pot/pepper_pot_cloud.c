@@ -28,11 +28,21 @@ static struct frame frame_of(struct pp_vec3 normal, const struct pp_window_axes 
     return (struct frame){normal, first, pp_vec_cross(normal, first)};
 }
 
-static struct pp_vec3 direction(const struct frame *frame, double theta, double psi)
+struct angle {
+    double sine, cosine;
+};
+
+static struct angle angle_of(double rad)
 {
-    struct pp_vec3 u = pp_vec_scale(frame->normal, cos(theta));
-    u = pp_vec_along(u, sin(theta) * cos(psi), frame->first);
-    return pp_vec_along(u, sin(theta) * sin(psi), frame->second);
+    return (struct angle){sin(rad), cos(rad)};
+}
+
+static struct pp_vec3 direction(const struct frame *frame, struct angle theta,
+                                struct angle psi)
+{
+    struct pp_vec3 u = pp_vec_scale(frame->normal, theta.cosine);
+    u = pp_vec_along(u, theta.sine * psi.cosine, frame->first);
+    return pp_vec_along(u, theta.sine * psi.sine, frame->second);
 }
 
 /* Rings are as wide in angle; each has its sines times cosines as a whole, which is exact
@@ -42,13 +52,17 @@ static void fill(struct cells *cells, const struct pp_sky *sky,
                  const struct frame *frame)
 {
     double d_theta = PP_PI / 2.0 / RINGS, d_psi = 2.0 * PP_PI / CELLS;
+    struct angle psi[CELLS];
+    for (int k = 0; k < CELLS; k++)
+        psi[k] = angle_of((k + 0.5) * d_psi);
     cells->within[0] = 0.0;
     for (int i = 0; i < RINGS; i++) {
         double theta = (i + 0.5) * d_theta;
         double weight = sin(2.0 * theta) * sin(d_theta) / 2.0 * d_psi;
+        struct angle ring = angle_of(theta);
         cells->up_to[i][0] = 0.0;
         for (int k = 0; k < CELLS; k++) {
-            struct pp_vec3 u = direction(frame, theta, (k + 0.5) * d_psi);
+            struct pp_vec3 u = direction(frame, ring, psi[k]);
             double cosine = fmin(pp_vec_dot(u, out), 1.0);
             double light = u.z > 0.0 && cosine > 0.0
                                ? pp_sky_luminance(sky, u) * weight
@@ -89,7 +103,7 @@ static void place_dots(struct pp_pepper_pot_cloud *cloud, const struct cells *ce
         const double *up_to = cells->up_to[(int)fmin(ring, RINGS - 1)];
         double theta = ring / RINGS * PP_PI / 2.0;
         double psi = place_of(up_to, CELLS, s * up_to[CELLS]) / CELLS * 2.0 * PP_PI;
-        struct pp_vec3 u = direction(frame, theta, psi);
+        struct pp_vec3 u = direction(frame, angle_of(theta), angle_of(psi));
         double out = fmax(pp_vec_dot(u, axes->out), least_cosine);
         cloud->dots[i][0] = pp_vec_dot(u, axes->along) / out;
         cloud->dots[i][1] = pp_vec_dot(u, axes->up) / out;

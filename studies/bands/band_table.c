@@ -113,7 +113,8 @@ int pp_band_table_find(struct pp_band_record records[PP_BAND_REGIMES],
     int count = 0;
     for (int i = 0; i < table->count && count < PP_BAND_REGIMES; i++) {
         const struct row *row = &table->rows[i];
-        if (strcmp(row->column, column) == 0
+        /* Most rows are of other columns, whose first letters tell as a rule. */
+        if (row->column[0] == column[0] && strcmp(row->column, column) == 0
             && strcmp(row->place, pp_band_figures_places[place]) == 0
             && strcmp(row->component, pp_band_features_components[component]) == 0)
             records[count++] = record_of(row);
