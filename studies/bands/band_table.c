@@ -4,22 +4,23 @@
 #include <math.h>
 #include <string.h>
 
-/* As the CSV file has them. */
+/* As the CSV file has them. Words stand in the row itself: pointers to them would be 12,000
+ * places that every start has to fill in. */
 struct row {
-    const char *place, *component, *column; /* place "span": of the feature `column` */
+    char place[8], component[4], column[28]; /* place "span": of the feature `column` */
     int rooms;
     double low, median, high, spread;
     double formula_low, formula_median, formula_high;
     double assumption_low, assumption_median, assumption_high;
-    const char *feature1;
+    char feature1[16];
     double from1, to1;
-    const char *feature2;
+    char feature2[16];
     double from2, to2;
-    const char *feature3;
+    char feature3[16];
     double from3, to3;
-    const char *feature4;
+    char feature4[16];
     double from4, to4;
-    const char *feature5;
+    char feature5[16];
     double from5, to5;
 };
 
