@@ -51,7 +51,7 @@ struct pp_field {
     double level;
     int stamp;
     struct pp_curve_end *ends; /* by edge */
-    int end_room;
+    int end_count, end_room;
     struct pp_crossing *crossings;
     int crossing_count, crossing_room;
     double (*between)[2];
