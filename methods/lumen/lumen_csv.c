@@ -381,7 +381,7 @@ static enum pp_status build(struct reader *reader, struct pp_lumen_table *table,
     if (status == PP_OK && reader->mistakes->count > 0)
         status = pp_fail(err, PP_BAD_INPUT, "the table has mistakes");
     if (status != PP_OK) {
-        free(fresh.side.cu);
+        free(fresh.side.made);
         free(fresh.top.cu);
         return status;
     }
@@ -389,7 +389,7 @@ static enum pp_status build(struct reader *reader, struct pp_lumen_table *table,
         free(table->top.cu);
         table->top = fresh.top;
     } else {
-        free(table->side.cu);
+        free(table->side.made);
         table->side = fresh.side;
     }
     return PP_OK;

@@ -2,6 +2,7 @@
  * interpolation in any table. */
 #include "methods/lumen/lumen_table.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +11,8 @@
 
 /* Ev/Eh (NAN: ground), ceiling, walls, depth, per cent of the depth (NAN: average),
  * then the coefficients for own_widths. */
-static const double own_side[][13] = {
+enum { OWN_COLUMNS = 13 };
+static const double own_side[][OWN_COLUMNS] = {
 #include "tables/lumen_sidelight.inc"
 };
 static const struct pp_lumen_axis own_widths = {8, {0.5, 1, 2, 3, 4, 6, 8, INFINITY}};
@@ -30,31 +32,49 @@ static const double clear_from = 0.45;
 /* A value outside a range by no more than this counts as inside. */
 static const double range_tolerance = 1e-3;
 
+/* The ascending values of a key, each of which stands for `step` rows. */
+static struct pp_lumen_axis own_axis(int column, int step)
+{
+    struct pp_lumen_axis axis = {0};
+    for (int i = 0; i < OWN_SIDE && axis.count < PP_LUMEN_AXIS_MOST; i += step) {
+        double value = own_side[i][column];
+        if (isnan(value) || (axis.count > 0 && value <= axis.at[axis.count - 1]))
+            break;
+        axis.at[axis.count++] = value;
+    }
+    return axis;
+}
+
+/* The rows run through the grid, the position fastest, so that they are read where they
+ * stand. */
+static struct pp_lumen_side_table own_side_table(void)
+{
+    static const int columns[] = {
+        [PP_LUMEN_CEILING] = 1, [PP_LUMEN_WALLS] = 2, [PP_LUMEN_DEPTH] = 3};
+    struct pp_lumen_side_table side = {.cu = own_side[0] + 5,
+                                       .pitch = OWN_COLUMNS,
+                                       .axes[PP_LUMEN_WIDTH] = own_widths};
+    int step = PP_LUMEN_POSITIONS;
+    for (int axis = PP_LUMEN_DEPTH; axis >= PP_LUMEN_CEILING; axis--) {
+        side.axes[axis] = own_axis(columns[axis], step);
+        step *= side.axes[axis].count;
+    }
+    side.sky = own_axis(0, step);
+    assert((side.sky.count + 1) * step == OWN_SIDE);
+    return side;
+}
+
 static enum pp_status build_own(struct pp_lumen_table *table,
-                                struct pp_lumen_line *side,
                                 struct pp_lumen_top_line *top, struct pp_error *err)
 {
-    for (int i = 0; i < OWN_SIDE; i++) {
-        const double *row = own_side[i];
-        side[i] = (struct pp_lumen_line){
-            .light = row[0],
-            .ceiling = row[1],
-            .walls = row[2],
-            .depth = row[3],
-            .position =
-                isnan(row[4]) ? PP_LUMEN_AVERAGE : (int)((row[4] - 10.0) / 20.0),
-            .cu = row + 5,
-        };
-    }
+    table->side = own_side_table();
     for (int i = 0; i < OWN_TOP; i++)
         top[i] = (struct pp_lumen_top_line){own_top[i][0], own_top[i][1], own_top[i][2],
                                             own_top[i][3], 0};
     struct pp_mistakes mistakes;
     pp_mistakes_init(&mistakes, "the program's own");
-    enum pp_status status = pp_lumen_table_build_side(&table->side, &own_widths, side,
-                                                      OWN_SIDE, &mistakes, err);
-    if (status == PP_OK)
-        status = pp_lumen_table_build_top(&table->top, top, OWN_TOP, &mistakes, err);
+    enum pp_status status =
+        pp_lumen_table_build_top(&table->top, top, OWN_TOP, &mistakes, err);
     pp_mistakes_clear(&mistakes);
     return status;
 }
@@ -63,11 +83,9 @@ enum pp_status pp_lumen_table_create(struct pp_lumen_table **result,
                                      struct pp_error *err)
 {
     struct pp_lumen_table *table = calloc(1, sizeof *table);
-    struct pp_lumen_line *side = malloc(OWN_SIDE * sizeof *side);
     struct pp_lumen_top_line *top = malloc(OWN_TOP * sizeof *top);
     enum pp_status status =
-        table && side && top ? build_own(table, side, top, err) : pp_fail_memory(err);
-    free(side);
+        table && top ? build_own(table, top, err) : pp_fail_memory(err);
     free(top);
     if (status == PP_OK)
         *result = table;
@@ -80,7 +98,7 @@ void pp_lumen_table_destroy(struct pp_lumen_table *table)
 {
     if (!table)
         return;
-    free(table->side.cu);
+    free(table->side.made);
     free(table->top.cu);
     free(table);
 }

@@ -42,8 +42,7 @@ size_t pp_lumen_table_build_cell(const struct pp_lumen_side_table *table, int li
     size_t cell = (size_t)light;
     for (int axis = PP_LUMEN_CEILING; axis <= PP_LUMEN_DEPTH; axis++)
         cell = cell * (size_t)cells_of(&table->axes[axis]) + (size_t)at[axis];
-    return (cell * PP_LUMEN_POSITIONS + (size_t)position)
-               * (size_t)table->axes[PP_LUMEN_WIDTH].count
+    return (cell * PP_LUMEN_POSITIONS + (size_t)position) * (size_t)table->pitch
            + (size_t)at[PP_LUMEN_WIDTH];
 }
 
@@ -97,8 +96,9 @@ enum pp_status pp_lumen_table_build_side(struct pp_lumen_side_table *table,
     size_t size = (size_t)(table->sky.count + 1) * PP_LUMEN_POSITIONS;
     for (int axis = 0; axis < PP_LUMEN_SIDE_AXES; axis++)
         size *= (size_t)cells_of(&table->axes[axis]);
-    table->cu = cells_create(size);
-    if (!table->cu)
+    table->pitch = widths->count;
+    table->cu = table->made = cells_create(size);
+    if (!table->made)
         return pp_fail_memory(err);
     for (int i = 0; i < count; i++) {
         int at[PP_LUMEN_SIDE_AXES] = {
@@ -107,8 +107,8 @@ enum pp_status pp_lumen_table_build_side(struct pp_lumen_side_table *table,
             find_on(&table->axes[PP_LUMEN_DEPTH], lines[i].depth), 0};
         int light = isnan(lines[i].light) ? table->sky.count
                                           : find_on(&table->sky, lines[i].light);
-        double *cell =
-            table->cu + pp_lumen_table_build_cell(table, light, at, lines[i].position);
+        double *cell = table->made
+                       + pp_lumen_table_build_cell(table, light, at, lines[i].position);
         if (!isnan(cell[0]))
             pp_mistakes_add(mistakes, lines[i].line,
                             "this line's coefficients have been given before");

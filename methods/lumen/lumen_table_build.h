@@ -25,7 +25,10 @@ struct pp_lumen_top_line {
  * ground. */
 struct pp_lumen_side_table {
     struct pp_lumen_axis sky, axes[PP_LUMEN_SIDE_AXES];
-    double *cu; /* [light][ceiling][walls][depth][position][width]; NAN: not given */
+    const double
+        *cu;      /* [light][ceiling][walls][depth][position][width]; NAN: not given */
+    int pitch;    /* from one position's widths to the next one's */
+    double *made; /* what cu is of where it was made of lines, to be freed; else NULL */
 };
 
 enum { PP_LUMEN_TOP_AXES = 3 }; /* rcr, ceiling, walls */

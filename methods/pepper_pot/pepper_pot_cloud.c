@@ -4,13 +4,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { RINGS = 180, CELLS = 240 };
+#include "model/base/array.h"
 
-/* Light of the cells up to the end of each, ring by ring; that of the rings up to each. */
-struct cells {
-    double within[RINGS + 1];
-    double up_to[RINGS][CELLS + 1];
-};
+enum { RINGS = 180, CELLS = 240 };
+static const double d_psi = 2.0 * PP_PI / CELLS;
 
 /* The receiver's normal and two directions square to it; azimuths about it begin on the
  * far side from the glass. */
@@ -28,36 +25,50 @@ static struct frame frame_of(struct pp_vec3 normal, const struct pp_window_axes 
     return (struct frame){normal, first, pp_vec_cross(normal, first)};
 }
 
-static struct pp_vec3 direction(const struct frame *frame, double theta, double psi)
+struct angle {
+    double sine, cosine;
+};
+
+static struct angle angle_of(double rad)
 {
-    struct pp_vec3 u = pp_vec_scale(frame->normal, cos(theta));
-    u = pp_vec_along(u, sin(theta) * cos(psi), frame->first);
-    return pp_vec_along(u, sin(theta) * sin(psi), frame->second);
+    return (struct angle){sin(rad), cos(rad)};
 }
 
-/* Rings are as wide in angle; each has its sines times cosines as a whole, which is exact
- * for an even sky. */
-static void fill(struct cells *cells, const struct pp_sky *sky,
-                 const struct pp_glass *glass, struct pp_vec3 out,
-                 const struct frame *frame)
+static struct pp_vec3 direction(const struct frame *frame, struct angle theta,
+                                struct angle psi)
 {
-    double d_theta = PP_PI / 2.0 / RINGS, d_psi = 2.0 * PP_PI / CELLS;
-    cells->within[0] = 0.0;
-    for (int i = 0; i < RINGS; i++) {
-        double theta = (i + 0.5) * d_theta;
-        double weight = sin(2.0 * theta) * sin(d_theta) / 2.0 * d_psi;
-        cells->up_to[i][0] = 0.0;
-        for (int k = 0; k < CELLS; k++) {
-            struct pp_vec3 u = direction(frame, theta, (k + 0.5) * d_psi);
-            double cosine = fmin(pp_vec_dot(u, out), 1.0);
-            double light = u.z > 0.0 && cosine > 0.0
-                               ? pp_sky_luminance(sky, u) * weight
-                                     * pp_glass_transmittance(glass, cosine)
-                               : 0.0;
-            cells->up_to[i][k + 1] = cells->up_to[i][k] + light;
-        }
-        cells->within[i + 1] = cells->within[i] + cells->up_to[i][CELLS];
+    struct pp_vec3 u = pp_vec_scale(frame->normal, theta.cosine);
+    u = pp_vec_along(u, theta.sine * psi.cosine, frame->first);
+    return pp_vec_along(u, theta.sine * psi.sine, frame->second);
+}
+
+/* Adds up the light of a ring's cells, to up_to the end of each. Rings are as wide in angle;
+ * each has its sines times cosines as a whole, which is exact for an even sky. */
+static void fill_ring(double up_to[CELLS + 1], int ring, const struct angle psi[CELLS],
+                      const struct pp_sky *sky, const struct pp_glass *glass,
+                      struct pp_vec3 out, const struct frame *frame)
+{
+    double d_theta = PP_PI / 2.0 / RINGS;
+    double middle = (ring + 0.5) * d_theta;
+    double weight = sin(2.0 * middle) * sin(d_theta) / 2.0 * d_psi;
+    struct angle theta = angle_of(middle);
+    up_to[0] = 0.0;
+    for (int k = 0; k < CELLS; k++) {
+        struct pp_vec3 u = direction(frame, theta, psi[k]);
+        double cosine = fmin(pp_vec_dot(u, out), 1.0);
+        double light = u.z > 0.0 && cosine > 0.0
+                           ? pp_sky_luminance(sky, u) * weight
+                                 * pp_glass_transmittance(glass, cosine)
+                           : 0.0;
+        up_to[k + 1] = up_to[k] + light;
     }
+}
+
+/* The share of a step at which a sum that grows from `low` to `high` on it is `value`. */
+static double share_of(double low, double high, double value)
+{
+    double step = high - low;
+    return step > 0.0 ? fmin((value - low) / step, 1.0) : 0.5;
 }
 
 /* Where an ascending list of `count` + 1 values reaches `value`, from 0 to count. */
@@ -71,29 +82,55 @@ static double place_of(const double *ascending, int count, double value)
         else
             high = middle;
     }
-    double step = ascending[low + 1] - ascending[low];
-    return low + (step > 0.0 ? fmin((value - ascending[low]) / step, 1.0) : 0.5);
+    return low + share_of(ascending[low], ascending[low + 1], value);
 }
 
 /* Dots of cells that the plane of the glass cuts are taken to lie before it. */
 static const double least_cosine = 1e-3;
 
-static void place_dots(struct pp_pepper_pot_cloud *cloud, const struct cells *cells,
-                       const struct frame *frame, const struct pp_window_axes *axes,
-                       double worth)
+static void place_dot(struct pp_pepper_pot_cloud *cloud, double ring,
+                      const double up_to[CELLS + 1], const struct frame *frame,
+                      const struct pp_window_axes *axes)
 {
     static const double golden = 0.61803398874989484820; /* (sqrt 5 - 1)/2 */
-    for (int i = 0; i < cloud->count; i++) {
-        double whole, s = modf((i + 0.5) * golden, &whole);
-        double ring = place_of(cells->within, RINGS, (i + 0.5) * worth);
-        const double *up_to = cells->up_to[(int)fmin(ring, RINGS - 1)];
-        double theta = ring / RINGS * PP_PI / 2.0;
-        double psi = place_of(up_to, CELLS, s * up_to[CELLS]) / CELLS * 2.0 * PP_PI;
-        struct pp_vec3 u = direction(frame, theta, psi);
-        double out = fmax(pp_vec_dot(u, axes->out), least_cosine);
-        cloud->dots[i][0] = pp_vec_dot(u, axes->along) / out;
-        cloud->dots[i][1] = pp_vec_dot(u, axes->up) / out;
+    double *dot = cloud->dots[cloud->count];
+    double whole, s = modf((cloud->count + 0.5) * golden, &whole);
+    double theta = ring / RINGS * PP_PI / 2.0;
+    double psi = place_of(up_to, CELLS, s * up_to[CELLS]) / CELLS * 2.0 * PP_PI;
+    struct pp_vec3 u = direction(frame, angle_of(theta), angle_of(psi));
+    double out = fmax(pp_vec_dot(u, axes->out), least_cosine);
+    dot[0] = pp_vec_dot(u, axes->along) / out;
+    dot[1] = pp_vec_dot(u, axes->up) / out;
+    cloud->count++;
+}
+
+/* Places the dots ring by ring, with the light of the rings up to each. */
+static enum pp_status place_dots(struct pp_pepper_pot_cloud *cloud,
+                                 const struct pp_sky *sky, const struct pp_glass *glass,
+                                 const struct pp_window_axes *axes,
+                                 const struct frame *frame, double worth,
+                                 struct pp_error *err)
+{
+    double up_to[CELLS + 1];
+    struct angle psi[CELLS];
+    int room = 0;
+    for (int k = 0; k < CELLS; k++)
+        psi[k] = angle_of((k + 0.5) * d_psi);
+    for (int i = 0; i < RINGS; i++) {
+        fill_ring(up_to, i, psi, sky, glass, axes->out, frame);
+        double before = cloud->whole;
+        cloud->whole += up_to[CELLS];
+        int count = (int)fmax(ceil(cloud->whole / worth - 0.5), 0.0);
+        enum pp_status status =
+            pp_array_reserve(&cloud->dots, &room, count, sizeof *cloud->dots, err);
+        if (status != PP_OK)
+            return status;
+        while (cloud->count < count)
+            place_dot(cloud,
+                      i + share_of(before, cloud->whole, (cloud->count + 0.5) * worth),
+                      up_to, frame, axes);
     }
+    return PP_OK;
 }
 
 enum pp_status pp_pepper_pot_cloud_init(struct pp_pepper_pot_cloud *cloud,
@@ -104,21 +141,11 @@ enum pp_status pp_pepper_pot_cloud_init(struct pp_pepper_pot_cloud *cloud,
                                         struct pp_error *err)
 {
     *cloud = (struct pp_pepper_pot_cloud){0};
-    struct cells *cells = malloc(sizeof *cells);
-    if (!cells)
-        return pp_fail_memory(err);
     const struct frame frame = frame_of(normal, axes);
-    fill(cells, sky, glass, axes->out, &frame);
-    cloud->whole = cells->within[RINGS];
-    cloud->count = (int)fmax(ceil(cloud->whole / worth - 0.5), 0.0);
-    cloud->dots = malloc(((size_t)cloud->count + 1) * sizeof *cloud->dots);
-    if (cloud->dots)
-        place_dots(cloud, cells, &frame, axes, worth);
-    free(cells);
-    if (cloud->dots)
-        return PP_OK;
-    *cloud = (struct pp_pepper_pot_cloud){0};
-    return pp_fail_memory(err);
+    enum pp_status status = place_dots(cloud, sky, glass, axes, &frame, worth, err);
+    if (status != PP_OK)
+        pp_pepper_pot_cloud_clear(cloud);
+    return status;
 }
 
 void pp_pepper_pot_cloud_clear(struct pp_pepper_pot_cloud *cloud)

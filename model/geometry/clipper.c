@@ -1,21 +1,18 @@
-/* clipper.c - see clipper.h. The one file that includes GEOS.
- *
- * A region goes to GEOS as a multipolygon and comes back from it ring by ring, each
- * outer ring followed by its own holes. What GEOS leaves of lower dimension (points
- * and lines where two figures only touch) is dropped.
- */
+/* clipper.c - see clipper.h. */
 #include "model/geometry/clipper.h"
 
-#include <geos_c.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/geometry/geos_region.h"
+#include "model/geometry/late_geos.h"
+
 struct pp_clipper {
-    GEOSContextHandle_t geos;
-    double grid;    /* 0: none */
-    char said[256]; /* GEOS's own words on the last failure */
+    struct pp_late_geos geos; /* without a context as long as none is needed */
+    double grid;              /* 0: none */
+    char said[256];           /* GEOS's own words on the last failure */
 };
 
 static void keep_message(const char *message, void *clipper)
@@ -27,23 +24,21 @@ static void keep_message(const char *message, void *clipper)
 enum pp_status pp_clipper_create(struct pp_clipper **clipper, struct pp_error *err)
 {
     *clipper = calloc(1, sizeof **clipper);
-    if (!*clipper)
-        return pp_fail_memory(err);
-    (*clipper)->geos = GEOS_init_r();
-    if (!(*clipper)->geos) {
-        free(*clipper);
-        *clipper = NULL;
-        return pp_fail_memory(err);
-    }
-    GEOSContext_setErrorMessageHandler_r((*clipper)->geos, keep_message, *clipper);
-    return PP_OK;
+    return *clipper ? PP_OK : pp_fail_memory(err);
+}
+
+static enum pp_status need_geos(struct pp_clipper *clipper, struct pp_error *err)
+{
+    return clipper->geos.context
+               ? PP_OK
+               : pp_late_geos_load(&clipper->geos, keep_message, clipper, err);
 }
 
 void pp_clipper_destroy(struct pp_clipper *clipper)
 {
     if (!clipper)
         return;
-    GEOS_finish_r(clipper->geos);
+    pp_late_geos_finish(&clipper->geos);
     free(clipper);
 }
 
@@ -59,217 +54,44 @@ static enum pp_status fail_geos(struct pp_clipper *clipper, const char *what,
                    clipper->said[0] ? clipper->said : "no reason given");
 }
 
-/* ---- rings and regions to GEOS ---- */
-
-/* A closed ring; NULL on failure. count is at least 3. */
-static GEOSGeometry *geos_ring(GEOSContextHandle_t geos, const double (*xy)[2],
-                               int count)
-{
-    GEOSCoordSequence *line = GEOSCoordSeq_create_r(geos, (unsigned)count + 1, 2);
-    if (!line)
-        return NULL;
-    for (int i = 0; i <= count; i++)
-        GEOSCoordSeq_setXY_r(geos, line, (unsigned)i, xy[i % count][0],
-                             xy[i % count][1]);
-    return GEOSGeom_createLinearRing_r(geos, line);
-}
-
-/* The rings of `region` are `from` (an outer one) and the holes up to `to`. */
-static GEOSGeometry *geos_polygon(GEOSContextHandle_t geos,
-                                  const struct pp_region *region, int from, int to)
-{
-    const struct pp_ring *rings = region->rings;
-    int hole_count = to - from - 1;
-    GEOSGeometry **holes = NULL;
-    GEOSGeometry *shell =
-        geos_ring(geos, (const double(*)[2])rings[from].xy, rings[from].count);
-    if (!shell)
-        return NULL;
-    if (hole_count > 0) {
-        holes = calloc((size_t)hole_count, sizeof *holes);
-        bool whole = holes != NULL;
-        for (int i = 0; whole && i < hole_count; i++) {
-            const struct pp_ring *ring = &rings[from + 1 + i];
-            holes[i] = geos_ring(geos, (const double(*)[2])ring->xy, ring->count);
-            whole = holes[i] != NULL;
-        }
-        if (!whole) {
-            for (int i = 0; holes && i < hole_count; i++)
-                if (holes[i])
-                    GEOSGeom_destroy_r(geos, holes[i]);
-            free(holes);
-            GEOSGeom_destroy_r(geos, shell);
-            return NULL;
-        }
-    }
-    GEOSGeometry *polygon =
-        GEOSGeom_createPolygon_r(geos, shell, holes, (unsigned)hole_count);
-    free(holes);
-    return polygon;
-}
-
-/* All of `count` regions as one collection of polygons; NULL on failure. */
-static GEOSGeometry *geos_polygons(GEOSContextHandle_t geos,
-                                   const struct pp_region *regions, int count)
-{
-    int rings = 0, polygons = 0;
-    for (int i = 0; i < count; i++)
-        rings += regions[i].count;
-    GEOSGeometry **list = calloc((size_t)rings + 1, sizeof *list);
-    if (!list)
-        return NULL;
-    bool whole = true;
-    for (int i = 0; whole && i < count; i++) {
-        const struct pp_region *region = &regions[i];
-        for (int from = 0, to; whole && from < region->count; from = to) {
-            to = from + 1;
-            while (to < region->count
-                   && pp_region_ring_area((const double(*)[2])region->rings[to].xy,
-                                          region->rings[to].count)
-                          < 0.0)
-                to++;
-            list[polygons] = geos_polygon(geos, region, from, to);
-            whole = list[polygons] != NULL;
-            if (whole)
-                polygons++;
-        }
-    }
-    GEOSGeometry *all = NULL;
-    if (whole)
-        all = GEOSGeom_createCollection_r(geos, GEOS_MULTIPOLYGON, list,
-                                          (unsigned)polygons);
-    else
-        for (int i = 0; i < polygons; i++)
-            GEOSGeom_destroy_r(geos, list[i]);
-    free(list);
-    return all;
-}
-
-/* ---- GEOS to regions ---- */
-
-static int ring_count(GEOSContextHandle_t geos, const GEOSGeometry *shape)
-{
-    int count = 0;
-    switch (GEOSGeomTypeId_r(geos, shape)) {
-    case GEOS_POLYGON:
-        if (!GEOSisEmpty_r(geos, shape))
-            count = 1 + GEOSGetNumInteriorRings_r(geos, shape);
-        break;
-    case GEOS_MULTIPOLYGON:
-    case GEOS_GEOMETRYCOLLECTION:
-        for (int i = 0; i < GEOSGetNumGeometries_r(geos, shape); i++)
-            count += ring_count(geos, GEOSGetGeometryN_r(geos, shape, i));
-        break;
-    default:
-        break;
-    }
-    return count;
-}
-
-static double perimeter(const double (*xy)[2], int count)
-{
-    double sum = 0.0;
-    for (int i = 0, k = count - 1; i < count; k = i++)
-        sum += hypot(xy[i][0] - xy[k][0], xy[i][1] - xy[k][1]);
-    return sum;
-}
-
-/* Appends one ring, turned the way `outer` asks for; one that is less than two steps of
- * the grid wide is rounding and left out. */
-static bool append_ring(const struct pp_clipper *clipper, struct pp_region *region,
-                        const GEOSGeometry *line, bool outer)
-{
-    GEOSContextHandle_t geos = clipper->geos;
-    const GEOSCoordSequence *points = GEOSGeom_getCoordSeq_r(geos, line);
-    unsigned size = 0;
-    if (!points || !GEOSCoordSeq_getSize_r(geos, points, &size))
-        return false;
-    if (size < 4)
-        return true;
-    int count = (int)size - 1;
-    double(*xy)[2] = malloc((size_t)count * sizeof *xy);
-    if (!xy)
-        return false;
-    for (int i = 0; i < count; i++)
-        GEOSCoordSeq_getXY_r(geos, points, (unsigned)i, &xy[i][0], &xy[i][1]);
-    double area = pp_region_ring_area((const double(*)[2])xy, count);
-    if (fabs(area) <= clipper->grid * perimeter((const double(*)[2])xy, count)) {
-        free(xy);
-        return true;
-    }
-    if ((area > 0.0) != outer)
-        for (int i = 0, k = count - 1; i < k; i++, k--)
-            for (int axis = 0; axis < 2; axis++) {
-                double swap = xy[i][axis];
-                xy[i][axis] = xy[k][axis];
-                xy[k][axis] = swap;
-            }
-    region->rings[region->count++] = (struct pp_ring){count, xy};
-    return true;
-}
-
-static bool append_shape(const struct pp_clipper *clipper, struct pp_region *region,
-                         const GEOSGeometry *shape)
-{
-    GEOSContextHandle_t geos = clipper->geos;
-    bool whole = true;
-    int known = region->count;
-    switch (GEOSGeomTypeId_r(geos, shape)) {
-    case GEOS_POLYGON:
-        if (GEOSisEmpty_r(geos, shape))
-            break;
-        whole = append_ring(clipper, region, GEOSGetExteriorRing_r(geos, shape), true);
-        for (int i = 0; whole && region->count > known
-                        && i < GEOSGetNumInteriorRings_r(geos, shape);
-             i++)
-            whole = append_ring(clipper, region, GEOSGetInteriorRingN_r(geos, shape, i),
-                                false);
-        break;
-    case GEOS_MULTIPOLYGON:
-    case GEOS_GEOMETRYCOLLECTION:
-        for (int i = 0; whole && i < GEOSGetNumGeometries_r(geos, shape); i++)
-            whole = append_shape(clipper, region, GEOSGetGeometryN_r(geos, shape, i));
-        break;
-    default:
-        break; /* points and lines have no area */
-    }
-    return whole;
-}
-
-/* Turns shape into *region and destroys it. */
-static enum pp_status region_from(struct pp_clipper *clipper, struct pp_region *region,
-                                  GEOSGeometry *shape, struct pp_error *err)
-{
-    *region = (struct pp_region){0};
-    int count = ring_count(clipper->geos, shape);
-    bool whole = true;
-    if (count > 0) {
-        region->rings = calloc((size_t)count, sizeof *region->rings);
-        whole = region->rings && append_shape(clipper, region, shape);
-    }
-    GEOSGeom_destroy_r(clipper->geos, shape);
-    if (!whole) {
-        pp_region_clear(region);
-        return pp_fail_memory(err);
-    }
-    return PP_OK;
-}
-
 /* ---- regions of rings ---- */
 
-bool pp_clipper_ring_is_simple(struct pp_clipper *clipper, const double (*xy)[2],
-                               int count)
+/* Does the ring turn one way at every corner, by more than rounding, and round once? */
+static bool is_convex(const double (*xy)[2], int count)
 {
-    if (count < 3 || pp_region_ring_area(xy, count) == 0.0)
-        return false;
-    GEOSGeometry *ring = geos_ring(clipper->geos, xy, count);
+    int left = 0, right = 0, over = 0;
+    for (int i = 0; i < count; i++) {
+        const double *a = xy[i], *b = xy[(i + 1) % count], *c = xy[(i + 2) % count];
+        double in[2] = {b[0] - a[0], b[1] - a[1]}, out[2] = {c[0] - b[0], c[1] - b[1]};
+        double turn = in[0] * out[1] - in[1] * out[0];
+        double least = 1e-12 * hypot(in[0], in[1]) * hypot(out[0], out[1]);
+        left += turn > least;
+        right += turn < -least;
+        over += (in[0] > 0.0) != (out[0] > 0.0);
+    }
+    return (left == count || right == count) && over == 2;
+}
+
+enum pp_status pp_clipper_ring_is_simple(bool *simple, struct pp_clipper *clipper,
+                                         const double (*xy)[2], int count,
+                                         struct pp_error *err)
+{
+    const struct pp_late_geos *geos = &clipper->geos;
+    *simple = is_convex(xy, count);
+    if (*simple || count < 3 || pp_region_ring_area(xy, count) == 0.0)
+        return PP_OK;
+    enum pp_status status = need_geos(clipper, err);
+    if (status != PP_OK)
+        return status;
+    GEOSGeometry *ring = pp_geos_region_ring(geos, xy, count);
     if (!ring)
-        return false;
-    GEOSGeometry *polygon = GEOSGeom_createPolygon_r(clipper->geos, ring, NULL, 0);
-    bool simple = polygon && GEOSisValid_r(clipper->geos, polygon) == 1;
+        return PP_OK;
+    GEOSGeometry *polygon =
+        geos->call.GEOSGeom_createPolygon_r(geos->context, ring, NULL, 0);
+    *simple = polygon && geos->call.GEOSisValid_r(geos->context, polygon) == 1;
     if (polygon)
-        GEOSGeom_destroy_r(clipper->geos, polygon);
-    return simple;
+        geos->call.GEOSGeom_destroy_r(geos->context, polygon);
+    return PP_OK;
 }
 
 /* The figure of a ring that is simple. */
@@ -298,37 +120,43 @@ enum pp_status pp_clipper_of_ring(struct pp_clipper *clipper, struct pp_region *
     *region = (struct pp_region){0};
     if (count < 3 || pp_region_ring_area(xy, count) == 0.0)
         return PP_OK;
-    if (!pp_clipper_ring_is_simple(clipper, xy, count))
+    bool simple;
+    enum pp_status status = pp_clipper_ring_is_simple(&simple, clipper, xy, count, err);
+    if (status != PP_OK)
+        return status;
+    if (!simple)
         return pp_fail(err, PP_BAD_INPUT, "the outline meets or crosses itself");
     return simple_ring(region, xy, count, err);
 }
 
 /* The faces that the closed line divides the plane into; NULL on failure. */
-static GEOSGeometry *faces_of(GEOSContextHandle_t geos, const double (*xy)[2],
+static GEOSGeometry *faces_of(const struct pp_late_geos *geos, const double (*xy)[2],
                               int count)
 {
-    GEOSGeometry *line = geos_ring(geos, xy, count), *faces = NULL;
-    GEOSGeometry *pieces = line ? GEOSUnaryUnion_r(geos, line) : NULL;
+    GEOSGeometry *line = pp_geos_region_ring(geos, xy, count), *faces = NULL;
+    GEOSGeometry *pieces =
+        line ? geos->call.GEOSUnaryUnion_r(geos->context, line) : NULL;
     if (pieces)
-        faces = GEOSPolygonize_r(geos, (const GEOSGeometry *const *)&pieces, 1);
+        faces = geos->call.GEOSPolygonize_r(geos->context,
+                                            (const GEOSGeometry *const *)&pieces, 1);
     if (pieces)
-        GEOSGeom_destroy_r(geos, pieces);
+        geos->call.GEOSGeom_destroy_r(geos->context, pieces);
     if (line)
-        GEOSGeom_destroy_r(geos, line);
+        geos->call.GEOSGeom_destroy_r(geos->context, line);
     return faces;
 }
 
 /* Is the face's inside that of the line, by crossings? */
-static bool is_crossed_oddly(GEOSContextHandle_t geos, const GEOSGeometry *face,
+static bool is_crossed_oddly(const struct pp_late_geos *geos, const GEOSGeometry *face,
                              const struct pp_region *line)
 {
     double x, y;
-    GEOSGeometry *point = GEOSPointOnSurface_r(geos, face);
-    bool inside = point && GEOSGeomGetX_r(geos, point, &x) == 1
-                  && GEOSGeomGetY_r(geos, point, &y) == 1
+    GEOSGeometry *point = geos->call.GEOSPointOnSurface_r(geos->context, face);
+    bool inside = point && geos->call.GEOSGeomGetX_r(geos->context, point, &x) == 1
+                  && geos->call.GEOSGeomGetY_r(geos->context, point, &y) == 1
                   && pp_region_contains(line, x, y);
     if (point)
-        GEOSGeom_destroy_r(geos, point);
+        geos->call.GEOSGeom_destroy_r(geos->context, point);
     return inside;
 }
 
@@ -336,33 +164,41 @@ enum pp_status pp_clipper_by_crossings(struct pp_clipper *clipper,
                                        struct pp_region *region, const double (*xy)[2],
                                        int count, struct pp_error *err)
 {
-    GEOSContextHandle_t geos = clipper->geos;
+    const struct pp_late_geos *geos = &clipper->geos;
     *region = (struct pp_region){0};
     if (count < 3)
         return PP_OK;
-    if (pp_clipper_ring_is_simple(clipper, xy, count))
+    bool simple;
+    enum pp_status status = pp_clipper_ring_is_simple(&simple, clipper, xy, count, err);
+    if (status == PP_OK && simple)
         return simple_ring(region, xy, count, err);
+    if (status == PP_OK)
+        status = need_geos(clipper, err);
+    if (status != PP_OK)
+        return status;
     GEOSGeometry *faces = faces_of(geos, xy, count);
     if (!faces)
         return fail_geos(clipper, "finding the faces of an outline", err);
-    int face_count = GEOSGetNumGeometries_r(geos, faces), found = 0;
+    int face_count = geos->call.GEOSGetNumGeometries_r(geos->context, faces), found = 0;
     struct pp_region *inside = calloc((size_t)face_count + 1, sizeof *inside);
     struct pp_ring ring = {count, (double(*)[2])xy};
-    enum pp_status status = inside ? PP_OK : pp_fail_memory(err);
+    status = inside ? PP_OK : pp_fail_memory(err);
     for (int i = 0; i < face_count && status == PP_OK; i++) {
-        const GEOSGeometry *face = GEOSGetGeometryN_r(geos, faces, i);
+        const GEOSGeometry *face =
+            geos->call.GEOSGetGeometryN_r(geos->context, faces, i);
         if (!is_crossed_oddly(geos, face, &(struct pp_region){1, &ring}))
             continue;
-        GEOSGeometry *copy = GEOSGeom_clone_r(geos, face);
-        status = copy ? region_from(clipper, &inside[found++], copy, err)
-                      : pp_fail_memory(err);
+        GEOSGeometry *copy = geos->call.GEOSGeom_clone_r(geos->context, face);
+        status =
+            copy ? pp_geos_region_from(&inside[found++], geos, copy, clipper->grid, err)
+                 : pp_fail_memory(err);
     }
     if (status == PP_OK)
         status = pp_clipper_union(clipper, region, inside, found, err);
     for (int i = 0; i < found; i++)
         pp_region_clear(&inside[i]);
     free(inside);
-    GEOSGeom_destroy_r(geos, faces);
+    geos->call.GEOSGeom_destroy_r(geos->context, faces);
     return status;
 }
 
@@ -372,17 +208,22 @@ enum pp_status pp_clipper_union(struct pp_clipper *clipper, struct pp_region *re
                                 const struct pp_region *parts, int count,
                                 struct pp_error *err)
 {
+    const struct pp_late_geos *geos = &clipper->geos;
     *result = (struct pp_region){0};
-    GEOSGeometry *all = geos_polygons(clipper->geos, parts, count);
+    enum pp_status status = need_geos(clipper, err);
+    if (status != PP_OK)
+        return status;
+    GEOSGeometry *all = pp_geos_region_polygons(geos, parts, count);
     if (!all)
         return pp_fail_memory(err);
-    GEOSGeometry *one = clipper->grid > 0.0
-                            ? GEOSUnaryUnionPrec_r(clipper->geos, all, clipper->grid)
-                            : GEOSUnaryUnion_r(clipper->geos, all);
-    GEOSGeom_destroy_r(clipper->geos, all);
+    GEOSGeometry *one =
+        clipper->grid > 0.0
+            ? geos->call.GEOSUnaryUnionPrec_r(geos->context, all, clipper->grid)
+            : geos->call.GEOSUnaryUnion_r(geos->context, all);
+    geos->call.GEOSGeom_destroy_r(geos->context, all);
     if (!one)
         return fail_geos(clipper, "the union of outlines", err);
-    return region_from(clipper, result, one, err);
+    return pp_geos_region_from(result, geos, one, clipper->grid, err);
 }
 
 typedef GEOSGeometry *overlay_function(GEOSContextHandle_t geos, const GEOSGeometry *a,
@@ -392,27 +233,31 @@ typedef GEOSGeometry *grid_function(GEOSContextHandle_t geos, const GEOSGeometry
 
 static enum pp_status overlay(struct pp_clipper *clipper, struct pp_region *result,
                               const struct pp_region *a, const struct pp_region *b,
-                              overlay_function *how, grid_function *how_on_grid,
+                              overlay_function **how, grid_function **how_on_grid,
                               const char *what, struct pp_error *err)
 {
+    const struct pp_late_geos *geos = &clipper->geos;
     *result = (struct pp_region){0};
-    GEOSGeometry *one = geos_polygons(clipper->geos, a, 1);
-    GEOSGeometry *other = geos_polygons(clipper->geos, b, 1);
+    enum pp_status status = need_geos(clipper, err);
+    if (status != PP_OK)
+        return status;
+    GEOSGeometry *one = pp_geos_region_polygons(geos, a, 1);
+    GEOSGeometry *other = pp_geos_region_polygons(geos, b, 1);
     GEOSGeometry *shape = NULL;
     bool whole = one && other;
     if (whole)
         shape = clipper->grid > 0.0
-                    ? how_on_grid(clipper->geos, one, other, clipper->grid)
-                    : how(clipper->geos, one, other);
+                    ? (*how_on_grid)(geos->context, one, other, clipper->grid)
+                    : (*how)(geos->context, one, other);
     if (one)
-        GEOSGeom_destroy_r(clipper->geos, one);
+        geos->call.GEOSGeom_destroy_r(geos->context, one);
     if (other)
-        GEOSGeom_destroy_r(clipper->geos, other);
+        geos->call.GEOSGeom_destroy_r(geos->context, other);
     if (!whole)
         return pp_fail_memory(err);
     if (!shape)
         return fail_geos(clipper, what, err);
-    return region_from(clipper, result, shape, err);
+    return pp_geos_region_from(result, geos, shape, clipper->grid, err);
 }
 
 enum pp_status pp_clipper_intersection(struct pp_clipper *clipper,
@@ -420,7 +265,8 @@ enum pp_status pp_clipper_intersection(struct pp_clipper *clipper,
                                        const struct pp_region *a,
                                        const struct pp_region *b, struct pp_error *err)
 {
-    return overlay(clipper, result, a, b, GEOSIntersection_r, GEOSIntersectionPrec_r,
+    return overlay(clipper, result, a, b, &clipper->geos.call.GEOSIntersection_r,
+                   &clipper->geos.call.GEOSIntersectionPrec_r,
                    "the intersection of outlines", err);
 }
 
@@ -430,7 +276,8 @@ enum pp_status pp_clipper_difference(struct pp_clipper *clipper,
                                      const struct pp_region *minus,
                                      struct pp_error *err)
 {
-    return overlay(clipper, result, a, minus, GEOSDifference_r, GEOSDifferencePrec_r,
+    return overlay(clipper, result, a, minus, &clipper->geos.call.GEOSDifference_r,
+                   &clipper->geos.call.GEOSDifferencePrec_r,
                    "the difference of outlines", err);
 }
 
@@ -440,17 +287,21 @@ enum pp_status pp_clipper_inset(struct pp_clipper *clipper, struct pp_region *re
 {
     enum { ARC_POINTS = 8 };             /* of a quarter circle: there is none */
     static const double LONGEST = 100.0; /* of a corner, over the distance */
+    const struct pp_late_geos *geos = &clipper->geos;
     *result = (struct pp_region){0};
-    GEOSGeometry *whole = geos_polygons(clipper->geos, region, 1);
+    enum pp_status status = need_geos(clipper, err);
+    if (status != PP_OK)
+        return status;
+    GEOSGeometry *whole = pp_geos_region_polygons(geos, region, 1);
     if (!whole)
         return pp_fail_memory(err);
     GEOSGeometry *inside =
-        GEOSBufferWithStyle_r(clipper->geos, whole, -distance, ARC_POINTS,
-                              GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, LONGEST);
-    GEOSGeom_destroy_r(clipper->geos, whole);
+        geos->call.GEOSBufferWithStyle_r(geos->context, whole, -distance, ARC_POINTS,
+                                         GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, LONGEST);
+    geos->call.GEOSGeom_destroy_r(geos->context, whole);
     if (!inside)
         return fail_geos(clipper, "the inside of an outline", err);
-    return region_from(clipper, result, inside, err);
+    return pp_geos_region_from(result, geos, inside, clipper->grid, err);
 }
 
 enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
@@ -458,20 +309,24 @@ enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
                                       const struct pp_region *region,
                                       struct pp_error *err)
 {
-    GEOSContextHandle_t geos = clipper->geos;
+    const struct pp_late_geos *geos = &clipper->geos;
     *triangles = NULL;
     *count = 0;
     if (region->count == 0)
         return PP_OK;
-    GEOSGeometry *shape = geos_polygons(geos, region, 1);
+    enum pp_status status = need_geos(clipper, err);
+    if (status != PP_OK)
+        return status;
+    GEOSGeometry *shape = pp_geos_region_polygons(geos, region, 1);
     if (!shape)
         return pp_fail_memory(err);
-    GEOSGeometry *mesh = GEOSConstrainedDelaunayTriangulation_r(geos, shape);
-    GEOSGeom_destroy_r(geos, shape);
+    GEOSGeometry *mesh =
+        geos->call.GEOSConstrainedDelaunayTriangulation_r(geos->context, shape);
+    geos->call.GEOSGeom_destroy_r(geos->context, shape);
     if (!mesh)
         return fail_geos(clipper, "the triangulation of an outline", err);
     struct pp_region rings;
-    enum pp_status status = region_from(clipper, &rings, mesh, err);
+    status = pp_geos_region_from(&rings, geos, mesh, clipper->grid, err);
     if (status != PP_OK)
         return status;
     double(*list)[3][2] = malloc((size_t)rings.count * sizeof *list + 1);

@@ -1,7 +1,7 @@
 /* clipper.h - regions out of rings, their union, difference and intersection, and the
  * triangles that cover them.
  *
- * Overlays are GEOS's, which only clipper.c knows.
+ * Overlays are GEOS's (late_geos.h).
  */
 #ifndef PP_MODEL_GEOMETRY_CLIPPER_H
 #define PP_MODEL_GEOMETRY_CLIPPER_H
@@ -11,8 +11,8 @@
 #include "model/base/error.h"
 #include "model/geometry/region.h"
 
-/* Holds a GEOS context: one for each thread. The functions below change nothing
- * else. */
+/* Holds a GEOS context, once one is needed: one for each thread. The functions below change
+ * nothing else. */
 struct pp_clipper;
 enum pp_status pp_clipper_create(struct pp_clipper **clipper, struct pp_error *err);
 void pp_clipper_destroy(struct pp_clipper *clipper); /* NULL is allowed */
@@ -64,7 +64,8 @@ enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
                                       struct pp_error *err);
 
 /* Has the ring an area, and does it nowhere meet itself? */
-bool pp_clipper_ring_is_simple(struct pp_clipper *clipper, const double (*xy)[2],
-                               int count);
+enum pp_status pp_clipper_ring_is_simple(bool *simple, struct pp_clipper *clipper,
+                                         const double (*xy)[2], int count,
+                                         struct pp_error *err);
 
 #endif

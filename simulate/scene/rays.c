@@ -18,9 +18,38 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include "model/base/late_library.h"
 #include "simulate/scene/round.h"
 
+/* Embree is loaded with the first scene, since many a command needs none: with its tasks'
+ * library it is a third of what a start would load. */
+#ifdef HAVE_EMBREE4
+#define EMBREE_FILE "libembree4.so.4"
+#else
+#define EMBREE_FILE "libembree3.so.3"
+#endif
+
+/* What is called of it. */
+/* clang-format off */
+#define EMBREE_FUNCTIONS(each) \
+    each(rtcAttachGeometry) each(rtcCommitGeometry) each(rtcCommitScene) \
+    each(rtcGetDeviceError) each(rtcIntersect1) each(rtcNewDevice) \
+    each(rtcNewGeometry) each(rtcNewScene) each(rtcReleaseDevice) \
+    each(rtcReleaseGeometry) each(rtcReleaseScene) \
+    each(rtcSetGeometryBoundsFunction) each(rtcSetGeometryIntersectFunction) \
+    each(rtcSetGeometryUserData) each(rtcSetGeometryUserPrimitiveCount) \
+    each(rtcSetNewGeometryBuffer) each(rtcSetSceneFlags)
+/* clang-format on */
+
+#define MEMBER(name) __typeof__(name) *name;
+#define NAME(name) #name,
+struct embree {
+    EMBREE_FUNCTIONS(MEMBER)
+};
+static const char *const embree_names[] = {EMBREE_FUNCTIONS(NAME) NULL};
+
 struct pp_rays {
+    struct embree embree;
     RTCDevice device;
     RTCScene scene;
     struct pp_shape *rounds;
@@ -29,9 +58,9 @@ struct pp_rays {
 };
 
 /* Embree's last error, as ours. */
-static enum pp_status embree_failed(RTCDevice device, struct pp_error *err)
+static enum pp_status embree_failed(const struct pp_rays *rays, struct pp_error *err)
 {
-    enum RTCError code = rtcGetDeviceError(device);
+    enum RTCError code = rays->embree.rtcGetDeviceError(rays->device);
     if (code == RTC_ERROR_OUT_OF_MEMORY)
         return pp_fail_memory(err);
     return pp_fail(err, PP_SYSTEM,
@@ -44,25 +73,26 @@ static enum pp_status attach_triangles(struct pp_rays *rays,
                                        const float (*triangles)[3][3], int count,
                                        struct pp_error *err)
 {
-    RTCGeometry mesh = rtcNewGeometry(rays->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    const struct embree *embree = &rays->embree;
+    RTCGeometry mesh = embree->rtcNewGeometry(rays->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     if (!mesh)
-        return embree_failed(rays->device, err);
-    float *vertices =
-        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                3 * sizeof(float), (size_t)count * 3);
-    unsigned *indices =
-        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                3 * sizeof(unsigned), (size_t)count);
+        return embree_failed(rays, err);
+    float *vertices = embree->rtcSetNewGeometryBuffer(
+        mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float),
+        (size_t)count * 3);
+    unsigned *indices = embree->rtcSetNewGeometryBuffer(
+        mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned),
+        (size_t)count);
     if (vertices && indices) {
         memcpy(vertices, triangles, (size_t)count * sizeof *triangles);
         for (unsigned i = 0; i < 3u * (unsigned)count; i++)
             indices[i] = i;
-        rtcCommitGeometry(mesh);
-        rtcAttachGeometry(rays->scene, mesh);
+        embree->rtcCommitGeometry(mesh);
+        embree->rtcAttachGeometry(rays->scene, mesh);
     }
-    rtcReleaseGeometry(mesh);
+    embree->rtcReleaseGeometry(mesh);
     if (!vertices || !indices)
-        return embree_failed(rays->device, err);
+        return embree_failed(rays, err);
     return PP_OK;
 }
 
@@ -112,16 +142,17 @@ static enum pp_status attach_rounds(struct pp_rays *rays, const struct pp_shape 
     if (!rays->rounds)
         return pp_fail_memory(err);
     memcpy(rays->rounds, rounds, (size_t)count * sizeof *rounds);
-    RTCGeometry geometry = rtcNewGeometry(rays->device, RTC_GEOMETRY_TYPE_USER);
+    const struct embree *embree = &rays->embree;
+    RTCGeometry geometry = embree->rtcNewGeometry(rays->device, RTC_GEOMETRY_TYPE_USER);
     if (!geometry)
-        return embree_failed(rays->device, err);
-    rtcSetGeometryUserPrimitiveCount(geometry, (unsigned)count);
-    rtcSetGeometryUserData(geometry, rays->rounds);
-    rtcSetGeometryBoundsFunction(geometry, round_bounds, NULL);
-    rtcSetGeometryIntersectFunction(geometry, round_intersect);
-    rtcCommitGeometry(geometry);
-    rays->round_geometry = rtcAttachGeometry(rays->scene, geometry);
-    rtcReleaseGeometry(geometry);
+        return embree_failed(rays, err);
+    embree->rtcSetGeometryUserPrimitiveCount(geometry, (unsigned)count);
+    embree->rtcSetGeometryUserData(geometry, rays->rounds);
+    embree->rtcSetGeometryBoundsFunction(geometry, round_bounds, NULL);
+    embree->rtcSetGeometryIntersectFunction(geometry, round_intersect);
+    embree->rtcCommitGeometry(geometry);
+    rays->round_geometry = embree->rtcAttachGeometry(rays->scene, geometry);
+    embree->rtcReleaseGeometry(geometry);
     return PP_OK;
 }
 
@@ -135,26 +166,30 @@ enum pp_status pp_rays_create(struct pp_rays **result, const float (*triangles)[
         return pp_fail_memory(err);
     rays->triangle_count = count;
     rays->round_geometry = RTC_INVALID_GEOMETRY_ID;
-    enum pp_status status = PP_OK;
-    rays->device = rtcNewDevice("threads=1,set_affinity=0");
+    const struct embree *embree = &rays->embree;
+    enum pp_status status =
+        pp_late_library_load(&rays->embree, embree_names, EMBREE_FILE, err);
+    if (status != PP_OK)
+        goto failed;
+    rays->device = embree->rtcNewDevice("threads=1,set_affinity=0");
     if (!rays->device) {
-        status = embree_failed(NULL, err);
+        status = embree_failed(rays, err);
         goto failed;
     }
-    rays->scene = rtcNewScene(rays->device);
+    rays->scene = embree->rtcNewScene(rays->device);
     if (!rays->scene) {
-        status = embree_failed(rays->device, err);
+        status = embree_failed(rays, err);
         goto failed;
     }
-    rtcSetSceneFlags(rays->scene, RTC_SCENE_FLAG_ROBUST);
+    embree->rtcSetSceneFlags(rays->scene, RTC_SCENE_FLAG_ROBUST);
     if (count > 0)
         status = attach_triangles(rays, triangles, count, err);
     if (status == PP_OK && round_count > 0)
         status = attach_rounds(rays, rounds, round_count, err);
     if (status != PP_OK)
         goto failed;
-    rtcCommitScene(rays->scene);
-    if (rtcGetDeviceError(rays->device) != RTC_ERROR_NONE) {
+    embree->rtcCommitScene(rays->scene);
+    if (embree->rtcGetDeviceError(rays->device) != RTC_ERROR_NONE) {
         status = pp_fail_memory(err);
         goto failed;
     }
@@ -170,9 +205,9 @@ void pp_rays_destroy(struct pp_rays *rays)
     if (!rays)
         return;
     if (rays->scene)
-        rtcReleaseScene(rays->scene);
+        rays->embree.rtcReleaseScene(rays->scene);
     if (rays->device)
-        rtcReleaseDevice(rays->device);
+        rays->embree.rtcReleaseDevice(rays->device);
     free(rays->rounds);
     free(rays);
 }
@@ -191,11 +226,11 @@ int pp_rays_first(const struct pp_rays *rays, const float origin[3],
                 .mask = ~0u},
         .hit = {.geomID = RTC_INVALID_GEOMETRY_ID, .primID = RTC_INVALID_GEOMETRY_ID}};
 #ifdef HAVE_EMBREE4
-    rtcIntersect1(rays->scene, &query, NULL);
+    rays->embree.rtcIntersect1(rays->scene, &query, NULL);
 #else
     struct RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    rtcIntersect1(rays->scene, &context, &query);
+    rays->embree.rtcIntersect1(rays->scene, &context, &query);
 #endif
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return -1;

@@ -4,22 +4,23 @@
 #include <math.h>
 #include <string.h>
 
-/* As the CSV file has them. */
+/* As the CSV file has them. Words stand in the row itself: pointers to them would be 12,000
+ * places that every start has to fill in. */
 struct row {
-    const char *place, *component, *column; /* place "span": of the feature `column` */
+    char place[8], component[4], column[28]; /* place "span": of the feature `column` */
     int rooms;
     double low, median, high, spread;
     double formula_low, formula_median, formula_high;
     double assumption_low, assumption_median, assumption_high;
-    const char *feature1;
+    char feature1[16];
     double from1, to1;
-    const char *feature2;
+    char feature2[16];
     double from2, to2;
-    const char *feature3;
+    char feature3[16];
     double from3, to3;
-    const char *feature4;
+    char feature4[16];
     double from4, to4;
-    const char *feature5;
+    char feature5[16];
     double from5, to5;
 };
 
@@ -113,7 +114,8 @@ int pp_band_table_find(struct pp_band_record records[PP_BAND_REGIMES],
     int count = 0;
     for (int i = 0; i < table->count && count < PP_BAND_REGIMES; i++) {
         const struct row *row = &table->rows[i];
-        if (strcmp(row->column, column) == 0
+        /* Most rows are of other columns, whose first letters tell as a rule. */
+        if (row->column[0] == column[0] && strcmp(row->column, column) == 0
             && strcmp(row->place, pp_band_figures_places[place]) == 0
             && strcmp(row->component, pp_band_features_components[component]) == 0)
             records[count++] = record_of(row);

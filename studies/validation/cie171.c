@@ -9,13 +9,13 @@
 #include "methods/method.h"
 #include "methods/view/visible.h"
 
-/* A value of the table; per cent. */
+/* A value of the table; per cent. Words stand in it, as no start has to place them then. */
 struct figure {
-    const char *scene;
+    char scene[16];
     double a, b, sky;
     double x, y, z, nx, ny, nz, sun_y;
     double value, check;
-    const char *flag;
+    char flag[8];
 };
 
 static const struct figure figures[] = {

@@ -50,14 +50,14 @@ static enum pp_status halve_near(struct pp_field *field, struct pp_error *err)
  * without their crossings. */
 static enum pp_status reserve_ends(struct pp_field *field, struct pp_error *err)
 {
-    int had = field->end_room;
-    enum pp_status status =
-        pp_array_reserve(&field->ends, &field->end_room, field->mesh.edge_count,
-                         sizeof *field->ends, err);
+    int had = field->end_count, count = field->mesh.edge_count;
+    enum pp_status status = pp_array_reserve(&field->ends, &field->end_room, count,
+                                             sizeof *field->ends, err);
     if (status != PP_OK)
         return status;
-    memset(field->ends + had, 0, (size_t)(field->end_room - had) * sizeof *field->ends);
-    for (int i = 0; i < field->mesh.edge_count; i++)
+    memset(field->ends + had, 0, (size_t)(count - had) * sizeof *field->ends);
+    field->end_count = count;
+    for (int i = 0; i < count; i++)
         field->ends[i].leaving = field->ends[i].arriving = -1;
     return PP_OK;
 }

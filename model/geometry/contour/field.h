@@ -2,7 +2,7 @@
  * it.
  *
  * The mesh keeps to the figure's edges. The function is evaluated inside the figure and
- * on its edge, nowhere else, and never twice at a node. Triangles are at most 1/24 of
+ * on its edge, nowhere else, and never twice at a place. Triangles are at most 1/24 of
  * the figure's diagonal long, and along the figure's edge a quarter of that; contour.h
  * halves those near a level.
  */
@@ -12,6 +12,7 @@
 #include <stddef.h>
 
 #include "model/base/error.h"
+#include "model/geometry/contour/known_values.h"
 #include "model/geometry/contour/mesh.h"
 #include "model/geometry/region.h"
 
@@ -43,13 +44,14 @@ struct pp_field {
     double tolerance, coarse;
     double *values; /* at the mesh's nodes */
     int value_count, value_room;
+    struct pp_known_values known; /* between the nodes */
     long evaluations;
 
     /* Of the level whose curves are being traced. */
     double level;
     int stamp;
     struct pp_curve_end *ends; /* by edge */
-    int end_room;
+    int end_count, end_room;
     struct pp_crossing *crossings;
     int crossing_count, crossing_room;
     double (*between)[2];
@@ -75,6 +77,8 @@ double pp_field_share_below(const struct pp_field *field, double level);
 /* How often the function was evaluated. */
 long pp_field_evaluations(const struct pp_field *field);
 
+/* The value between the nodes. What was evaluated is kept: a level whose curves were traced
+ * is traced again for its outlines, when other levels have halved triangles elsewhere. */
 enum pp_status pp_field_evaluate(struct pp_field *field, const double xy[2],
                                  double *value, struct pp_error *err);
 

@@ -26,7 +26,11 @@ static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
         return status;
     pp_opening_outline_face_words(words, sizeof words, frame->face);
     /* A ring thinner than the tolerance may have no area once moved in. */
-    bool whole = pp_clipper_ring_is_simple(r->clipper, (const double(*)[2])xy, count);
+    bool whole;
+    status = pp_clipper_ring_is_simple(&whole, r->clipper, (const double(*)[2])xy,
+                                       count, err);
+    if (status != PP_OK)
+        return status;
     if (out_m > 0.0)
         pp_mistakes_add(
             r->mistakes, part->line,

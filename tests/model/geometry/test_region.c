@@ -64,8 +64,13 @@ static void a_bow_tie_is_refused(void **state)
     struct pp_error err;
     assert_int_equal(pp_clipper_of_ring(clipper, &region, bow, 4, &err), PP_BAD_INPUT);
     assert_int_equal(region.count, 0);
-    assert_false(pp_clipper_ring_is_simple(clipper, bow, 4));
-    assert_false(pp_clipper_ring_is_simple(clipper, spike, 5));
+    bool simple = true;
+    assert_int_equal(pp_clipper_ring_is_simple(&simple, clipper, bow, 4, NULL), PP_OK);
+    assert_false(simple);
+    simple = true;
+    assert_int_equal(pp_clipper_ring_is_simple(&simple, clipper, spike, 5, NULL),
+                     PP_OK);
+    assert_false(simple);
 }
 
 static double area_by_crossings(const double (*xy)[2], int count)

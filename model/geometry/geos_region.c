@@ -1,0 +1,211 @@
+/* geos_region.c - see geos_region.h. */
+#include "model/geometry/geos_region.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- rings and regions to GEOS ---- */
+
+GEOSGeometry *pp_geos_region_ring(const struct pp_late_geos *geos,
+                                  const double (*xy)[2], int count)
+{
+    GEOSCoordSequence *line =
+        geos->call.GEOSCoordSeq_create_r(geos->context, (unsigned)count + 1, 2);
+    if (!line)
+        return NULL;
+    for (int i = 0; i <= count; i++)
+        geos->call.GEOSCoordSeq_setXY_r(geos->context, line, (unsigned)i,
+                                        xy[i % count][0], xy[i % count][1]);
+    return geos->call.GEOSGeom_createLinearRing_r(geos->context, line);
+}
+
+/* The rings of `region` are `from` (an outer one) and the holes up to `to`. */
+static GEOSGeometry *geos_polygon(const struct pp_late_geos *geos,
+                                  const struct pp_region *region, int from, int to)
+{
+    const struct pp_ring *rings = region->rings;
+    int hole_count = to - from - 1;
+    GEOSGeometry **holes = NULL;
+    GEOSGeometry *shell = pp_geos_region_ring(geos, (const double(*)[2])rings[from].xy,
+                                              rings[from].count);
+    if (!shell)
+        return NULL;
+    if (hole_count > 0) {
+        holes = calloc((size_t)hole_count, sizeof *holes);
+        bool whole = holes != NULL;
+        for (int i = 0; whole && i < hole_count; i++) {
+            const struct pp_ring *ring = &rings[from + 1 + i];
+            holes[i] =
+                pp_geos_region_ring(geos, (const double(*)[2])ring->xy, ring->count);
+            whole = holes[i] != NULL;
+        }
+        if (!whole) {
+            for (int i = 0; holes && i < hole_count; i++)
+                if (holes[i])
+                    geos->call.GEOSGeom_destroy_r(geos->context, holes[i]);
+            free(holes);
+            geos->call.GEOSGeom_destroy_r(geos->context, shell);
+            return NULL;
+        }
+    }
+    GEOSGeometry *polygon = geos->call.GEOSGeom_createPolygon_r(
+        geos->context, shell, holes, (unsigned)hole_count);
+    free(holes);
+    return polygon;
+}
+
+GEOSGeometry *pp_geos_region_polygons(const struct pp_late_geos *geos,
+                                      const struct pp_region *regions, int count)
+{
+    int rings = 0, polygons = 0;
+    for (int i = 0; i < count; i++)
+        rings += regions[i].count;
+    GEOSGeometry **list = calloc((size_t)rings + 1, sizeof *list);
+    if (!list)
+        return NULL;
+    bool whole = true;
+    for (int i = 0; whole && i < count; i++) {
+        const struct pp_region *region = &regions[i];
+        for (int from = 0, to; whole && from < region->count; from = to) {
+            to = from + 1;
+            while (to < region->count
+                   && pp_region_ring_area((const double(*)[2])region->rings[to].xy,
+                                          region->rings[to].count)
+                          < 0.0)
+                to++;
+            list[polygons] = geos_polygon(geos, region, from, to);
+            whole = list[polygons] != NULL;
+            if (whole)
+                polygons++;
+        }
+    }
+    GEOSGeometry *all = NULL;
+    if (whole)
+        all = geos->call.GEOSGeom_createCollection_r(geos->context, GEOS_MULTIPOLYGON,
+                                                     list, (unsigned)polygons);
+    else
+        for (int i = 0; i < polygons; i++)
+            geos->call.GEOSGeom_destroy_r(geos->context, list[i]);
+    free(list);
+    return all;
+}
+
+/* ---- GEOS to regions ---- */
+
+static int ring_count(const struct pp_late_geos *geos, const GEOSGeometry *shape)
+{
+    int count = 0;
+    switch (geos->call.GEOSGeomTypeId_r(geos->context, shape)) {
+    case GEOS_POLYGON:
+        if (!geos->call.GEOSisEmpty_r(geos->context, shape))
+            count = 1 + geos->call.GEOSGetNumInteriorRings_r(geos->context, shape);
+        break;
+    case GEOS_MULTIPOLYGON:
+    case GEOS_GEOMETRYCOLLECTION:
+        for (int i = 0; i < geos->call.GEOSGetNumGeometries_r(geos->context, shape);
+             i++)
+            count += ring_count(geos,
+                                geos->call.GEOSGetGeometryN_r(geos->context, shape, i));
+        break;
+    default:
+        break;
+    }
+    return count;
+}
+
+static double perimeter(const double (*xy)[2], int count)
+{
+    double sum = 0.0;
+    for (int i = 0, k = count - 1; i < count; k = i++)
+        sum += hypot(xy[i][0] - xy[k][0], xy[i][1] - xy[k][1]);
+    return sum;
+}
+
+/* Appends one ring, turned the way `outer` asks for; one that is less than two steps of
+ * the grid wide is rounding and left out. */
+static bool append_ring(struct pp_region *region, const struct pp_late_geos *geos,
+                        const GEOSGeometry *line, bool outer, double grid)
+{
+    const GEOSCoordSequence *points =
+        geos->call.GEOSGeom_getCoordSeq_r(geos->context, line);
+    unsigned size = 0;
+    if (!points || !geos->call.GEOSCoordSeq_getSize_r(geos->context, points, &size))
+        return false;
+    if (size < 4)
+        return true;
+    int count = (int)size - 1;
+    double(*xy)[2] = malloc((size_t)count * sizeof *xy);
+    if (!xy)
+        return false;
+    for (int i = 0; i < count; i++)
+        geos->call.GEOSCoordSeq_getXY_r(geos->context, points, (unsigned)i, &xy[i][0],
+                                        &xy[i][1]);
+    double area = pp_region_ring_area((const double(*)[2])xy, count);
+    if (fabs(area) <= grid * perimeter((const double(*)[2])xy, count)) {
+        free(xy);
+        return true;
+    }
+    if ((area > 0.0) != outer)
+        for (int i = 0, k = count - 1; i < k; i++, k--)
+            for (int axis = 0; axis < 2; axis++) {
+                double swap = xy[i][axis];
+                xy[i][axis] = xy[k][axis];
+                xy[k][axis] = swap;
+            }
+    region->rings[region->count++] = (struct pp_ring){count, xy};
+    return true;
+}
+
+static bool append_shape(struct pp_region *region, const struct pp_late_geos *geos,
+                         const GEOSGeometry *shape, double grid)
+{
+    bool whole = true;
+    int known = region->count;
+    switch (geos->call.GEOSGeomTypeId_r(geos->context, shape)) {
+    case GEOS_POLYGON:
+        if (geos->call.GEOSisEmpty_r(geos->context, shape))
+            break;
+        whole = append_ring(region, geos,
+                            geos->call.GEOSGetExteriorRing_r(geos->context, shape),
+                            true, grid);
+        for (int i = 0;
+             whole && region->count > known
+             && i < geos->call.GEOSGetNumInteriorRings_r(geos->context, shape);
+             i++)
+            whole =
+                append_ring(region, geos,
+                            geos->call.GEOSGetInteriorRingN_r(geos->context, shape, i),
+                            false, grid);
+        break;
+    case GEOS_MULTIPOLYGON:
+    case GEOS_GEOMETRYCOLLECTION:
+        for (int i = 0;
+             whole && i < geos->call.GEOSGetNumGeometries_r(geos->context, shape); i++)
+            whole = append_shape(region, geos,
+                                 geos->call.GEOSGetGeometryN_r(geos->context, shape, i),
+                                 grid);
+        break;
+    default:
+        break; /* points and lines have no area */
+    }
+    return whole;
+}
+
+enum pp_status pp_geos_region_from(struct pp_region *region,
+                                   const struct pp_late_geos *geos, GEOSGeometry *shape,
+                                   double grid, struct pp_error *err)
+{
+    *region = (struct pp_region){0};
+    int count = ring_count(geos, shape);
+    bool whole = true;
+    if (count > 0) {
+        region->rings = calloc((size_t)count, sizeof *region->rings);
+        whole = region->rings && append_shape(region, geos, shape, grid);
+    }
+    geos->call.GEOSGeom_destroy_r(geos->context, shape);
+    if (!whole) {
+        pp_region_clear(region);
+        return pp_fail_memory(err);
+    }
+    return PP_OK;
+}
