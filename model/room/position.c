@@ -110,11 +110,11 @@ static const char *fault_on_surface(enum pp_role role)
 {
     switch (role) {
     case PP_FLOOR:
-        return "lies in the floor without facing straight up from it";
+        return "lies in the floor without facing straight up from it (nx, ny, nz)";
     case PP_WALL:
-        return "lies in a wall without facing straight into the room";
+        return "lies in a wall without facing straight into the room (nx, ny, nz)";
     case PP_CEILING:
-        return "lies in the ceiling without facing straight down from it";
+        return "lies in the ceiling without facing straight down from it (nx, ny, nz)";
     case PP_REVEAL:
         return "lies in an opening";
     case PP_BLOCK:
