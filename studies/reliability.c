@@ -217,3 +217,11 @@ void pp_reliability_sentence(const struct pp_reliability *reliability, char *tex
                        band->low, band->high);
     }
 }
+
+void pp_reliability_note(const struct pp_report *report, char *text, size_t size)
+{
+    struct pp_reliability found = pp_reliability_of(report);
+    pp_reliability_sentence(&found, text, size);
+    if (text[0])
+        pp_text_append(text, size, ".");
+}

@@ -289,6 +289,21 @@ check "PNGs of a building are numbered" \
 run chart section --log --paper a3 --orientation landscape --simulate --samples 16 \
     --methods all -o "$scratch/all.pdf" "$deep"
 check "every option at once" test $status -eq 0
+
+# Where df says that hand figures are not to be relied on, drawings of them do as well.
+well="$examples/situations/light-well.xml"
+for kind in section plan; do
+    run chart $kind -o "$scratch/doubt.pdf" "$well"
+    check_words "a $kind says where hand figures fail" "$scratch/doubt.pdf" \
+        "not to be relied on"
+done
+run chart plan --simulate --samples 8 -o "$scratch/doubt.pdf" "$well"
+lacks() {
+    ! has_words "$2" "$1"
+}
+if command -v pdftotext >/dev/null; then
+    check "a traced plan has none of them" lacks "relied on" "$scratch/doubt.pdf"
+fi
 if [ -c /dev/full ]; then
     check "a full disk is noticed" \
         refuses 3 "/dev/full" chart plan --format pdf -o /dev/full "$deep"
