@@ -304,6 +304,25 @@ lacks() {
 if command -v pdftotext >/dev/null; then
     check "a traced plan has none of them" lacks "relied on" "$scratch/doubt.pdf"
 fi
+
+# A wing off a room that is otherwise north of y = 4; a low bed, a high cupboard.
+wing() {
+    cat <<EOF
+<room version="1"><plan height="2.7">
+  <vertex x="0" y="0"/><vertex x="7" y="0"/><vertex x="7" y="4"/>
+  <vertex x="3" y="4"/><vertex x="3" y="8"/><vertex x="0" y="8"/></plan>
+  <window wall="3" left="1" sill="0.8" width="1.6" height="1.4"/>
+  <window wall="4" left="1" sill="0.8" width="1.6" height="1.4"/>
+  <furniture x="0.5" y="1" width="1" depth="2" height="$1"/>
+  <line from="0.5 6" to="2.5 6" points="3"/></room>
+EOF
+}
+wing 0.5 >"$scratch/bed.xml"
+run chart section -o "$scratch/wing.pdf" "$scratch/bed.xml"
+if command -v pdftotext >/dev/null; then
+    check "a window of another wing is not in the section" \
+        lacks "beside the section" "$scratch/wing.pdf"
+fi
 if [ -c /dev/full ]; then
     check "a full disk is noticed" \
         refuses 3 "/dev/full" chart plan --format pdf -o /dev/full "$deep"
