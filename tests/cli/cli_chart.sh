@@ -318,8 +318,14 @@ wing() {
 EOF
 }
 wing 0.5 >"$scratch/bed.xml"
+wing 1.9 >"$scratch/cupboard.xml"
+run chart plan -o "$scratch/cupboard.pdf" "$scratch/cupboard.xml"
+check_words "the key of a plan has what stands in the room" "$scratch/cupboard.pdf" \
+    "stands in the room"
 run chart section -o "$scratch/wing.pdf" "$scratch/bed.xml"
+run chart plan -o "$scratch/bed.pdf" "$scratch/bed.xml"
 if command -v pdftotext >/dev/null; then
+    check "but not what is below the plane" lacks "stands in" "$scratch/bed.pdf"
     check "a window of another wing is not in the section" \
         lacks "beside the section" "$scratch/wing.pdf"
 fi
