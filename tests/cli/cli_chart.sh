@@ -324,10 +324,13 @@ check_words "the key of a plan has what stands in the room" "$scratch/cupboard.p
     "stands in the room"
 run chart section -o "$scratch/wing.pdf" "$scratch/bed.xml"
 run chart plan -o "$scratch/bed.pdf" "$scratch/bed.xml"
+run chart brs-table -p 5,2 -o "$scratch/behind.pdf" "$scratch/bed.xml"
 if command -v pdftotext >/dev/null; then
     check "but not what is below the plane" lacks "stands in" "$scratch/bed.pdf"
     check "a window of another wing is not in the section" \
         lacks "beside the section" "$scratch/wing.pdf"
+    check "a window behind the point is not minus so far away" lacks "Line 5, .*away" "$scratch/behind.pdf"
+    check "but said to be behind it" has_words "$scratch/behind.pdf" "Line 5: the point lies"
 fi
 if [ -c /dev/full ]; then
     check "a full disk is noticed" \

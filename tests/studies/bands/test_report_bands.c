@@ -143,7 +143,8 @@ static void a_dado_like_its_wall_leaves_the_bands(void **state)
 {
     (void)state;
     struct made m;
-    make(&m, "<room version='1'>" ROOM "<dado height='1.1' reflectance='0.33'/></room>");
+    make(&m,
+         "<room version='1'>" ROOM "<dado height='1.1' reflectance='0.33'/></room>");
     assert_int_equal(pp_report_bands_fill(&m.report, NULL), PP_OK);
     assert_null(m.report.no_bands);
     clear(&m);
