@@ -5,6 +5,7 @@
 #include "charts/room/plan_chart.h"
 #include "studies/lit_line.h"
 #include "studies/plan_study.h"
+#include "studies/reliability.h"
 
 static enum pp_status draw_lit_area(struct pp_canvas *canvas,
                                     const struct pp_world *world,
@@ -39,7 +40,10 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
     enum pp_status status = pp_plan_study_make(&made, room, study, &by_clock, err);
     if (status != PP_OK)
         return status;
-    const char *notes[] = {made.note};
+    enum { NOTE_BYTES = 640 };
+    char doubts[NOTE_BYTES];
+    const char *notes[] = {made.note, doubts};
+    pp_reliability_note(&made.report, doubts, sizeof doubts);
     const struct pp_plan_chart chart = {.world = room->world,
                                         .light = &room->light,
                                         .plan = &made.plan,
@@ -47,7 +51,7 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
                                         .figures = &made.figures,
                                         .fill = choice->fill,
                                         .notes = notes,
-                                        .note_count = made.note[0] ? 1 : 0};
+                                        .note_count = 2};
     status = pp_plan_chart_draw(canvas, &chart, err);
     *finished &= made.report.finished;
     pp_plan_study_clear(&made);

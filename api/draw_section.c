@@ -7,10 +7,11 @@
 #include "charts/room/section_chart.h"
 #include "methods/reflected/obstruction.h"
 #include "model/base/text.h"
+#include "studies/reliability.h"
 #include "studies/section_line.h"
 #include "studies/study_report.h"
 
-enum { NOTE_BYTES = 512 };
+enum { NOTE_BYTES = 640 };
 
 /* A section of nothing is refused, with the reason. */
 static enum pp_status check_values(const struct pp_report *report, struct pp_error *err)
@@ -70,8 +71,8 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
     struct pp_report report = {.finished = true};
     bool by_clock = false;
     enum pp_status status = PP_OK;
-    char obstructions[NOTE_BYTES], stand_in[NOTE_BYTES] = "";
-    const char *notes[] = {stand_in, obstructions};
+    char obstructions[NOTE_BYTES], stand_in[NOTE_BYTES] = "", doubts[NOTE_BYTES];
+    const char *notes[] = {stand_in, obstructions, doubts};
     if (study->points.count == 0
         && !pp_section_line_is_straight(room->receivers, room->receiver_count))
         status = pp_section_line(room, err);
@@ -86,8 +87,10 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
         status = say_obstructions(obstructions, room->world, &room->light, err);
     if (report.stand_in)
         pp_text_append(stand_in, sizeof stand_in, "%s.", report.stand_in);
+    if (status == PP_OK)
+        pp_reliability_note(&report, doubts, sizeof doubts);
     const struct pp_section_chart chart = {
-        .report = &report, .scale = choice->scale, .notes = notes, .note_count = 2};
+        .report = &report, .scale = choice->scale, .notes = notes, .note_count = 3};
     if (status == PP_OK)
         status = pp_section_chart_draw(canvas, &chart, err);
     *finished &= report.finished;

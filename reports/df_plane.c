@@ -131,7 +131,10 @@ static void put_line(const struct pp_column *column, int name, int wide, bool ut
         put_reading(cell, readings[k], utf8);
         put_padded(cell, wide, out);
     }
-    fprintf(out, "%9.4f", plane->uniformity);
+    if (isfinite(plane->uniformity))
+        fprintf(out, "%9.4f", plane->uniformity);
+    else /* it is dark everywhere */
+        put_padded("-", 9, out);
     for (int k = 0; k < PP_PLANE_LEVELS; k++)
         fprintf(out, "%5.0f%%", 100.0 * plane->over[k]);
     fputc('\n', out);

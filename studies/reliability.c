@@ -118,7 +118,24 @@ static bool has_column(const struct pp_report *report, const char *name)
     return false;
 }
 
-/* Names the methods with a ground of their own; the largest distance from the room's. */
+/* Does the method answer for this room, or a point in it? */
+static bool has_figure(const struct pp_report *report, const char *name)
+{
+    for (int i = 0; i < report->column_count; i++) {
+        const struct pp_column *column = &report->columns[i];
+        if (strcmp(column->name, name) != 0)
+            continue;
+        if (isfinite(column->average.value))
+            return true;
+        for (int k = 0; column->points && k < report->receiver_count; k++)
+            if (isfinite(column->points[k].value))
+                return true;
+    }
+    return false;
+}
+
+/* Names the methods with a ground of their own that answer; the largest distance from the
+ * room's. */
 static double compare_grounds(struct pp_reliability *found,
                               const struct pp_report *report)
 {
@@ -126,7 +143,7 @@ static double compare_grounds(struct pp_reliability *found,
     char names[160] = "";
     const struct pp_method *method;
     for (int i = 0; (method = pp_method_at(i)) != NULL; i++) {
-        if (method->own_ground == 0.0 || !has_column(report, method->name)
+        if (method->own_ground == 0.0 || !has_figure(report, method->name)
             || fabs(method->own_ground - ground) < 1e-6)
             continue;
         own = method->own_ground;
@@ -199,4 +216,12 @@ void pp_reliability_sentence(const struct pp_reliability *reliability, char *tex
                        ", in such rooms %s was %.2g to %.2g times the traced", band->of,
                        band->low, band->high);
     }
+}
+
+void pp_reliability_note(const struct pp_report *report, char *text, size_t size)
+{
+    struct pp_reliability found = pp_reliability_of(report);
+    pp_reliability_sentence(&found, text, size);
+    if (text[0])
+        pp_text_append(text, size, ".");
 }

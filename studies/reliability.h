@@ -61,4 +61,7 @@ struct pp_reliability pp_reliability_of(const struct pp_report *report);
 void pp_reliability_sentence(const struct pp_reliability *reliability, char *text,
                              size_t size);
 
+/* The same of a report, with its full stop, as it stands below a drawing. */
+void pp_reliability_note(const struct pp_report *report, char *text, size_t size);
+
 #endif

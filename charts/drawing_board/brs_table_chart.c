@@ -261,6 +261,12 @@ static void say_sums(char *text, size_t room, const struct pp_brs_sheet *sheet)
     *text = '\0';
     for (int i = 0; i < sheet->window_count && i < WINDOWS_MOST; i++) {
         const struct pp_brs_window *window = &sheet->windows[i];
+        if (!(window->distance_m > 0.0)) {
+            pp_page_say(text, room,
+                        "Line %d: the point lies behind it or in its plane.",
+                        window->line);
+            continue;
+        }
         pp_page_say(
             text, room,
             "Line %d, %.2f\u00a0m away: with glass, frame and dirt (\u00d7 %.3f) "

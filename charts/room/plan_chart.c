@@ -229,7 +229,8 @@ static void say_foot(const struct plan_drawing *drawing, char *foot, size_t room
     const struct pp_plan_chart *chart = drawing->chart;
     const struct pp_daylight_plan *plan = chart->plan;
     for (int i = 0; i < chart->note_count; i++)
-        pp_page_say(foot, room, "%s", chart->notes[i]);
+        if (chart->notes[i][0])
+            pp_page_say(foot, room, "%s", chart->notes[i]);
     if (plan->highest > 0.0) {
         char low[32], high[32];
         say_percent(low, sizeof low, plan->lowest);

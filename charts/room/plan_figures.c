@@ -113,8 +113,9 @@ void pp_plan_figures_say(char *text, size_t room, const struct pp_plan_chart *ch
         say_reading(text, room, "minimum", &plane->minimum, ",");
         say_reading(text, room, "median", &plane->median, ",");
         say_reading(text, room, "mean", &plane->average, ",");
-        pp_page_say(text, room, "uniformity (minimum over mean) %.4f;",
-                    plane->uniformity);
+        if (isfinite(plane->uniformity))
+            pp_page_say(text, room, "uniformity (minimum over mean) %.4f;",
+                        plane->uniformity);
         for (int i = 0; i < PP_PLANE_LEVELS; i++)
             pp_page_say(text, room, "%s%.0f\u00a0%% of them reach %g\u00a0%%%s",
                         i == PP_PLANE_LEVELS - 1 ? "and " : "", 100.0 * plane->over[i],

@@ -312,6 +312,14 @@ static bool stands_inside(const struct pp_surface *surface)
     return surface->inside && surface->role == PP_FREE_SURFACE;
 }
 
+static bool is_cut(const struct pp_polygon *outline, double height_m)
+{
+    for (int i = 1; i < outline->count; i++)
+        if ((outline->vertices[i].z > height_m) != (outline->vertices[0].z > height_m))
+            return true;
+    return false;
+}
+
 bool pp_room_plan_has_overhead(const struct pp_world *world)
 {
     for (int i = 0; i < world->opening_count; i++)
@@ -323,7 +331,8 @@ bool pp_room_plan_has_overhead(const struct pp_world *world)
 bool pp_room_plan_has_inside(const struct pp_world *world)
 {
     for (int i = world->face_count; i < world->surface_count; i++)
-        if (stands_inside(&world->surfaces[i]))
+        if (stands_inside(&world->surfaces[i])
+            && is_cut(&world->surfaces[i].outline, world->working_plane_m))
             return true;
     return false;
 }

@@ -45,7 +45,8 @@ void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan);
 void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
                        const struct pp_room_plan *plan);
 
-/* Has the plan openings above the cut, drawn dashed? Surfaces that stand in the room? */
+/* Has the plan openings above the cut, drawn dashed? Surfaces that stand in the room and
+ * are cut? */
 bool pp_room_plan_has_overhead(const struct pp_world *world);
 bool pp_room_plan_has_inside(const struct pp_world *world);
 

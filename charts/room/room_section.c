@@ -13,6 +13,7 @@
 #include "charts/sheet/page.h"
 #include "charts/sheet/lettering.h"
 #include "model/base/text.h"
+#include "model/geometry/tolerance.h"
 
 bool pp_room_section_has_outside(const struct pp_room_section *section, bool near)
 {
@@ -154,6 +155,14 @@ static void draw_edge_on(const struct section_drawing *drawing)
     }
 }
 
+/* Is it beyond the ends of the section, as in another wing of an L-shaped room? */
+static bool is_beside(const struct pp_section_cut *cut,
+                      const struct pp_polygon *outline)
+{
+    double s = pp_section_cut_s(cut, pp_polygon_middle(outline));
+    return s < -PP_TOUCH_M || s > cut->length_m + PP_TOUCH_M;
+}
+
 /* Openings that the section plane does not cut, in elevation behind it. Returns how
  * many. */
 static int draw_openings_behind(const struct section_drawing *drawing)
@@ -165,9 +174,9 @@ static int draw_openings_behind(const struct section_drawing *drawing)
     double dash = 0.9 * drawing->style->scale;
     cairo_set_dash(drawing->cr, &dash, 1, 0.0);
     for (int i = 0; i < world->opening_count; i++) {
-        if (is_cut(cut, i))
-            continue;
         const struct pp_polygon *outline = &world->openings[i].inner;
+        if (is_cut(cut, i) || is_beside(cut, outline))
+            continue;
         cairo_new_sub_path(drawing->cr);
         for (int k = 0; k < outline->count; k++)
             cairo_line_to(drawing->cr,
@@ -424,8 +433,10 @@ static void write_caption(const struct section_drawing *drawing, int behind)
         left = fmin(left,
                     fmax(section->most_x - set.width, section->x - section->left_mm));
     set.lines = 2;
-    pp_lettering_draw(drawing->cr, drawing->style, &set, left,
-                      at_z(drawing, drawing->low) + 1.4 * drawing->style->scale, text);
+    /* On white, as a facade and the ground may be drawn on below the floor. */
+    pp_lettering_draw_on_white(
+        drawing->cr, drawing->style, &set, left,
+        at_z(drawing, drawing->low) + 1.4 * drawing->style->scale, text);
 }
 
 void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,

@@ -105,16 +105,25 @@ static bool is_in_block(const struct pp_block *block, struct pp_vec3 point)
            && from.z < block->height_m + PP_TOUCH_M;
 }
 
+static bool is_in_fitting(const struct pp_fitting *fitting, struct pp_vec3 point)
+{
+    return point.z > fitting->low_m - PP_TOUCH_M
+           && point.z < fitting->high_m + PP_TOUCH_M
+           && pp_polygon_ring_side(fitting->xy, fitting->corner_count, point.x, point.y,
+                                   PP_TOUCH_M)
+                  != PP_OUTSIDE;
+}
+
 /* What is wrong with a receiver on a surface of that role. */
 static const char *fault_on_surface(enum pp_role role)
 {
     switch (role) {
     case PP_FLOOR:
-        return "lies in the floor without facing straight up from it";
+        return "lies in the floor without facing straight up from it (nx, ny, nz)";
     case PP_WALL:
-        return "lies in a wall without facing straight into the room";
+        return "lies in a wall without facing straight into the room (nx, ny, nz)";
     case PP_CEILING:
-        return "lies in the ceiling without facing straight down from it";
+        return "lies in the ceiling without facing straight down from it (nx, ny, nz)";
     case PP_REVEAL:
         return "lies in an opening";
     case PP_BLOCK:
@@ -151,6 +160,9 @@ const char *pp_position_receiver_fault(const struct pp_world *world,
     for (int i = 0; i < world->block_count; i++)
         if (is_in_block(&world->blocks[i], position))
             return fault_on_surface(PP_BLOCK);
+    for (int i = 0; i < world->fitting_count; i++)
+        if (is_in_fitting(&world->fittings[i], position))
+            return "lies in furniture, a column or a partition";
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
         /* On the wall behind a door, too. */

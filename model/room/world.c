@@ -55,6 +55,7 @@ void pp_world_destroy(struct pp_world *world)
     free(world->skylines);
     free(world->facades);
     free(world->blocks);
+    free(world->fittings);
     free(world->receivers);
     free(world->name);
     free(world->ref);

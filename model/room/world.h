@@ -125,6 +125,15 @@ struct pp_block {
     int first_side, side_count;
 };
 
+/* Furniture, a column or a partition: an upright prism; its sides stand among the
+ * surfaces too. */
+enum { PP_FITTING_CORNERS = 12 };
+struct pp_fitting {
+    double xy[PP_FITTING_CORNERS][2]; /* convex, counter-clockwise seen from above */
+    int corner_count;
+    double low_m, high_m; /* z of its underside and its top */
+};
+
 /* Triangles of a file, outside; they stand together among the surfaces too, behind all
  * others. */
 struct pp_world_mesh {
@@ -194,6 +203,8 @@ struct pp_world {
     int facade_count;
     struct pp_block *blocks; /* their sides stand together among the surfaces */
     int block_count;
+    struct pp_fitting *fittings;
+    int fitting_count;
     struct pp_world_mesh *meshes;
     int mesh_count;
     struct pp_garden *gardens;

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { PP_CELL_BYTES = 32 };
+enum { PP_CELL_BYTES = 64 };
 
 struct pp_table_column {
     const char *group; /* not owned; the same pointer is the same group; NULL: keys */

@@ -35,6 +35,21 @@ static bool has_things_inside(const struct pp_world *world)
     return false;
 }
 
+/* Has a wall a dado of quite another reflectance? The walls of the atlas are each of one
+ * piece. With a dado of 1.1 m and 0.2 in 51 of its rooms the truth left the band of
+ * exact+split-flux in five, as against three of the 90 without. */
+static bool has_contrasting_dado(const struct pp_world *world)
+{
+    const double contrast = 0.2;
+    for (int i = world->face_count; i < world->surface_count; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        if (surface->role == PP_COVER && !surface->is_door
+            && fabs(surface->front - world->surfaces[surface->owner].front) > contrast)
+            return true;
+    }
+    return false;
+}
+
 /* Why rooms of that kind are not in the atlas; NULL: they are. */
 static const char *why_not(const struct pp_world *world,
                            const struct pp_outside_light *light)
@@ -43,6 +58,8 @@ static const char *why_not(const struct pp_world *world,
                ? "the sky is neither overcast nor one of ISO 15469"
            : world->opening_count == 0 ? "there is no opening"
            : has_things_inside(world)  ? "surfaces stand in the room"
+           : has_contrasting_dado(world)
+               ? "the walls have a dado of another reflectance"
            : !is_convex(&world->plane) ? "the plan has a recess"
            : world->ground_is_open     ? "the ground outside has no shadows"
                                        : NULL;

@@ -289,6 +289,49 @@ check "PNGs of a building are numbered" \
 run chart section --log --paper a3 --orientation landscape --simulate --samples 16 \
     --methods all -o "$scratch/all.pdf" "$deep"
 check "every option at once" test $status -eq 0
+
+# Where df says that hand figures are not to be relied on, drawings of them do as well.
+well="$examples/situations/light-well.xml"
+for kind in section plan; do
+    run chart $kind -o "$scratch/doubt.pdf" "$well"
+    check_words "a $kind says where hand figures fail" "$scratch/doubt.pdf" \
+        "not to be relied on"
+done
+run chart plan --simulate --samples 8 -o "$scratch/doubt.pdf" "$well"
+lacks() {
+    ! has_words "$2" "$1"
+}
+if command -v pdftotext >/dev/null; then
+    check "a traced plan has none of them" lacks "relied on" "$scratch/doubt.pdf"
+fi
+
+# A wing off a room that is otherwise north of y = 4; a low bed, a high cupboard.
+wing() {
+    cat <<EOF
+<room version="1"><plan height="2.7">
+  <vertex x="0" y="0"/><vertex x="7" y="0"/><vertex x="7" y="4"/>
+  <vertex x="3" y="4"/><vertex x="3" y="8"/><vertex x="0" y="8"/></plan>
+  <window wall="3" left="1" sill="0.8" width="1.6" height="1.4"/>
+  <window wall="4" left="1" sill="0.8" width="1.6" height="1.4"/>
+  <furniture x="0.5" y="1" width="1" depth="2" height="$1"/>
+  <line from="0.5 6" to="2.5 6" points="3"/></room>
+EOF
+}
+wing 0.5 >"$scratch/bed.xml"
+wing 1.9 >"$scratch/cupboard.xml"
+run chart plan -o "$scratch/cupboard.pdf" "$scratch/cupboard.xml"
+check_words "the key of a plan has what stands in the room" "$scratch/cupboard.pdf" \
+    "stands in the room"
+run chart section -o "$scratch/wing.pdf" "$scratch/bed.xml"
+run chart plan -o "$scratch/bed.pdf" "$scratch/bed.xml"
+run chart brs-table -p 5,2 -o "$scratch/behind.pdf" "$scratch/bed.xml"
+if command -v pdftotext >/dev/null; then
+    check "but not what is below the plane" lacks "stands in" "$scratch/bed.pdf"
+    check "a window of another wing is not in the section" \
+        lacks "beside the section" "$scratch/wing.pdf"
+    check "a window behind the point is not minus so far away" lacks "Line 5, .*away" "$scratch/behind.pdf"
+    check "but said to be behind it" has_words "$scratch/behind.pdf" "Line 5: the point lies"
+fi
 if [ -c /dev/full ]; then
     check "a full disk is noticed" \
         refuses 3 "/dev/full" chart plan --format pdf -o /dev/full "$deep"

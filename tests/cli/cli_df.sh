@@ -209,4 +209,14 @@ if script -qec true /dev/null >/dev/null 2>&1 </dev/null; then
 else
     skip "on a terminal there is one" "there is no script(1) to make one"
 fi
+
+# Behind a block that touches its window a room is dark, and nothing over nothing no number.
+cat >"$scratch/closed.xml" <<EOF
+<room version="1"><plan width="4" depth="5" height="3"/>
+<window wall="south" left="1" sill="1" width="2" height="1.5"/>
+<block x="-1" y="-3" width="6" depth="3" height="8"/><point x="2" y="2"/></room>
+EOF
+check "a dark plane has no uniformity" sh -c "
+    '$pepperpot' df -m exact --simulate --samples 4 '$scratch/closed.xml' |
+        grep -E '^  traced .* -  +0%  +0%  +0%$'"
 tap_done

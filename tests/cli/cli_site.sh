@@ -38,6 +38,9 @@ check "as proposed the sky now" is "$(column 1 "W3, south")" "$now" 0
 check "from standard input the same" sh -c "
     '$pepperpot' assess --by-hand --for uk-planning --table - <'$site' |
         grep -qE 'W3, south.* $before +$now '"
+check "names that are long keep their windows' lines" sh -c "
+    sed 's/name=\"W3\"/name=\"Fenster zum Hof\"/' '$site' |
+        '$pepperpot' assess --by-hand -c former-sky --table - | grep -qE '^  Study.* line 29 '"
 check "as JSON" shows '"format": "pepperpot-site-1"' \
     assess --by-hand -c vsc,former-sky,nsl --table -f json "$site"
 check "with both states" grep -qE '"W5, south, line [0-9]+".*"existing": [0-9.]+, "proposed"' \

@@ -7,11 +7,13 @@
 #include "tests/lib/box_room.h"
 
 /* A room 3.1 m wide and as deep as given, by exact+bre and bre-min at two points. */
-static struct pp_reliability of_room(double depth_m, double skyline_deg, double ground)
+static struct pp_reliability under(struct pp_sky sky, double depth_m,
+                                   double skyline_deg, double ground)
 {
     struct box_room box;
     box_room_build(&box, 3.1, depth_m, 2.7, 0.2, 0.5, 0.7);
     box_room_south(&box, 0.4, 0.9, 2.3, 1.5);
+    box.light.sky = sky;
     box.light.ground_reflectance = ground;
     if (skyline_deg > 0.0)
         box_room_skyline(&box, skyline_deg * PP_RAD, 1.65, INFINITY);
@@ -26,6 +28,11 @@ static struct pp_reliability of_room(double depth_m, double skyline_deg, double 
     struct pp_reliability found = pp_reliability_of(&report);
     pp_report_clear(&report);
     return found;
+}
+
+static struct pp_reliability of_room(double depth_m, double skyline_deg, double ground)
+{
+    return under(pp_sky_overcast(), depth_m, skyline_deg, ground);
 }
 
 static void a_shallow_room_under_open_sky_is_relied_on(void **state)
@@ -68,6 +75,16 @@ static void a_ground_of_snow_is_far_from_the_one_built_in(void **state)
     assert_true(of_room(2.6, 0.0, 0.8).is[PP_RELIABILITY_GROUND]);
 }
 
+/* bre and bre-min give no figure under the uniform sky, so that nothing is made with their
+ * ground. */
+static void a_method_that_does_not_answer_is_not_named_for_its_ground(void **state)
+{
+    (void)state;
+    struct pp_reliability found = under(pp_sky_uniform(), 2.6, 0.0, 0.8);
+    assert_string_equal(found.grounds, "");
+    assert_false(found.is[PP_RELIABILITY_GROUND]);
+}
+
 static void every_kind_has_its_measured_band(void **state)
 {
     (void)state;
@@ -86,6 +103,7 @@ int main(void)
             without_sky_at_the_back_the_average_stands_for_the_darkest_point),
         cmocka_unit_test(a_room_more_than_twice_as_deep_as_wide_is_beyond_the_table),
         cmocka_unit_test(a_ground_of_snow_is_far_from_the_one_built_in),
+        cmocka_unit_test(a_method_that_does_not_answer_is_not_named_for_its_ground),
         cmocka_unit_test(every_kind_has_its_measured_band),
     };
     return cmocka_run_group_tests_name("reliability", tests, NULL, NULL);

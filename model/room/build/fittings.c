@@ -3,16 +3,18 @@
 
 #include <math.h>
 
+#include "model/base/array.h"
 #include "model/geometry/tolerance.h"
 #include "model/room/build/free_surfaces.h"
 
-enum { SIDES_ROUND = 12, CORNERS_MOST = SIDES_ROUND };
+enum { SIDES_ROUND = PP_FITTING_CORNERS };
 
 static const char *const words[] = {
     [PP_FURNITURE] = "furniture", [PP_COLUMN] = "column", [PP_PARTITION] = "partition"};
 
 /* Twelve corners round the corner; the polygon's area is that of the circle. */
-static int round_outline(double xy[CORNERS_MOST][2], const struct pp_fitting_part *part)
+static int round_outline(double xy[PP_FITTING_CORNERS][2],
+                         const struct pp_fitting_part *part)
 {
     double step = 2.0 * PP_PI / SIDES_ROUND;
     double radius = 0.5 * part->width_m * sqrt(step / sin(step));
@@ -24,7 +26,8 @@ static int round_outline(double xy[CORNERS_MOST][2], const struct pp_fitting_par
 }
 
 /* The outline seen from above, counter-clockwise; returns the number of corners. */
-static int outline_of(double xy[CORNERS_MOST][2], const struct pp_fitting_part *part)
+static int outline_of(double xy[PP_FITTING_CORNERS][2],
+                      const struct pp_fitting_part *part)
 {
     if (part->is_round)
         return round_outline(xy, part);
@@ -47,7 +50,7 @@ static enum pp_status add(struct pp_resolver *r, const struct pp_fitting_part *p
                           struct pp_vec3 *corners, int count, bool *good,
                           struct pp_error *err)
 {
-    int lines[CORNERS_MOST], faults = r->mistakes->count;
+    int lines[PP_FITTING_CORNERS], faults = r->mistakes->count;
     bool own = isfinite(part->reflectance);
     for (int i = 0; i < count; i++)
         lines[i] = part->line;
@@ -68,11 +71,20 @@ static enum pp_status add_fitting(struct pp_resolver *r,
                                   const struct pp_fitting_part *part,
                                   struct pp_error *err)
 {
-    double xy[CORNERS_MOST][2], low = part->corner.z;
-    double high = isnan(part->height_m) ? r->world->height_m : low + part->height_m;
-    int count = outline_of(xy, part);
-    struct pp_vec3 ring[CORNERS_MOST];
-    enum pp_status status = PP_OK;
+    struct pp_world *world = r->world;
+    enum pp_status status = pp_array_append(&world->fittings, world->fitting_count,
+                                            sizeof *world->fittings, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_fitting *fitting = &world->fittings[world->fitting_count++];
+    double low = part->corner.z;
+    double high = isnan(part->height_m) ? world->height_m : low + part->height_m;
+    *fitting = (struct pp_fitting){.low_m = low, .high_m = high};
+    fitting->corner_count = outline_of(fitting->xy, part);
+
+    double(*xy)[2] = fitting->xy;
+    int count = fitting->corner_count;
+    struct pp_vec3 ring[PP_FITTING_CORNERS];
     bool good = true;
     for (int i = 0; i < count && good && status == PP_OK; i++) {
         const double *a = xy[i], *b = xy[(i + 1) % count];
@@ -82,7 +94,7 @@ static enum pp_status add_fitting(struct pp_resolver *r,
     }
     for (int top = 0; top < 2 && good && status == PP_OK; top++) {
         double z = top ? high : low;
-        if (fabs(z) < PP_SAME_M || z > r->world->height_m - PP_SAME_M)
+        if (fabs(z) < PP_SAME_M || z > world->height_m - PP_SAME_M)
             continue;
         for (int i = 0; i < count; i++) {
             int k = top ? i : count - 1 - i;

@@ -175,16 +175,32 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
     return PP_OK;
 }
 
-/* Notes openings before which the face of another room stands: no light comes through
- * them. */
+/* Does the polygon stand across the middle of the opening, within the depth of its reveal
+ * or right before that? */
+static bool closes(const struct pp_polygon *polygon, const struct pp_opening *opening)
+{
+    struct pp_vec3 from = pp_polygon_middle(&opening->inner),
+                   to = pp_polygon_middle(&opening->outer);
+    double before = pp_polygon_height(polygon, from),
+           behind = pp_polygon_height(polygon, to);
+    if (pp_polygon_distance(polygon, from) <= PP_SET_OFF_M
+        || pp_polygon_distance(polygon, to) <= PP_SET_OFF_M)
+        return true;
+    if (before * behind >= 0.0)
+        return false;
+    struct pp_vec3 across =
+        pp_vec_along(from, before / (before - behind), pp_vec_sub(to, from));
+    return pp_polygon_side(polygon, across, PP_SET_OFF_M) != PP_OUTSIDE;
+}
+
+/* Notes openings that the face of another room closes: no light comes through them. */
 static void check_openings(struct pp_resolver *r, const struct pp_surface_part *part,
                            const struct pp_polygon *polygon)
 {
     for (int i = 0; i < r->world->opening_count; i++) {
         const struct pp_opening *opening = &r->world->openings[i];
         char name[64];
-        if (pp_polygon_distance(polygon, pp_polygon_middle(&opening->outer))
-            > PP_SET_OFF_M)
+        if (!closes(polygon, opening))
             continue;
         pp_mistakes_add(
             r->mistakes, opening->line,

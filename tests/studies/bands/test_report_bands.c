@@ -116,6 +116,8 @@ static void rooms_that_the_atlas_has_not_are_told_so(void **state)
     } rooms[] = {
         {"<room version='1'><sky type='uniform'/>" ROOM "</room>", "overcast"},
         {"<room version='1'><site ground='open'/>" ROOM "</room>", "shadows"},
+        {"<room version='1'>" ROOM "<dado height='1.1' reflectance='0.27'/></room>",
+         "dado"},
         {"<room version='1'><plan width='43' depth='61' height='2.9'/>"
          "<window wall='south' left='0.7' sill='0.9' width='2.3' height='1.7'/></room>",
          "there"},
@@ -134,6 +136,18 @@ static void rooms_that_the_atlas_has_not_are_told_so(void **state)
         pp_advice_clear(&advice);
         clear(&m);
     }
+}
+
+/* Hardly darker than the wall of 0.5 behind it. */
+static void a_dado_like_its_wall_leaves_the_bands(void **state)
+{
+    (void)state;
+    struct made m;
+    make(&m,
+         "<room version='1'>" ROOM "<dado height='1.1' reflectance='0.33'/></room>");
+    assert_int_equal(pp_report_bands_fill(&m.report, NULL), PP_OK);
+    assert_null(m.report.no_bands);
+    clear(&m);
 }
 
 static double width_of(struct pp_band_ends band, double figure)
@@ -188,6 +202,7 @@ int main(void)
         cmocka_unit_test(a_band_is_the_table_s_quantiles_on_the_figure),
         cmocka_unit_test(a_point_that_does_not_face_up_has_no_band),
         cmocka_unit_test(rooms_that_the_atlas_has_not_are_told_so),
+        cmocka_unit_test(a_dado_like_its_wall_leaves_the_bands),
         cmocka_unit_test(advice_is_the_method_of_the_narrowest_band),
     };
     return cmocka_run_group_tests_name("report_bands", tests, NULL, NULL);

@@ -129,6 +129,45 @@ static void what_stands_in_a_room_is_all_inside(void **state)
                 "expected it all inside");
 }
 
+/* Within a wardrobe, a round column and a partition, and on the floor under them, light is
+ * not measured; on the plane over a desk it is. */
+static void no_light_is_measured_within_what_stands_in_a_room(void **state)
+{
+    (void)state;
+    const char *within = "lies in furniture";
+    check_wrong("<furniture x='2' y='2' width='1' depth='0.6' height='2'/>"
+                "<point x='2.3' y='2.2'/>",
+                within);
+    check_wrong("<furniture x='2' y='2' width='1' depth='0.6' height='2'/>"
+                "<point x='2.3' y='2.2' z='0'/>",
+                within);
+    check_wrong("<column x='3' y='2' diameter='0.4'/><point x='3.1' y='2.1'/>", within);
+    check_wrong("<partition from='1 2' to='4 2'/><line from='2.3 1' to='2.3 3' "
+                "points='3'/>",
+                within);
+    pp_world_destroy(pp_test_world(
+        ROOM "<furniture x='2' y='2' width='1' depth='0.6' height='0.75'/>"
+             "<point x='2.3' y='2.2'/></room>"));
+}
+
+/* Two of the nine cells of 1.7 by 1.3 m have their middles in it. */
+static void grids_leave_out_what_stands_in_a_room(void **state)
+{
+    (void)state;
+    const char *grid = "<grid spacing='1.7' margin='0.5'/></room>";
+    const char *cupboard =
+        "<furniture x='0.9' y='0.9' width='2.4' depth='0.6' height='2'/>";
+    char xml[1024];
+    snprintf(xml, sizeof xml, ROOM "%s", grid);
+    struct pp_world *bare = pp_test_world(xml);
+    snprintf(xml, sizeof xml, ROOM "%s%s", cupboard, grid);
+    struct pp_world *world = pp_test_world(xml);
+    assert_int_equal(bare->receiver_count, 9);
+    assert_int_equal(world->receiver_count, 7);
+    pp_world_destroy(world);
+    pp_world_destroy(bare);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -136,6 +175,8 @@ int main(void)
         cmocka_unit_test(columns_reach_the_ceiling_and_keep_their_area),
         cmocka_unit_test(a_partition_hides_the_sky_behind_it),
         cmocka_unit_test(what_stands_in_a_room_is_all_inside),
+        cmocka_unit_test(no_light_is_measured_within_what_stands_in_a_room),
+        cmocka_unit_test(grids_leave_out_what_stands_in_a_room),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
