@@ -2,6 +2,7 @@
 #include "simulate/photons/photon.h"
 
 #include "simulate/photons/photon_outside.h"
+#include "simulate/sampling/choose.h"
 #include "simulate/sampling/lobe.h"
 
 /* Russian roulette begins where a photon has this share of the mean flux of all. Measured:
@@ -104,15 +105,7 @@ void pp_photon_enter(struct pp_photon_state *state, const double *chances, int v
     double u[3], w[2]; /* place (2), opening; direction outside (2) */
     struct pp_photon photon = {.turns = 0};
     pp_photon_state_draw(state, vertex, 3, u);
-    int index = -1;
-    for (int i = 0; i < sources->pane_count; i++) {
-        if (!(chances[i] > 0.0))
-            continue;
-        index = i;
-        if (u[2] < chances[i])
-            break;
-        u[2] -= chances[i];
-    }
+    int index = pp_choose_by(chances, sources->pane_count, u[2]);
     const struct pp_photon_source *source = &sources->list[index];
     photon.last = PP_PHOTON_FROM_OUTSIDE;
     photon.ray.from = pp_photon_sources_point(state->scene, source, u[0], u[1]);

@@ -1,6 +1,7 @@
 /* photon_lobes.c - see photon_lobes.h. */
 #include "simulate/photons/photon_lobes.h"
 
+#include "simulate/sampling/choose.h"
 #include "simulate/sampling/lobe.h"
 
 struct pp_lobes pp_photon_lobes_at(const struct pp_photon_state *state,
@@ -32,16 +33,7 @@ enum pp_lobe pp_photon_lobes_choose(const struct pp_lobes *lobes, const double *
     double survival = total < least ? total / least : 1.0;
     if (!(total > 0.0) || !(u < survival))
         return PP_LOBE_COUNT;
-    double at = u / survival * total;
-    int chosen = PP_LOBE_COUNT;
-    for (int i = 0; i < PP_LOBE_COUNT; i++) {
-        if (!(left[i] > 0.0))
-            continue;
-        chosen = i;
-        if (at < left[i])
-            break;
-        at -= left[i];
-    }
+    int chosen = pp_choose_by(left, PP_LOBE_COUNT, u / survival * total);
     *throughput = pp_rgb_scale(pp_rgb_times(*throughput, lobes->share[chosen]),
                                total / left[chosen] / survival);
     return (enum pp_lobe)chosen;
