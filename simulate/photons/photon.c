@@ -51,8 +51,7 @@ static void set_out(struct pp_photon_state *state,
                                  .scattered = source->pane < 0};
     photon->ray.from = pp_photon_sources_point(state->scene, source, u[2], u[3]);
     photon->ray.off = source->back ? pp_vec_scale(part->normal, -1.0) : part->normal;
-    photon->ray.space =
-        pp_light_scene_parts_space(state->scene, source->part, source->back);
+    photon->ray.space = (enum pp_space)part->space[source->back];
     struct pp_rgb light = source->radiance;
     if (source->pane >= 0)
         light = enter(state, source, u, pp_photon_state_branch(vertex, 0), photon);
@@ -153,8 +152,7 @@ bool pp_photon_leaves(const struct pp_photon_state *state,
     *place = (struct pp_photon_place){
         .point = pp_photon_state_drawn_back(hit, photon->ray.to),
         .normal = side ? pp_vec_scale(hit->normal, -1.0) : hit->normal,
-        .space = side ? pp_light_scene_parts_space(state->scene, hit->part, !hit->back)
-                      : hit->space,
+        .space = pp_light_scene_parts_space(state->scene, hit, side),
         .exitance = pp_rgb_times(photon->flux, share),
         .clear = -1,
         .source = -1};
@@ -177,6 +175,6 @@ bool pp_photon_turn(struct pp_photon_state *state, struct pp_photon *photon)
     photon->scattered |= lobe != PP_LOBE_STRAIGHT;
     if (lobe != PP_LOBE_STRAIGHT)
         photon->last =
-            last_of(photon, pp_photon_lobes_through(lobe), photon->ray.space);
+            last_of(photon, pp_scatter_goes_through(lobe), photon->ray.space);
     return true;
 }

@@ -7,17 +7,15 @@
 struct pp_lobes pp_photon_lobes_at(const struct pp_photon_state *state,
                                    const struct pp_light_hit *hit, struct pp_vec3 to)
 {
-    const struct pp_light_scene *scene = state->scene;
     struct pp_lobes lobes = {.frame = {.z = hit->normal},
                              .eye = pp_vec_scale(to, -1.0)};
-    if (hit->part < 0) {
-        double ground = pp_outside_light_ground(&state->environment->light);
-        lobes.share[PP_LOBE_DIFFUSE] = pp_rgb_grey(ground);
-        pp_lobe_frame(hit->normal, &lobes.frame.x, &lobes.frame.y);
+    if (hit->part >= 0) {
+        pp_light_scene_parts_lobes(state->scene, hit, to, &lobes);
         return lobes;
     }
-    pp_scatter_init(&lobes, &scene->materials[hit->material],
-                    pp_light_scene_gloss(scene, hit->material), hit->normal, lobes.eye);
+    double ground = pp_outside_light_ground(&state->environment->light);
+    lobes.share[PP_LOBE_DIFFUSE] = pp_rgb_grey(ground);
+    pp_lobe_frame(hit->normal, &lobes.frame.x, &lobes.frame.y);
     return lobes;
 }
 
@@ -45,15 +43,13 @@ bool pp_photon_lobes_turn(const struct pp_photon_state *state,
                           struct pp_light_ray *ray, struct pp_rgb *throughput)
 {
     double factor;
-    bool through = pp_photon_lobes_through(lobe);
+    bool through = pp_scatter_goes_through(lobe);
     struct pp_vec3 from = pp_photon_state_drawn_back(hit, ray->to);
     if (!pp_scatter_sample(lobes, lobe, u, v, &ray->to, &factor))
         return false;
     *throughput = pp_rgb_scale(*throughput, factor);
     ray->from = from;
     ray->off = through ? pp_vec_scale(hit->normal, -1.0) : hit->normal;
-    ray->space = through
-                     ? pp_light_scene_parts_space(state->scene, hit->part, !hit->back)
-                     : hit->space;
+    ray->space = pp_light_scene_parts_space(state->scene, hit, through);
     return true;
 }

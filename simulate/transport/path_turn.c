@@ -76,15 +76,12 @@ bool pp_path_turn_by_lobe(const struct pp_radiance_state *state,
     if (!pp_scatter_sample(lobes, lobe, u, v, &path->ray.to, &factor))
         return false;
     path->throughput = pp_rgb_scale(path->throughput, factor);
-    bool through = lobe == PP_LOBE_THROUGH_DIFFUSE || lobe == PP_LOBE_THROUGH_GLOSS
-                   || lobe == PP_LOBE_STRAIGHT;
+    bool through = pp_scatter_goes_through(lobe);
     if (!through)
         pp_path_turn_note_met(path, hit->space);
     path->ray.from = hit->point;
     path->ray.off = through ? pp_vec_scale(lobes->frame.z, -1.0) : lobes->frame.z;
-    path->ray.space =
-        through ? pp_light_scene_parts_space(state->scene, hit->part, !hit->back)
-                : hit->space;
+    path->ray.space = pp_light_scene_parts_space(state->scene, hit, through);
     note_sampled(state, path, lobes, lobe, hit);
     return true;
 }
