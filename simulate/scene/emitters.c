@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "model/base/array.h"
-#include "simulate/sampling/lobe.h"
 #include "simulate/sampling/triangle.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/round.h"
@@ -185,14 +184,8 @@ enum pp_status pp_emitters_add_distant(struct pp_light_scene *scene,
 static struct pp_vec3 in_cone(struct pp_vec3 axis, double fall, double u, double v)
 {
     fall *= u;
-    double sine_cone = sqrt(fmax(0.0, fall * (2.0 - fall)));
-    struct pp_vec3 a, b;
-    double sine, cosine;
-    pp_lobe_frame(axis, &a, &b);
-    sincos(2.0 * PP_PI * v, &sine, &cosine);
-    return pp_vec_along(
-        pp_vec_along(pp_vec_scale(axis, 1.0 - fall), sine_cone * cosine, a),
-        sine_cone * sine, b);
+    return pp_round_circle_point(pp_vec_scale(axis, 1.0 - fall), axis,
+                                 sqrt(fmax(0.0, fall * (2.0 - fall))), v);
 }
 
 /* Is any direction of the cone on the side of the normal n? */

@@ -97,18 +97,12 @@ static struct pp_light_part part_of(const struct pp_light_scene *scene,
                                     const struct pp_shape *shape)
 {
     bool own_back = shape->back_material >= 0;
-    int back = own_back ? shape->back_material : shape->material;
-    return (struct pp_light_part){
-        .material = {shape->material, back},
-        .tag = shape->tag,
-        .round = -1,
-        .window = -1,
-        .niche = -1,
-        .emitter = {-1, -1},
-        .mirror = -1,
-        .reflector = {-1, -1},
-        .space = {PP_ANYWHERE, PP_ANYWHERE},
-        .back_emits = own_back || scene->materials[shape->material].emits_both_sides};
+    const int sides[2] = {shape->material,
+                          own_back ? shape->back_material : shape->material};
+    struct pp_light_part part = pp_light_scene_parts_of(shape->tag, sides);
+    part.space[0] = part.space[1] = PP_ANYWHERE;
+    part.back_emits = own_back || scene->materials[sides[0]].emits_both_sides;
+    return part;
 }
 
 static enum pp_status add_polygon(struct light_scene_builder *b,

@@ -96,6 +96,20 @@ struct pp_light_scene {
     uint64_t hash;
 };
 
+/* A part that belongs to nothing yet. */
+static inline struct pp_light_part pp_light_scene_parts_of(int tag,
+                                                           const int material[2])
+{
+    return (struct pp_light_part){.material = {material[0], material[1]},
+                                  .tag = tag,
+                                  .round = -1,
+                                  .window = -1,
+                                  .niche = -1,
+                                  .emitter = {-1, -1},
+                                  .mirror = -1,
+                                  .reflector = {-1, -1}};
+}
+
 /* Where a ray runs that leaves a hit, on the side that was met or through the part. */
 static inline enum pp_space pp_light_scene_parts_space(
     const struct pp_light_scene *scene, const struct pp_light_hit *hit, bool through)

@@ -10,28 +10,14 @@
 #include "simulate/sampling/choose.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* Points nearer than this to a plane lie in it. */
-static const double SAME_PLANE_M = 1e-7;
-
-/* Does no vertex of the outline lie behind the plane through `on` with normal n? */
-static bool all_before(const struct pp_polygon *outline, struct pp_vec3 on,
-                       struct pp_vec3 n)
-{
-    for (int i = 0; i < outline->count; i++)
-        if (pp_vec_dot(n, pp_vec_sub(outline->vertices[i], on)) < -SAME_PLANE_M)
-            return false;
-    return true;
-}
-
 static bool is_unobstructed(const struct pp_world *world,
                             const struct pp_opening *opening)
 {
-    struct pp_vec3 on = opening->outer.vertices[0], n = opening->outer.normal;
     for (int i = 0; i < world->surface_count; i++)
-        if (!all_before(&world->surfaces[i].outline, on, n))
+        if (!pp_convex_room_all_before(&world->surfaces[i].outline, &opening->outer))
             return false;
     for (int i = 0; i < world->opening_count; i++)
-        if (!all_before(&world->openings[i].outer, on, n))
+        if (!pp_convex_room_all_before(&world->openings[i].outer, &opening->outer))
             return false;
     return true;
 }
