@@ -125,7 +125,8 @@ static enum pp_status build(struct pp_light_scene *scene, bool matt,
     }
     if (status == PP_OK)
         status = pp_scene_skylines_init(&scene->skylines, world, scene->centre, err);
-    scene->ground = pp_scene_ground_of(world, scene->centre);
+    scene->ground = (struct pp_scene_ground){!world->ground_is_open,
+                                             scene->skylines.ground_level_m};
     if (status == PP_OK)
         status = add_triangles(scene, &list, err);
     pp_triangles_clear(&list);
