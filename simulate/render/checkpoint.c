@@ -64,13 +64,7 @@ uint64_t pp_checkpoint_hash(const struct pp_render *render)
 
 static uint64_t hash_bytes(const unsigned char *bytes, size_t length)
 {
-    uint64_t hash = pp_hash(VERSION, length);
-    for (size_t i = 0; i < length; i += 8) {
-        uint64_t word = 0;
-        memcpy(&word, bytes + i, length - i < 8 ? length - i : 8);
-        hash = pp_hash(hash, word);
-    }
-    return hash;
+    return pp_little_endian_hash(pp_hash(VERSION, length), bytes, length);
 }
 
 /* ---- its size ---- */
