@@ -65,8 +65,10 @@ static void set_accuracy(struct pp_elements *elements)
     accuracy->even = 0.0002 / finer;
     accuracy->directions = 512 << elements->level;
     pp_outside_cells_clear(&elements->cells);
-    elements->cells = pp_outside_cells_of(
-        size_of(elements), 0.125 * pow(0.7, elements->level), 128 << elements->level);
+    elements->cells =
+        (struct pp_outside_cells){.size_m = size_of(elements),
+                                  .width = 0.125 * pow(0.7, elements->level),
+                                  .directions = 128 << elements->level};
 }
 
 /* ---- a level ---- */

@@ -22,12 +22,6 @@ void pp_outside_cells_clear(struct pp_outside_cells *cells)
     *cells = (struct pp_outside_cells){0};
 }
 
-struct pp_outside_cells pp_outside_cells_of(double size_m, double width, int directions)
-{
-    return (struct pp_outside_cells){
-        .size_m = size_m, .width = width, .directions = directions};
-}
-
 /* ---- which cell ---- */
 
 static struct pp_vec3 room_middle(const struct pp_light_room *room)
