@@ -45,12 +45,12 @@ static void add_ray(const struct looking *l, struct pp_vec3 point, bool mirrored
 {
     const struct pp_facet *pane = &l->room->facets->list[l->pane];
     struct pp_vec3 to = pp_vec_unit(pp_vec_sub(point, l->taker->point));
-    double across = pp_vec_dot(pane->normal, to), cosine = fmin(fabs(across), 1.0);
+    double cosine = fmin(fabs(pp_vec_dot(pane->normal, to)), 1.0);
     struct pp_light_ray_start on = {point, to, l->pane, mirrored};
     weight *=
         mirrored ? pp_facet_mirrored(pane, cosine) : pp_facet_straight(pane, cosine);
     if (mirrored)
-        on.to = pp_vec_along(to, -2.0 * across, pane->normal);
+        on.to = pp_vec_mirrored(to, pane->normal);
     if (weight > 0.0)
         pp_light_ray_follow(l->room, &on, weight, mirrored ? PP_IRC : PP_DF, l->sum);
 }

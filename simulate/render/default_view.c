@@ -99,7 +99,7 @@ static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
 {
     struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
     struct pp_vec3 low = room.low, high = room.high;
-    struct pp_vec3 best = pp_vec_scale(pp_vec_add(low, high), 0.5);
+    struct pp_vec3 best = pp_bounds3_middle(&room);
     double best_score = -INFINITY;
     for (int j = 0; j < PLACES; j++)
         for (int i = 0; i < PLACES; i++) {
@@ -154,7 +154,7 @@ static void look_along(struct pp_view_place *place, const struct pp_light_scene 
     struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
     struct pp_vec3 low = room.low, high = room.high;
     bool deep = high.y - low.y >= high.x - low.x;
-    struct pp_vec3 end = pp_vec_scale(pp_vec_add(low, high), 0.5);
+    struct pp_vec3 end = pp_bounds3_middle(&room);
     struct pp_vec3 back = deep ? pp_vec(0.0, 1.0, 0.0) : pp_vec(1.0, 0.0, 0.0);
     end.x = deep ? end.x : low.x;
     end.y = deep ? low.y : end.y;
@@ -169,7 +169,7 @@ static struct pp_vec3 middle_of_plane(const struct pp_light_scene *scene,
 {
     struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
     struct pp_vec3 low = room.low, high = room.high;
-    struct pp_vec3 middle = pp_vec_scale(pp_vec_add(low, high), 0.5);
+    struct pp_vec3 middle = pp_bounds3_middle(&room);
     middle.z = world->working_plane_m;
     struct pp_vec3 best = middle;
     double best_score = -INFINITY;
@@ -194,7 +194,7 @@ static void cut_plan(struct pp_view_place *place, const struct pp_light_scene *s
 {
     struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
     struct pp_vec3 low = room.low, high = room.high;
-    place->eye = pp_vec_scale(pp_vec_add(low, high), 0.5);
+    place->eye = pp_bounds3_middle(&room);
     place->eye.z = fmin(PP_PLAN_CUT_M, 0.5 * world->height_m);
     place->toward = pp_vec(0.0, 0.0, -1.0);
     place->up = pp_vec(0.0, 1.0, 0.0);
@@ -208,7 +208,7 @@ static void cut_section(struct pp_view_place *place, const struct pp_light_scene
     struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
     struct pp_vec3 low = room.low, high = room.high;
     struct pp_vec3 size = pp_vec_sub(high, low);
-    place->eye = pp_vec_scale(pp_vec_add(low, high), 0.5);
+    place->eye = pp_bounds3_middle(&room);
     place->down_m = size.z;
     /* Into the room, square to the window: right in the drawing. */
     struct pp_vec3 right =

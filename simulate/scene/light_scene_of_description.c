@@ -42,7 +42,7 @@ static void measure(struct pp_light_scene *scene,
             struct pp_bounds3 box = pp_round_bounds(shape);
             pp_bounds3_add(&scene->bounds, box.low);
             pp_bounds3_add(&scene->bounds, box.high);
-            sum = pp_vec_add(sum, pp_vec_scale(pp_vec_add(box.low, box.high), 0.5));
+            sum = pp_vec_add(sum, pp_bounds3_middle(&box));
             count++;
         }
         for (int k = 0; is_polygon(shape) && k < shape->is.polygon.count; k++) {

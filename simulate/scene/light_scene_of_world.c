@@ -21,7 +21,7 @@ static void measure(struct pp_light_scene *scene)
         for (int k = 0; k < world->surfaces[i].outline.count; k++)
             pp_bounds3_add(&scene->bounds, world->surfaces[i].outline.vertices[k]);
     struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
-    scene->centre = pp_vec_scale(pp_vec_add(room.low, room.high), 0.5);
+    scene->centre = pp_bounds3_middle(&room);
     struct pp_vec3 half = pp_vec_scale(pp_vec_sub(room.high, room.low), 0.5);
     scene->size_m = fmax(half.x, fmax(half.y, half.z));
 }

@@ -34,7 +34,7 @@ bool pp_light_scene_parts_reflect(const struct pp_light_scene *scene,
                                       &scene->materials[hit->material], cosine));
     ray->from = hit->point;
     ray->off = hit->normal;
-    ray->to = pp_vec_along(ray->to, 2.0 * cosine, hit->normal);
+    ray->to = pp_vec_mirrored(ray->to, hit->normal);
     ray->space = hit->space;
     return !pp_rgb_is_black(*light);
 }

@@ -213,11 +213,6 @@ static const struct pp_mirror *mirror_in(const struct pp_light_scene *scene,
     return mirror < 0 ? NULL : &scene->mirrors[mirror];
 }
 
-static struct pp_vec3 turned(const struct pp_mirror *mirror, struct pp_vec3 u)
-{
-    return pp_vec_along(u, -2.0 * pp_vec_dot(mirror->normal, u), mirror->normal);
-}
-
 struct pp_vec3 pp_mirrors_path_point(const struct pp_light_scene *scene,
                                      int mirror_path, struct pp_vec3 p)
 {
@@ -235,15 +230,16 @@ struct pp_vec3 pp_mirrors_path_direction(const struct pp_light_scene *scene,
     const struct pp_mirror *mirror;
     for (int i = 0;
          i < PP_MIRROR_PATH_MOST && (mirror = mirror_in(scene, mirror_path, i)); i++)
-        u = turned(mirror, u);
+        u = pp_vec_mirrored(u, mirror->normal);
     return u;
 }
 
 struct pp_vec3 pp_mirrors_path_unfold(const struct pp_light_scene *scene,
                                       int mirror_path, struct pp_vec3 u)
 {
+    const struct pp_mirror *mirror;
     for (int i = PP_MIRROR_PATH_MOST - 1; i >= 0; i--)
-        if (mirror_in(scene, mirror_path, i))
-            u = turned(mirror_in(scene, mirror_path, i), u);
+        if ((mirror = mirror_in(scene, mirror_path, i)))
+            u = pp_vec_mirrored(u, mirror->normal);
     return u;
 }

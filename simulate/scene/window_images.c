@@ -40,12 +40,6 @@ enum pp_status pp_window_images_find(struct pp_light_scene *scene, struct pp_err
 
 /* ---- seen ---- */
 
-static struct pp_vec3 mirrored(const struct pp_reflector *reflector, struct pp_vec3 u)
-{
-    return pp_vec_along(u, -2.0 * pp_vec_dot(reflector->frame.z, u),
-                        reflector->frame.z);
-}
-
 /* The viewer's image in a reflector; false where it stands behind that. */
 static bool image_of(const struct pp_reflector *reflector,
                      const struct pp_image_viewer *viewer,
@@ -54,7 +48,7 @@ static bool image_of(const struct pp_reflector *reflector,
     double over = height_over(reflector, viewer->point);
     *image = *viewer;
     image->point = pp_vec_along(viewer->point, -2.0 * over, reflector->frame.z);
-    image->normal = mirrored(reflector, viewer->normal);
+    image->normal = pp_vec_mirrored(viewer->normal, reflector->frame.z);
     return over > 0.0;
 }
 
@@ -130,7 +124,7 @@ bool pp_window_images_sample(const struct pp_light_scene *scene, int index,
     pp_sample_polygon_init(&sampler, &target, behind.point, behind.normal,
                            behind.brightness);
     struct pp_direction_sample sample = pp_sample_polygon_draw(&sampler, u, v);
-    *to = mirrored(reflector, sample.direction);
+    *to = pp_vec_mirrored(sample.direction, reflector->frame.z);
     *pdf = 1.0 / sample.per_density;
     return pp_vec_dot(*to, reflector->frame.z) < 0.0;
 }
@@ -160,7 +154,7 @@ double pp_window_images_pdf(const struct pp_light_scene *scene, int reflector,
         blurred(scene, &scene->window_images[found], behind.point);
     pp_sample_polygon_init(&sampler, &target, behind.point, behind.normal,
                            behind.brightness);
-    to = mirrored(&scene->reflectors[reflector], to);
+    to = pp_vec_mirrored(to, scene->reflectors[reflector].frame.z);
     double toward = -pp_vec_dot(to, target.normal);
     if (!(toward > 0.0))
         return 0.0;
