@@ -22,7 +22,9 @@ static const double level_rad = 20.0 * PP_RAD, raised_most_rad = 15.0 * PP_RAD;
 
 static const struct pp_vec3 upwards = {0.0, 0.0, 1.0};
 
-int pp_default_view_largest_window(const struct pp_world *world)
+/* The largest opening by the area of its outline; those that are upright or nearly so
+ * first; -1: there is none. */
+static int largest_window(const struct pp_world *world)
 {
     int largest = -1;
     for (int i = 0; i < world->opening_count; i++) {
@@ -233,7 +235,7 @@ void pp_default_view(struct pp_view_place *place, const struct pp_light_scene *s
                      const struct pp_world *world, enum pp_room_view view)
 {
     *place = (struct pp_view_place){.up = upwards};
-    int window = pp_default_view_largest_window(world);
+    int window = largest_window(world);
     switch (view) {
     case PP_ROOM_VIEW_PERSPECTIVE:
         if (window >= 0)

@@ -36,8 +36,4 @@ struct pp_view_place {
 void pp_default_view(struct pp_view_place *place, const struct pp_light_scene *scene,
                      const struct pp_world *world, enum pp_room_view view);
 
-/* The largest opening by the area of its outline; those that are upright or nearly so
- * first; -1: there is none. */
-int pp_default_view_largest_window(const struct pp_world *world);
-
 #endif

@@ -24,33 +24,25 @@ static enum pp_status append(struct pp_light_scene *scene,
     return status;
 }
 
-static bool is_rectangle(const struct pp_vec3 *corners, int count)
-{
-    if (count != 4)
-        return false;
-    struct pp_vec3 along = pp_vec_sub(corners[1], corners[0]);
-    struct pp_vec3 up = pp_vec_sub(corners[3], corners[0]);
-    struct pp_vec3 far = pp_vec_sub(corners[2], pp_vec_add(corners[1], up));
-    double size = pp_vec_length(along) + pp_vec_length(up);
-    return fabs(pp_vec_dot(along, up))
-               < SAME_SHAPE * pp_vec_length(along) * pp_vec_length(up)
-           && pp_vec_length(far) < SAME_SHAPE * size;
-}
-
 static void make_target(struct pp_target *target, const struct pp_vec3 *corners,
                         int count, struct pp_vec3 normal)
 {
-    *target =
-        (struct pp_target){.normal = normal, .rectangle = is_rectangle(corners, count)};
-    if (!target->rectangle)
+    *target = (struct pp_target){.normal = normal};
+    if (count != 4)
         return;
     struct pp_vec3 along = pp_vec_sub(corners[1], corners[0]);
     struct pp_vec3 up = pp_vec_sub(corners[3], corners[0]);
-    target->width_m = pp_vec_length(along);
-    target->height_m = pp_vec_length(up);
+    struct pp_vec3 far = pp_vec_sub(corners[2], pp_vec_add(corners[1], up));
+    double width = pp_vec_length(along), height = pp_vec_length(up);
+    target->rectangle = fabs(pp_vec_dot(along, up)) < SAME_SHAPE * width * height
+                        && pp_vec_length(far) < SAME_SHAPE * (width + height);
+    if (!target->rectangle)
+        return;
+    target->width_m = width;
+    target->height_m = height;
     target->corner = corners[0];
-    target->along = pp_vec_scale(along, 1.0 / target->width_m);
-    target->up = pp_vec_scale(up, 1.0 / target->height_m);
+    target->along = pp_vec_scale(along, 1.0 / width);
+    target->up = pp_vec_scale(up, 1.0 / height);
 }
 
 /* Copies the triangles to the scene, and takes the emitter's area and middle from
@@ -121,7 +113,7 @@ enum pp_status pp_emitters_add_part(struct pp_light_scene *scene, int index,
             emitter.round = scene->rounds[part->round];
             emitter.shape = emitter.round.kind == PP_SHAPE_SPHERE ? PP_EMITTER_SPHERE
                                                                   : PP_EMITTER_ROUND;
-            emitter.area_m2 = pp_round_area(&emitter.round);
+            emitter.area_m2 = part->area_m2;
             emitter.middle = middle_of_round(&emitter.round);
         } else {
             make_target(&emitter.target, corners, count,

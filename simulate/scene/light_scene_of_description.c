@@ -145,6 +145,7 @@ static enum pp_status add_round(struct light_scene_builder *b,
     pp_round_shift(&scene->rounds[round], scene->centre);
     scene->parts[index] = part_of(scene, shape);
     scene->parts[index].round = round;
+    scene->parts[index].area_m2 = pp_round_area(&scene->rounds[round]);
     return pp_emitters_add_part(scene, index, NULL, 0, NULL, 0, err);
 }
 

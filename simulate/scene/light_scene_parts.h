@@ -20,8 +20,8 @@ struct pp_light_part {
     struct pp_vec3 normal; /* of the front of a plane part, unit */
     struct pp_vec3 a, b;   /* of a plane part: a right-handed frame with the normal */
     double offset_m;       /* normal . x of its points, from the centre */
-    double area_m2;        /* of a plane part */
-    int material[2];       /* of front and back */
+    double area_m2;
+    int material[2]; /* of front and back */
     int tag;
     int round;        /* which of the round shapes; -1: plane */
     int window;       /* whose pane; -1: none */

@@ -6,7 +6,6 @@
 
 #include "simulate/sampling/scatter.h"
 #include "simulate/scene/light_scene_parts.h"
-#include "simulate/scene/round.h"
 
 enum {
     MOST_MIRRORS = 8,      /* planes */
@@ -36,13 +35,6 @@ static double share_of(const struct pp_light_scene *scene, int part)
                                     &scene->materials[material], 1.0)));
     }
     return share;
-}
-
-static double area_of(const struct pp_light_scene *scene, int part)
-{
-    int round = scene->parts[part].round;
-    return round < 0 ? scene->parts[part].area_m2
-                     : pp_round_area(&scene->rounds[round]);
 }
 
 static int by_weight(const void *a, const void *b)
@@ -105,7 +97,8 @@ static enum pp_status find_mirrors(struct pp_light_scene *scene, struct pp_error
     for (int i = 0; i < scene->part_count; i++) {
         double share = share_of(scene, i);
         if (share > 0.0)
-            list[count++] = (struct candidate){i, share, share * area_of(scene, i)};
+            list[count++] =
+                (struct candidate){i, share, share * scene->parts[i].area_m2};
     }
     qsort(list, (size_t)count, sizeof *list, by_weight);
     for (int i = 0; i < count; i++) {
