@@ -8,8 +8,8 @@
  * the view of a light meter that lies on the working plane in the middle of the room.
  * Plan and section are parallel views of all of the room, cut as drawings are.
  */
-#ifndef PP_SIMULATE_RENDER_DEFAULT_VIEW_H
-#define PP_SIMULATE_RENDER_DEFAULT_VIEW_H
+#ifndef PP_STUDIES_PICTURES_DEFAULT_VIEW_H
+#define PP_STUDIES_PICTURES_DEFAULT_VIEW_H
 
 #include "model/pictures/camera.h"
 #include "model/room/world.h"

@@ -1,8 +1,9 @@
 /* default_view.c - the best of many places to look at a window from, and cut planes. */
-#include "simulate/render/default_view.h"
-#include "model/room/position.h"
+#include "studies/pictures/default_view.h"
 
 #include <math.h>
+
+#include "model/room/position.h"
 
 enum {
     PLACES = 24, /* that are tried along each side of the room */
