@@ -110,11 +110,6 @@ static double importance_of(const void *of, int pane)
         viewer->normal, viewer->brightness);
 }
 
-static double kept(const void *shares, int pane)
-{
-    return ((const struct pp_openings_shares *)shares)->of[pane];
-}
-
 static void find_shares(struct pp_openings_shares *shares,
                         const struct pane_choice *choice)
 {
@@ -144,7 +139,7 @@ int pp_openings_choose(const struct pp_light_scene *scene,
     if (scene->pane_count > PP_OPENINGS_KEPT)
         return pp_choose(importance_of, &choice, scene->pane_count, u, probability);
     find_shares(shares, &choice);
-    return pp_choose(kept, shares, scene->pane_count, u, probability);
+    return pp_choose_weighted(shares->of, scene->pane_count, u, probability);
 }
 
 double pp_openings_angular_size(const struct pp_pane *pane, struct pp_vec3 from)

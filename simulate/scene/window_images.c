@@ -80,19 +80,12 @@ static struct pp_target blurred(const struct pp_light_scene *scene,
     return target;
 }
 
-/* The images that a viewer chooses among. */
-struct image_choice {
-    const struct pp_light_scene *scene;
-    const struct pp_image_viewer *viewer;
-};
-
-static double importance_of(const void *of, int index)
+static double importance_of(const struct pp_light_scene *scene,
+                            const struct pp_image_viewer *viewer, int index)
 {
-    const struct image_choice *choice = of;
-    const struct pp_light_scene *scene = choice->scene;
     const struct pp_window_image *image = &scene->window_images[index];
     struct pp_image_viewer behind;
-    if (!image_of(&scene->reflectors[image->reflector], choice->viewer, &behind))
+    if (!image_of(&scene->reflectors[image->reflector], viewer, &behind))
         return 0.0;
     return image->share
            * pp_sample_polygon_importance(&scene->panes[image->window].target,
@@ -104,11 +97,13 @@ int pp_window_images_choose(const struct pp_light_scene *scene,
                             const struct pp_image_viewer *viewer, double u,
                             double *probability)
 {
-    struct image_choice choice = {scene, viewer};
+    double importance[MOST_IMAGES];
+    for (int i = 0; i < scene->window_image_count; i++)
+        importance[i] = importance_of(scene, viewer, i);
     *probability = 1.0;
     if (scene->window_image_count == 1)
-        return importance_of(&choice, 0) > 0.0 ? 0 : -1;
-    return pp_choose(importance_of, &choice, scene->window_image_count, u, probability);
+        return importance[0] > 0.0 ? 0 : -1;
+    return pp_choose_weighted(importance, scene->window_image_count, u, probability);
 }
 
 bool pp_window_images_sample(const struct pp_light_scene *scene, int index,
@@ -133,11 +128,10 @@ double pp_window_images_pdf(const struct pp_light_scene *scene, int reflector,
                             int window, const struct pp_image_viewer *viewer,
                             struct pp_vec3 to)
 {
-    struct image_choice choice = {scene, viewer};
     double own = 0.0, all = 0.0;
     int found = -1;
     for (int i = 0; i < scene->window_image_count; i++) {
-        double importance = importance_of(&choice, i);
+        double importance = importance_of(scene, viewer, i);
         all += importance;
         if (scene->window_images[i].reflector != reflector
             || scene->window_images[i].window != window)
