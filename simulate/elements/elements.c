@@ -106,7 +106,7 @@ static enum pp_status rounds(struct pp_elements *elements, struct pp_error *err)
 {
     struct pp_element_receivers *receivers = &elements->receivers;
     enum pp_status status = PP_OK;
-    int divided = 1, level = elements->level;
+    int divided = 1;
     for (int round = 0; status == PP_OK && round <= ROUNDS && divided > 0; round++) {
         status = pp_balance_gather(&elements->balance, err);
         if (status == PP_OK)
@@ -115,18 +115,13 @@ static enum pp_status rounds(struct pp_elements *elements, struct pp_error *err)
         if (status == PP_OK && elements->level == 0 && round == 0)
             status = pp_balance_gather(&elements->balance, err);
         if (status == PP_OK && round == 0)
-            status = pp_element_receivers_by_openings(receivers, &elements->balance,
-                                                      level, err);
+            status = pp_element_receivers_by_openings(receivers, err);
         if (status == PP_OK)
-            status = pp_element_receivers_by_elements(receivers, &elements->balance,
-                                                      level, err);
+            status = pp_element_receivers_by_elements(receivers, err);
         if (status == PP_OK && round < ROUNDS)
             status = divide(elements, &divided, err);
     }
-    if (status == PP_OK)
-        status =
-            pp_element_receivers_on_plane(receivers, &elements->balance, level, err);
-    return status;
+    return status == PP_OK ? pp_element_receivers_on_plane(receivers, err) : status;
 }
 
 /* RMS of the change at the points, relative to their daylight factors. */
@@ -147,7 +142,7 @@ enum pp_status pp_elements_advance(struct pp_elements *elements, struct pp_error
 {
     size_t kept = ((size_t)elements->asked + 1) * sizeof *elements->now;
     enum pp_status status = pp_element_receivers_begin(
-        &elements->receivers, elements->facets, elements->level, err);
+        &elements->receivers, &elements->balance, elements->level, err);
     if (status != PP_OK)
         return status;
     pp_balance_clear(&elements->balance);
