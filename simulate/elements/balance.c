@@ -63,8 +63,7 @@ static void mean_by_openings(const struct pp_balance *balance, int index,
         struct pp_light_mark from = pp_light_sum_mark(sum);
         taker.point =
             pp_vec_along(element->middle, way, pp_vec_sub(middle, element->middle));
-        pp_opening_light_add(balance->room, balance->sight, &taker,
-                             &balance->accuracy.openings, sum);
+        pp_opening_light_add(balance->room, &taker, &balance->accuracy.openings, sum);
         struct pp_light_mark to = pp_light_sum_mark(sum);
         pp_light_sum_scale(sum, &from, &to, area / element->area_m2);
     }
@@ -104,8 +103,8 @@ static bool by_elements(void *data, int member, int index)
         return true;
     accuracy.tolerance = balance->accuracy.even * row->illuminance;
     accuracy.divided = accuracy.tolerance * INFINITY;
-    pp_element_light_add(balance->room, balance->sight, &taker, &accuracy,
-                         &row->elements, &row->wanted);
+    pp_element_light_add(balance->room, &taker, &accuracy, &row->elements,
+                         &row->wanted);
     return true;
 }
 

@@ -101,7 +101,6 @@ static void gather(const struct descent *g, int index)
 }
 
 void pp_element_light_add(const struct pp_light_room *room,
-                          const struct pp_element_sight *sight,
                           const struct pp_taker *taker,
                           const struct pp_element_light_accuracy *accuracy,
                           struct pp_light_sum *sum, struct pp_wanted *wanted)
@@ -112,10 +111,10 @@ void pp_element_light_add(const struct pp_light_room *room,
                         .accuracy = accuracy,
                         .sum = sum,
                         .wanted = wanted};
-    bool looks = pp_element_sight_view_init(&g.view, sight, taker->point);
+    bool looks = pp_element_sight_view_init(&g.view, room->sight, taker->point);
     sum->failed |= !looks;
-    for (int i = 0; looks && i < sight->count; i++) {
-        int facet = sight->inside[i];
+    for (int i = 0; looks && i < room->sight->count; i++) {
+        int facet = room->sight->inside[i];
         double height = pp_facet_height(&room->facets->list[facet], taker->point);
         int side = 2 * facet + (height < 0.0);
         if (facet == taker->facet || height == 0.0 || tree->roots[side][1] == 0)

@@ -131,8 +131,7 @@ static bool take_by_openings(void *data, int member, int index)
     (void)member;
     pp_light_sum_clear(&receiver->openings);
     if (has_room(balance->room->facets)) {
-        pp_opening_light_add(balance->room, balance->sight, &taker, &accuracy,
-                             &receiver->openings);
+        pp_opening_light_add(balance->room, &taker, &accuracy, &receiver->openings);
         return true;
     }
     struct pp_light_ray_start place = {taker.point, taker.normal, -1, false};
@@ -157,8 +156,8 @@ static bool take_by_elements(void *data, int member, int index)
     pp_light_sum_clear(&receiver->elements);
     receiver->wanted.count = 0;
     if (has_room(balance->room->facets))
-        pp_element_light_add(balance->room, balance->sight, &taker, &accuracy,
-                             &receiver->elements, &receiver->wanted);
+        pp_element_light_add(balance->room, &taker, &accuracy, &receiver->elements,
+                             &receiver->wanted);
     return true;
 }
 

@@ -179,11 +179,10 @@ static enum pp_status make(struct pp_elements *elements, const struct pp_world *
     if (status != PP_OK)
         return status;
     elements->decorations = world->decorations;
-    elements->room =
-        (struct pp_light_room){elements->facets, elements->tree, &elements->outdoors};
+    elements->room = (struct pp_light_room){elements->facets, elements->tree,
+                                            &elements->outdoors, elements->sight};
     elements->balance = (struct pp_balance){.tree = elements->tree,
                                             .room = &elements->room,
-                                            .sight = elements->sight,
                                             .cells = &elements->cells,
                                             .crew = elements->crew};
     return PP_OK;

@@ -235,7 +235,6 @@ static void look_through(struct looking *l)
 }
 
 void pp_opening_light_add(const struct pp_light_room *room,
-                          const struct pp_element_sight *sight,
                           const struct pp_taker *taker,
                           const struct pp_opening_light_accuracy *accuracy,
                           struct pp_light_sum *sum)
@@ -244,17 +243,17 @@ void pp_opening_light_add(const struct pp_light_room *room,
     struct pp_light_sum rough = {.failed = false};
     struct pp_opening_light_accuracy first = {INFINITY, INFINITY, 0, 1.0};
     double light = 0.0;
-    bool looks = pp_element_sight_view_init(&view, sight, taker->point);
+    bool looks = pp_element_sight_view_init(&view, room->sight, taker->point);
     sum->failed |= !looks;
     for (int pass = 0; looks && pass < 2; pass++)
-        for (int i = 0; i < sight->count; i++) {
-            const struct pp_facet *facet = &room->facets->list[sight->inside[i]];
+        for (int i = 0; i < room->sight->count; i++) {
+            const struct pp_facet *facet = &room->facets->list[room->sight->inside[i]];
             struct looking l = {.room = room,
                                 .view = &view,
                                 .taker = taker,
                                 .accuracy = pass ? accuracy : &first,
                                 .sum = pass ? sum : &rough,
-                                .pane = sight->inside[i]};
+                                .pane = room->sight->inside[i]};
             if (!facet->clear || !faces(&l))
                 continue;
             pp_element_sight_look_at(&view, i);
