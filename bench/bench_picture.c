@@ -5,13 +5,13 @@
 
 #include "bench/bench.h"
 #include "model/base/clock.h"
-#include "simulate/render/default_view.h"
 #include "simulate/render/overture.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/render/render.h"
 #include "simulate/scene/environment.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/transport/window_store.h"
+#include "studies/pictures/default_view.h"
 
 enum {
     SIDE = 512,

@@ -57,10 +57,7 @@ static void choose_start(const struct pp_world *world, struct pp_vec3 *start,
         *start = middle_of(&window->inner);
         *way = pp_vec_unit(pp_vec(normal.x, normal.y, 0.0));
     } else {
-        struct pp_bounds3 bounds = pp_bounds3_empty();
-        for (int i = 0; i < world->face_count; i++)
-            for (int j = 0; j < world->surfaces[i].outline.count; j++)
-                pp_bounds3_add(&bounds, world->surfaces[i].outline.vertices[j]);
+        struct pp_bounds3 bounds = pp_position_bounds(world);
         struct pp_vec3 low = bounds.low, high = bounds.high;
         bool along_y = high.y - low.y > high.x - low.x;
         *way = along_y ? pp_vec(0.0, 1.0, 0.0) : pp_vec(1.0, 0.0, 0.0);

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "simulate/render/default_view.h"
 #include "model/room/position.h"
+#include "studies/pictures/default_view.h"
 
 enum { LONG_SIDE = 640, SHORT_SIDE = 480, FISHEYE_SIDE = 512 };
 

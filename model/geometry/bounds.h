@@ -45,4 +45,9 @@ static inline void pp_bounds3_add(struct pp_bounds3 *bounds, struct pp_vec3 poin
                           fmax(bounds->high.z, point.z));
 }
 
+static inline struct pp_vec3 pp_bounds3_middle(const struct pp_bounds3 *bounds)
+{
+    return pp_vec_scale(pp_vec_add(bounds->low, bounds->high), 0.5);
+}
+
 #endif

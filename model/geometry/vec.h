@@ -55,6 +55,12 @@ static inline double pp_vec_length(struct pp_vec3 a)
     return sqrt(pp_vec_dot(a, a));
 }
 
+/* A direction mirrored in a plane with normal n (unit). */
+static inline struct pp_vec3 pp_vec_mirrored(struct pp_vec3 a, struct pp_vec3 n)
+{
+    return pp_vec_along(a, -2.0 * pp_vec_dot(n, a), n);
+}
+
 /* a's direction; a must not be zero. */
 static inline struct pp_vec3 pp_vec_unit(struct pp_vec3 a)
 {

@@ -8,7 +8,6 @@
 #include "simulate/cache/cache_parts.h"
 #include "simulate/cache/cache_smooth.h"
 #include "simulate/cache/little_endian.h"
-#include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
 #include "simulate/scene/environment.h"
 
@@ -34,16 +33,6 @@ static struct pp_vec3 take_vec(const unsigned char **at)
     double x = pp_little_endian_take_double(at), y = pp_little_endian_take_double(at),
            z = pp_little_endian_take_double(at);
     return pp_vec(x, y, z);
-}
-
-static uint64_t checksum(const unsigned char *bytes, size_t length)
-{
-    uint64_t sum = length;
-    for (size_t i = 0; i < length; i += WORD) {
-        const unsigned char *at = bytes + i;
-        sum = pp_hash(sum, pp_little_endian_take(&at, WORD));
-    }
-    return sum;
 }
 
 static void put_entry(unsigned char **at, const struct pp_cache_entry *entry)
@@ -138,7 +127,8 @@ enum pp_status pp_cache_file_pack(const struct pp_irradiance_cache *cache, char 
     for (int i = 0; i < PP_CACHE_DEPTHS; i++)
         for (int k = 0; k < cache->layers[i].entry_count; k++)
             put_entry(&at, &cache->layers[i].entries[k]);
-    pp_little_endian_put(&at, checksum(all, size - WORD), WORD);
+    pp_little_endian_put(&at, pp_little_endian_hash(size - WORD, all, size - WORD),
+                         WORD);
     *bytes = (char *)all;
     *length = size;
     return PP_OK;
@@ -176,7 +166,8 @@ static enum pp_status check(const struct pp_irradiance_cache *cache,
                        "of records",
                        title);
     const unsigned char *end = bytes + length - WORD;
-    if (pp_little_endian_take(&end, WORD) != checksum(bytes, length - WORD))
+    if (pp_little_endian_take(&end, WORD)
+        != pp_little_endian_hash(length - WORD, bytes, length - WORD))
         return pp_fail(err, PP_BAD_INPUT, "%s is damaged: its checksum is wrong",
                        title);
     if (scene != pp_light_scene_hash(cache->scene))

@@ -104,24 +104,6 @@ static struct pp_radiance_state state_of(const struct pp_irradiance_cache *cache
     return state;
 }
 
-/* Follows a ray without next-event estimation, and notes where it asks for
- * irradiance. */
-static void trace_requests(const struct pp_irradiance_cache *cache,
-                           const struct pp_light_ray *ray, int depth, uint32_t index,
-                           struct ray_requests *wanted)
-{
-    *wanted = (struct ray_requests){.cache = cache, .depth = depth};
-    struct pp_ambient ambient = {record_request, wanted};
-    struct pp_radiance_state state = state_of(cache, cache->options.seed);
-    state.options.sources = state.options.windows = false;
-    state.ambient = &ambient;
-    state.index = index;
-    if (depth == 0)
-        pp_radiance_along(&state, ray, NULL);
-    else
-        pp_radiance_indirect(&state, ray, NULL);
-}
-
 /* A chunk of rays that the crew's members share. */
 struct request_rays {
     const struct pp_irradiance_cache *cache;
@@ -131,23 +113,36 @@ struct request_rays {
     struct ray_requests *requests; /* of the chunk's rays */
 };
 
+/* Follows a ray without next-event estimation, and notes where it asks for
+ * irradiance. */
 static bool trace_one(void *data, int member, int i)
 {
     (void)member;
     const struct request_rays *chunk = data;
+    const struct pp_irradiance_cache *cache = chunk->cache;
+    struct ray_requests *wanted = &chunk->requests[i];
     size_t ray = chunk->first + (size_t)i;
-    trace_requests(chunk->cache, &chunk->rays[ray], chunk->depth, (uint32_t)ray,
-                   &chunk->requests[i]);
+    struct pp_ambient ambient = {record_request, wanted};
+    struct pp_radiance_state state = state_of(cache, cache->options.seed);
+    *wanted = (struct ray_requests){.cache = cache, .depth = chunk->depth};
+    state.options.sources = state.options.windows = false;
+    state.ambient = &ambient;
+    state.index = (uint32_t)ray;
+    if (chunk->depth == 0)
+        pp_radiance_along(&state, &chunk->rays[ray], NULL);
+    else
+        pp_radiance_indirect(&state, &chunk->rays[ray], NULL);
     return true;
 }
 
-/* Appends the requests of depth `depth` that rays make, in their order. */
+/* Appends the requests of depth `depth` that rays make, scattered. */
 static enum pp_status request_along(struct pp_irradiance_cache *cache,
                                     const struct pp_light_ray *rays, size_t count,
                                     int depth, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     struct pp_cache_layer *layer = &cache->layers[depth];
+    int before = layer->request_count;
     struct ray_requests *rays_requests = malloc(CHUNK * sizeof *rays_requests);
     if (!rays_requests)
         return pp_fail_memory(err);
@@ -160,6 +155,8 @@ static enum pp_status request_along(struct pp_irradiance_cache *cache,
                 status = request(layer, &rays_requests[i].places[k], err);
     }
     free(rays_requests);
+    if (status == PP_OK)
+        scatter(layer, before);
     return status;
 }
 
@@ -170,11 +167,7 @@ enum pp_status pp_cache_grow_request_rays(struct pp_irradiance_cache *cache,
     if (cache->options.bounces == 0)
         return PP_OK;
     forget(cache);
-    int first = cache->layers[0].request_count;
-    enum pp_status status = request_along(cache, rays, count, 0, err);
-    if (status == PP_OK)
-        scatter(&cache->layers[0], first);
-    return status;
+    return request_along(cache, rays, count, 0, err);
 }
 
 enum pp_status pp_cache_grow_request_point(struct pp_irradiance_cache *cache,
@@ -218,11 +211,7 @@ enum pp_status pp_cache_grow_request_hemisphere(struct pp_irradiance_cache *cach
     for (uint32_t i = 0; i < RAYS; i++)
         rays[i] = ray_about(cache, &place, cache->options.seed, i);
     forget(cache);
-    int first = cache->layers[1].request_count;
-    enum pp_status status = request_along(cache, rays, RAYS, 1, err);
-    if (status == PP_OK)
-        scatter(&cache->layers[1], first);
-    return status;
+    return request_along(cache, rays, RAYS, 1, err);
 }
 
 /* For the new requests of depth 0, requests of depth 1 of the surfaces that light
@@ -234,7 +223,6 @@ static enum pp_status expand(struct pp_irradiance_cache *cache, struct pp_error 
     size_t left = (size_t)(EXPANSION_RAYS - cache->expanded_rays);
     size_t count = 8 * new < left ? 8 * new : left;
     size_t begin = (size_t)cache->expanded;
-    int first = cache->layers[1].request_count;
     cache->expanded = seen->request_count;
     cache->expanded_rays += (int)count;
     if (count == 0 || (cache->options.bounces >= 0 && cache->options.bounces < 2))
@@ -246,8 +234,6 @@ static enum pp_status expand(struct pp_irradiance_cache *cache, struct pp_error 
         rays[i] = ray_about(cache, &seen->requests[begin + i % new].place,
                             cache->options.seed, (uint32_t)i);
     enum pp_status status = request_along(cache, rays, count, 1, err);
-    if (status == PP_OK)
-        scatter(&cache->layers[1], first);
     free(rays);
     return status;
 }
@@ -281,20 +267,6 @@ static uint64_t seed_of(const struct pp_irradiance_cache *cache,
     return pp_hash_vec(pp_hash_vec(seed, place->point), place->normal);
 }
 
-static void compute_record(struct pp_irradiance_cache *cache, int depth,
-                           const struct pp_cache_place *place,
-                           struct pp_cache_hemisphere_cell *cells,
-                           struct pp_cache_entry *entry)
-{
-    struct asking_record from = {cache, depth};
-    struct pp_ambient ambient = {ask_from_record, &from};
-    struct pp_radiance_state state = state_of(cache, seed_of(cache, place, depth));
-    state.ambient = &ambient;
-    pp_cache_record_compute(&cache->layers[depth].settings, &state, place, cells,
-                            entry);
-    entry->is.depth = depth;
-}
-
 /* Is the request covered by no record? Then sets the radius expected there, too. */
 static bool is_open(const struct pp_irradiance_cache *cache,
                     const struct pp_cache_layer *layer,
@@ -307,11 +279,6 @@ static bool is_open(const struct pp_irradiance_cache *cache,
     double guess = pp_cache_layer_guess(layer, &request->place);
     request->guess_m = (float)(guess > 0.0 ? guess : FIRST_GUESS * cache->size_m);
     return true;
-}
-
-static struct pp_cache_request *open_request(const struct pp_cache_layer *layer, int i)
-{
-    return &layer->requests[layer->next + layer->open[i]];
 }
 
 /* The requests of a chunk, which the crew's members look at. */
@@ -358,7 +325,8 @@ static int choose(struct pp_irradiance_cache *cache, struct pp_cache_layer *laye
 {
     int count = 0, kept = 0, i = 0;
     for (; i < layer->open_count && count < PP_CACHE_BATCH; i++) {
-        struct pp_cache_request *request = open_request(layer, i);
+        struct pp_cache_request *request =
+            &layer->requests[layer->next + layer->open[i]];
         if (!is_open(cache, layer, request))
             continue;
         if (stands_apart(request, chosen, count))
@@ -384,9 +352,19 @@ static bool compute_one(void *data, int member, int i)
 {
     (void)member;
     const struct batch_records *records = data;
-    size_t side = (size_t)records->cache->layers[records->depth].settings.side;
-    compute_record(records->cache, records->depth, &records->chosen[i]->place,
-                   records->cells + (size_t)i * side * side, &records->entries[i]);
+    struct pp_irradiance_cache *cache = records->cache;
+    int depth = records->depth;
+    const struct pp_cache_record_settings *settings = &cache->layers[depth].settings;
+    const struct pp_cache_place *place = &records->chosen[i]->place;
+    struct asking_record from = {cache, depth};
+    struct pp_ambient ambient = {ask_from_record, &from};
+    struct pp_radiance_state state = state_of(cache, seed_of(cache, place, depth));
+    state.ambient = &ambient;
+    pp_cache_record_compute(
+        settings, &state, place,
+        records->cells + (size_t)i * (size_t)settings->side * (size_t)settings->side,
+        &records->entries[i]);
+    records->entries[i].is.depth = depth;
     return true;
 }
 

@@ -8,13 +8,6 @@
 
 enum { MOST_LEVELS = 20 };
 
-/* A cell and its cube. */
-struct cube {
-    int cell;
-    struct pp_vec3 low;
-    double size_m;
-};
-
 static enum pp_status new_cell(struct pp_cache_octree *tree, int *cell,
                                struct pp_error *err)
 {
@@ -32,8 +25,7 @@ enum pp_status pp_cache_octree_init(struct pp_cache_octree *tree, struct pp_vec3
                                     double size_m, struct pp_error *err)
 {
     *tree = (struct pp_cache_octree){.low = low, .size_m = size_m};
-    int root;
-    return new_cell(tree, &root, err);
+    return pp_cache_octree_reset(tree, err);
 }
 
 void pp_cache_octree_clear(struct pp_cache_octree *tree)
@@ -50,33 +42,31 @@ enum pp_status pp_cache_octree_reset(struct pp_cache_octree *tree, struct pp_err
     return new_cell(tree, &root, err);
 }
 
-static struct cube root_of(const struct pp_cache_octree *tree)
+static struct pp_cache_octree_cube root_of(const struct pp_cache_octree *tree)
 {
-    return (struct cube){0, tree->low, tree->size_m};
+    return (struct pp_cache_octree_cube){0, tree->low, tree->size_m};
 }
 
-static struct cube child_of(const struct pp_cache_octree *tree, const struct cube *cube,
-                            int which)
+static struct pp_cache_octree_cube child_of(const struct pp_cache_octree *tree,
+                                            const struct pp_cache_octree_cube *cube,
+                                            int which)
 {
     double half = 0.5 * cube->size_m;
     struct pp_vec3 low = cube->low;
     low.x += which & 1 ? half : 0.0;
     low.y += which & 2 ? half : 0.0;
     low.z += which & 4 ? half : 0.0;
-    return (struct cube){tree->cells[cube->cell].children[which], low, half};
+    return (struct pp_cache_octree_cube){tree->cells[cube->cell].children[which], low,
+                                         half};
 }
 
-static bool touches(const struct cube *cube, struct pp_vec3 point, double radius_m)
+static bool touches(const struct pp_cache_octree_cube *cube, struct pp_vec3 point,
+                    double radius_m)
 {
     struct pp_vec3 off = pp_vec_sub(point, cube->low);
     double most = cube->size_m + radius_m;
     return off.x >= -radius_m && off.x <= most && off.y >= -radius_m && off.y <= most
            && off.z >= -radius_m && off.z <= most;
-}
-
-static bool holds(const struct cube *cube, struct pp_vec3 point)
-{
-    return touches(cube, point, 0.0);
 }
 
 static enum pp_status add_link(struct pp_cache_octree *tree, int cell, int record,
@@ -93,14 +83,15 @@ static enum pp_status add_link(struct pp_cache_octree *tree, int cell, int recor
     return PP_OK;
 }
 
-static enum pp_status add_below(struct pp_cache_octree *tree, struct cube cube,
-                                int record, struct pp_vec3 point, double radius_m,
-                                int level, struct pp_error *err)
+static enum pp_status add_below(struct pp_cache_octree *tree,
+                                struct pp_cache_octree_cube cube, int record,
+                                struct pp_vec3 point, double radius_m, int level,
+                                struct pp_error *err)
 {
     if (cube.size_m < 3.0 * radius_m || level >= MOST_LEVELS)
         return add_link(tree, cube.cell, record, err);
     for (int which = 0; which < 8; which++) {
-        struct cube child = child_of(tree, &cube, which);
+        struct pp_cache_octree_cube child = child_of(tree, &cube, which);
         if (!touches(&child, point, radius_m))
             continue;
         enum pp_status status = PP_OK;
@@ -121,8 +112,8 @@ enum pp_status pp_cache_octree_add(struct pp_cache_octree *tree, int record,
                                    struct pp_vec3 point, double radius_m,
                                    struct pp_error *err)
 {
-    struct cube root = root_of(tree);
-    if (!holds(&root, point))
+    struct pp_cache_octree_cube root = root_of(tree);
+    if (!touches(&root, point, 0.0))
         return add_link(tree, 0, record, err);
     return add_below(tree, root, record, point, radius_m, 0, err);
 }
@@ -130,24 +121,21 @@ enum pp_status pp_cache_octree_add(struct pp_cache_octree *tree, int record,
 struct pp_cache_octree_iterator pp_cache_octree_iterator(
     const struct pp_cache_octree *tree, struct pp_vec3 point)
 {
-    return (struct pp_cache_octree_iterator){tree,         point, tree->low,
-                                             tree->size_m, 0,     tree->cells[0].first};
+    return (struct pp_cache_octree_iterator){tree, point, root_of(tree),
+                                             tree->cells[0].first};
 }
 
 bool pp_cache_octree_next(struct pp_cache_octree_iterator *iterator, int *record)
 {
     while (iterator->link < 0) {
-        struct cube cube = {iterator->cell, iterator->low, iterator->size_m};
-        double half = 0.5 * cube.size_m;
-        int which = (iterator->point.x - cube.low.x > half)
-                    | (iterator->point.y - cube.low.y > half) << 1
-                    | (iterator->point.z - cube.low.z > half) << 2;
-        struct cube child = child_of(iterator->tree, &cube, which);
+        struct pp_vec3 off = pp_vec_sub(iterator->point, iterator->at.low);
+        double half = 0.5 * iterator->at.size_m;
+        struct pp_cache_octree_cube child =
+            child_of(iterator->tree, &iterator->at,
+                     (off.x > half) | (off.y > half) << 1 | (off.z > half) << 2);
         if (child.cell == 0)
             return false;
-        iterator->cell = child.cell;
-        iterator->low = child.low;
-        iterator->size_m = child.size_m;
+        iterator->at = child;
         iterator->link = iterator->tree->cells[child.cell].first;
     }
     *record = iterator->tree->links[iterator->link].record;
@@ -155,14 +143,15 @@ bool pp_cache_octree_next(struct pp_cache_octree_iterator *iterator, int *record
     return true;
 }
 
-static void visit_below(const struct pp_cache_octree *tree, struct cube cube,
-                        struct pp_vec3 point, double radius_m,
-                        void (*visit)(void *context, int record), void *context)
+static void visit_below(const struct pp_cache_octree *tree,
+                        struct pp_cache_octree_cube cube, struct pp_vec3 point,
+                        double radius_m, void (*visit)(void *context, int record),
+                        void *context)
 {
     for (int i = tree->cells[cube.cell].first; i >= 0; i = tree->links[i].next)
         visit(context, tree->links[i].record);
     for (int which = 0; which < 8; which++) {
-        struct cube child = child_of(tree, &cube, which);
+        struct pp_cache_octree_cube child = child_of(tree, &cube, which);
         if (child.cell != 0 && touches(&child, point, radius_m))
             visit_below(tree, child, point, radius_m, visit, context);
     }

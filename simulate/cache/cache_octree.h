@@ -45,12 +45,19 @@ enum pp_status pp_cache_octree_add(struct pp_cache_octree *tree, int record,
                                    struct pp_vec3 point, double radius_m,
                                    struct pp_error *err);
 
+/* A cell and its cube. */
+struct pp_cache_octree_cube {
+    int cell;
+    struct pp_vec3 low;
+    double size_m;
+};
+
 /* The records of the cells about a point, one by one. */
 struct pp_cache_octree_iterator {
     const struct pp_cache_octree *tree;
-    struct pp_vec3 point, low;
-    double size_m;
-    int cell, link;
+    struct pp_vec3 point;
+    struct pp_cache_octree_cube at;
+    int link;
 };
 struct pp_cache_octree_iterator pp_cache_octree_iterator(
     const struct pp_cache_octree *tree, struct pp_vec3 point);

@@ -52,23 +52,12 @@ void pp_cache_record_ellipse(const double curvature[3], double error, double mos
 static void sector_border(int s, double u[2])
 {
     enum { QUARTER = PP_CACHE_SECTORS / 4 };
-    double t = (double)(s % QUARTER) / QUARTER;
-    switch (s / QUARTER % 4) {
-    case 0:
-        u[0] = 1.0 - t;
-        u[1] = t;
-        return;
-    case 1:
-        u[0] = -t;
-        u[1] = 1.0 - t;
-        return;
-    case 2:
-        u[0] = t - 1.0;
-        u[1] = -t;
-        return;
-    default:
-        u[0] = t;
-        u[1] = t - 1.0;
+    u[1] = (double)(s % QUARTER) / QUARTER;
+    u[0] = 1.0 - u[1];
+    for (int turn = 0; turn < s / QUARTER % 4; turn++) {
+        double along_a = u[0];
+        u[0] = -u[1];
+        u[1] = along_a;
     }
 }
 
@@ -152,6 +141,12 @@ static double sure_curvature(const double curvature[3], double noise)
     return greatest > noise ? sqrt(greatest * greatest - noise * noise) : 0.0;
 }
 
+/* The direction of the surface with these parts along the frame's axes. */
+static struct pp_vec3 in_surface(const struct pp_frame *frame, const double along[2])
+{
+    return pp_vec_along(pp_vec_scale(frame->x, along[0]), along[1], frame->y);
+}
+
 void pp_cache_record_compute(const struct pp_cache_record_settings *settings,
                              struct pp_radiance_state *state,
                              const struct pp_cache_place *place,
@@ -174,10 +169,8 @@ void pp_cache_record_compute(const struct pp_cache_record_settings *settings,
     entry->a = h.frame.x;
     entry->b = h.frame.y;
     for (int c = 0; c < 3; c++) {
-        is->along[c] = pp_vec_along(pp_vec_scale(h.frame.x, change.along[c][0]),
-                                    change.along[c][1], h.frame.y);
-        is->turned[c] = pp_vec_along(pp_vec_scale(h.frame.x, change.turned[c][0]),
-                                     change.turned[c][1], h.frame.y);
+        is->along[c] = in_surface(&h.frame, change.along[c]);
+        is->turned[c] = in_surface(&h.frame, change.turned[c]);
     }
     entry->along_noise = change.along_noise;
     find_horizon(&h, entry);
@@ -194,8 +187,7 @@ void pp_cache_record_compute(const struct pp_cache_record_settings *settings,
     pp_cache_record_ellipse(relative, settings->error, settings->most_m, is->radii_m,
                             axes);
     for (int i = 0; i < 2; i++) {
-        is->axes[i] =
-            pp_vec_along(pp_vec_scale(h.frame.x, axes[i][0]), axes[i][1], h.frame.y);
+        is->axes[i] = in_surface(&h.frame, axes[i]);
         is->radii_m[i] =
             fmax(limit_by_gradient(is->radii_m[i], value, luminance, axes[i]),
                  settings->least_m);

@@ -181,7 +181,7 @@ static enum pp_status make(struct pp_irradiance_cache *cache, struct pp_error *e
         cache->size_m = 1.0;
     struct pp_bounds3 all = pp_light_scene_bounds(cache->scene, false);
     double size = fmax(longest_side(all), cache->size_m) * 1.01;
-    struct pp_vec3 middle = pp_vec_scale(pp_vec_add(all.low, all.high), 0.5);
+    struct pp_vec3 middle = pp_bounds3_middle(&all);
     struct pp_vec3 low = pp_vec_sub(middle, pp_vec(0.5 * size, 0.5 * size, 0.5 * size));
     pp_sobol_init(&cache->sobol);
     cache->ambient = (struct pp_ambient){ambient_irradiance, cache};

@@ -1,11 +1,13 @@
-/* little_endian.h - numbers as bytes of a file, least significant first, on any
- * machine.
+/* little_endian.h - numbers as bytes of a file, least significant first, on any machine,
+ * and a hash of these.
  */
 #ifndef PP_SIMULATE_CACHE_LITTLE_ENDIAN_H
 #define PP_SIMULATE_CACHE_LITTLE_ENDIAN_H
 
 #include <stdint.h>
 #include <string.h>
+
+#include "simulate/sampling/hash.h"
 
 /* Writes or reads the lowest 1 to 8 bytes of a number at *at, which moves behind
  * them. */
@@ -52,6 +54,18 @@ static inline float pp_little_endian_take_float(const unsigned char **at)
     float value;
     memcpy(&value, &bits, sizeof value);
     return value;
+}
+
+/* A hash of bytes by eights, from `start` on; the last are filled up with zeros. */
+static inline uint64_t pp_little_endian_hash(uint64_t start, const unsigned char *bytes,
+                                             size_t length)
+{
+    for (size_t i = 0; i < length; i += 8) {
+        const unsigned char *at = bytes + i;
+        int count = length - i < 8 ? (int)(length - i) : 8;
+        start = pp_hash(start, pp_little_endian_take(&at, count));
+    }
+    return start;
 }
 
 #endif

@@ -51,21 +51,19 @@ static void mean_by_openings(const struct pp_balance *balance, int index,
 {
     const struct pp_element_tree *tree = balance->tree;
     const struct pp_element *element = &tree->list[index];
-    const struct pp_facet *facet = &tree->facets->list[element->side / 2];
-    struct pp_vec3 parts[PP_ELEMENT_PARTS][64];
-    int counts[PP_ELEMENT_PARTS];
-    int count = pp_element_tree_cut(&tree->corners[element->first_corner],
-                                    element->count, facet->a, facet->b, parts, counts);
+    struct pp_element_parts parts;
+    pp_element_tree_cut(&parts, &tree->facets->list[element->side / 2],
+                        &tree->corners[element->first_corner], element->count);
     struct pp_taker taker = taker_of(balance, index);
     double way = element->count == 4 ? GAUSS : 1.0; /* a sliver's would lie outside */
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < parts.count; i++) {
         double area;
-        struct pp_vec3 middle = pp_element_tree_middle(parts[i], counts[i], &area);
+        struct pp_vec3 middle =
+            pp_element_tree_middle(parts.corners[i], parts.counts[i], &area);
         struct pp_light_mark from = pp_light_sum_mark(sum);
         taker.point =
             pp_vec_along(element->middle, way, pp_vec_sub(middle, element->middle));
-        pp_opening_light_add(balance->room, balance->sight, &taker,
-                             &balance->accuracy.openings, sum);
+        pp_opening_light_add(balance->room, &taker, &balance->accuracy.openings, sum);
         struct pp_light_mark to = pp_light_sum_mark(sum);
         pp_light_sum_scale(sum, &from, &to, area / element->area_m2);
     }
@@ -105,8 +103,8 @@ static bool by_elements(void *data, int member, int index)
         return true;
     accuracy.tolerance = balance->accuracy.even * row->illuminance;
     accuracy.divided = accuracy.tolerance * INFINITY;
-    pp_element_light_add(balance->room, balance->sight, &taker, &accuracy,
-                         &row->elements, &row->wanted);
+    pp_element_light_add(balance->room, &taker, &accuracy, &row->elements,
+                         &row->wanted);
     return true;
 }
 

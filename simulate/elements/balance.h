@@ -32,7 +32,6 @@ struct pp_balance_row {
 struct pp_balance {
     struct pp_element_tree *tree; /* none of these is owned */
     const struct pp_light_room *room;
-    const struct pp_element_sight *sight;
     struct pp_outside_cells *cells;
     struct pp_crew *crew;
     struct pp_balance_accuracy accuracy;

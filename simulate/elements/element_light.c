@@ -1,8 +1,6 @@
 /* element_light.c - down the trees of all sides. */
 #include "simulate/elements/element_light.h"
 
-#include <stdlib.h>
-
 #include "model/base/array.h"
 #include "simulate/elements/form_factor.h"
 
@@ -12,13 +10,11 @@ static const double WITHIN = 0.9;
 
 struct descent {
     const struct pp_light_room *room;
-    const struct pp_element_sight *sight;
+    struct pp_element_view view;
     const struct pp_taker *taker;
     const struct pp_element_light_accuracy *accuracy;
     struct pp_light_sum *sum;
     struct pp_wanted *wanted;
-    const int *blockers;
-    int blocker_count;
 };
 
 static double factor_of(const struct descent *g, const struct pp_vec3 *corners,
@@ -27,20 +23,15 @@ static double factor_of(const struct descent *g, const struct pp_vec3 *corners,
     return pp_form_factor(g->taker->point, g->taker->normal, corners, count);
 }
 
-static bool sees(const struct descent *g, struct pp_vec3 point)
-{
-    return pp_element_sight_is_clear(g->sight, g->blockers, g->blocker_count,
-                                     g->taker->point, point);
-}
-
 /* How much of a polygon is seen, by its middle and corners: 0, 1, or something between. */
 static double seen_of(const struct descent *g, const struct pp_vec3 *corners, int count,
                       bool by_middle)
 {
     struct pp_vec3 middle = pp_element_tree_middle(corners, count, NULL);
-    double seen = sees(g, middle);
+    double seen = pp_element_sight_shows(&g->view, middle);
     for (int i = 0; !by_middle && i < count; i++)
-        seen += sees(g, pp_vec_along(middle, WITHIN, pp_vec_sub(corners[i], middle)));
+        seen += pp_element_sight_shows(
+            &g->view, pp_vec_along(middle, WITHIN, pp_vec_sub(corners[i], middle)));
     return by_middle ? seen : seen / (count + 1);
 }
 
@@ -56,14 +47,13 @@ static double factor_seen(const struct descent *g, int index,
     bool settled = factor <= g->accuracy->most_factor && (seen == 0.0 || seen == 1.0);
     if (small || settled)
         return factor * seen;
-    struct pp_vec3 parts[PP_ELEMENT_PARTS][64];
-    int counts[PP_ELEMENT_PARTS];
-    const struct pp_facet *facet =
-        &g->room->facets->list[g->room->tree->list[index].side / 2];
-    int n = pp_element_tree_cut(corners, count, facet->a, facet->b, parts, counts);
+    struct pp_element_parts parts;
     double sum = 0.0;
-    for (int i = 0; i < n; i++)
-        sum += factor_seen(g, index, parts[i], counts[i]);
+    pp_element_tree_cut(&parts,
+                        &g->room->facets->list[g->room->tree->list[index].side / 2],
+                        corners, count);
+    for (int i = 0; i < parts.count; i++)
+        sum += factor_seen(g, index, parts.corners[i], parts.counts[i]);
     return sum;
 }
 
@@ -78,9 +68,8 @@ static double unevenness(const struct descent *g, const struct pp_element *eleme
 
 static void want(const struct descent *g, int index)
 {
-    struct pp_error err;
     if (pp_array_reserve(&g->wanted->list, &g->wanted->room, g->wanted->count + 1,
-                         sizeof *g->wanted->list, &err)
+                         sizeof *g->wanted->list, NULL)
         != PP_OK) {
         g->sum->failed = true;
         return;
@@ -93,7 +82,7 @@ static void gather(const struct descent *g, int index)
     const struct pp_element_tree *tree = g->room->tree;
     const struct pp_element *element = &tree->list[index];
     const struct pp_vec3 *corners = &tree->corners[element->first_corner];
-    bool divided = element->part_count > 0, hidden = g->blocker_count > 0;
+    bool divided = element->part_count > 0, hidden = g->view.blocker_count > 0;
     double factor = factor_of(g, corners, element->count);
     if (!(factor > 0.0))
         return;
@@ -112,31 +101,27 @@ static void gather(const struct descent *g, int index)
 }
 
 void pp_element_light_add(const struct pp_light_room *room,
-                          const struct pp_element_sight *sight,
                           const struct pp_taker *taker,
                           const struct pp_element_light_accuracy *accuracy,
                           struct pp_light_sum *sum, struct pp_wanted *wanted)
 {
     const struct pp_element_tree *tree = room->tree;
-    int *blockers = malloc(((size_t)sight->count + 1) * sizeof *blockers);
-    struct pp_element_sight_place place = pp_element_sight_from(sight, taker->point);
     struct descent g = {.room = room,
-                        .sight = sight,
                         .taker = taker,
                         .accuracy = accuracy,
                         .sum = sum,
-                        .wanted = wanted,
-                        .blockers = blockers};
-    sum->failed |= !blockers;
-    for (int i = 0; blockers && i < sight->count; i++) {
-        int facet = sight->inside[i];
+                        .wanted = wanted};
+    bool looks = pp_element_sight_view_init(&g.view, room->sight, taker->point);
+    sum->failed |= !looks;
+    for (int i = 0; looks && i < room->sight->count; i++) {
+        int facet = room->sight->inside[i];
         double height = pp_facet_height(&room->facets->list[facet], taker->point);
         int side = 2 * facet + (height < 0.0);
         if (facet == taker->facet || height == 0.0 || tree->roots[side][1] == 0)
             continue;
-        g.blocker_count = pp_element_sight_blockers(sight, &place, i, blockers);
+        pp_element_sight_look_at(&g.view, i);
         for (int k = 0; k < tree->roots[side][1]; k++)
             gather(&g, tree->roots[side][0] + k);
     }
-    free(blockers);
+    pp_element_sight_view_clear(&g.view);
 }

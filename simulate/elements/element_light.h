@@ -28,7 +28,6 @@ struct pp_wanted {
 };
 
 void pp_element_light_add(const struct pp_light_room *room,
-                          const struct pp_element_sight *sight,
                           const struct pp_taker *taker,
                           const struct pp_element_light_accuracy *accuracy,
                           struct pp_light_sum *sum, struct pp_wanted *wanted);

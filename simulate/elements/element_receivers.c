@@ -10,12 +10,6 @@ enum {
     FEWER_POINTS = 6,   /* by so much, for what is reflected */
 };
 
-struct receiving {
-    struct pp_element_receivers *receivers;
-    struct pp_balance *balance;
-    int level;
-};
-
 static bool has_room(const struct pp_facets *facets)
 {
     return facets->world->face_count > 0;
@@ -75,14 +69,17 @@ static enum pp_status set_plane(struct pp_element_receivers *receivers,
 }
 
 enum pp_status pp_element_receivers_begin(struct pp_element_receivers *receivers,
-                                          const struct pp_facets *facets, int level,
+                                          struct pp_balance *balance, int level,
                                           struct pp_error *err)
 {
+    const struct pp_facets *facets = balance->room->facets;
     const struct pp_plane_points *direct = &receivers->direct;
     const struct pp_plane_points *reflected = &receivers->reflected;
     for (int i = 0; i < receivers->count; i++)
         clear_receiver(&receivers->list[i]);
     receivers->count = receivers->asked;
+    receivers->balance = balance;
+    receivers->level = level;
     clear_plane(receivers);
     enum pp_status status = PP_OK;
     if (has_room(facets))
@@ -126,41 +123,41 @@ struct pp_element_light_accuracy pp_element_receivers_accuracy(int level)
 
 static bool take_by_openings(void *data, int member, int index)
 {
-    const struct receiving *work = data;
-    const struct pp_balance *balance = work->balance;
-    struct pp_element_receiver *receiver = &work->receivers->list[index];
+    const struct pp_element_receivers *receivers = data;
+    const struct pp_balance *balance = receivers->balance;
+    struct pp_element_receiver *receiver = &receivers->list[index];
     struct pp_taker taker = {receiver->at.position, receiver->at.normal, -1};
-    struct pp_opening_light_accuracy accuracy = of_openings(work->level);
+    struct pp_opening_light_accuracy accuracy = of_openings(receivers->level);
     (void)member;
     pp_light_sum_clear(&receiver->openings);
     if (has_room(balance->room->facets)) {
-        pp_opening_light_add(balance->room, balance->sight, &taker, &accuracy,
-                             &receiver->openings);
+        pp_opening_light_add(balance->room, &taker, &accuracy, &receiver->openings);
         return true;
     }
     struct pp_light_ray_start place = {taker.point, taker.normal, -1, false};
-    pp_outside_cells_hemisphere(balance->room, &place, 4096 << 2 * work->level,
+    pp_outside_cells_hemisphere(balance->room, &place, 4096 << 2 * receivers->level,
                                 (unsigned)index, 1.0, PP_DF, &receiver->openings);
     return true;
 }
 
 static bool take_by_elements(void *data, int member, int index)
 {
-    const struct receiving *work = data;
-    const struct pp_balance *balance = work->balance;
-    struct pp_element_receiver *receiver = &work->receivers->list[index];
+    const struct pp_element_receivers *receivers = data;
+    const struct pp_balance *balance = receivers->balance;
+    struct pp_element_receiver *receiver = &receivers->list[index];
     struct pp_taker taker = {receiver->at.position, receiver->at.normal, -1};
     struct pp_element_light_accuracy accuracy =
-        pp_element_receivers_accuracy(work->level);
+        pp_element_receivers_accuracy(receivers->level);
     (void)member;
     accuracy.tolerance = 0.5 * balance->accuracy.even * receiver->df;
-    accuracy.divided =
-        receiver->df > 0.0 ? 0.008 / ldexp(1.0, work->level) * receiver->df : INFINITY;
+    accuracy.divided = receiver->df > 0.0
+                           ? 0.008 / ldexp(1.0, receivers->level) * receiver->df
+                           : INFINITY;
     pp_light_sum_clear(&receiver->elements);
     receiver->wanted.count = 0;
     if (has_room(balance->room->facets))
-        pp_element_light_add(balance->room, balance->sight, &taker, &accuracy,
-                             &receiver->elements, &receiver->wanted);
+        pp_element_light_add(balance->room, &taker, &accuracy, &receiver->elements,
+                             &receiver->wanted);
     return true;
 }
 
@@ -176,15 +173,15 @@ static void set_value(const struct pp_balance *balance,
         receiver->df += receiver->openings_value[i] + receiver->elements_value[i];
 }
 
-static enum pp_status by_openings(struct receiving *work, int first, int end,
-                                  struct pp_error *err)
+static enum pp_status by_openings(struct pp_element_receivers *receivers, int first,
+                                  int end, struct pp_error *err)
 {
-    struct pp_balance *balance = work->balance;
+    struct pp_balance *balance = receivers->balance;
     enum pp_status status = PP_OK;
-    pp_crew_run(balance->crew, first, end, take_by_openings, work);
+    pp_crew_run(balance->crew, first, end, take_by_openings, receivers);
     for (int i = first; status == PP_OK && i < end; i++)
         status = pp_outside_cells_resolve(balance->cells, balance->room,
-                                          &work->receivers->list[i].openings, err);
+                                          &receivers->list[i].openings, err);
     if (status == PP_OK)
         status =
             pp_outside_cells_gather(balance->cells, balance->room, balance->crew, err);
@@ -193,52 +190,45 @@ static enum pp_status by_openings(struct receiving *work, int first, int end,
     return status;
 }
 
-static enum pp_status by_elements(struct receiving *work, int first, int end,
-                                  struct pp_error *err)
+static enum pp_status by_elements(struct pp_element_receivers *receivers, int first,
+                                  int end, struct pp_error *err)
 {
-    pp_crew_run(work->balance->crew, first, end, take_by_elements, work);
+    pp_crew_run(receivers->balance->crew, first, end, take_by_elements, receivers);
     for (int i = first; i < end; i++) {
-        struct pp_element_receiver *receiver = &work->receivers->list[i];
-        set_value(work->balance, receiver);
-        if (receiver->elements.failed)
+        set_value(receivers->balance, &receivers->list[i]);
+        if (receivers->list[i].elements.failed)
             return pp_fail_memory(err);
     }
     return PP_OK;
 }
 
 enum pp_status pp_element_receivers_by_openings(struct pp_element_receivers *receivers,
-                                                struct pp_balance *balance, int level,
                                                 struct pp_error *err)
 {
-    struct receiving work = {receivers, balance, level};
-    return by_openings(&work, 0, receivers->asked, err);
+    return by_openings(receivers, 0, receivers->asked, err);
 }
 
 enum pp_status pp_element_receivers_by_elements(struct pp_element_receivers *receivers,
-                                                struct pp_balance *balance, int level,
                                                 struct pp_error *err)
 {
-    struct receiving work = {receivers, balance, level};
-    return by_elements(&work, 0, receivers->asked, err);
+    return by_elements(receivers, 0, receivers->asked, err);
 }
 
 /* Reflected light as well as what comes straight to the plane on average asks for. */
 enum pp_status pp_element_receivers_on_plane(struct pp_element_receivers *receivers,
-                                             struct pp_balance *balance, int level,
                                              struct pp_error *err)
 {
-    struct receiving work = {receivers, balance, level};
     int first = receivers->asked, end = first + receivers->direct.count;
     double df = 0.0;
-    enum pp_status status = by_openings(&work, first, end, err);
+    enum pp_status status = by_openings(receivers, first, end, err);
     for (int i = first; i < end; i++) {
-        set_value(balance, &receivers->list[i]);
+        set_value(receivers->balance, &receivers->list[i]);
         df += receivers->direct.shares[i - first] * receivers->list[i].df;
     }
     for (int i = end; i < receivers->count; i++)
         receivers->list[i].df = df;
     if (status == PP_OK)
-        status = by_elements(&work, end, receivers->count, err);
+        status = by_elements(receivers, end, receivers->count, err);
     return status;
 }
 

@@ -24,6 +24,8 @@ struct pp_element_receivers {
                                        * the plane's that take by elements */
     int asked, count;
     struct pp_plane_points direct, reflected; /* the plane's */
+    struct pp_balance *balance;               /* what they take; not owned */
+    int level;
 };
 
 /* Copies the receivers asked for. */
@@ -34,7 +36,7 @@ void pp_element_receivers_clear(struct pp_element_receivers *receivers);
 
 /* Nothing taken yet, and the plane's points of this level, where there is a room. */
 enum pp_status pp_element_receivers_begin(struct pp_element_receivers *receivers,
-                                          const struct pp_facets *facets, int level,
+                                          struct pp_balance *balance, int level,
                                           struct pp_error *err);
 
 /* How exactly elements are taken by whatever takes them. */
@@ -43,15 +45,12 @@ struct pp_element_light_accuracy pp_element_receivers_accuracy(int level);
 /* What those asked for take. Elements may want dividing afterwards: ->wanted. Cells that
  * are new outside are gathered, and all of it is solved again. */
 enum pp_status pp_element_receivers_by_openings(struct pp_element_receivers *receivers,
-                                                struct pp_balance *balance, int level,
                                                 struct pp_error *err);
 enum pp_status pp_element_receivers_by_elements(struct pp_element_receivers *receivers,
-                                                struct pp_balance *balance, int level,
                                                 struct pp_error *err);
 
 /* What the plane's points take, by openings and by elements. */
 enum pp_status pp_element_receivers_on_plane(struct pp_element_receivers *receivers,
-                                             struct pp_balance *balance, int level,
                                              struct pp_error *err);
 
 /* The daylight factors of one asked for, or the plane's average for index -1 (NAN where it

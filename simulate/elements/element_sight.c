@@ -103,39 +103,43 @@ void pp_element_sight_destroy(struct pp_element_sight *sight)
     free(sight);
 }
 
-struct pp_element_sight_place pp_element_sight_from(
-    const struct pp_element_sight *sight, struct pp_vec3 point)
+bool pp_element_sight_view_init(struct pp_element_view *view,
+                                const struct pp_element_sight *sight,
+                                struct pp_vec3 point)
 {
-    struct pp_element_sight_place place = {.point = point};
+    *view = (struct pp_element_view){.sight = sight, .point = point};
+    view->blockers = malloc(((size_t)sight->count + 1) * sizeof *view->blockers);
     for (int p = 0; p < plane_count(sight); p++) {
         double height = pp_facet_height(inside(sight, p), point);
         if (height >= -IN_PLANE_M)
-            place.above |= UINT64_C(1) << p;
+            view->above |= UINT64_C(1) << p;
         if (height <= IN_PLANE_M)
-            place.below |= UINT64_C(1) << p;
+            view->below |= UINT64_C(1) << p;
     }
-    return place;
+    return view->blockers;
 }
 
-int pp_element_sight_blockers(const struct pp_element_sight *sight,
-                              const struct pp_element_sight_place *from, int target,
-                              int *blockers)
+void pp_element_sight_view_clear(struct pp_element_view *view)
 {
-    uint64_t above = from->above & sight->above[target];
-    uint64_t below = from->below & sight->below[target];
-    int count = 0;
+    free(view->blockers);
+}
+
+void pp_element_sight_look_at(struct pp_element_view *view, int target)
+{
+    const struct pp_element_sight *sight = view->sight;
+    uint64_t above = view->above & sight->above[target];
+    uint64_t below = view->below & sight->below[target];
+    view->blocker_count = 0;
     for (int i = 0; !sight->all_seen && i < sight->count; i++)
         if (i != target && !(above & sight->below[i]) && !(below & sight->above[i]))
-            blockers[count++] = sight->inside[i];
-    return count;
+            view->blockers[view->blocker_count++] = sight->inside[i];
 }
 
-bool pp_element_sight_is_clear(const struct pp_element_sight *sight,
-                               const int *blockers, int count, struct pp_vec3 a,
-                               struct pp_vec3 b)
+bool pp_element_sight_shows(const struct pp_element_view *view, struct pp_vec3 point)
 {
-    for (int i = 0; i < count; i++) {
-        const struct pp_facet *facet = &sight->facets->list[blockers[i]];
+    struct pp_vec3 a = view->point, b = point;
+    for (int i = 0; i < view->blocker_count; i++) {
+        const struct pp_facet *facet = &view->sight->facets->list[view->blockers[i]];
         double at_a = pp_facet_height(facet, a), at_b = pp_facet_height(facet, b);
         if (fabs(at_a) < 1e-9 || fabs(at_b) < 1e-9 || (at_a > 0.0) == (at_b > 0.0))
             continue;

@@ -27,24 +27,25 @@ enum pp_status pp_element_sight_create(struct pp_element_sight **sight,
                                        struct pp_error *err);
 void pp_element_sight_destroy(struct pp_element_sight *sight); /* NULL is allowed */
 
-/* A place to look from. */
-struct pp_element_sight_place {
+/* A place to look from, at one facet after another. */
+struct pp_element_view {
+    const struct pp_element_sight *sight; /* not owned */
     struct pp_vec3 point;
-    uint64_t above, below;
+    uint64_t above, below; /* the planes that it is above or below */
+    int *blockers; /* the facets that may stand between it and the one looked at */
+    int blocker_count;
 };
 
-struct pp_element_sight_place pp_element_sight_from(
-    const struct pp_element_sight *sight, struct pp_vec3 point);
+/* False: no memory. */
+bool pp_element_sight_view_init(struct pp_element_view *view,
+                                const struct pp_element_sight *sight,
+                                struct pp_vec3 point);
+void pp_element_sight_view_clear(struct pp_element_view *view);
 
-/* The facets that may stand between the place and inside[target], into blockers[], which
- * has room for as many as there are inside; returns how many. */
-int pp_element_sight_blockers(const struct pp_element_sight *sight,
-                              const struct pp_element_sight_place *from, int target,
-                              int *blockers);
+/* Turns to inside[target]. */
+void pp_element_sight_look_at(struct pp_element_view *view, int target);
 
-/* Is none of the blockers between a and b? */
-bool pp_element_sight_is_clear(const struct pp_element_sight *sight,
-                               const int *blockers, int count, struct pp_vec3 a,
-                               struct pp_vec3 b);
+/* Is none of the blockers before that point? */
+bool pp_element_sight_shows(const struct pp_element_view *view, struct pp_vec3 point);
 
 #endif

@@ -6,7 +6,6 @@
 
 #include "model/base/array.h"
 #include "model/geometry/clip.h"
-#include "simulate/elements/form_factor.h"
 
 /* Parts smaller than this share of an element are none. */
 static const double NOTHING = 1e-9;
@@ -48,42 +47,42 @@ static void extent(const struct pp_vec3 *corners, int count, struct pp_vec3 axis
     }
 }
 
-int pp_element_tree_cut(const struct pp_vec3 *corners, int count, struct pp_vec3 a,
-                        struct pp_vec3 b, struct pp_vec3 parts[PP_ELEMENT_PARTS][64],
-                        int counts[PP_ELEMENT_PARTS])
+void pp_element_tree_cut(struct pp_element_parts *parts, const struct pp_facet *facet,
+                         const struct pp_vec3 *corners, int count)
 {
     double left, right, low, high, area, own;
-    extent(corners, count, a, &left, &right);
-    extent(corners, count, b, &low, &high);
+    extent(corners, count, facet->a, &left, &right);
+    extent(corners, count, facet->b, &low, &high);
     pp_element_tree_middle(corners, count, &area);
     bool across = PP_ELEMENT_LONG * (right - left) >= high - low;
     bool up = PP_ELEMENT_LONG * (high - low) > right - left;
-    int found = 0;
+    parts->count = 0;
     for (int i = 0; i < (across ? 2 : 1); i++) {
         struct pp_vec3 half[PP_FORM_FACTOR_MOST + 1];
         const struct pp_vec3 *ring = corners;
         int ring_count = count;
         double sign = i ? -1.0 : 1.0;
         if (across) {
-            ring_count = pp_clip_convex(half, corners, count, pp_vec_scale(a, -sign),
-                                        -sign * 0.5 * (left + right));
+            ring_count =
+                pp_clip_convex(half, corners, count, pp_vec_scale(facet->a, -sign),
+                               -sign * 0.5 * (left + right));
             ring = half;
         }
         for (int k = 0; k < (up ? 2 : 1); k++) {
+            struct pp_vec3 *part = parts->corners[parts->count];
             double way = k ? -1.0 : 1.0;
             int n = ring_count;
             if (up)
-                n = pp_clip_convex(parts[found], ring, ring_count,
-                                   pp_vec_scale(b, -way), -way * 0.5 * (low + high));
+                n = pp_clip_convex(part, ring, ring_count, pp_vec_scale(facet->b, -way),
+                                   -way * 0.5 * (low + high));
             for (int v = 0; !up && v < n; v++)
-                parts[found][v] = ring[v];
+                part[v] = ring[v];
             if (n >= 3)
-                pp_element_tree_middle(parts[found], n, &own);
+                pp_element_tree_middle(part, n, &own);
             if (n >= 3 && own > NOTHING * area)
-                counts[found++] = n;
+                parts->counts[parts->count++] = n;
         }
     }
-    return found;
 }
 
 /* ---- building ---- */
@@ -115,22 +114,21 @@ static enum pp_status append(struct pp_element_tree *tree, int side, int parent,
 enum pp_status pp_element_tree_divide(struct pp_element_tree *tree, int index,
                                       struct pp_error *err)
 {
-    struct pp_vec3 parts[PP_ELEMENT_PARTS][64];
-    int counts[PP_ELEMENT_PARTS];
+    struct pp_element_parts parts;
     struct pp_element element = tree->list[index];
-    const struct pp_facet *facet = &tree->facets->list[element.side / 2];
-    int count = pp_element_tree_cut(&tree->corners[element.first_corner], element.count,
-                                    facet->a, facet->b, parts, counts);
     enum pp_status status = PP_OK;
     int first = tree->count;
-    for (int i = 0; status == PP_OK && i < count; i++) {
-        status = append(tree, element.side, index, parts[i], counts[i], err);
+    pp_element_tree_cut(&parts, &tree->facets->list[element.side / 2],
+                        &tree->corners[element.first_corner], element.count);
+    for (int i = 0; status == PP_OK && i < parts.count; i++) {
+        status =
+            append(tree, element.side, index, parts.corners[i], parts.counts[i], err);
         if (status == PP_OK)
             tree->list[tree->count - 1].radiosity = element.radiosity;
     }
     if (status == PP_OK) {
         tree->list[index].first_part = first;
-        tree->list[index].part_count = count;
+        tree->list[index].part_count = parts.count;
     }
     return status;
 }

@@ -8,6 +8,7 @@
 #define PP_SIMULATE_ELEMENTS_ELEMENT_TREE_H
 
 #include "simulate/elements/facets.h"
+#include "simulate/elements/form_factor.h"
 
 enum {
     PP_ELEMENT_PARTS = 4,
@@ -60,13 +61,17 @@ void pp_element_tree_average(struct pp_element_tree *tree);
 /* The side's normal: out of the surface, to where it gives off light. */
 struct pp_vec3 pp_element_tree_normal(const struct pp_element_tree *tree, int side);
 
-/* Cuts a convex polygon of up to PP_FORM_FACTOR_MOST / 2 corners through the middle of
- * its extent along a and b (unit, in its plane), into halves where it is long, else into
- * quarters. Returns how many parts there are; counts[] of their corners
- * in parts[]. */
-int pp_element_tree_cut(const struct pp_vec3 *corners, int count, struct pp_vec3 a,
-                        struct pp_vec3 b, struct pp_vec3 parts[PP_ELEMENT_PARTS][64],
-                        int counts[PP_ELEMENT_PARTS]);
+/* What a convex polygon is cut into. */
+struct pp_element_parts {
+    int count, counts[PP_ELEMENT_PARTS]; /* of parts, and of each one's corners */
+    struct pp_vec3 corners[PP_ELEMENT_PARTS][PP_FORM_FACTOR_MOST];
+};
+
+/* Cuts a convex polygon of a facet, of up to PP_FORM_FACTOR_MOST / 2 corners, through the
+ * middle of its extent along the facet's axes, into halves where it is long, else into
+ * quarters. */
+void pp_element_tree_cut(struct pp_element_parts *parts, const struct pp_facet *facet,
+                         const struct pp_vec3 *corners, int count);
 
 /* Centre of area of a convex polygon; *area_m2 may be NULL. */
 struct pp_vec3 pp_element_tree_middle(const struct pp_vec3 *corners, int count,

@@ -65,8 +65,10 @@ static void set_accuracy(struct pp_elements *elements)
     accuracy->even = 0.0002 / finer;
     accuracy->directions = 512 << elements->level;
     pp_outside_cells_clear(&elements->cells);
-    elements->cells = pp_outside_cells_of(
-        size_of(elements), 0.125 * pow(0.7, elements->level), 128 << elements->level);
+    elements->cells =
+        (struct pp_outside_cells){.size_m = size_of(elements),
+                                  .width = 0.125 * pow(0.7, elements->level),
+                                  .directions = 128 << elements->level};
 }
 
 /* ---- a level ---- */
@@ -104,7 +106,7 @@ static enum pp_status rounds(struct pp_elements *elements, struct pp_error *err)
 {
     struct pp_element_receivers *receivers = &elements->receivers;
     enum pp_status status = PP_OK;
-    int divided = 1, level = elements->level;
+    int divided = 1;
     for (int round = 0; status == PP_OK && round <= ROUNDS && divided > 0; round++) {
         status = pp_balance_gather(&elements->balance, err);
         if (status == PP_OK)
@@ -113,18 +115,13 @@ static enum pp_status rounds(struct pp_elements *elements, struct pp_error *err)
         if (status == PP_OK && elements->level == 0 && round == 0)
             status = pp_balance_gather(&elements->balance, err);
         if (status == PP_OK && round == 0)
-            status = pp_element_receivers_by_openings(receivers, &elements->balance,
-                                                      level, err);
+            status = pp_element_receivers_by_openings(receivers, err);
         if (status == PP_OK)
-            status = pp_element_receivers_by_elements(receivers, &elements->balance,
-                                                      level, err);
+            status = pp_element_receivers_by_elements(receivers, err);
         if (status == PP_OK && round < ROUNDS)
             status = divide(elements, &divided, err);
     }
-    if (status == PP_OK)
-        status =
-            pp_element_receivers_on_plane(receivers, &elements->balance, level, err);
-    return status;
+    return status == PP_OK ? pp_element_receivers_on_plane(receivers, err) : status;
 }
 
 /* RMS of the change at the points, relative to their daylight factors. */
@@ -145,7 +142,7 @@ enum pp_status pp_elements_advance(struct pp_elements *elements, struct pp_error
 {
     size_t kept = ((size_t)elements->asked + 1) * sizeof *elements->now;
     enum pp_status status = pp_element_receivers_begin(
-        &elements->receivers, elements->facets, elements->level, err);
+        &elements->receivers, &elements->balance, elements->level, err);
     if (status != PP_OK)
         return status;
     pp_balance_clear(&elements->balance);
@@ -182,11 +179,10 @@ static enum pp_status make(struct pp_elements *elements, const struct pp_world *
     if (status != PP_OK)
         return status;
     elements->decorations = world->decorations;
-    elements->room =
-        (struct pp_light_room){elements->facets, elements->tree, &elements->outdoors};
+    elements->room = (struct pp_light_room){elements->facets, elements->tree,
+                                            &elements->outdoors, elements->sight};
     elements->balance = (struct pp_balance){.tree = elements->tree,
                                             .room = &elements->room,
-                                            .sight = elements->sight,
                                             .cells = &elements->cells,
                                             .crew = elements->crew};
     return PP_OK;

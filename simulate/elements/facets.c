@@ -154,8 +154,7 @@ static void measure(struct pp_facets *facets)
         facets->room = all;
     if (world->surface_count == 0)
         facets->room = all = (struct pp_bounds3){.low = {0.0, 0.0, 0.0}};
-    struct pp_vec3 middle =
-        pp_vec_scale(pp_vec_add(facets->room.low, facets->room.high), 0.5);
+    struct pp_vec3 middle = pp_bounds3_middle(&facets->room);
     facets->reach_m =
         pp_vec_length(pp_vec(fmax(all.high.x - middle.x, middle.x - all.low.x),
                              fmax(all.high.y - middle.y, middle.y - all.low.y),

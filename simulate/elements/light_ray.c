@@ -54,14 +54,14 @@ static void pass(const struct walk *walk, const struct pp_light_ray_start *ray, 
                  struct pp_vec3 point, double weight, enum pp_component part, int panes)
 {
     const struct pp_facet *pane = &walk->room->facets->list[met];
-    double across = pp_vec_dot(pane->normal, ray->to), cosine = fmin(fabs(across), 1.0);
+    double cosine = fmin(fabs(pp_vec_dot(pane->normal, ray->to)), 1.0);
     double straight = weight * pp_facet_straight(pane, cosine);
     double mirrored = weight * pp_facet_mirrored(pane, cosine);
     enum pp_component here = part_or(part, ray->indoors ? PP_DF : PP_IRC);
     struct pp_light_ray_start on = {point, ray->to, met, !ray->indoors};
     if (straight > LEAST)
         follow(walk, &on, straight, here, panes + 1);
-    on.to = pp_vec_along(ray->to, -2.0 * across, pane->normal);
+    on.to = pp_vec_mirrored(ray->to, pane->normal);
     on.indoors = ray->indoors;
     here = part_or(part, ray->indoors ? PP_IRC : PP_ERC);
     if (mirrored > LEAST)

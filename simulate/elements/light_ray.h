@@ -10,11 +10,14 @@
 #include "simulate/elements/light_sum.h"
 #include "simulate/elements/outdoors.h"
 
-/* What rays are followed in; nothing of it is owned. */
+struct pp_element_sight;
+
+/* What rays are followed in and places look about in; nothing of it is owned. */
 struct pp_light_room {
     const struct pp_facets *facets;
     const struct pp_element_tree *tree;
     const struct pp_outdoors *outdoors;
+    const struct pp_element_sight *sight;
 };
 
 struct pp_light_ray_start {

@@ -15,10 +15,9 @@ void pp_light_sum_clear(struct pp_light_sum *sum)
 void pp_light_sum_add(struct pp_light_sum *sum, int source, enum pp_component part,
                       double weight)
 {
-    struct pp_error err;
     if (sum->failed
         || pp_array_reserve(&sum->terms, &sum->term_room, sum->term_count + 1,
-                            sizeof *sum->terms, &err)
+                            sizeof *sum->terms, NULL)
                != PP_OK) {
         sum->failed = true;
         return;
@@ -29,10 +28,9 @@ void pp_light_sum_add(struct pp_light_sum *sum, int source, enum pp_component pa
 void pp_light_sum_hit(struct pp_light_sum *sum, int side, struct pp_vec3 point,
                       enum pp_component part, double weight)
 {
-    struct pp_error err;
     if (sum->failed
         || pp_array_reserve(&sum->hits, &sum->hit_room, sum->hit_count + 1,
-                            sizeof *sum->hits, &err)
+                            sizeof *sum->hits, NULL)
                != PP_OK) {
         sum->failed = true;
         return;

@@ -56,7 +56,7 @@ struct pp_light_mark pp_light_sum_mark(const struct pp_light_sum *sum);
 void pp_light_sum_scale(struct pp_light_sum *sum, const struct pp_light_mark *from,
                         const struct pp_light_mark *to, double factor);
 
-/* Drops terms and hits of no weight, and gives back memory that is not used. */
+/* Drops terms and hits of no weight. */
 void pp_light_sum_tidy(struct pp_light_sum *sum);
 
 #endif

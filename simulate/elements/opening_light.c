@@ -2,7 +2,6 @@
 #include "simulate/elements/opening_light.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "model/geometry/clip.h"
 #include "model/geometry/convex_parts.h"
@@ -21,13 +20,11 @@ static const double CORNER = 0.25;
 
 struct looking {
     const struct pp_light_room *room;
-    const struct pp_element_sight *sight;
+    struct pp_element_view *view;
     const struct pp_taker *taker;
     const struct pp_opening_light_accuracy *accuracy;
     struct pp_light_sum *sum;
-    int pane; /* its facet */
-    const int *blockers;
-    int blocker_count;
+    int pane;             /* its facet */
     bool through_opening; /* is the pane seen through its opening's edges alone? */
     double tolerance;     /* of a pane's light */
 };
@@ -42,24 +39,18 @@ struct cell {
     struct pp_light_mark from, to;
 };
 
-static bool sees(const struct looking *l, struct pp_vec3 point)
-{
-    return pp_element_sight_is_clear(l->sight, l->blockers, l->blocker_count,
-                                     l->taker->point, point);
-}
-
 /* Adds the light along the ray through a point of the pane, or what that mirrors. */
 static void add_ray(const struct looking *l, struct pp_vec3 point, bool mirrored,
                     double weight)
 {
     const struct pp_facet *pane = &l->room->facets->list[l->pane];
     struct pp_vec3 to = pp_vec_unit(pp_vec_sub(point, l->taker->point));
-    double across = pp_vec_dot(pane->normal, to), cosine = fmin(fabs(across), 1.0);
+    double cosine = fmin(fabs(pp_vec_dot(pane->normal, to)), 1.0);
     struct pp_light_ray_start on = {point, to, l->pane, mirrored};
     weight *=
         mirrored ? pp_facet_mirrored(pane, cosine) : pp_facet_straight(pane, cosine);
     if (mirrored)
-        on.to = pp_vec_along(to, -2.0 * across, pane->normal);
+        on.to = pp_vec_mirrored(to, pane->normal);
     if (weight > 0.0)
         pp_light_ray_follow(l->room, &on, weight, mirrored ? PP_IRC : PP_DF, l->sum);
 }
@@ -82,7 +73,7 @@ static void look(const struct looking *l, struct cell *cell)
     if (!(cell->factor > 0.0))
         return;
     cell->middle = middle_above(l, cell);
-    cell->seen = sees(l, cell->middle);
+    cell->seen = pp_element_sight_shows(l->view, cell->middle);
     if (cell->seen)
         add_ray(l, cell->middle, false, 1.0);
     cell->light = pp_light_ray_guess(l->room, l->sum, &cell->from);
@@ -111,7 +102,7 @@ static bool corners_agree(const struct looking *l, const struct cell *cell,
             || pp_vec_dot(l->taker->normal, pp_vec_sub(corner, l->taker->point)) <= 0.0)
             continue;
         struct pp_light_mark from = pp_light_sum_mark(l->sum), to;
-        if (sees(l, corner))
+        if (pp_element_sight_shows(l->view, corner))
             add_ray(l, corner, false, 1.0);
         double light = pp_light_ray_guess(l->room, l->sum, &from);
         to = pp_light_sum_mark(l->sum);
@@ -126,15 +117,14 @@ static bool corners_agree(const struct looking *l, const struct cell *cell,
 static double divide(const struct looking *l, const struct cell *cell, int depth,
                      double tolerance)
 {
-    const struct pp_facet *pane = &l->room->facets->list[l->pane];
-    struct pp_vec3 corners[PP_ELEMENT_PARTS][64];
-    int counts[PP_ELEMENT_PARTS];
+    struct pp_element_parts cut;
     struct cell parts[PP_ELEMENT_PARTS];
-    int count = pp_element_tree_cut(cell->corners, cell->count, pane->a, pane->b,
-                                    corners, counts);
     double sum = 0.0, most = 0.0;
+    pp_element_tree_cut(&cut, &l->room->facets->list[l->pane], cell->corners,
+                        cell->count);
+    int count = cut.count;
     for (int i = 0; i < count; i++) {
-        parts[i] = (struct cell){.corners = corners[i], .count = counts[i]};
+        parts[i] = (struct cell){.corners = cut.corners[i], .count = cut.counts[i]};
         look(l, &parts[i]);
         sum += parts[i].factor * parts[i].light;
         most = fmax(most, parts[i].factor);
@@ -220,60 +210,59 @@ static bool faces(const struct looking *l)
 
 /* Where the taker stands before the face, the opening's edges hide what its face and its
  * reveal may hide, which are no blockers then. */
-static void look_through(struct looking *l, int *blockers)
+static void look_through(struct looking *l)
 {
+    struct pp_element_view *view = l->view;
     const struct pp_facets *facets = l->room->facets;
     const struct pp_opening *opening = facets->list[l->pane].opening;
     int opening_index = (int)(opening - facets->world->openings), left = 0;
     l->through_opening =
-        l->blocker_count > 0 && opening->inner.count <= PP_FORM_FACTOR_MOST / 4
+        view->blocker_count > 0 && opening->inner.count <= PP_FORM_FACTOR_MOST / 4
         && pp_convex_parts_is_convex(&opening->inner)
         && pp_facet_height(&facets->list[opening->face], l->taker->point) > 1e-9;
     if (!l->through_opening)
         return;
-    for (int i = 0; i < l->blocker_count; i++) {
-        int facet = blockers[i];
+    for (int i = 0; i < view->blocker_count; i++) {
+        int facet = view->blockers[i];
         bool own = facet == opening->face
                    || (facet < facets->world->surface_count
                        && facets->world->surfaces[facet].role == PP_REVEAL
                        && facets->world->surfaces[facet].owner == opening_index);
         if (!own)
-            blockers[left++] = facet;
+            view->blockers[left++] = facet;
     }
-    l->blocker_count = left;
+    view->blocker_count = left;
 }
 
 void pp_opening_light_add(const struct pp_light_room *room,
-                          const struct pp_element_sight *sight,
                           const struct pp_taker *taker,
                           const struct pp_opening_light_accuracy *accuracy,
                           struct pp_light_sum *sum)
 {
-    int *blockers = malloc(((size_t)sight->count + 1) * sizeof *blockers);
-    struct pp_element_sight_place place = pp_element_sight_from(sight, taker->point);
+    struct pp_element_view view;
     struct pp_light_sum rough = {.failed = false};
     struct pp_opening_light_accuracy first = {INFINITY, INFINITY, 0, 1.0};
     double light = 0.0;
-    sum->failed |= !blockers;
-    for (int pass = 0; blockers && pass < 2; pass++)
-        for (int i = 0; i < sight->count; i++) {
-            const struct pp_facet *facet = &room->facets->list[sight->inside[i]];
+    bool looks = pp_element_sight_view_init(&view, room->sight, taker->point);
+    sum->failed |= !looks;
+    for (int pass = 0; looks && pass < 2; pass++)
+        for (int i = 0; i < room->sight->count; i++) {
+            const struct pp_facet *facet = &room->facets->list[room->sight->inside[i]];
             struct looking l = {.room = room,
-                                .sight = sight,
+                                .view = &view,
                                 .taker = taker,
                                 .accuracy = pass ? accuracy : &first,
                                 .sum = pass ? sum : &rough,
-                                .pane = sight->inside[i],
-                                .blockers = blockers};
+                                .pane = room->sight->inside[i]};
             if (!facet->clear || !faces(&l))
                 continue;
-            l.blocker_count = pp_element_sight_blockers(sight, &place, i, blockers);
-            look_through(&l, blockers);
+            pp_element_sight_look_at(&view, i);
+            look_through(&l);
             l.tolerance = pass ? accuracy->error * fmax(light, UNTOLD) : INFINITY;
             double found = add_pane(&l);
             light += pass ? 0.0 : found;
         }
     sum->failed |= rough.failed;
     pp_light_sum_clear(&rough);
-    free(blockers);
+    pp_element_sight_view_clear(&view);
 }

@@ -26,7 +26,6 @@ struct pp_taker {
 
 /* Adds to the sum what the taker takes; PP_SC and PP_ERC are straight from outside. */
 void pp_opening_light_add(const struct pp_light_room *room,
-                          const struct pp_element_sight *sight,
                           const struct pp_taker *taker,
                           const struct pp_opening_light_accuracy *accuracy,
                           struct pp_light_sum *sum);

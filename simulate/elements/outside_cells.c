@@ -22,25 +22,14 @@ void pp_outside_cells_clear(struct pp_outside_cells *cells)
     *cells = (struct pp_outside_cells){0};
 }
 
-struct pp_outside_cells pp_outside_cells_of(double size_m, double width, int directions)
-{
-    return (struct pp_outside_cells){
-        .size_m = size_m, .width = width, .directions = directions};
-}
-
 /* ---- which cell ---- */
-
-static struct pp_vec3 room_middle(const struct pp_light_room *room)
-{
-    const struct pp_bounds3 *box = &room->facets->room;
-    return pp_vec_scale(pp_vec_add(box->low, box->high), 0.5);
-}
 
 static struct pp_outside_cell cell_at(const struct pp_outside_cells *cells,
                                       const struct pp_light_room *room,
                                       const struct pp_outside_hit *hit)
 {
-    double away = pp_vec_length(pp_vec_sub(hit->point, room_middle(room)));
+    struct pp_vec3 middle = pp_bounds3_middle(&room->facets->room);
+    double away = pp_vec_length(pp_vec_sub(hit->point, middle));
     struct pp_outside_cell cell = {.side = hit->side, .place_count = 0};
     double x = hit->point.x, y = hit->point.y;
     while (cell.level < MOST_LEVEL && away > ldexp(cells->size_m, cell.level + 1))

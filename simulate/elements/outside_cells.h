@@ -31,17 +31,12 @@ struct pp_outside_cells {
     int *slots; /* of a hash table: cells, -1: empty */
     int slot_count;
     int gathered;   /* cells from here on have not gathered yet */
-    double size_m;  /* of the room */
-    double width;   /* of the squares next to it, over that */
+    double size_m;  /* of the room, above 0 */
+    double width;   /* of the squares as far as that from its middle, over size_m */
     int directions; /* from each cell */
 };
 
 void pp_outside_cells_clear(struct pp_outside_cells *cells);
-
-/* Empty. size_m: of the room, above 0; as far from its middle as that squares are `width`
- * times as wide. */
-struct pp_outside_cells pp_outside_cells_of(double size_m, double width,
-                                            int directions);
 
 /* Turns the sum's hits into terms, with new cells where there are none. */
 enum pp_status pp_outside_cells_resolve(struct pp_outside_cells *cells,

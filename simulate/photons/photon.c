@@ -2,6 +2,7 @@
 #include "simulate/photons/photon.h"
 
 #include "simulate/photons/photon_outside.h"
+#include "simulate/sampling/choose.h"
 #include "simulate/sampling/lobe.h"
 
 /* Russian roulette begins where a photon has this share of the mean flux of all. Measured:
@@ -50,8 +51,7 @@ static void set_out(struct pp_photon_state *state,
                                  .scattered = source->pane < 0};
     photon->ray.from = pp_photon_sources_point(state->scene, source, u[2], u[3]);
     photon->ray.off = source->back ? pp_vec_scale(part->normal, -1.0) : part->normal;
-    photon->ray.space =
-        pp_light_scene_parts_space(state->scene, source->part, source->back);
+    photon->ray.space = (enum pp_space)part->space[source->back];
     struct pp_rgb light = source->radiance;
     if (source->pane >= 0)
         light = enter(state, source, u, pp_photon_state_branch(vertex, 0), photon);
@@ -104,15 +104,7 @@ void pp_photon_enter(struct pp_photon_state *state, const double *chances, int v
     double u[3], w[2]; /* place (2), opening; direction outside (2) */
     struct pp_photon photon = {.turns = 0};
     pp_photon_state_draw(state, vertex, 3, u);
-    int index = -1;
-    for (int i = 0; i < sources->pane_count; i++) {
-        if (!(chances[i] > 0.0))
-            continue;
-        index = i;
-        if (u[2] < chances[i])
-            break;
-        u[2] -= chances[i];
-    }
+    int index = pp_choose_by(chances, sources->pane_count, u[2]);
     const struct pp_photon_source *source = &sources->list[index];
     photon.last = PP_PHOTON_FROM_OUTSIDE;
     photon.ray.from = pp_photon_sources_point(state->scene, source, u[0], u[1]);
@@ -160,8 +152,7 @@ bool pp_photon_leaves(const struct pp_photon_state *state,
     *place = (struct pp_photon_place){
         .point = pp_photon_state_drawn_back(hit, photon->ray.to),
         .normal = side ? pp_vec_scale(hit->normal, -1.0) : hit->normal,
-        .space = side ? pp_light_scene_parts_space(state->scene, hit->part, !hit->back)
-                      : hit->space,
+        .space = pp_light_scene_parts_space(state->scene, hit, side),
         .exitance = pp_rgb_times(photon->flux, share),
         .clear = -1,
         .source = -1};
@@ -184,6 +175,6 @@ bool pp_photon_turn(struct pp_photon_state *state, struct pp_photon *photon)
     photon->scattered |= lobe != PP_LOBE_STRAIGHT;
     if (lobe != PP_LOBE_STRAIGHT)
         photon->last =
-            last_of(photon, pp_photon_lobes_through(lobe), photon->ray.space);
+            last_of(photon, pp_scatter_goes_through(lobe), photon->ray.space);
     return true;
 }

@@ -122,7 +122,7 @@ static bool turn(struct pp_photon_state *state, struct gathering *ray)
         return true;
     ray->straight = false;
     enum pp_space space =
-        pp_photon_lobes_through(lobe) ? ray->ray.space : ray->hit.space;
+        pp_scatter_goes_through(lobe) ? ray->ray.space : ray->hit.space;
     if (!ray->seen)
         ray->what =
             space == PP_INDOORS ? PP_PHOTON_FROM_INSIDE : PP_PHOTON_FROM_OUTSIDE;

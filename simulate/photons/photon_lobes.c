@@ -1,22 +1,21 @@
 /* photon_lobes.c - see photon_lobes.h. */
 #include "simulate/photons/photon_lobes.h"
 
+#include "simulate/sampling/choose.h"
 #include "simulate/sampling/lobe.h"
 
 struct pp_lobes pp_photon_lobes_at(const struct pp_photon_state *state,
                                    const struct pp_light_hit *hit, struct pp_vec3 to)
 {
-    const struct pp_light_scene *scene = state->scene;
     struct pp_lobes lobes = {.frame = {.z = hit->normal},
                              .eye = pp_vec_scale(to, -1.0)};
-    if (hit->part < 0) {
-        double ground = pp_outside_light_ground(&state->environment->light);
-        lobes.share[PP_LOBE_DIFFUSE] = pp_rgb_grey(ground);
-        pp_lobe_frame(hit->normal, &lobes.frame.x, &lobes.frame.y);
+    if (hit->part >= 0) {
+        pp_light_scene_parts_lobes(state->scene, hit, to, &lobes);
         return lobes;
     }
-    pp_scatter_init(&lobes, &scene->materials[hit->material],
-                    pp_light_scene_gloss(scene, hit->material), hit->normal, lobes.eye);
+    double ground = pp_outside_light_ground(&state->environment->light);
+    lobes.share[PP_LOBE_DIFFUSE] = pp_rgb_grey(ground);
+    pp_lobe_frame(hit->normal, &lobes.frame.x, &lobes.frame.y);
     return lobes;
 }
 
@@ -32,16 +31,7 @@ enum pp_lobe pp_photon_lobes_choose(const struct pp_lobes *lobes, const double *
     double survival = total < least ? total / least : 1.0;
     if (!(total > 0.0) || !(u < survival))
         return PP_LOBE_COUNT;
-    double at = u / survival * total;
-    int chosen = PP_LOBE_COUNT;
-    for (int i = 0; i < PP_LOBE_COUNT; i++) {
-        if (!(left[i] > 0.0))
-            continue;
-        chosen = i;
-        if (at < left[i])
-            break;
-        at -= left[i];
-    }
+    int chosen = pp_choose_by(left, PP_LOBE_COUNT, u / survival * total);
     *throughput = pp_rgb_scale(pp_rgb_times(*throughput, lobes->share[chosen]),
                                total / left[chosen] / survival);
     return (enum pp_lobe)chosen;
@@ -53,15 +43,13 @@ bool pp_photon_lobes_turn(const struct pp_photon_state *state,
                           struct pp_light_ray *ray, struct pp_rgb *throughput)
 {
     double factor;
-    bool through = pp_photon_lobes_through(lobe);
+    bool through = pp_scatter_goes_through(lobe);
     struct pp_vec3 from = pp_photon_state_drawn_back(hit, ray->to);
     if (!pp_scatter_sample(lobes, lobe, u, v, &ray->to, &factor))
         return false;
     *throughput = pp_rgb_scale(*throughput, factor);
     ray->from = from;
     ray->off = through ? pp_vec_scale(hit->normal, -1.0) : hit->normal;
-    ray->space = through
-                     ? pp_light_scene_parts_space(state->scene, hit->part, !hit->back)
-                     : hit->space;
+    ray->space = pp_light_scene_parts_space(state->scene, hit, through);
     return true;
 }

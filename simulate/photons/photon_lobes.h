@@ -14,13 +14,6 @@
 struct pp_lobes pp_photon_lobes_at(const struct pp_photon_state *state,
                                    const struct pp_light_hit *hit, struct pp_vec3 to);
 
-/* Does the lobe go through the surface? */
-static inline bool pp_photon_lobes_through(enum pp_lobe lobe)
-{
-    return lobe == PP_LOBE_THROUGH_DIFFUSE || lobe == PP_LOBE_THROUGH_GLOSS
-           || lobe == PP_LOBE_STRAIGHT;
-}
-
 /* A lobe by u in (0, 1), in proportion to weights[] times what its share leaves of the
  * throughput, or PP_LOBE_COUNT where there is none, or by Russian roulette, which begins where what is
  * left falls below `least`. The throughput is multiplied by the share (without the

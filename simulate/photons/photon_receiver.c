@@ -35,15 +35,9 @@ static bool passes(struct pp_photon_state *state, struct pp_light_ray ray,
             return true;
         if (meeting != PP_MEETS_PART)
             return false;
-        *through = pp_rgb_times(*through, pp_scatter_regular_transmittance(
-                                              &state->scene->materials[hit.material],
-                                              -pp_vec_dot(hit.normal, ray.to)));
-        if (pp_rgb_is_black(*through))
+        if (!pp_light_scene_parts_pass(state->scene, &hit, &ray, through))
             return false;
         left -= hit.distance_m;
-        ray.from = hit.point;
-        ray.off = pp_vec_scale(hit.normal, -1.0);
-        ray.space = pp_light_scene_parts_space(state->scene, hit.part, !hit.back);
     }
     return false;
 }

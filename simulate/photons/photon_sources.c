@@ -57,13 +57,6 @@ static double guessed_outside(const struct pp_light_scene *scene,
            + SHADED * pp_rgb_luminance(material->diffuse) / PP_PI;
 }
 
-/* A direction of the lobe about n for a place in the square. */
-static struct pp_vec3 direction_at(const struct pp_light_part *part, struct pp_vec3 n,
-                                   double u, double v)
-{
-    return pp_lobe_sample_in_frame(part->a, part->b, n, u, v);
-}
-
 /* The mean of luminance times transmittance over the cosine lobe, with the table of its
  * shares. */
 static double fill_table(struct pp_photon_source *source,
@@ -78,7 +71,8 @@ static double fill_table(struct pp_photon_source *source,
                                PP_OUTDOORS};
     double sum = 0.0, passed = 0.0;
     for (int i = 0; i < N * N; i++) {
-        ray.to = direction_at(part, out, (i / N + 0.5) / N, (i % N + 0.5) / N);
+        ray.to = pp_lobe_sample_in_frame(part->a, part->b, out, (i / N + 0.5) / N,
+                                         (i % N + 0.5) / N);
         double through = pp_rgb_luminance(
             source->clear
                 ? pp_scatter_regular_transmittance(material, pp_vec_dot(out, ray.to))
@@ -266,14 +260,8 @@ struct pp_vec3 pp_photon_sources_point(const struct pp_light_scene *scene,
         return pp_vec_along(
             pp_vec_along(target->corner, u * target->width_m, target->along),
             v * target->height_m, target->up);
-    double left = u * source->area_m2;
-    int i = 0;
-    double area = pp_triangle_area(source->triangles[0]);
-    while (left > area && i + 1 < source->triangle_count) {
-        left -= area;
-        area = pp_triangle_area(source->triangles[++i]);
-    }
-    return pp_triangle_point(source->triangles[i], fmin(left / area, 1.0), v);
+    return pp_triangle_point_of(source->triangles, source->triangle_count,
+                                source->area_m2, u, v);
 }
 
 /* The cell that u in (0, 1) falls to by the weights, whose mean is `mean`; u becomes its
@@ -293,11 +281,12 @@ struct pp_vec3 pp_photon_sources_direction(const struct pp_light_scene *scene,
                                            struct pp_vec3 n, double u, double v,
                                            double *density)
 {
+    const struct pp_light_part *part = &scene->parts[source->part];
     int row = cell_of(source->rows, 1.0, &u);
     int column = cell_of(source->cells[row], source->rows[row], &v);
     *density = source->cells[row][column];
-    return direction_at(&scene->parts[source->part], n, (row + u) / PP_PHOTON_CELLS,
-                        (column + v) / PP_PHOTON_CELLS);
+    return pp_lobe_sample_in_frame(part->a, part->b, n, (row + u) / PP_PHOTON_CELLS,
+                                   (column + v) / PP_PHOTON_CELLS);
 }
 
 /* ---- the openings that a receiver sees ---- */

@@ -89,14 +89,12 @@ static void count_direct(struct pp_photon_state *state,
         goes = pp_photon_arrive(state, &photon);
         sums[photon.last == PP_PHOTON_FROM_SKY ? PP_SC : PP_ERC] +=
             pp_photon_counter_takes(&point->counter, &photon);
-        struct pp_rgb clear = photon.lobes.share[PP_LOBE_STRAIGHT];
-        photon.flux = pp_rgb_times(photon.flux, clear);
-        if (!goes || pp_rgb_is_black(clear))
+        struct pp_rgb clear = pp_rgb_grey(1.0);
+        if (!goes || photon.hit.part < 0
+            || !pp_light_scene_parts_pass(state->scene, &photon.hit, &photon.ray,
+                                          &clear))
             return;
-        photon.ray.from = photon.hit.point;
-        photon.ray.off = pp_vec_scale(photon.hit.normal, -1.0);
-        photon.ray.space =
-            pp_light_scene_parts_space(state->scene, photon.hit.part, !photon.hit.back);
+        photon.flux = pp_rgb_times(photon.flux, clear);
     }
 }
 

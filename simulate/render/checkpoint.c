@@ -33,7 +33,8 @@ static uint64_t hash_light(uint64_t hash, const struct pp_radiance_options *ligh
     return pp_hash_double(hash, light->least);
 }
 
-uint64_t pp_checkpoint_hash(const struct pp_render *render)
+/* A hash of all that the pixels depend on: scene, options, ambient store. */
+static uint64_t hash_render(const struct pp_render *render)
 {
     const struct pp_render_options *options = &render->options;
     const struct pp_camera *camera = &options->camera;
@@ -64,13 +65,7 @@ uint64_t pp_checkpoint_hash(const struct pp_render *render)
 
 static uint64_t hash_bytes(const unsigned char *bytes, size_t length)
 {
-    uint64_t hash = pp_hash(VERSION, length);
-    for (size_t i = 0; i < length; i += 8) {
-        uint64_t word = 0;
-        memcpy(&word, bytes + i, length - i < 8 ? length - i : 8);
-        hash = pp_hash(hash, word);
-    }
-    return hash;
+    return pp_little_endian_hash(pp_hash(VERSION, length), bytes, length);
 }
 
 /* ---- its size ---- */
@@ -118,7 +113,7 @@ static void put_all(unsigned char *bytes, size_t size, const struct pp_render *r
     memcpy(at, magic, sizeof magic);
     at += sizeof magic;
     pp_little_endian_put(&at, VERSION, 4);
-    pp_little_endian_put(&at, pp_checkpoint_hash(render), 8);
+    pp_little_endian_put(&at, hash_render(render), 8);
     pp_little_endian_put(&at, (uint64_t)render->picture.width, 4);
     pp_little_endian_put(&at, (uint64_t)render->picture.height, 4);
     pp_little_endian_put(&at, (uint64_t)render->tile_count, 4);
@@ -204,7 +199,7 @@ static enum pp_status check(const struct pp_render *render, const unsigned char 
     int width = (int)pp_little_endian_take(at, 4),
         height = (int)pp_little_endian_take(at, 4),
         tiles = (int)pp_little_endian_take(at, 4);
-    if (mark != pp_checkpoint_hash(render) || width != render->picture.width
+    if (mark != hash_render(render) || width != render->picture.width
         || height != render->picture.height || tiles != render->tile_count)
         return pp_fail(err, PP_BAD_INPUT,
                        "the checkpoint is of another picture: its room, view or "

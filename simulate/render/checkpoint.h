@@ -21,9 +21,6 @@
 
 #include "simulate/render/render.h"
 
-/* A hash of all that the pixels depend on: scene, options, ambient store. */
-uint64_t pp_checkpoint_hash(const struct pp_render *render);
-
 /* Writes the tiles that are done, and the cache that the picture is read from (NULL:
  * none). A fault of the stream is PP_SYSTEM. */
 enum pp_status pp_checkpoint_save(const struct pp_render *render,

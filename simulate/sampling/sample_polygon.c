@@ -237,10 +237,9 @@ static struct pp_vec3 rectangle_by_solid_angle(const struct pp_polygon_sampler *
 static double triangle_solid_angle(struct pp_vec3 a, struct pp_vec3 b, struct pp_vec3 c)
 {
     double volume = fabs(pp_vec_dot(a, pp_vec_cross(b, c)));
-    double angle =
-        2.0
-        * atan2(volume, 1.0 + pp_vec_dot(a, b) + pp_vec_dot(b, c) + pp_vec_dot(c, a));
-    return angle;
+    return 2.0
+           * atan2(volume,
+                   1.0 + pp_vec_dot(a, b) + pp_vec_dot(b, c) + pp_vec_dot(c, a));
 }
 
 static double triangle_of_target(const struct pp_polygon_sampler *sampler, int i)

@@ -86,11 +86,6 @@ void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
     }
 }
 
-static struct pp_vec3 mirrored(struct pp_vec3 v, struct pp_vec3 n)
-{
-    return pp_vec_along(v, -2.0 * pp_vec_dot(v, n), n);
-}
-
 struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3 o)
 {
     bool through = pp_vec_dot(o, lobes->frame.z) < 0.0;
@@ -131,14 +126,14 @@ bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u
         *o = pp_lobe_sample_in_frame(lobes->frame.x, lobes->frame.y, n, u, v);
         return true;
     case PP_LOBE_THROUGH_DIFFUSE:
-        *o = mirrored(pp_lobe_sample_in_frame(lobes->frame.x, lobes->frame.y, n, u, v),
-                      n);
+        *o = pp_vec_mirrored(
+            pp_lobe_sample_in_frame(lobes->frame.x, lobes->frame.y, n, u, v), n);
         return true;
     case PP_LOBE_GLOSS:
     case PP_LOBE_THROUGH_GLOSS:
         return sample_gloss(lobes, lobe == PP_LOBE_THROUGH_GLOSS, u, v, o, factor);
     case PP_LOBE_MIRROR:
-        *o = mirrored(pp_vec_scale(lobes->eye, -1.0), n);
+        *o = pp_vec_mirrored(pp_vec_scale(lobes->eye, -1.0), n);
         return true;
     case PP_LOBE_STRAIGHT:
         *o = pp_vec_scale(lobes->eye, -1.0);

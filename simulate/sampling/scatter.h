@@ -23,6 +23,13 @@ enum pp_lobe {
     PP_LOBE_COUNT,
 };
 
+/* Does the lobe go through the surface? */
+static inline bool pp_scatter_goes_through(enum pp_lobe lobe)
+{
+    return lobe == PP_LOBE_THROUGH_DIFFUSE || lobe == PP_LOBE_THROUGH_GLOSS
+           || lobe == PP_LOBE_STRAIGHT;
+}
+
 /* The lobes for light that is scattered towards an eye in direction `eye`. */
 struct pp_lobes {
     struct pp_rgb share[PP_LOBE_COUNT]; /* each lobe's albedo */

@@ -2,6 +2,8 @@
 #ifndef PP_SIMULATE_SAMPLING_TRIANGLE_H
 #define PP_SIMULATE_SAMPLING_TRIANGLE_H
 
+#include <math.h>
+
 #include "model/geometry/vec.h"
 
 static inline double pp_triangle_area(const struct pp_vec3 corners[3])
@@ -19,6 +21,20 @@ static inline struct pp_vec3 pp_triangle_point(const struct pp_vec3 corners[3],
     return pp_vec_add(pp_vec_scale(corners[0], 1.0 - root),
                       pp_vec_add(pp_vec_scale(corners[1], root * (1.0 - v)),
                                  pp_vec_scale(corners[2], root * v)));
+}
+
+/* The same of several triangles, which have that area together. */
+static inline struct pp_vec3 pp_triangle_point_of(const struct pp_vec3 (*triangles)[3],
+                                                  int count, double area_m2, double u,
+                                                  double v)
+{
+    double left = u * area_m2, own = pp_triangle_area(triangles[0]);
+    int i = 0;
+    while (left > own && i + 1 < count) {
+        left -= own;
+        own = pp_triangle_area(triangles[++i]);
+    }
+    return pp_triangle_point(triangles[i], fmin(left / own, 1.0), v);
 }
 
 #endif

@@ -35,8 +35,8 @@ struct pp_convex_room {
     int *panes; /* by plane */
 };
 
-/* Does no vertex of the outline lie behind the face's plane? */
-static bool all_before(const struct pp_polygon *outline, const struct pp_polygon *face)
+bool pp_convex_room_all_before(const struct pp_polygon *outline,
+                               const struct pp_polygon *face)
 {
     for (int i = 0; i < outline->count; i++)
         if (pp_vec_dot(face->normal,
@@ -53,7 +53,8 @@ bool pp_convex_room_is(const struct pp_world *world)
             return false;
     for (int i = 0; i < world->face_count; i++)
         for (int k = 0; k < world->face_count; k++)
-            if (!all_before(&world->surfaces[k].outline, &world->surfaces[i].outline))
+            if (!pp_convex_room_all_before(&world->surfaces[k].outline,
+                                           &world->surfaces[i].outline))
                 return false;
     return world->face_count > 0;
 }

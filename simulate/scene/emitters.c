@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "model/base/array.h"
-#include "simulate/sampling/lobe.h"
 #include "simulate/sampling/triangle.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/round.h"
@@ -25,33 +24,25 @@ static enum pp_status append(struct pp_light_scene *scene,
     return status;
 }
 
-static bool is_rectangle(const struct pp_vec3 *corners, int count)
-{
-    if (count != 4)
-        return false;
-    struct pp_vec3 along = pp_vec_sub(corners[1], corners[0]);
-    struct pp_vec3 up = pp_vec_sub(corners[3], corners[0]);
-    struct pp_vec3 far = pp_vec_sub(corners[2], pp_vec_add(corners[1], up));
-    double size = pp_vec_length(along) + pp_vec_length(up);
-    return fabs(pp_vec_dot(along, up))
-               < SAME_SHAPE * pp_vec_length(along) * pp_vec_length(up)
-           && pp_vec_length(far) < SAME_SHAPE * size;
-}
-
 static void make_target(struct pp_target *target, const struct pp_vec3 *corners,
                         int count, struct pp_vec3 normal)
 {
-    *target =
-        (struct pp_target){.normal = normal, .rectangle = is_rectangle(corners, count)};
-    if (!target->rectangle)
+    *target = (struct pp_target){.normal = normal};
+    if (count != 4)
         return;
     struct pp_vec3 along = pp_vec_sub(corners[1], corners[0]);
     struct pp_vec3 up = pp_vec_sub(corners[3], corners[0]);
-    target->width_m = pp_vec_length(along);
-    target->height_m = pp_vec_length(up);
+    struct pp_vec3 far = pp_vec_sub(corners[2], pp_vec_add(corners[1], up));
+    double width = pp_vec_length(along), height = pp_vec_length(up);
+    target->rectangle = fabs(pp_vec_dot(along, up)) < SAME_SHAPE * width * height
+                        && pp_vec_length(far) < SAME_SHAPE * (width + height);
+    if (!target->rectangle)
+        return;
+    target->width_m = width;
+    target->height_m = height;
     target->corner = corners[0];
-    target->along = pp_vec_scale(along, 1.0 / target->width_m);
-    target->up = pp_vec_scale(up, 1.0 / target->height_m);
+    target->along = pp_vec_scale(along, 1.0 / width);
+    target->up = pp_vec_scale(up, 1.0 / height);
 }
 
 /* Copies the triangles to the scene, and takes the emitter's area and middle from
@@ -122,7 +113,7 @@ enum pp_status pp_emitters_add_part(struct pp_light_scene *scene, int index,
             emitter.round = scene->rounds[part->round];
             emitter.shape = emitter.round.kind == PP_SHAPE_SPHERE ? PP_EMITTER_SPHERE
                                                                   : PP_EMITTER_ROUND;
-            emitter.area_m2 = pp_round_area(&emitter.round);
+            emitter.area_m2 = part->area_m2;
             emitter.middle = middle_of_round(&emitter.round);
         } else {
             make_target(&emitter.target, corners, count,
@@ -185,14 +176,8 @@ enum pp_status pp_emitters_add_distant(struct pp_light_scene *scene,
 static struct pp_vec3 in_cone(struct pp_vec3 axis, double fall, double u, double v)
 {
     fall *= u;
-    double sine_cone = sqrt(fmax(0.0, fall * (2.0 - fall)));
-    struct pp_vec3 a, b;
-    double sine, cosine;
-    pp_lobe_frame(axis, &a, &b);
-    sincos(2.0 * PP_PI * v, &sine, &cosine);
-    return pp_vec_along(
-        pp_vec_along(pp_vec_scale(axis, 1.0 - fall), sine_cone * cosine, a),
-        sine_cone * sine, b);
+    return pp_round_circle_point(pp_vec_scale(axis, 1.0 - fall), axis,
+                                 sqrt(fmax(0.0, fall * (2.0 - fall))), v);
 }
 
 /* Is any direction of the cone on the side of the normal n? */

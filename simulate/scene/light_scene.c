@@ -76,15 +76,7 @@ enum pp_status pp_light_scene_under(struct pp_environment **environment,
 
 struct pp_bounds3 pp_light_scene_bounds(const struct pp_light_scene *scene, bool room)
 {
-    if (!room || !scene->has_room)
-        return scene->bounds;
-    struct pp_bounds3 bounds = pp_bounds3_empty();
-    for (int i = 0; i < scene->world->face_count; i++) {
-        const struct pp_polygon *outline = &scene->world->surfaces[i].outline;
-        for (int k = 0; k < outline->count; k++)
-            pp_bounds3_add(&bounds, outline->vertices[k]);
-    }
-    return bounds;
+    return room && scene->has_room ? pp_position_bounds(scene->world) : scene->bounds;
 }
 
 /* ---- materials ---- */

@@ -42,7 +42,7 @@ static void measure(struct pp_light_scene *scene,
             struct pp_bounds3 box = pp_round_bounds(shape);
             pp_bounds3_add(&scene->bounds, box.low);
             pp_bounds3_add(&scene->bounds, box.high);
-            sum = pp_vec_add(sum, pp_vec_scale(pp_vec_add(box.low, box.high), 0.5));
+            sum = pp_vec_add(sum, pp_bounds3_middle(&box));
             count++;
         }
         for (int k = 0; is_polygon(shape) && k < shape->is.polygon.count; k++) {
@@ -97,18 +97,12 @@ static struct pp_light_part part_of(const struct pp_light_scene *scene,
                                     const struct pp_shape *shape)
 {
     bool own_back = shape->back_material >= 0;
-    int back = own_back ? shape->back_material : shape->material;
-    return (struct pp_light_part){
-        .material = {shape->material, back},
-        .tag = shape->tag,
-        .round = -1,
-        .window = -1,
-        .niche = -1,
-        .emitter = {-1, -1},
-        .mirror = -1,
-        .reflector = {-1, -1},
-        .space = {PP_ANYWHERE, PP_ANYWHERE},
-        .back_emits = own_back || scene->materials[shape->material].emits_both_sides};
+    const int sides[2] = {shape->material,
+                          own_back ? shape->back_material : shape->material};
+    struct pp_light_part part = pp_light_scene_parts_of(shape->tag, sides);
+    part.space[0] = part.space[1] = PP_ANYWHERE;
+    part.back_emits = own_back || scene->materials[sides[0]].emits_both_sides;
+    return part;
 }
 
 static enum pp_status add_polygon(struct light_scene_builder *b,
@@ -151,6 +145,7 @@ static enum pp_status add_round(struct light_scene_builder *b,
     pp_round_shift(&scene->rounds[round], scene->centre);
     scene->parts[index] = part_of(scene, shape);
     scene->parts[index].round = round;
+    scene->parts[index].area_m2 = pp_round_area(&scene->rounds[round]);
     return pp_emitters_add_part(scene, index, NULL, 0, NULL, 0, err);
 }
 

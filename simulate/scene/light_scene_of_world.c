@@ -14,19 +14,14 @@
 static void measure(struct pp_light_scene *scene)
 {
     const struct pp_world *world = scene->world;
-    struct pp_bounds3 room = pp_bounds3_empty();
+    if (world->surface_count == 0)
+        return;
     scene->bounds = pp_bounds3_empty();
     for (int i = 0; i < world->surface_count; i++)
-        for (int k = 0; k < world->surfaces[i].outline.count; k++) {
+        for (int k = 0; k < world->surfaces[i].outline.count; k++)
             pp_bounds3_add(&scene->bounds, world->surfaces[i].outline.vertices[k]);
-            if (i < world->face_count || !scene->has_room)
-                pp_bounds3_add(&room, world->surfaces[i].outline.vertices[k]);
-        }
-    if (world->surface_count == 0) {
-        scene->bounds = (struct pp_bounds3){.low = {0.0, 0.0, 0.0}};
-        return;
-    }
-    scene->centre = pp_vec_scale(pp_vec_add(room.low, room.high), 0.5);
+    struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
+    scene->centre = pp_bounds3_middle(&room);
     struct pp_vec3 half = pp_vec_scale(pp_vec_sub(room.high, room.low), 0.5);
     scene->size_m = fmax(half.x, fmax(half.y, half.z));
 }
@@ -35,16 +30,9 @@ static struct pp_light_part part_of(const struct pp_light_scene *scene, int inde
                                     const struct pp_polygon *outline,
                                     const int material[2])
 {
-    struct pp_light_part part = {.normal = outline->normal,
-                                 .area_m2 = outline->area_m2,
-                                 .material = {material[0], material[1]},
-                                 .tag = index,
-                                 .round = -1,
-                                 .window = -1,
-                                 .niche = -1,
-                                 .emitter = {-1, -1},
-                                 .mirror = -1,
-                                 .reflector = {-1, -1}};
+    struct pp_light_part part = pp_light_scene_parts_of(index, material);
+    part.normal = outline->normal;
+    part.area_m2 = outline->area_m2;
     part.offset_m =
         pp_vec_dot(outline->normal, pp_vec_sub(outline->vertices[0], scene->centre));
     pp_lobe_frame(part.normal, &part.a, &part.b);
@@ -137,7 +125,8 @@ static enum pp_status build(struct pp_light_scene *scene, bool matt,
     }
     if (status == PP_OK)
         status = pp_scene_skylines_init(&scene->skylines, world, scene->centre, err);
-    scene->ground = pp_scene_ground_of(world, scene->centre);
+    scene->ground = (struct pp_scene_ground){!world->ground_is_open,
+                                             scene->skylines.ground_level_m};
     if (status == PP_OK)
         status = add_triangles(scene, &list, err);
     pp_triangles_clear(&list);
@@ -178,12 +167,6 @@ enum pp_status pp_light_scene_of_world_matt(struct pp_light_scene **scene,
 struct pp_vec3 pp_light_scene_of_world_plane_point(const struct pp_light_scene *scene,
                                                    double u, double v)
 {
-    double left = u * scene->plane_area_m2;
-    int i = 0;
-    double area = pp_triangle_area(scene->plane[0]);
-    while (left > area && i < scene->plane_count - 1) {
-        left -= area;
-        area = pp_triangle_area(scene->plane[++i]);
-    }
-    return pp_triangle_point(scene->plane[i], fmin(left / area, 1.0), v);
+    return pp_triangle_point_of((const struct pp_vec3(*)[3])scene->plane,
+                                scene->plane_count, scene->plane_area_m2, u, v);
 }

@@ -4,6 +4,7 @@
 
 #include "model/light/scene_description.h"
 #include "simulate/sampling/gloss.h"
+#include "simulate/sampling/scatter.h"
 #include "simulate/scene/convex_room.h"
 #include "simulate/scene/emitters.h"
 #include "simulate/scene/mirrors.h"
@@ -19,8 +20,8 @@ struct pp_light_part {
     struct pp_vec3 normal; /* of the front of a plane part, unit */
     struct pp_vec3 a, b;   /* of a plane part: a right-handed frame with the normal */
     double offset_m;       /* normal . x of its points, from the centre */
-    double area_m2;        /* of a plane part */
-    int material[2];       /* of front and back */
+    double area_m2;
+    int material[2]; /* of front and back */
     int tag;
     int round;        /* which of the round shapes; -1: plane */
     int window;       /* whose pane; -1: none */
@@ -95,11 +96,40 @@ struct pp_light_scene {
     uint64_t hash;
 };
 
-/* Where a ray runs that leaves the front or back of a part. */
-static inline enum pp_space pp_light_scene_parts_space(
-    const struct pp_light_scene *scene, int part, bool back)
+/* A part that belongs to nothing yet. */
+static inline struct pp_light_part pp_light_scene_parts_of(int tag,
+                                                           const int material[2])
 {
-    return (enum pp_space)scene->parts[part].space[back];
+    return (struct pp_light_part){.material = {material[0], material[1]},
+                                  .tag = tag,
+                                  .round = -1,
+                                  .window = -1,
+                                  .niche = -1,
+                                  .emitter = {-1, -1},
+                                  .mirror = -1,
+                                  .reflector = {-1, -1}};
 }
+
+/* Where a ray runs that leaves a hit, on the side that was met or through the part. */
+static inline enum pp_space pp_light_scene_parts_space(
+    const struct pp_light_scene *scene, const struct pp_light_hit *hit, bool through)
+{
+    return through ? (enum pp_space)scene->parts[hit->part].space[!hit->back]
+                   : hit->space;
+}
+
+/* The lobes of the part that a ray along `to` has met, towards where it comes from. */
+void pp_light_scene_parts_lobes(const struct pp_light_scene *scene,
+                                const struct pp_light_hit *hit, struct pp_vec3 to,
+                                struct pp_lobes *lobes);
+
+/* The ray goes on straight through the part that it has met, or as that mirrors it; *light
+ * is multiplied by what the part lets through, or mirrors. False where that is none. */
+bool pp_light_scene_parts_pass(const struct pp_light_scene *scene,
+                               const struct pp_light_hit *hit, struct pp_light_ray *ray,
+                               struct pp_rgb *light);
+bool pp_light_scene_parts_reflect(const struct pp_light_scene *scene,
+                                  const struct pp_light_hit *hit,
+                                  struct pp_light_ray *ray, struct pp_rgb *light);
 
 #endif

@@ -6,7 +6,6 @@
 
 #include "simulate/sampling/scatter.h"
 #include "simulate/scene/light_scene_parts.h"
-#include "simulate/scene/round.h"
 
 enum {
     MOST_MIRRORS = 8,      /* planes */
@@ -36,13 +35,6 @@ static double share_of(const struct pp_light_scene *scene, int part)
                                     &scene->materials[material], 1.0)));
     }
     return share;
-}
-
-static double area_of(const struct pp_light_scene *scene, int part)
-{
-    int round = scene->parts[part].round;
-    return round < 0 ? scene->parts[part].area_m2
-                     : pp_round_area(&scene->rounds[round]);
 }
 
 static int by_weight(const void *a, const void *b)
@@ -105,7 +97,8 @@ static enum pp_status find_mirrors(struct pp_light_scene *scene, struct pp_error
     for (int i = 0; i < scene->part_count; i++) {
         double share = share_of(scene, i);
         if (share > 0.0)
-            list[count++] = (struct candidate){i, share, share * area_of(scene, i)};
+            list[count++] =
+                (struct candidate){i, share, share * scene->parts[i].area_m2};
     }
     qsort(list, (size_t)count, sizeof *list, by_weight);
     for (int i = 0; i < count; i++) {
@@ -213,11 +206,6 @@ static const struct pp_mirror *mirror_in(const struct pp_light_scene *scene,
     return mirror < 0 ? NULL : &scene->mirrors[mirror];
 }
 
-static struct pp_vec3 turned(const struct pp_mirror *mirror, struct pp_vec3 u)
-{
-    return pp_vec_along(u, -2.0 * pp_vec_dot(mirror->normal, u), mirror->normal);
-}
-
 struct pp_vec3 pp_mirrors_path_point(const struct pp_light_scene *scene,
                                      int mirror_path, struct pp_vec3 p)
 {
@@ -235,15 +223,16 @@ struct pp_vec3 pp_mirrors_path_direction(const struct pp_light_scene *scene,
     const struct pp_mirror *mirror;
     for (int i = 0;
          i < PP_MIRROR_PATH_MOST && (mirror = mirror_in(scene, mirror_path, i)); i++)
-        u = turned(mirror, u);
+        u = pp_vec_mirrored(u, mirror->normal);
     return u;
 }
 
 struct pp_vec3 pp_mirrors_path_unfold(const struct pp_light_scene *scene,
                                       int mirror_path, struct pp_vec3 u)
 {
+    const struct pp_mirror *mirror;
     for (int i = PP_MIRROR_PATH_MOST - 1; i >= 0; i--)
-        if (mirror_in(scene, mirror_path, i))
-            u = turned(mirror_in(scene, mirror_path, i), u);
+        if ((mirror = mirror_in(scene, mirror_path, i)))
+            u = pp_vec_mirrored(u, mirror->normal);
     return u;
 }

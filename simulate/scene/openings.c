@@ -10,28 +10,14 @@
 #include "simulate/sampling/choose.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* Points nearer than this to a plane lie in it. */
-static const double SAME_PLANE_M = 1e-7;
-
-/* Does no vertex of the outline lie behind the plane through `on` with normal n? */
-static bool all_before(const struct pp_polygon *outline, struct pp_vec3 on,
-                       struct pp_vec3 n)
-{
-    for (int i = 0; i < outline->count; i++)
-        if (pp_vec_dot(n, pp_vec_sub(outline->vertices[i], on)) < -SAME_PLANE_M)
-            return false;
-    return true;
-}
-
 static bool is_unobstructed(const struct pp_world *world,
                             const struct pp_opening *opening)
 {
-    struct pp_vec3 on = opening->outer.vertices[0], n = opening->outer.normal;
     for (int i = 0; i < world->surface_count; i++)
-        if (!all_before(&world->surfaces[i].outline, on, n))
+        if (!pp_convex_room_all_before(&world->surfaces[i].outline, &opening->outer))
             return false;
     for (int i = 0; i < world->opening_count; i++)
-        if (!all_before(&world->openings[i].outer, on, n))
+        if (!pp_convex_room_all_before(&world->openings[i].outer, &opening->outer))
             return false;
     return true;
 }
@@ -124,11 +110,6 @@ static double importance_of(const void *of, int pane)
         viewer->normal, viewer->brightness);
 }
 
-static double kept(const void *shares, int pane)
-{
-    return ((const struct pp_openings_shares *)shares)->of[pane];
-}
-
 static void find_shares(struct pp_openings_shares *shares,
                         const struct pane_choice *choice)
 {
@@ -158,7 +139,7 @@ int pp_openings_choose(const struct pp_light_scene *scene,
     if (scene->pane_count > PP_OPENINGS_KEPT)
         return pp_choose(importance_of, &choice, scene->pane_count, u, probability);
     find_shares(shares, &choice);
-    return pp_choose(kept, shares, scene->pane_count, u, probability);
+    return pp_choose_weighted(shares->of, scene->pane_count, u, probability);
 }
 
 double pp_openings_angular_size(const struct pp_pane *pane, struct pp_vec3 from)

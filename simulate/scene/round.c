@@ -174,8 +174,8 @@ double pp_round_area(const struct pp_shape *shape)
     return PP_PI * (r[0] + r[1]) * hypot(axis.length_m, r[1] - r[0]);
 }
 
-static struct pp_vec3 on_circle(struct pp_vec3 centre, struct pp_vec3 axis,
-                                double radius, double v)
+struct pp_vec3 pp_round_circle_point(struct pp_vec3 centre, struct pp_vec3 axis,
+                                     double radius, double v)
 {
     struct pp_vec3 a, b;
     double sine, cosine;
@@ -190,19 +190,20 @@ struct pp_vec3 pp_round_point(const struct pp_shape *shape, double u, double v)
         double z = 1.0 - 2.0 * u, r = shape->is.sphere.radius_m;
         struct pp_vec3 up = {0.0, 0.0, 1.0};
         struct pp_vec3 centre = pp_vec_along(shape->is.sphere.centre, r * z, up);
-        return on_circle(centre, up, r * sqrt(fmax(0.0, 1.0 - z * z)), v);
+        return pp_round_circle_point(centre, up, r * sqrt(fmax(0.0, 1.0 - z * z)), v);
     }
     if (shape->kind == PP_SHAPE_RING) {
         const double *r = shape->is.ring.radii_m;
         double square = r[0] * r[0] + u * (r[1] * r[1] - r[0] * r[0]);
-        return on_circle(shape->is.ring.centre, shape->is.ring.axis, sqrt(square), v);
+        return pp_round_circle_point(shape->is.ring.centre, shape->is.ring.axis,
+                                     sqrt(square), v);
     }
     /* Along a cone area goes with the radius' square. */
     struct axis axis = axis_of(shape);
     const double *r = shape->is.cone.radii_m;
     double radius = sqrt(r[0] * r[0] + u * (r[1] * r[1] - r[0] * r[0]));
     double share = r[0] + radius > 0.0 ? u * (r[0] + r[1]) / (r[0] + radius) : 0.0;
-    return on_circle(
+    return pp_round_circle_point(
         pp_vec_along(shape->is.cone.ends[0], share * axis.length_m, axis.along),
         axis.along, radius, v);
 }

@@ -28,6 +28,10 @@ double pp_round_area(const struct pp_shape *shape);
 /* A point of the shape, uniform by area for two numbers in (0, 1). */
 struct pp_vec3 pp_round_point(const struct pp_shape *shape, double u, double v);
 
+/* The point of a circle about an axis (unit) for a number in (0, 1). */
+struct pp_vec3 pp_round_circle_point(struct pp_vec3 centre, struct pp_vec3 axis,
+                                     double radius, double v);
+
 /* Moves the shape by -centre. */
 void pp_round_shift(struct pp_shape *shape, struct pp_vec3 centre);
 

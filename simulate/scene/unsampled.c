@@ -7,7 +7,6 @@
 #include "model/light/graded_sky.h"
 #include "simulate/sampling/lobe.h"
 #include "simulate/sampling/sample_polygon.h"
-#include "simulate/sampling/scatter.h"
 #include "simulate/sampling/sobol.h"
 #include "simulate/scene/light_scene_parts.h"
 
@@ -102,29 +101,21 @@ static void probe(const struct pp_light_scene *scene, struct pp_light_ray ray,
     if (share < LEAST_BEAM || events == MOST_EVENTS
         || pp_light_scene_meet(scene, &ray, &hit) != PP_MEETS_PART)
         return;
-    const struct pp_material *material = &scene->materials[hit.material];
-    double cosine = -pp_vec_dot(hit.normal, ray.to);
-    struct pp_light_ray on = {hit.point, pp_vec_scale(hit.normal, -1.0), ray.to,
-                              pp_light_scene_parts_space(scene, hit.part, !hit.back)};
-    probe(scene, on,
-          share * pp_rgb_most(pp_scatter_regular_transmittance(material, cosine)), met,
-          count, events + 1, most);
-    if (pp_light_scene_gloss(scene, hit.material))
+    struct pp_light_ray on = ray, back = ray;
+    struct pp_rgb through = pp_rgb_grey(1.0), mirrored = through;
+    if (pp_light_scene_parts_pass(scene, &hit, &on, &through))
+        probe(scene, on, share * pp_rgb_most(through), met, count, events + 1, most);
+    if (!pp_light_scene_parts_reflect(scene, &hit, &back, &mirrored)
+        || share * pp_rgb_most(mirrored) < LEAST_BEAM)
         return;
-    double mirrored =
-        share * pp_rgb_most(pp_scatter_specular_reflectance(material, cosine));
-    if (mirrored < LEAST_BEAM)
-        return;
+    share *= pp_rgb_most(mirrored);
     int more[MOST_EVENTS + 1];
     for (int i = 0; i < count; i++)
         more[i] = met[i];
     more[count] = scene->parts[hit.part].mirror;
     if (mirrors_met(scene, more, count + 1) < 0)
-        *most = fmax(*most, mirrored);
-    on = (struct pp_light_ray){hit.point, hit.normal,
-                               pp_vec_along(ray.to, 2.0 * cosine, hit.normal),
-                               hit.space};
-    probe(scene, on, mirrored, more, count + 1, events + 1, most);
+        *most = fmax(*most, share);
+    probe(scene, back, share, more, count + 1, events + 1, most);
 }
 
 double pp_unsampled_probe(const struct pp_light_scene *scene,

@@ -40,12 +40,6 @@ enum pp_status pp_window_images_find(struct pp_light_scene *scene, struct pp_err
 
 /* ---- seen ---- */
 
-static struct pp_vec3 mirrored(const struct pp_reflector *reflector, struct pp_vec3 u)
-{
-    return pp_vec_along(u, -2.0 * pp_vec_dot(reflector->frame.z, u),
-                        reflector->frame.z);
-}
-
 /* The viewer's image in a reflector; false where it stands behind that. */
 static bool image_of(const struct pp_reflector *reflector,
                      const struct pp_image_viewer *viewer,
@@ -54,7 +48,7 @@ static bool image_of(const struct pp_reflector *reflector,
     double over = height_over(reflector, viewer->point);
     *image = *viewer;
     image->point = pp_vec_along(viewer->point, -2.0 * over, reflector->frame.z);
-    image->normal = mirrored(reflector, viewer->normal);
+    image->normal = pp_vec_mirrored(viewer->normal, reflector->frame.z);
     return over > 0.0;
 }
 
@@ -86,19 +80,12 @@ static struct pp_target blurred(const struct pp_light_scene *scene,
     return target;
 }
 
-/* The images that a viewer chooses among. */
-struct image_choice {
-    const struct pp_light_scene *scene;
-    const struct pp_image_viewer *viewer;
-};
-
-static double importance_of(const void *of, int index)
+static double importance_of(const struct pp_light_scene *scene,
+                            const struct pp_image_viewer *viewer, int index)
 {
-    const struct image_choice *choice = of;
-    const struct pp_light_scene *scene = choice->scene;
     const struct pp_window_image *image = &scene->window_images[index];
     struct pp_image_viewer behind;
-    if (!image_of(&scene->reflectors[image->reflector], choice->viewer, &behind))
+    if (!image_of(&scene->reflectors[image->reflector], viewer, &behind))
         return 0.0;
     return image->share
            * pp_sample_polygon_importance(&scene->panes[image->window].target,
@@ -110,11 +97,13 @@ int pp_window_images_choose(const struct pp_light_scene *scene,
                             const struct pp_image_viewer *viewer, double u,
                             double *probability)
 {
-    struct image_choice choice = {scene, viewer};
+    double importance[MOST_IMAGES];
+    for (int i = 0; i < scene->window_image_count; i++)
+        importance[i] = importance_of(scene, viewer, i);
     *probability = 1.0;
     if (scene->window_image_count == 1)
-        return importance_of(&choice, 0) > 0.0 ? 0 : -1;
-    return pp_choose(importance_of, &choice, scene->window_image_count, u, probability);
+        return importance[0] > 0.0 ? 0 : -1;
+    return pp_choose_weighted(importance, scene->window_image_count, u, probability);
 }
 
 bool pp_window_images_sample(const struct pp_light_scene *scene, int index,
@@ -130,7 +119,7 @@ bool pp_window_images_sample(const struct pp_light_scene *scene, int index,
     pp_sample_polygon_init(&sampler, &target, behind.point, behind.normal,
                            behind.brightness);
     struct pp_direction_sample sample = pp_sample_polygon_draw(&sampler, u, v);
-    *to = mirrored(reflector, sample.direction);
+    *to = pp_vec_mirrored(sample.direction, reflector->frame.z);
     *pdf = 1.0 / sample.per_density;
     return pp_vec_dot(*to, reflector->frame.z) < 0.0;
 }
@@ -139,11 +128,10 @@ double pp_window_images_pdf(const struct pp_light_scene *scene, int reflector,
                             int window, const struct pp_image_viewer *viewer,
                             struct pp_vec3 to)
 {
-    struct image_choice choice = {scene, viewer};
     double own = 0.0, all = 0.0;
     int found = -1;
     for (int i = 0; i < scene->window_image_count; i++) {
-        double importance = importance_of(&choice, i);
+        double importance = importance_of(scene, viewer, i);
         all += importance;
         if (scene->window_images[i].reflector != reflector
             || scene->window_images[i].window != window)
@@ -160,7 +148,7 @@ double pp_window_images_pdf(const struct pp_light_scene *scene, int reflector,
         blurred(scene, &scene->window_images[found], behind.point);
     pp_sample_polygon_init(&sampler, &target, behind.point, behind.normal,
                            behind.brightness);
-    to = mirrored(&scene->reflectors[reflector], to);
+    to = pp_vec_mirrored(to, scene->reflectors[reflector].frame.z);
     double toward = -pp_vec_dot(to, target.normal);
     if (!(toward > 0.0))
         return 0.0;

@@ -46,9 +46,7 @@ bool pp_light_images_view(struct pp_radiance_state *state,
         || scene->parts[hit.part].reflector[hit.back]
                != scene->window_images[image].reflector)
         return false;
-    pp_scatter_init(&view->lobes, &scene->materials[hit.material],
-                    pp_light_scene_gloss(scene, hit.material), hit.normal,
-                    pp_vec_scale(ray.to, -1.0));
+    pp_light_scene_parts_lobes(scene, &hit, ray.to, &view->lobes);
     view->window = scene->window_images[image].window;
     view->there =
         (struct pp_shading_point){.point = pp_path_vertex_drawn_back(hit.point, ray.to),

@@ -165,9 +165,7 @@ static struct pp_rgb direct_light_of_lobes(struct pp_radiance_state *state,
         struct pp_shading_point shading = {
             .point = hit->point,
             .normal = side ? pp_vec_scale(lobes->frame.z, -1.0) : lobes->frame.z,
-            .space =
-                side ? pp_light_scene_parts_space(state->scene, hit->part, !hit->back)
-                     : hit->space,
+            .space = pp_light_scene_parts_space(state->scene, hit, side),
             .diffuse = share[side ? PP_LOBE_THROUGH_DIFFUSE : PP_LOBE_DIFFUSE],
             .lobes = lobes,
             .vertex = side ? pp_path_vertex_branch(path->vertex, 0) : path->vertex,
@@ -327,9 +325,7 @@ static void lobes_of(struct pp_radiance_state *state, const struct pp_light_path
                      const struct pp_light_hit *hit, struct pp_lobes *lobes)
 {
     const struct pp_light_scene *scene = state->scene;
-    pp_scatter_init(lobes, &scene->materials[hit->material],
-                    pp_light_scene_gloss(scene, hit->material), hit->normal,
-                    pp_vec_scale(path->ray.to, -1.0));
+    pp_light_scene_parts_lobes(scene, hit, path->ray.to, lobes);
     int window = scene->parts[hit->part].window;
     if (window < 0 || hit->back)
         return;

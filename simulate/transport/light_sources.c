@@ -239,9 +239,7 @@ static struct pp_rgb sample_reflection(struct pp_radiance_state *state,
         || scene->parts[hit.part].reflector[hit.back] != reflection->reflector)
         return none;
     struct pp_lobes lobes;
-    pp_scatter_init(&lobes, &scene->materials[hit.material],
-                    pp_light_scene_gloss(scene, hit.material), hit.normal,
-                    pp_vec_scale(ray.to, -1.0));
+    pp_light_scene_parts_lobes(scene, &hit, ray.to, &lobes);
     const struct pp_shading_point there = {
         .point = pp_path_vertex_drawn_back(hit.point, ray.to),
         .normal = hit.normal,

@@ -1,6 +1,7 @@
 /* path_turn.c - see path_turn.h. */
 #include "simulate/transport/path_turn.h"
 
+#include "simulate/sampling/choose.h"
 #include "simulate/sampling/lobe.h"
 
 void pp_path_turn_note_met(struct pp_light_path *path, enum pp_space space)
@@ -26,19 +27,10 @@ enum pp_lobe pp_path_turn_choose_lobe(const struct pp_lobes *lobes, double u,
         total += chance[i] = pp_rgb_most(lobes->share[i]);
     if (!(total > 0.0))
         return PP_LOBE_COUNT;
-    double left = u * total;
-    int chosen = PP_LOBE_COUNT;
-    for (int i = 0; i < PP_LOBE_COUNT; i++) {
-        if (!(chance[i] > 0.0))
-            continue;
-        chosen = i;
-        if (left < chance[i])
-            break;
-        left -= chance[i];
-    }
+    int chosen = pp_choose_by(chance, PP_LOBE_COUNT, u * total);
     *throughput = pp_rgb_scale(pp_rgb_times(*throughput, lobes->share[chosen]),
                                total / chance[chosen]);
-    return chosen;
+    return (enum pp_lobe)chosen;
 }
 
 /* Which emitters and windows were sampled directly, for a ray that leaves by this
@@ -84,15 +76,12 @@ bool pp_path_turn_by_lobe(const struct pp_radiance_state *state,
     if (!pp_scatter_sample(lobes, lobe, u, v, &path->ray.to, &factor))
         return false;
     path->throughput = pp_rgb_scale(path->throughput, factor);
-    bool through = lobe == PP_LOBE_THROUGH_DIFFUSE || lobe == PP_LOBE_THROUGH_GLOSS
-                   || lobe == PP_LOBE_STRAIGHT;
+    bool through = pp_scatter_goes_through(lobe);
     if (!through)
         pp_path_turn_note_met(path, hit->space);
     path->ray.from = hit->point;
     path->ray.off = through ? pp_vec_scale(lobes->frame.z, -1.0) : lobes->frame.z;
-    path->ray.space =
-        through ? pp_light_scene_parts_space(state->scene, hit->part, !hit->back)
-                : hit->space;
+    path->ray.space = pp_light_scene_parts_space(state->scene, hit, through);
     note_sampled(state, path, lobes, lobe, hit);
     return true;
 }

@@ -4,7 +4,6 @@
 
 #include <math.h>
 
-#include "simulate/sampling/scatter.h"
 #include "simulate/scene/light_scene_parts.h"
 
 /* Clear surfaces that a shadow ray passes, at most. */
@@ -41,19 +40,6 @@ enum pp_meeting pp_radiance_state_meet_by(struct pp_radiance_state *state,
     return meeting;
 }
 
-/* The ray goes on behind the surface that it has met; false where nothing passes. */
-static bool pass(const struct pp_light_scene *scene, struct pp_light_ray *ray,
-                 const struct pp_light_hit *hit, struct pp_rgb *through)
-{
-    *through = pp_rgb_times(
-        *through, pp_scatter_regular_transmittance(&scene->materials[hit->material],
-                                                   -pp_vec_dot(hit->normal, ray->to)));
-    ray->from = hit->point;
-    ray->off = pp_vec_scale(hit->normal, -1.0);
-    ray->space = pp_light_scene_parts_space(scene, hit->part, !hit->back);
-    return !pp_rgb_is_black(*through);
-}
-
 bool pp_radiance_state_unoccluded(struct pp_radiance_state *state,
                                   struct pp_light_ray ray, int part, double distance_m,
                                   struct pp_rgb *through)
@@ -70,27 +56,10 @@ bool pp_radiance_state_unoccluded(struct pp_radiance_state *state,
         gone += hit.distance_m;
         if (hit.part == part && fabs(gone - distance_m) < 1e-4 * distance_m + 1e-5)
             return true;
-        if (!pass(scene, &ray, &hit, through))
+        if (!pp_light_scene_parts_pass(scene, &hit, &ray, through))
             return false;
     }
     return false;
-}
-
-/* The ray is reflected by the surface that it has met; false where that does not
- * mirror. */
-static bool reflect(const struct pp_light_scene *scene, struct pp_light_ray *ray,
-                    const struct pp_light_hit *hit, struct pp_rgb *through)
-{
-    double cosine = -pp_vec_dot(hit->normal, ray->to);
-    if (pp_light_scene_gloss(scene, hit->material))
-        return false;
-    *through = pp_rgb_times(*through, pp_scatter_specular_reflectance(
-                                          &scene->materials[hit->material], cosine));
-    ray->from = hit->point;
-    ray->off = hit->normal;
-    ray->to = pp_vec_along(ray->to, 2.0 * cosine, hit->normal);
-    ray->space = hit->space;
-    return !pp_rgb_is_black(*through);
 }
 
 bool pp_radiance_state_reach_mirror(struct pp_radiance_state *state,
@@ -109,8 +78,8 @@ bool pp_radiance_state_reach_mirror(struct pp_radiance_state *state,
             return false;
         *left_m -= hit.distance_m;
         if (scene->parts[hit.part].mirror == index)
-            return reflect(scene, ray, &hit, through);
-        if (!pass(scene, ray, &hit, through))
+            return pp_light_scene_parts_reflect(scene, &hit, ray, through);
+        if (!pp_light_scene_parts_pass(scene, &hit, ray, through))
             return false;
     }
     return false;

@@ -9,6 +9,7 @@
 #include "model/geometry/clipper.h"
 #include "model/geometry/tolerance.h"
 #include "model/room/ground.h"
+#include "model/room/position.h"
 #include "model/room/section.h"
 
 static const double WIDE = 100.0;
@@ -25,12 +26,9 @@ struct rad_ground_builder {
 
 static void measure(struct rad_ground_builder *b, const struct pp_world *world)
 {
-    struct pp_bounds3 room = pp_bounds3_empty();
+    struct pp_bounds3 room = pp_position_bounds(world);
     double level = pp_ground_level(world) - 2.0 * PP_SET_OFF_M;
-    for (int i = 0; i < world->face_count; i++)
-        for (int k = 0; k < world->surfaces[i].outline.count; k++)
-            pp_bounds3_add(&room, world->surfaces[i].outline.vertices[k]);
-    b->middle = pp_vec_scale(pp_vec_add(room.low, room.high), 0.5);
+    b->middle = pp_bounds3_middle(&room);
     b->middle.z = level;
     for (int i = 0; i < world->surface_count; i++)
         for (int k = 0; k < world->surfaces[i].outline.count; k++)

@@ -1,6 +1,6 @@
 /* test_default_view.c - from where a room is looked at, where nothing else is said. */
 #include "model/pictures/camera.h"
-#include "simulate/render/default_view.h"
+#include "studies/pictures/default_view.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "tests/lib/room_of.h"
 

@@ -8,8 +8,8 @@
  * the view of a light meter that lies on the working plane in the middle of the room.
  * Plan and section are parallel views of all of the room, cut as drawings are.
  */
-#ifndef PP_SIMULATE_RENDER_DEFAULT_VIEW_H
-#define PP_SIMULATE_RENDER_DEFAULT_VIEW_H
+#ifndef PP_STUDIES_PICTURES_DEFAULT_VIEW_H
+#define PP_STUDIES_PICTURES_DEFAULT_VIEW_H
 
 #include "model/pictures/camera.h"
 #include "model/room/world.h"
@@ -35,9 +35,5 @@ struct pp_view_place {
 /* `scene` is that of `world`. */
 void pp_default_view(struct pp_view_place *place, const struct pp_light_scene *scene,
                      const struct pp_world *world, enum pp_room_view view);
-
-/* The largest opening by the area of its outline; those that are upright or nearly so
- * first; -1: there is none. */
-int pp_default_view_largest_window(const struct pp_world *world);
 
 #endif

@@ -1,8 +1,9 @@
 /* default_view.c - the best of many places to look at a window from, and cut planes. */
-#include "simulate/render/default_view.h"
-#include "model/room/position.h"
+#include "studies/pictures/default_view.h"
 
 #include <math.h>
+
+#include "model/room/position.h"
 
 enum {
     PLACES = 24, /* that are tried along each side of the room */
@@ -22,7 +23,9 @@ static const double level_rad = 20.0 * PP_RAD, raised_most_rad = 15.0 * PP_RAD;
 
 static const struct pp_vec3 upwards = {0.0, 0.0, 1.0};
 
-int pp_default_view_largest_window(const struct pp_world *world)
+/* The largest opening by the area of its outline; those that are upright or nearly so
+ * first; -1: there is none. */
+static int largest_window(const struct pp_world *world)
 {
     int largest = -1;
     for (int i = 0; i < world->opening_count; i++) {
@@ -99,7 +102,7 @@ static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
 {
     struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
     struct pp_vec3 low = room.low, high = room.high;
-    struct pp_vec3 best = pp_vec_scale(pp_vec_add(low, high), 0.5);
+    struct pp_vec3 best = pp_bounds3_middle(&room);
     double best_score = -INFINITY;
     for (int j = 0; j < PLACES; j++)
         for (int i = 0; i < PLACES; i++) {
@@ -154,7 +157,7 @@ static void look_along(struct pp_view_place *place, const struct pp_light_scene 
     struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
     struct pp_vec3 low = room.low, high = room.high;
     bool deep = high.y - low.y >= high.x - low.x;
-    struct pp_vec3 end = pp_vec_scale(pp_vec_add(low, high), 0.5);
+    struct pp_vec3 end = pp_bounds3_middle(&room);
     struct pp_vec3 back = deep ? pp_vec(0.0, 1.0, 0.0) : pp_vec(1.0, 0.0, 0.0);
     end.x = deep ? end.x : low.x;
     end.y = deep ? low.y : end.y;
@@ -169,7 +172,7 @@ static struct pp_vec3 middle_of_plane(const struct pp_light_scene *scene,
 {
     struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
     struct pp_vec3 low = room.low, high = room.high;
-    struct pp_vec3 middle = pp_vec_scale(pp_vec_add(low, high), 0.5);
+    struct pp_vec3 middle = pp_bounds3_middle(&room);
     middle.z = world->working_plane_m;
     struct pp_vec3 best = middle;
     double best_score = -INFINITY;
@@ -194,7 +197,7 @@ static void cut_plan(struct pp_view_place *place, const struct pp_light_scene *s
 {
     struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
     struct pp_vec3 low = room.low, high = room.high;
-    place->eye = pp_vec_scale(pp_vec_add(low, high), 0.5);
+    place->eye = pp_bounds3_middle(&room);
     place->eye.z = fmin(PP_PLAN_CUT_M, 0.5 * world->height_m);
     place->toward = pp_vec(0.0, 0.0, -1.0);
     place->up = pp_vec(0.0, 1.0, 0.0);
@@ -208,7 +211,7 @@ static void cut_section(struct pp_view_place *place, const struct pp_light_scene
     struct pp_bounds3 room = pp_light_scene_bounds(scene, true);
     struct pp_vec3 low = room.low, high = room.high;
     struct pp_vec3 size = pp_vec_sub(high, low);
-    place->eye = pp_vec_scale(pp_vec_add(low, high), 0.5);
+    place->eye = pp_bounds3_middle(&room);
     place->down_m = size.z;
     /* Into the room, square to the window: right in the drawing. */
     struct pp_vec3 right =
@@ -233,7 +236,7 @@ void pp_default_view(struct pp_view_place *place, const struct pp_light_scene *s
                      const struct pp_world *world, enum pp_room_view view)
 {
     *place = (struct pp_view_place){.up = upwards};
-    int window = pp_default_view_largest_window(world);
+    int window = largest_window(world);
     switch (view) {
     case PP_ROOM_VIEW_PERSPECTIVE:
         if (window >= 0)
