@@ -12,6 +12,9 @@
 /* A point whose probability is this near to 0 or 1 is taken as certain. */
 static const double surely = 1e-12;
 
+/* Beyond so many standard errors it is: normal_below(-7.04) = 0.96e-12. */
+static const double surely_off = 7.04;
+
 /* Values and targets are computed: a difference of this share is rounding. */
 static const double rounding = 1e-9;
 
@@ -21,11 +24,11 @@ static int compare_falling(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-/* Points, and the share of their variance that is common. */
+/* Points, the share of their variance that is common, and the root of the rest. */
 struct plane_points {
     const struct pp_reading *list;
     int count;
-    double common;
+    double common, own;
 };
 
 /* The probability that a point reaches the target, with all of them `shift` standard
@@ -36,9 +39,11 @@ static double probability_of_point(const struct plane_points *points, int i,
     const struct pp_reading *point = &points->list[i];
     if (!(point->std_error > 0.0))
         return point->value >= target - rounding * fabs(target) ? 1.0 : 0.0;
-    return pp_finding_probability_at_least(
-        point->value + shift * point->std_error,
-        sqrt(1.0 - points->common) * point->std_error, target);
+    double value = point->value + shift * point->std_error;
+    double std_error = points->own * point->std_error;
+    if (fabs(value - target) > surely_off * std_error)
+        return value > target ? 1.0 : 0.0;
+    return pp_finding_probability_at_least(value, std_error, target);
 }
 
 /* Probability that `wanted` points or more reach the level, with such a shift. `odds` has
@@ -151,7 +156,9 @@ enum pp_status pp_plane_share(struct pp_plane_share *share,
                               const struct pp_reading *points, int count, double common,
                               double part, double target, struct pp_error *err)
 {
-    const struct plane_points all = {points, count, fmin(common, 1.0 - 1e-9)};
+    struct plane_points all = {.list = points, .count = count};
+    all.common = fmin(common, 1.0 - 1e-9);
+    all.own = sqrt(1.0 - all.common);
     double *values = malloc(((size_t)count + 1) * sizeof *values);
     if (!values)
         return pp_fail_memory(err);
