@@ -26,6 +26,9 @@ enum stage { PILOT, FINAL, FINISHED };
 struct planned_point {
     uint64_t seed;
     struct pp_counts counts;            /* wanted of each randomisation of the stage */
+    struct pp_plan plan;                /* by the pilot as it is, */
+    struct pp_counts grown;             /* which is to have these */
+    bool grows;                         /* before the plan is carried out */
     struct pp_randomisation *stages[2]; /* the pilot's, and those that count */
     int randomisations[2];
     int halves[2]; /* of those that count: wanted of even and of odd number */
@@ -208,15 +211,42 @@ static double wanted_error(const struct pp_planner *planner, int index, double g
                 1e-12);
 }
 
-/* Has a pilot to grow before any point is planned? */
+/* What the points need by their pilots, a point at a time by any thread. */
+struct foresight {
+    struct pp_planner *planner;
+    double greatest;
+};
+
+static bool foresee(void *data, int member, int index)
+{
+    (void)member;
+    const struct foresight *foresight = data;
+    struct pp_planner *planner = foresight->planner;
+    struct planned_point *point = &planner->points[index];
+    struct pp_sampled pilot = sampled_of(planner, index, PILOT);
+    double wanted = wanted_error(planner, index, foresight->greatest);
+    point->grows = planner->stage == PILOT && by_error(planner)
+                   && pp_plan_pilot_grows(&pilot, wanted, &point->grown);
+    if (!point->grows)
+        point->plan = pp_plan_by_pilot(&pilot, wanted);
+    return true;
+}
+
+static void foresee_all(struct pp_planner *planner)
+{
+    struct foresight foresight = {planner, greatest_value(planner)};
+    pp_crew_run(planner->crew, 0, planner->point_count, foresee, &foresight);
+}
+
+/* Has a pilot to grow before any plan is carried out? */
 static bool grow_pilots(struct pp_planner *planner)
 {
     bool grows = false;
-    double greatest = greatest_value(planner);
-    for (int i = 0; by_error(planner) && i < planner->point_count; i++) {
-        struct pp_sampled pilot = sampled_of(planner, i, PILOT);
-        grows |= pp_plan_pilot_grows(&pilot, wanted_error(planner, i, greatest),
-                                     &planner->points[i].counts);
+    for (int i = 0; i < planner->point_count; i++) {
+        struct planned_point *point = &planner->points[i];
+        if (point->grows)
+            point->counts = point->grown;
+        grows |= point->grows;
     }
     return grows;
 }
@@ -227,14 +257,10 @@ static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *er
 {
     bool again = planner->stage == FINAL, grows = !again;
     planner->stage = FINAL;
-    planner->round *= ROUND_SHARE;
-    double greatest = greatest_value(planner);
     enum pp_status status = PP_OK;
     for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
         struct planned_point *point = &planner->points[i];
-        struct pp_sampled pilot = sampled_of(planner, i, PILOT);
-        struct pp_plan plan =
-            pp_plan_by_pilot(&pilot, wanted_error(planner, i, greatest));
+        struct pp_plan plan = point->plan;
         bool more = plan.randomisations > point->randomisations[FINAL];
         for (int k = 0; again && k < planner->sampler->estimators; k++) {
             more = more || plan.counts.of[k] > point->counts.of[k];
@@ -275,10 +301,12 @@ static enum pp_status top_up(struct pp_planner *planner, struct pp_error *err)
 
 static enum pp_status end_stage(struct pp_planner *planner, struct pp_error *err)
 {
-    if (planner->stage == PILOT && grow_pilots(planner))
-        return PP_OK;
-    if (planner->stage == PILOT || (!by_error(planner) && !by_samples(planner)))
-        return plan_final(planner, err);
+    if (planner->stage == PILOT || (!by_error(planner) && !by_samples(planner))) {
+        if (!by_error(planner))
+            planner->round *= ROUND_SHARE;
+        foresee_all(planner);
+        return grow_pilots(planner) ? PP_OK : plan_final(planner, err);
+    }
     if (by_error(planner) && !planner->topped_up)
         return top_up(planner, err);
     planner->stage = FINISHED;
