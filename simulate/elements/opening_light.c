@@ -208,6 +208,18 @@ static bool faces(const struct looking *l)
     return l->taker->facet != l->pane && pp_facet_height(pane, l->taker->point) > 0.0;
 }
 
+/* A part of the opening's face or of its reveal? */
+static bool is_round(const struct pp_facets *facets, const struct pp_opening *opening,
+                     int facet)
+{
+    const struct pp_world *world = facets->world;
+    if (facet == opening->face || facet >= world->surface_count)
+        return facet == opening->face;
+    const struct pp_surface *surface = &world->surfaces[facet];
+    return (surface->role == PP_REVEAL && surface->owner == opening - world->openings)
+           || (surface->role == PP_COVER && surface->owner == opening->face);
+}
+
 /* Where the taker stands before the face, the opening's edges hide what its face and its
  * reveal may hide, which are no blockers then. */
 static void look_through(struct looking *l)
@@ -215,22 +227,16 @@ static void look_through(struct looking *l)
     struct pp_element_view *view = l->view;
     const struct pp_facets *facets = l->room->facets;
     const struct pp_opening *opening = facets->list[l->pane].opening;
-    int opening_index = (int)(opening - facets->world->openings), left = 0;
+    int left = 0;
     l->through_opening =
         view->blocker_count > 0 && opening->inner.count <= PP_FORM_FACTOR_MOST / 4
         && pp_convex_parts_is_convex(&opening->inner)
         && pp_facet_height(&facets->list[opening->face], l->taker->point) > 1e-9;
     if (!l->through_opening)
         return;
-    for (int i = 0; i < view->blocker_count; i++) {
-        int facet = view->blockers[i];
-        bool own = facet == opening->face
-                   || (facet < facets->world->surface_count
-                       && facets->world->surfaces[facet].role == PP_REVEAL
-                       && facets->world->surfaces[facet].owner == opening_index);
-        if (!own)
-            view->blockers[left++] = facet;
-    }
+    for (int i = 0; i < view->blocker_count; i++)
+        if (!is_round(facets, opening, view->blockers[i]))
+            view->blockers[left++] = view->blockers[i];
     view->blocker_count = left;
 }
 

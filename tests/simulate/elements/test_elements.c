@@ -288,6 +288,41 @@ static void sky_components_keep_the_error_that_is_stated(void **state)
     assert_true(kept >= 0.9 * count);
 }
 
+/* ---- doors and dados ---- */
+
+/* Painted as the wall is, they are the wall, whatever they are called: in a niche's reach,
+ * beside the wall, and on the mean over the plane. */
+static void a_dado_and_a_door_painted_as_the_wall_change_nothing(void **state)
+{
+    (void)state;
+#define WINDOWED                                                                       \
+    "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"                   \
+    "<finishes floor='0.2' walls='0.7' ceiling='0.8'/>"                                \
+    "<window wall='south' left='0.6' sill='0.75' width='1.5' height='1.4' "            \
+    "reveal='0.3'/><skyline wall='south' angle='18' distance='14'/>"
+    static const char *const rooms[] = {
+        WINDOWED "</room>", WINDOWED "<door wall='north' left='0.3' reflectance='0.7'/>"
+                                     "<dado height='1.1' reflectance='0.7'/></room>"};
+    const struct pp_receiver receivers[] = {
+        pp_test_receiver(0.4, 4.2, 0.85, 0.0, 0.0, 1.0),
+        pp_test_receiver(1.7, 2.9, 0.85, 0.0, 0.0, 1.0)};
+    struct pp_reading(*found[2])[4];
+    for (int i = 0; i < 2; i++) {
+        struct pp_outside_light light;
+        struct pp_world *world = pp_test_lit_world(&light, rooms[i]);
+        struct pp_elements_options options = elements_of(0.0);
+        found[i] = pp_test_elements(world, &light, receivers, 2, &options, NULL);
+        pp_world_destroy(world);
+    }
+    for (int i = 0; i < 3; i++)
+        for (int c = 0; c < PP_COMPONENT_COUNT; c++)
+            assert_near(found[1][i][c].value, found[0][i][c].value,
+                        fmin(found[0][i][c].std_error + found[1][i][c].std_error,
+                             0.02 * found[0][i][PP_DF].value));
+    free(found[0]);
+    free(found[1]);
+}
+
 /* ---- determinism ---- */
 
 static void threads_change_nothing_to_the_bit(void **state)
@@ -318,6 +353,7 @@ int main(void)
         cmocka_unit_test(an_integrating_sphere_is_even),
         cmocka_unit_test(a_corridor_solves_its_integral_equation),
         cmocka_unit_test(sky_components_keep_the_error_that_is_stated),
+        cmocka_unit_test(a_dado_and_a_door_painted_as_the_wall_change_nothing),
         cmocka_unit_test(threads_change_nothing_to_the_bit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
