@@ -137,25 +137,64 @@ static enum pp_status cut(const struct cutting *work, const struct pp_region *re
     return status;
 }
 
+static bool is_cover_of(const struct pp_world *world, int surface, int wall)
+{
+    return world->surfaces[surface].role == PP_COVER
+           && world->surfaces[surface].owner == wall;
+}
+
+/* Takes what covers the wall from its region. */
+static enum pp_status less_covers(const struct cutting *work, struct pp_region *region,
+                                  struct pp_error *err)
+{
+    const struct pp_world *world = work->facets->world;
+    enum pp_status status = PP_OK;
+    for (int i = world->face_count; status == PP_OK && i < world->surface_count; i++) {
+        struct pp_region cover = {0, NULL}, rest = {0, NULL};
+        if (!is_cover_of(world, i, work->facet))
+            continue;
+        status = pp_face_less_openings(&cover, work->clipper, &work->axes,
+                                       &world->surfaces[i].outline, NULL, -1, err);
+        if (status == PP_OK)
+            status = pp_clipper_difference(work->clipper, &rest, region, &cover, err);
+        pp_region_clear(&cover);
+        if (status != PP_OK)
+            continue;
+        pp_region_clear(region);
+        *region = rest;
+    }
+    return status;
+}
+
+/* Is the facet all of its outline, in the place where that is? */
+static bool is_whole(const struct pp_world *world, int index)
+{
+    bool whole =
+        index >= world->surface_count || world->surfaces[index].role != PP_COVER;
+    for (int i = 0; whole && i < world->opening_count; i++)
+        whole = world->openings[i].face != index;
+    for (int i = world->face_count; whole && i < world->surface_count; i++)
+        whole = !is_cover_of(world, i, index);
+    return whole;
+}
+
 enum pp_status pp_facet_pieces_add(struct pp_facets *facets, int index,
                                    struct pp_clipper *clipper, struct pp_error *err)
 {
     const struct pp_world *world = facets->world;
     struct pp_facet *facet = &facets->list[index];
-    const struct pp_polygon *outline =
-        facet->opening ? &facet->opening->outer : &world->surfaces[index].outline;
+    const struct pp_polygon *outline = facet->outline;
     struct cutting work = {facets,  clipper,
                            outline, {facet->origin, facet->a, facet->b},
                            index,   index < world->face_count ? index : -1};
-    bool whole = true;
-    for (int i = 0; whole && work.face >= 0 && i < world->opening_count; i++)
-        whole = world->openings[i].face != index;
     facet->first_piece = facets->piece_count;
     enum pp_status status = pp_face_less_openings(&facet->region, clipper, &work.axes,
                                                   outline, world, work.face, err);
+    if (status == PP_OK)
+        status = less_covers(&work, &facet->region, err);
     if (status != PP_OK)
         return status;
-    if (whole && pp_convex_parts_is_convex(outline)
+    if (is_whole(world, index) && pp_convex_parts_is_convex(outline)
         && outline->count <= PP_FORM_FACTOR_MOST / 2)
         return append(facets, index, outline->vertices, outline->count, err);
     return cut(&work, &facet->region, err);

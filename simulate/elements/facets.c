@@ -26,6 +26,7 @@ double pp_facet_mirrored(const struct pp_facet *facet, double cosine)
 
 static void set_plane(struct pp_facet *facet, const struct pp_polygon *outline)
 {
+    facet->outline = outline;
     facet->origin = outline->vertices[0];
     facet->normal = outline->normal;
     pp_polygon_plane_axes(facet->normal, &facet->a, &facet->b);
@@ -40,14 +41,19 @@ static void set_side(struct pp_facet *facet, int side, bool indoors,
                                .exitance = PP_PI * material->radiance.g};
 }
 
+/* A cover is taken to lie in its wall, set before which it stands for rays: what is left
+ * of the wall is the envelope as the cover is, and outdoors both are the wall. */
 static void set_surface(struct pp_facet *facet, const struct pp_world *world, int index)
 {
     const struct pp_surface *surface = &world->surfaces[index];
-    set_plane(facet, &surface->outline);
-    facet->envelope = index < world->face_count || surface->role == PP_REVEAL;
+    bool cover = surface->role == PP_COVER;
+    set_plane(facet,
+              cover ? &world->surfaces[surface->owner].outline : &surface->outline);
+    facet->outline = &surface->outline;
+    facet->envelope = index < world->face_count || surface->role == PP_REVEAL || cover;
     for (int side = 0; side < 2; side++) {
-        struct pp_material material =
-            pp_surface_materials_matt(world, index, side == 0);
+        int own = cover && side == 1 ? surface->owner : index;
+        struct pp_material material = pp_surface_materials_matt(world, own, side == 0);
         set_side(facet, side, surface->inside && !(facet->envelope && side == 1),
                  &material);
     }

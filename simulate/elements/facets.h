@@ -2,7 +2,9 @@
  * matt sides, those in the room cut into convex pieces.
  *
  * A facet's index is its surface's; those of panes follow, in the order of the openings.
- * The pane of an opening is where its glass stands. Positions are the world's.
+ * The pane of an opening is where its glass stands. A door or a dado, which the world has
+ * right before its wall, is a piece of the wall's plane instead of it, so that the two leave
+ * no gap. Positions are the world's.
  */
 #ifndef PP_SIMULATE_ELEMENTS_FACETS_H
 #define PP_SIMULATE_ELEMENTS_FACETS_H
@@ -21,6 +23,8 @@ struct pp_facet_side {
 };
 
 struct pp_facet {
+    const struct pp_polygon
+        *outline; /* the world's; a cover's is set before its plane */
     struct pp_vec3 origin, a, b, normal; /* axes in its plane; a x b is the normal */
     struct pp_facet_side side[2]; /* front, which the normal points from, and back */
     const struct pp_opening *opening; /* of a pane; NULL: a surface */
@@ -28,8 +32,8 @@ struct pp_facet {
     bool looks_out;                   /* a pane with no surface before it outdoors */
     double through;          /* transmittance of a pane that scatters, 0 elsewhere */
     bool envelope;           /* is one side in the room and the other outdoors? */
-    struct pp_region region; /* in a and b from the origin, without openings; of facets
-                                * with a side in the room only */
+    struct pp_region region; /* in a and b from the origin, without openings and covers;
+                                * of facets with a side in the room only */
     int first_piece, piece_count;
 };
 

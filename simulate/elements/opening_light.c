@@ -7,7 +7,11 @@
 #include "model/geometry/convex_parts.h"
 #include "simulate/elements/form_factor.h"
 
-enum { DEEPEST = 9 };
+enum {
+    DEEPEST = 9, /* divisions that share out a cell's light */
+    NEAREST =
+        48, /* and divisions at all: a point 1e-14 times a pane's size before it */
+};
 
 /* Light below this share of Eh need not be told apart: a fifth of what the tracer stops
  * at. */
@@ -113,9 +117,19 @@ static bool corners_agree(const struct looking *l, const struct cell *cell,
     return true;
 }
 
-/* The cell's parts in its place, as deep as it takes. Returns the light. */
+/* Does the part have most of what its cell has, and too much to stand for it? So it is
+ * near the taker, as long as the cell is larger than its distance: dividing it has come
+ * nearer to the taker, and has not shared out its light. */
+static bool is_nearest(const struct looking *l, const struct cell *cell,
+                       const struct cell *part)
+{
+    return part->factor > 0.5 * cell->factor && part->factor > l->accuracy->most_factor;
+}
+
+/* The cell's parts in its place, as deep as it takes: `depth` divisions have shared out
+ * light, of `divisions` in all. Returns the light. */
 static double divide(const struct looking *l, const struct cell *cell, int depth,
-                     double tolerance)
+                     int divisions, double tolerance)
 {
     struct pp_element_parts cut;
     struct cell parts[PP_ELEMENT_PARTS];
@@ -133,13 +147,14 @@ static double divide(const struct looking *l, const struct cell *cell, int depth
                   && (isinf(tolerance)
                       || (fabs(sum - cell->factor * cell->light) <= tolerance
                           && corners_agree(l, cell, parts, count, tolerance)));
-    if (!enough && depth < DEEPEST) {
+    if (!enough && depth < DEEPEST && divisions < NEAREST) {
         double light = 0.0;
         for (int i = 0; i < count; i++) {
+            bool near = is_nearest(l, cell, &parts[i]);
             pp_light_sum_scale(l->sum, &parts[i].from, &parts[i].to, 0.0);
             if (parts[i].factor > 0.0)
-                light +=
-                    divide(l, &parts[i], depth + 1, l->accuracy->stricter * tolerance);
+                light += divide(l, &parts[i], near ? depth : depth + 1, divisions + 1,
+                                near ? tolerance : l->accuracy->stricter * tolerance);
         }
         return light;
     }
@@ -196,7 +211,7 @@ static double add_pane(const struct looking *l)
             pp_form_factor(l->taker->point, l->taker->normal, cell.corners, cell.count);
         cell.light = NAN; /* its parts never agree with that: */
         if (cell.factor > 0.0)
-            light += divide(l, &cell, 0, l->tolerance);
+            light += divide(l, &cell, 0, 0, l->tolerance);
     }
     return light;
 }
@@ -208,6 +223,18 @@ static bool faces(const struct looking *l)
     return l->taker->facet != l->pane && pp_facet_height(pane, l->taker->point) > 0.0;
 }
 
+/* A part of the opening's face or of its reveal? */
+static bool is_round(const struct pp_facets *facets, const struct pp_opening *opening,
+                     int facet)
+{
+    const struct pp_world *world = facets->world;
+    if (facet == opening->face || facet >= world->surface_count)
+        return facet == opening->face;
+    const struct pp_surface *surface = &world->surfaces[facet];
+    return (surface->role == PP_REVEAL && surface->owner == opening - world->openings)
+           || (surface->role == PP_COVER && surface->owner == opening->face);
+}
+
 /* Where the taker stands before the face, the opening's edges hide what its face and its
  * reveal may hide, which are no blockers then. */
 static void look_through(struct looking *l)
@@ -215,22 +242,16 @@ static void look_through(struct looking *l)
     struct pp_element_view *view = l->view;
     const struct pp_facets *facets = l->room->facets;
     const struct pp_opening *opening = facets->list[l->pane].opening;
-    int opening_index = (int)(opening - facets->world->openings), left = 0;
+    int left = 0;
     l->through_opening =
         view->blocker_count > 0 && opening->inner.count <= PP_FORM_FACTOR_MOST / 4
         && pp_convex_parts_is_convex(&opening->inner)
         && pp_facet_height(&facets->list[opening->face], l->taker->point) > 1e-9;
     if (!l->through_opening)
         return;
-    for (int i = 0; i < view->blocker_count; i++) {
-        int facet = view->blockers[i];
-        bool own = facet == opening->face
-                   || (facet < facets->world->surface_count
-                       && facets->world->surfaces[facet].role == PP_REVEAL
-                       && facets->world->surfaces[facet].owner == opening_index);
-        if (!own)
-            view->blockers[left++] = facet;
-    }
+    for (int i = 0; i < view->blocker_count; i++)
+        if (!is_round(facets, opening, view->blockers[i]))
+            view->blockers[left++] = view->blockers[i];
     view->blocker_count = left;
 }
 

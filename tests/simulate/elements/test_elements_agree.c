@@ -1,5 +1,6 @@
 /* test_elements_agree.c - radiosity against the path tracer, which shares the world with
- * it and nothing else: in rooms with reveals, partitions, scattering panes, a court. */
+ * it and nothing else: in rooms with reveals, dados, partitions, scattering panes, a
+ * court. */
 #include "tests/lib/elements_of.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/watched.h"
@@ -45,6 +46,16 @@ static void behind_deep_reveals_and_an_overhang(void **state)
                     "<vertex x='-1' y='0' z='2.6'/></surface>" POINTS);
 }
 
+static void before_a_dark_dado_and_a_bright_door(void **state)
+{
+    (void)state;
+    both_agree(ROOM "<finishes floor='0.1' walls='0.5' ceiling='0.6'/>"
+                    "<window wall='south' left='0.5' sill='0.8' width='2' height='1.5' "
+                    "reveal='0.4'/><dado height='1.1' reflectance='0.1'/>"
+                    "<door wall='north' left='1.8' reflectance='0.9'/>"
+                    "<point x='2.8' y='4.3'/>" POINTS);
+}
+
 static void past_a_partition(void **state)
 {
     (void)state;
@@ -88,6 +99,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(behind_deep_reveals_and_an_overhang),
+        cmocka_unit_test(before_a_dark_dado_and_a_bright_door),
         cmocka_unit_test(past_a_partition),
         cmocka_unit_test(through_a_pane_that_scatters),
         cmocka_unit_test(at_the_foot_of_a_court),
