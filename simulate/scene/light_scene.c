@@ -38,6 +38,7 @@ void pp_light_scene_destroy(struct pp_light_scene *scene)
     free(scene->reflectors);
     free(scene->reflections);
     free(scene->window_images);
+    free(scene->glass_images);
     free(scene);
 }
 

@@ -97,6 +97,8 @@ static enum pp_status add_triangles(struct pp_light_scene *scene,
     if (status == PP_OK)
         status = pp_window_images_find(scene, err);
     if (status == PP_OK)
+        status = pp_glass_images_find(scene, err);
+    if (status == PP_OK)
         status = pp_convex_room_create(&scene->convex, scene, err);
     return status == PP_OK ? pp_light_scene_add_rays(scene, list, err) : status;
 }

@@ -7,6 +7,7 @@
 #include "simulate/sampling/scatter.h"
 #include "simulate/scene/convex_room.h"
 #include "simulate/scene/emitters.h"
+#include "simulate/scene/glass_images.h"
 #include "simulate/scene/mirrors.h"
 #include "simulate/scene/openings.h"
 #include "simulate/scene/rays.h"
@@ -89,6 +90,8 @@ struct pp_light_scene {
     int reflection_count;
     struct pp_window_image *window_images;
     int window_image_count;
+    struct pp_glass_image *glass_images;
+    int glass_image_count;
     double unsampled_share; /* the greatest reflectance of parts outside mirror paths */
     struct pp_rgb glow; /* the brightest of its extended emitters that has a place */
 

@@ -50,7 +50,8 @@ struct pp_path_state pp_path_state(const struct pp_light_scene *scene,
                                             .environment = environment,
                                             .options = pp_radiance_state_defaults()},
                                   .radiosity = radiosity,
-                                  .niches = niches_of(radiosity)};
+                                  .niches = niches_of(radiosity),
+                                  .glass = scene->glass_image_count > 0};
 }
 
 /* The point, where the random numbers of `vertex` begin with two for a direction. */
@@ -117,18 +118,27 @@ bool pp_path_is_brought(const struct pp_path_state *state, struct pp_vec3 from,
            && niches_from(state, from);
 }
 
+static struct pp_shading_point shading_point(const struct pp_path_state *state,
+                                             struct pp_vec3 point,
+                                             struct pp_vec3 normal, int vertex,
+                                             uint32_t directions)
+{
+    return (struct pp_shading_point){.point = point,
+                                     .normal = normal,
+                                     .space = PP_INDOORS,
+                                     .diffuse = pp_rgb_grey(PP_PI),
+                                     .vertex = vertex,
+                                     .directions = directions,
+                                     .niches = niches_from(state, point)};
+}
+
 struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
                                          struct pp_vec3 point, struct pp_vec3 normal,
                                          int vertex, uint32_t directions)
 {
     struct pp_irradiance e = {.rest = pp_rgb_grey(0.0)};
-    struct pp_shading_point shading = {.point = point,
-                                       .normal = normal,
-                                       .space = PP_INDOORS,
-                                       .diffuse = pp_rgb_grey(PP_PI),
-                                       .vertex = vertex,
-                                       .directions = directions,
-                                       .niches = niches_from(state, point)};
+    struct pp_shading_point shading =
+        shading_point(state, point, normal, vertex, directions);
     pp_light_path_windows(&state->light, &shading, &e);
     return e;
 }
@@ -141,6 +151,11 @@ void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
         struct pp_vec3 point =
             start->anywhere ? begin(state, start, PP_DRAW_WINDOWS, u) : start->position;
         struct pp_irradiance e = pp_path_by_openings(state, point, start->normal, 0, 1);
+        if (state->glass) {
+            struct pp_shading_point shading =
+                shading_point(state, point, start->normal, 0, 1);
+            pp_light_path_glass(&state->light, &shading, &state->view, &e);
+        }
         light->part[PP_SC] += e.sky.g;
         light->part[PP_ERC] += e.outside.g;
         light->part[PP_IRC] += e.rest.g;
@@ -232,13 +247,27 @@ struct path_fan {
     uint32_t lobes;        /* how many */
     double throughput;     /* of all */
     bool gathers; /* is G wanted of those, too, that come to a surface at once? */
+    bool glass;   /* are openings sampled from there by their images in glass? */
 };
+
+/* A path that the glass of the pane has mirrored to what it has now met leaves the light of
+ * an opening there out. */
+static void leave_out_image(const struct pp_light_scene *scene, int glass,
+                            const struct pp_light_hit *met, struct pp_light_path *path)
+{
+    int window = scene->parts[met->part].window;
+    if (window >= 0 && !met->back && path->sampled == PP_DIRECTLY_SAMPLED_NONE
+        && pp_glass_images_has(scene, glass, window))
+        path->sampled = PP_DIRECTLY_SAMPLED_ALL;
+}
 
 /* Follows the ray until it meets a surface of the room, past glass and frames; false if
  * the path ends before. Light that comes in on the way is added to *sum. nearest:
- * the ray's plane; NULL: not known. */
+ * the ray's plane; NULL: not known. glass: is that of openings left out which show in the
+ * glass that it meets first? */
 static bool to_surface(struct pp_path_state *state, struct path_arm *arm,
-                       const struct pp_convex_nearest *nearest, int vertex, double *sum)
+                       const struct pp_convex_nearest *nearest, bool glass, int vertex,
+                       double *sum)
 {
     struct pp_radiance_state *light = &state->light;
     const struct pp_light_part *parts = light->scene->parts;
@@ -250,11 +279,15 @@ static bool to_surface(struct pp_path_state *state, struct path_arm *arm,
     struct pp_light_path path = path_of(state, &arm->ray, vertex);
     struct pp_rgb found = pp_rgb_grey(0.0);
     bool goes = true, there = false;
+    int pane = glass && meeting == PP_MEETS_PART ? parts[arm->met.part].window : -1;
     arm->at_once = false;
     while (goes && !there) {
         goes = pp_light_path_arrive(light, &path, meeting, &arm->met, &found);
         if (goes)
             meeting = pp_radiance_state_meet(light, &path.ray, &arm->met);
+        if (goes && pane >= 0 && meeting == PP_MEETS_PART)
+            leave_out_image(light->scene, pane, &arm->met, &path);
+        pane = -1;
         there = goes && path.ray.space == PP_INDOORS && meeting == PP_MEETS_PART
                 && parts[arm->met.part].window < 0;
     }
@@ -309,7 +342,7 @@ static bool spread(struct pp_path_state *state, const struct path_fan *fan, int 
         next->ray = (struct pp_light_ray){
             fan->from, fan->frame.z, pp_vec(to.x[i], to.y[i], to.z[i]), PP_INDOORS};
         next->throughput = fan->throughput / fan->lobes;
-        if (!to_surface(state, next, known ? &nearest[i] : NULL,
+        if (!to_surface(state, next, known ? &nearest[i] : NULL, fan->glass,
                         pp_path_vertex_branch(vertex, PP_DRAWS), sum)
             || !(next->throughput > 0.0))
             continue;
@@ -431,7 +464,8 @@ double pp_path_correction(struct pp_path_state *state, const struct pp_start *st
                            .frame = {.z = start->normal},
                            .lobes =
                                state->radiosity && !state->shared ? FIRST_LOBES : 1,
-                           .throughput = 1.0};
+                           .throughput = 1.0,
+                           .glass = state->glass};
     pp_lobe_frame(start->normal, &fan.frame.x, &fan.frame.y);
     if (!state->light.scene->has_room || !spread(state, &fan, 0, &arm, &sum))
         return sum;

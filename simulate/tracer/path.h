@@ -38,11 +38,17 @@
  * by next-event estimation; a ray of the cosine lobe that reaches an opening counts
  * nothing for light that comes in by it, and is reflected by glass and frame.
  *
+ * What glass reflects of other openings to the point itself is sampled with the direct
+ * light, by the openings' images, and the correction's own rays leave it out: they found
+ * it so seldom that of a hundred points in rooms with windows in several walls one ended
+ * with three to fifteen times the error that was wanted.
+ *
  * All light is over Eh.
  */
 #ifndef PP_SIMULATE_TRACER_PATH_H
 #define PP_SIMULATE_TRACER_PATH_H
 
+#include "simulate/scene/glass_images.h"
 #include "simulate/tracer/radiosity.h"
 #include "simulate/tracer/shared_density.h"
 #include "simulate/transport/irradiance.h"
@@ -61,6 +67,8 @@ struct pp_path_state {
         *radiosity; /* the control variate; not owned; NULL: none */
     const struct pp_niche_light *niches; /* by it; not owned; NULL: none are aimed at */
     const struct pp_shared_density *shared; /* not owned; NULL: nothing is shared */
+    bool glass;                /* are openings sampled by their images in glass? */
+    struct pp_glass_view view; /* of these, from the last point */
 };
 
 /* For paths in that scene and light; the sequence is still to be set. */

@@ -65,6 +65,7 @@ static void begin(const void *client, void *state)
     *path = pp_path_state(tracer->scene, tracer->environment, tracer->radiosity);
     path->light.every_ray = tracer->every_ray;
     path->shared = tracer->density;
+    path->glass = path->glass && !tracer->direct;
 }
 
 static uint64_t seed_of(const void *client, int point)

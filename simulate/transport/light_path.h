@@ -49,4 +49,11 @@ void pp_light_path_windows(struct pp_radiance_state *state,
                            const struct pp_shading_point *shading,
                            struct pp_irradiance *sum);
 
+/* One sample of what the glass of a room's openings reflects to it of other openings
+ * (glass_images.h), added to rest; often it is none. Rays that come to them by way of that
+ * glass are then to leave it out. */
+void pp_light_path_glass(struct pp_radiance_state *state,
+                         const struct pp_shading_point *shading,
+                         struct pp_glass_view *view, struct pp_irradiance *sum);
+
 #endif

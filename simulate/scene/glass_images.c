@@ -1,0 +1,228 @@
+/* glass_images.c - pairs of openings, what of the one is seen in the glass of the other,
+ * and directions to it. */
+#include "simulate/scene/glass_images.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "simulate/sampling/choose.h"
+#include "simulate/scene/light_scene_parts.h"
+
+/* An opening is before the glass, and a part of it is seen, if by more than this. */
+static const double LEAST_M = 1e-6;
+
+/* ---- found ---- */
+
+static double height_over(const struct pp_target *glass, struct pp_vec3 point)
+{
+    return pp_vec_dot(glass->normal, pp_vec_sub(point, glass->middle));
+}
+
+static const struct pp_material *material_of(const struct pp_light_scene *scene,
+                                             int pane)
+{
+    const struct pp_light_part *part = &scene->parts[scene->panes[pane].part];
+    return &scene->materials[part->material[0]];
+}
+
+enum pp_status pp_glass_images_find(struct pp_light_scene *scene, struct pp_error *err)
+{
+    int count = 0;
+    scene->glass_images = calloc(PP_GLASS_IMAGES_MOST, sizeof *scene->glass_images);
+    if (!scene->glass_images)
+        return pp_fail_memory(err);
+    for (int i = 0; i < scene->pane_count; i++) {
+        const struct pp_target *glass = &scene->panes[i].target;
+        if (material_of(scene, i)->kind != PP_MATERIAL_GLASS)
+            continue;
+        for (int k = 0; k < scene->pane_count && count < PP_GLASS_IMAGES_MOST; k++) {
+            const struct pp_target *window = &scene->panes[k].target;
+            if (height_over(glass, window->middle) > LEAST_M
+                && height_over(window, glass->middle) > LEAST_M)
+                scene->glass_images[count++] = (struct pp_glass_image){i, k};
+        }
+    }
+    scene->glass_image_count = count;
+    return PP_OK;
+}
+
+bool pp_glass_images_has(const struct pp_light_scene *scene, int glass, int window)
+{
+    for (int i = 0; i < scene->glass_image_count; i++)
+        if (scene->glass_images[i].glass == glass
+            && scene->glass_images[i].window == window)
+            return true;
+    return false;
+}
+
+/* ---- seen ---- */
+
+/* The box of what a point sees through an outline of the target's plane, along the
+ * target's axes from its corner. */
+struct seen_box {
+    double low[2], high[2];
+};
+
+static void widen(struct seen_box *box, int axis, double value)
+{
+    box->low[axis] = fmin(box->low[axis], value);
+    box->high[axis] = fmax(box->high[axis], value);
+}
+
+/* Each vertex that is on the target's side of the point throws a shadow there; where an
+ * edge crosses over to the other side, shadows go on endlessly. */
+static struct seen_box seen_through(const struct pp_polygon *outline,
+                                    const struct pp_target *target,
+                                    struct pp_vec3 centre, struct pp_vec3 from)
+{
+    struct seen_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    struct pp_vec3 eye = pp_vec_add(from, centre);
+    struct pp_vec3 corner = pp_vec_sub(target->corner, from);
+    const struct pp_vec3 axes[2] = {target->along, target->up};
+    double away = -pp_vec_dot(target->normal, corner);
+    struct pp_vec3 last = pp_vec_sub(outline->vertices[outline->count - 1], eye);
+    double last_ahead = -pp_vec_dot(target->normal, last);
+    for (int i = 0; i < outline->count; i++) {
+        struct pp_vec3 v = pp_vec_sub(outline->vertices[i], eye);
+        double ahead = -pp_vec_dot(target->normal, v);
+        for (int k = 0; k < 2; k++) {
+            double x = pp_vec_dot(v, axes[k]), last_x = pp_vec_dot(last, axes[k]);
+            if (ahead > 0.0)
+                widen(&box, k, away / ahead * x - pp_vec_dot(corner, axes[k]));
+            double crossing = last_x * ahead - x * last_ahead;
+            if ((ahead > 0.0) != (last_ahead > 0.0) && crossing != 0.0)
+                widen(&box, k,
+                      (crossing > 0.0) == (ahead > 0.0) ? INFINITY : -INFINITY);
+        }
+        last = v;
+        last_ahead = ahead;
+    }
+    return box;
+}
+
+/* The part of the target in the box; false where there is none. Of other figures than
+ * rectangles it is the whole. */
+static bool cut_to(struct pp_target *target, const struct seen_box *box)
+{
+    double x0 = fmax(box->low[0], 0.0), x1 = fmin(box->high[0], target->width_m);
+    double y0 = fmax(box->low[1], 0.0), y1 = fmin(box->high[1], target->height_m);
+    if (!(x1 - x0 > LEAST_M && y1 - y0 > LEAST_M))
+        return false;
+    if (!target->rectangle)
+        return true;
+    target->corner =
+        pp_vec_along(pp_vec_along(target->corner, x0, target->along), y0, target->up);
+    target->width_m = x1 - x0;
+    target->height_m = y1 - y0;
+    target->area_m2 = target->width_m * target->height_m;
+    target->middle =
+        pp_vec_along(pp_vec_along(target->corner, 0.5 * target->width_m, target->along),
+                     0.5 * target->height_m, target->up);
+    return true;
+}
+
+/* The image of the view's point in that glass. */
+static struct pp_vec3 image_point(const struct pp_target *glass,
+                                  const struct pp_glass_view *view)
+{
+    return pp_vec_along(view->point, -2.0 * height_over(glass, view->point),
+                        glass->normal);
+}
+
+/* The part of the opening that shows in the glass; false where that is none. */
+static bool seen_part(const struct pp_light_scene *scene,
+                      const struct pp_glass_view *view, int index,
+                      struct pp_target *part)
+{
+    const struct pp_glass_image *image = &scene->glass_images[index];
+    const struct pp_target *glass = &scene->panes[image->glass].target;
+    struct pp_vec3 from = image_point(glass, view);
+    *part = scene->panes[image->window].target;
+    if (!(height_over(glass, view->point) > 0.0) || !(height_over(part, from) > 0.0))
+        return false;
+    struct seen_box box = seen_through(&scene->panes[image->glass].opening->outer, part,
+                                       scene->centre, from);
+    return cut_to(part, &box);
+}
+
+/* What the image may bring, by the reflectance in the middle of it. */
+static double share_of(const struct pp_light_scene *scene,
+                       const struct pp_glass_view *view,
+                       struct pp_brightness brightness, int index)
+{
+    int pane = scene->glass_images[index].glass;
+    const struct pp_target *glass = &scene->panes[pane].target;
+    struct pp_vec3 from = image_point(glass, view);
+    struct pp_target part;
+    if (!seen_part(scene, view, index, &part))
+        return 0.0;
+    double importance = pp_sample_polygon_importance(
+        &part, from, pp_vec_mirrored(view->normal, glass->normal), brightness);
+    if (!(importance > 0.0))
+        return 0.0;
+    struct pp_vec3 to = pp_vec_unit(pp_vec_sub(part.middle, from));
+    double cosine = fabs(pp_vec_dot(to, glass->normal));
+    return importance
+           * pp_scatter_specular_reflectance(material_of(scene, pane), cosine).g;
+}
+
+static void look_from(const struct pp_light_scene *scene, struct pp_glass_view *view,
+                      struct pp_vec3 point, struct pp_vec3 normal,
+                      struct pp_brightness brightness)
+{
+    view->point = point;
+    view->normal = normal;
+    for (int i = 0; i < PP_GLASS_SIGHTS; i++)
+        view->kept[i].image = 0;
+    for (int i = 0; i < scene->glass_image_count; i++)
+        view->share[i] = share_of(scene, view, brightness, i);
+}
+
+/* Of an image that is in sight. */
+static struct pp_glass_sight *sight_of(const struct pp_light_scene *scene,
+                                       struct pp_glass_view *view,
+                                       struct pp_brightness brightness, int index)
+{
+    const struct pp_target *glass =
+        &scene->panes[scene->glass_images[index].glass].target;
+    struct pp_glass_sight *sight = &view->kept[index % PP_GLASS_SIGHTS];
+    if (sight->image != index + 1) {
+        seen_part(scene, view, index, &sight->target);
+        pp_sample_polygon_init(
+            &sight->sampler, &sight->target, image_point(glass, view),
+            pp_vec_mirrored(view->normal, glass->normal), brightness);
+    }
+    sight->image = index + 1;
+    sight->sampler.target = &sight->target; /* the view may have been copied */
+    return sight;
+}
+
+static bool is_of(const struct pp_glass_view *view, struct pp_vec3 point,
+                  struct pp_vec3 normal)
+{
+    struct pp_vec3 moved = pp_vec_sub(view->point, point);
+    struct pp_vec3 turned = pp_vec_sub(view->normal, normal);
+    return pp_vec_dot(moved, moved) == 0.0 && pp_vec_dot(turned, turned) == 0.0;
+}
+
+int pp_glass_images_sample(const struct pp_light_scene *scene,
+                           struct pp_glass_view *view, struct pp_vec3 point,
+                           struct pp_vec3 normal, struct pp_brightness brightness,
+                           const double u[3], struct pp_vec3 *to, double *pdf)
+{
+    if (!is_of(view, point, normal))
+        look_from(scene, view, point, normal, brightness);
+    double probability;
+    int chosen =
+        pp_choose_weighted(view->share, scene->glass_image_count, u[2], &probability);
+    if (chosen < 0)
+        return chosen;
+    struct pp_glass_sight *sight = sight_of(scene, view, brightness, chosen);
+    struct pp_direction_sample sample =
+        pp_sample_polygon_draw(&sight->sampler, u[0], u[1]);
+    *to =
+        pp_vec_mirrored(sample.direction,
+                        scene->panes[scene->glass_images[chosen].glass].target.normal);
+    *pdf = probability / sample.per_density;
+    return chosen;
+}
