@@ -51,7 +51,7 @@ bool pp_radiance_state_unoccluded(struct pp_radiance_state *state,
         enum pp_meeting meeting = pp_radiance_state_meet(state, &ray, &hit);
         if (meeting == PP_MEETS_ENVIRONMENT)
             return part < 0 && isinf(hit.distance_m);
-        if (meeting == PP_MEETS_LEAK)
+        if (meeting != PP_MEETS_PART)
             return false;
         gone += hit.distance_m;
         if (hit.part == part && fabs(gone - distance_m) < 1e-4 * distance_m + 1e-5)

@@ -1,6 +1,7 @@
 /* test_ground.c - the ground outside is a surface in the shadow of what stands on it. */
 #include "model/room/ground.h"
 #include "simulate/scene/light_scene_parts.h"
+#include "simulate/transport/radiance_state.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 
@@ -212,6 +213,28 @@ static void there_is_no_ground_in_a_basement(void **state)
     pp_world_destroy(world);
 }
 
+/* What a shadow ray seeks above or below the ground, the ground hides. */
+static void a_shadow_ray_ends_at_the_ground(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan width='4' depth='5' height='2.7'/></room>");
+    struct pp_light_scene *scene = pp_test_matt_scene(world);
+    struct pp_radiance_state paths = {.scene = scene};
+    struct pp_rgb through = pp_rgb_grey(1.0);
+    struct pp_light_ray ray = {.from =
+                                   pp_vec_sub(pp_vec(2.0, -3.0, 1.0), scene->centre),
+                               .to = pp_vec_unit(pp_vec(0.0, -1.0, -1.0)),
+                               .space = PP_OUTDOORS};
+    assert_false(pp_radiance_state_unoccluded(&paths, ray, -1, INFINITY, &through));
+    assert_false(pp_radiance_state_unoccluded(&paths, ray, 0, 5.0, &through));
+    ray.to.z = -ray.to.z;
+    assert_true(pp_radiance_state_unoccluded(&paths, ray, -1, INFINITY, &through));
+    assert_int_equal(paths.rays, 3);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -222,6 +245,7 @@ int main(void)
         cmocka_unit_test(the_ground_is_as_a_surface_of_the_file),
         cmocka_unit_test(the_ground_lies_no_higher_than_a_sill),
         cmocka_unit_test(there_is_no_ground_in_a_basement),
+        cmocka_unit_test(a_shadow_ray_ends_at_the_ground),
     };
     return cmocka_run_group_tests_name("ground", tests, NULL, NULL);
 }
