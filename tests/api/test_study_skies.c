@@ -1,21 +1,8 @@
 /* test_study_skies.c - a study whose sky is changed keeps what was built of its room. */
-#include <dlfcn.h>
-
+#include "tests/lib/counted_builds.h"
 #include "tests/lib/near.h"
 
 #include "pepperpot.h"
-
-/* Ray structures built so far: Embree's call is taken on its way. */
-static int builds;
-
-void rtcCommitScene(void *scene);
-void rtcCommitScene(void *scene)
-{
-    void (*commit)(void *) = (void (*)(void *))dlsym(RTLD_NEXT, "rtcCommitScene");
-    assert_non_null(commit);
-    builds++;
-    commit(scene);
-}
 
 static const char room[] =
     "<room version='1'><site latitude='51.5'/><sky type='uniform'/>"

@@ -1,24 +1,11 @@
 /* test_skies.c - light from outside is an argument: one scene under many skies. */
-#include <dlfcn.h>
-
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/transport/window_store.h"
+#include "tests/lib/counted_builds.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/sampled_light.h"
 #include "tests/lib/traced.h"
-
-/* Ray structures built so far: Embree's call is taken on its way. */
-static int builds;
-
-void rtcCommitScene(void *scene);
-void rtcCommitScene(void *scene)
-{
-    void (*commit)(void *) = (void (*)(void *))dlsym(RTLD_NEXT, "rtcCommitScene");
-    assert_non_null(commit);
-    builds++;
-    commit(scene);
-}
 
 #define ROOM                                                                           \
     "<plan width='3.1' depth='5.3' height='2.6'/>"                                     \
