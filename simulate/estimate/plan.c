@@ -25,7 +25,7 @@ enum { SURE_PATHS = 1 << 11, PILOT_PATHS = 1 << 9, GROWTH = 4 };
 
 /* A pilot with an error of more than so many times the wanted one does not know the value
  * either, which that is a share of. To be planned well it takes a sixth of the work. */
-static const double VAGUE = 7.0;
+static const double VAGUE = 5.0;
 
 /* A half grows to so many times its randomisations, if at all, and at most: 16 figures
  * tell a variance to 36 %. */
@@ -220,6 +220,7 @@ bool pp_plan_pilot_grows(const struct pp_sampled *pilot, double wanted,
                          struct pp_counts *counts)
 {
     struct outlook now = outlook_of(pilot), more = now;
+    bool may = false;
     for (int k = 0; k < pilot->sampler->estimators; k++) {
         uint32_t most = pp_plan_most(pilot->sampler, k);
         more.counts.of[k] *= GROWTH;
@@ -227,13 +228,16 @@ bool pp_plan_pilot_grows(const struct pp_sampled *pilot, double wanted,
             return false;
         if (more.counts.of[k] > most)
             more.counts.of[k] = most;
+        may |= more.counts.of[k] > now.counts.of[k];
     }
+    if (!may)
+        return false;
     int randomisations;
     struct outlook planned =
         reach_variance(now, allowed_variance(&now, wanted), &randomisations);
     bool skewed = skewness_squared(&planned) > SKEWNESS_SQUARED;
     bool vague =
-        height(&now, VARIANCE) > VAGUE * VAGUE * pilot->count * wanted * wanted;
+        height(&now, VARIANCE) > VAGUE * VAGUE * PP_RANDOMISATIONS * wanted * wanted;
     bool blind = bound_of(&now) > 2.0 * wanted && bound_of(&more) < bound_of(&now);
     bool grows = skewed || vague || blind;
     if (grows)

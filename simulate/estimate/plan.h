@@ -21,10 +21,8 @@
 #include "simulate/estimate/spread.h"
 
 enum {
-    PP_RANDOMISATIONS = 32,       /* of a point, at least; even */
-    PP_PILOT_RANDOMISATIONS = 16, /* tell a variance to 37 %; 32 cost a third more work
-                                   * where there are many points or rooms are plain */
-    PP_MOST_PATHS = 1 << 24       /* of one estimator in one randomisation */
+    PP_RANDOMISATIONS = 32, /* of a point, at least; even */
+    PP_MOST_PATHS = 1 << 24 /* of one estimator in one randomisation */
 };
 
 /* Paths of each estimator, and the number of randomisations. */

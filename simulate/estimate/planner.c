@@ -50,7 +50,8 @@ struct pp_planner {
 
     enum stage stage;
     bool topped_up;
-    double round; /* by the clock: the share of the pilot's error that is wanted */
+    double greatest; /* value by the pilots, where the options ask for a share of it */
+    double round;    /* by the clock: the share of the pilot's error that is wanted */
     struct planner_unit *units; /* of this pass */
     int unit_count, unit_capacity, next_unit;
     int block; /* where points share: the first randomisation of this pass */
@@ -101,11 +102,9 @@ static enum pp_status begin(struct pp_planner *planner, struct pp_error *err)
         for (int k = 0; by_samples(planner) && k < PP_ESTIMATORS_MOST; k++)
             point->counts.of[k] = (uint32_t)fmin((double)options->samples,
                                                  pp_plan_most(planner->sampler, k));
-        if (by_error(planner))
-            count = PP_PILOT_RANDOMISATIONS;
-        else if (count == 0 || !by_samples(planner))
-            count = PP_RANDOMISATIONS;
-        status = make(point, planner->stage, count, err);
+        status =
+            make(point, planner->stage,
+                 by_samples(planner) && count > 0 ? count : PP_RANDOMISATIONS, err);
     }
     return status;
 }
@@ -186,21 +185,13 @@ static double pilot_value(const struct pp_planner *planner, int index)
     return fabs(pp_spread_of_value(&pilot, planner->sampler->values - 1).mean);
 }
 
-static double greatest_value(const struct pp_planner *planner)
-{
-    double greatest = 0.0;
-    for (int i = 0; i < planner->point_count && planner->options.least_share > 0.0; i++)
-        greatest = fmax(greatest, pilot_value(planner, i));
-    return greatest;
-}
-
 /* By error, what the options want for what the pilot has found; by the clock, a share
  * of the pilot's own. */
-static double wanted_error(const struct pp_planner *planner, int index, double greatest)
+static double wanted_error(const struct pp_planner *planner, int index)
 {
     const struct pp_planner_options *options = &planner->options;
     if (by_error(planner)) {
-        double least = options->least_share * greatest;
+        double least = options->least_share * planner->greatest;
         return fmax(options->error * fmax(pilot_value(planner, index), least),
                     options->least_error);
     }
@@ -211,43 +202,31 @@ static double wanted_error(const struct pp_planner *planner, int index, double g
                 1e-12);
 }
 
-/* What the points need by their pilots, a point at a time by any thread. */
-struct foresight {
-    struct pp_planner *planner;
-    double greatest;
-};
-
+/* What a point needs by its pilot. */
 static bool foresee(void *data, int member, int index)
 {
     (void)member;
-    const struct foresight *foresight = data;
-    struct pp_planner *planner = foresight->planner;
+    struct pp_planner *planner = data;
     struct planned_point *point = &planner->points[index];
     struct pp_sampled pilot = sampled_of(planner, index, PILOT);
-    double wanted = wanted_error(planner, index, foresight->greatest);
+    double wanted = wanted_error(planner, index);
     point->grows = planner->stage == PILOT && by_error(planner)
-                   && pp_plan_pilot_grows(&pilot, wanted, &point->grown);
+                   && pp_plan_pilot_grows(&pilot, wanted, &point->counts);
     if (!point->grows)
         point->plan = pp_plan_by_pilot(&pilot, wanted);
     return true;
 }
 
-static void foresee_all(struct pp_planner *planner)
-{
-    struct foresight foresight = {planner, greatest_value(planner)};
-    pp_crew_run(planner->crew, 0, planner->point_count, foresee, &foresight);
-}
-
-/* Has a pilot to grow before any plan is carried out? */
-static bool grow_pilots(struct pp_planner *planner)
+/* The same of all, by all threads. Has a pilot to grow before any plan is carried out? */
+static bool foresee_all(struct pp_planner *planner)
 {
     bool grows = false;
-    for (int i = 0; i < planner->point_count; i++) {
-        struct planned_point *point = &planner->points[i];
-        if (point->grows)
-            point->counts = point->grown;
-        grows |= point->grows;
-    }
+    planner->greatest = 0.0;
+    for (int i = 0; i < planner->point_count && planner->options.least_share > 0.0; i++)
+        planner->greatest = fmax(planner->greatest, pilot_value(planner, i));
+    pp_crew_run(planner->crew, 0, planner->point_count, foresee, planner);
+    for (int i = 0; i < planner->point_count; i++)
+        grows |= planner->points[i].grows;
     return grows;
 }
 
@@ -285,13 +264,12 @@ static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *er
  * what the other one shows. */
 static enum pp_status top_up(struct pp_planner *planner, struct pp_error *err)
 {
-    double greatest = greatest_value(planner);
     enum pp_status status = PP_OK;
     planner->topped_up = true;
     for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
         struct planned_point *point = &planner->points[i];
         struct pp_sampled done = sampled_of(planner, i, FINAL);
-        pp_plan_halves(&done, wanted_error(planner, i, greatest), point->halves);
+        pp_plan_halves(&done, wanted_error(planner, i), point->halves);
         int more =
             point->halves[0] > point->halves[1] ? point->halves[0] : point->halves[1];
         status = make(point, FINAL, 2 * more, err);
@@ -304,8 +282,7 @@ static enum pp_status end_stage(struct pp_planner *planner, struct pp_error *err
     if (planner->stage == PILOT || (!by_error(planner) && !by_samples(planner))) {
         if (!by_error(planner))
             planner->round *= ROUND_SHARE;
-        foresee_all(planner);
-        return grow_pilots(planner) ? PP_OK : plan_final(planner, err);
+        return foresee_all(planner) ? PP_OK : plan_final(planner, err);
     }
     if (by_error(planner) && !planner->topped_up)
         return top_up(planner, err);
@@ -515,14 +492,7 @@ struct pp_path_work pp_planner_work(const struct pp_planner *planner)
     for (int i = 0; i < planner->point_count; i++)
         for (int stage = PILOT; stage < FINISHED; stage++) {
             struct pp_sampled sampled = sampled_of(planner, i, (enum stage)stage);
-            for (int r = 0; r < sampled.count; r++) {
-                const struct pp_randomisation *one = &sampled.randomisations[r];
-                work.leaks += one->leaks;
-                for (int k = 0; k < planner->sampler->estimators; k++) {
-                    work.paths += one->done.of[k];
-                    work.rays += one->rays[k];
-                }
-            }
+            pp_spread_add_work(&sampled, &work);
         }
     return work;
 }

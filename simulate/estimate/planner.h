@@ -55,11 +55,7 @@ void pp_planner_read(const struct pp_planner *planner, int point,
 /* The randomisations that the point's values come from. */
 struct pp_sampled pp_planner_sampled(const struct pp_planner *planner, int point);
 
-/* The work done so far. A leak is a ray that left a room between the edges of two
- * surfaces and was given up. */
-struct pp_path_work {
-    long long paths, rays, leaks;
-};
+/* The work done so far. */
 struct pp_path_work pp_planner_work(const struct pp_planner *planner);
 
 #endif

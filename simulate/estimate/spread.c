@@ -186,6 +186,18 @@ void pp_spread_paths(const struct pp_sampled *sampled, double *paths)
     }
 }
 
+void pp_spread_add_work(const struct pp_sampled *sampled, struct pp_path_work *work)
+{
+    for (int r = 0; r < sampled->count; r++) {
+        const struct pp_randomisation *one = &sampled->randomisations[r];
+        work->leaks += one->leaks;
+        for (int k = 0; k < sampled->sampler->estimators; k++) {
+            work->paths += one->done.of[k];
+            work->rays += one->rays[k];
+        }
+    }
+}
+
 double pp_spread_student(int count)
 {
     return sqrt((count - 1.0) / (count - 3.0));

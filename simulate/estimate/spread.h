@@ -48,6 +48,15 @@ double pp_spread_variance_of_half(const struct pp_sampled *sampled, int half);
 unsigned pp_spread_found(const struct pp_sampled *sampled);
 void pp_spread_paths(const struct pp_sampled *sampled, double *paths);
 
+/* Work that was done. A leak is a ray that left a room between the edges of two surfaces
+ * and was given up. */
+struct pp_path_work {
+    long long paths, rays, leaks;
+};
+
+/* Adds that of all randomisations. */
+void pp_spread_add_work(const struct pp_sampled *sampled, struct pp_path_work *work);
+
 /* The share of the variance of the last value that `count` points have in common, 0 to 1
  * (common_error.h), by the randomisations that all of them have: 0 for fewer than eight of
  * these or fewer than two points. */

@@ -7,14 +7,14 @@
 #include "simulate/sampling/scatter.h"
 #include "simulate/scene/convex_room.h"
 #include "simulate/scene/emitters.h"
-#include "simulate/scene/glass_images.h"
-#include "simulate/scene/mirrors.h"
+#include "simulate/scene/images/glass_images.h"
+#include "simulate/scene/images/mirrors.h"
 #include "simulate/scene/openings.h"
 #include "simulate/scene/rays.h"
-#include "simulate/scene/reflectors.h"
+#include "simulate/scene/images/reflectors.h"
 #include "simulate/scene/scene_ground.h"
 #include "simulate/scene/scene_skylines.h"
-#include "simulate/scene/window_images.h"
+#include "simulate/scene/images/window_images.h"
 
 /* A piece of surface that has one plane or one curve. */
 struct pp_light_part {

@@ -48,7 +48,7 @@
 #ifndef PP_SIMULATE_TRACER_PATH_H
 #define PP_SIMULATE_TRACER_PATH_H
 
-#include "simulate/scene/glass_images.h"
+#include "simulate/scene/images/glass_images.h"
 #include "simulate/tracer/radiosity.h"
 #include "simulate/tracer/shared_density.h"
 #include "simulate/transport/irradiance.h"

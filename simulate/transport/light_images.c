@@ -93,3 +93,49 @@ bool pp_light_images_sample(struct pp_radiance_state *state,
     sample->weight = pp_rgb_times(sample->weight, view->weight);
     return !pp_rgb_is_black(sample->weight);
 }
+
+/* How often an image is looked for: it brings little, but steadily. Measured in 93 rooms of
+ * openings in several walls, eight points at 1 %: with 1 they take 10 % more time, with 0.5
+ * 2 % more. */
+static const double GLASS_CHANCE = 0.25;
+
+bool pp_light_images_in_glass(struct pp_radiance_state *state,
+                              const struct pp_shading_point *shading,
+                              struct pp_glass_view *view,
+                              struct pp_shading_point *there,
+                              struct pp_window_sample *sample)
+{
+    const struct pp_light_scene *scene = state->scene;
+    struct pp_light_ray ray = pp_path_vertex_shadow_ray(shading, shading->normal);
+    struct pp_light_hit hit;
+    double u[4], pdf; /* direction (2), choice of an image, is there any? */
+    int vertex =
+        pp_path_vertex_branch(shading->vertex * PP_DRAWS + PP_DRAW_WINDOWS, -3);
+    pp_sobol_sequence_draw(&state->sequence, state->index, vertex, 4, u);
+    if (u[3] >= GLASS_CHANCE)
+        return false;
+    int image =
+        pp_glass_images_sample(scene, view, shading->point, shading->normal,
+                               state->environment->brightness, u, &ray.to, &pdf);
+    if (image < 0)
+        return false;
+    double cosine = pp_vec_dot(shading->normal, ray.to);
+    const struct pp_glass_image *pair = &scene->glass_images[image];
+    if (!(cosine > 0.0) || pp_radiance_state_meet(state, &ray, &hit) != PP_MEETS_PART
+        || hit.part != scene->panes[pair->glass].part || hit.back)
+        return false;
+    struct pp_rgb weight =
+        pp_rgb_scale(shading->diffuse, cosine / (PP_PI * pdf * GLASS_CHANCE));
+    hit.point = pp_path_vertex_drawn_back(hit.point, ray.to);
+    if (!pp_light_scene_parts_reflect(scene, &hit, &ray, &weight))
+        return false;
+    *there = (struct pp_shading_point){.point = hit.point,
+                                       .normal = hit.normal,
+                                       .space = hit.space,
+                                       .vertex = vertex,
+                                       .depth = shading->depth};
+    if (!pp_light_windows_along(state, there, pair->window, ray.to, sample))
+        return false;
+    sample->weight = pp_rgb_times(sample->weight, weight);
+    return !pp_rgb_is_black(sample->weight);
+}

@@ -12,6 +12,7 @@
 #ifndef PP_SIMULATE_TRANSPORT_LIGHT_IMAGES_H
 #define PP_SIMULATE_TRANSPORT_LIGHT_IMAGES_H
 
+#include "simulate/scene/images/glass_images.h"
 #include "simulate/transport/light_windows.h"
 
 /* A point of a reflector in which an image is looked for. */
@@ -31,5 +32,13 @@ bool pp_light_images_view(struct pp_radiance_state *state,
 bool pp_light_images_sample(struct pp_radiance_state *state,
                             const struct pp_image_view *view,
                             struct pp_window_sample *sample);
+
+/* To an opening's image in the glass of another (glass_images.h), as far as that glass, and
+ * on to the opening; false where no light comes along it. *there is in the glass then. */
+bool pp_light_images_in_glass(struct pp_radiance_state *state,
+                              const struct pp_shading_point *shading,
+                              struct pp_glass_view *view,
+                              struct pp_shading_point *there,
+                              struct pp_window_sample *sample);
 
 #endif

@@ -2,7 +2,7 @@
  * only.
  *
  * An emitter is connected to the shading point straight, through whatever is clear, and
- * by plane mirrors (scene/mirrors.h). At the first surface of a path every connection
+ * by plane mirrors (scene/images/mirrors.h). At the first surface of a path every connection
  * is sampled, in several strata if the emitter looks large; at later ones, and where
  * there are too many, one connection is chosen at random by its importance.
  */

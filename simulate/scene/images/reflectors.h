@@ -7,8 +7,8 @@
  * takes the emitter's light there. A ray of the diffuse lobe may find the same light:
  * multiple importance sampling divides it between the two.
  */
-#ifndef PP_SIMULATE_SCENE_REFLECTORS_H
-#define PP_SIMULATE_SCENE_REFLECTORS_H
+#ifndef PP_SIMULATE_SCENE_IMAGES_REFLECTORS_H
+#define PP_SIMULATE_SCENE_IMAGES_REFLECTORS_H
 
 #include "model/geometry/frame.h"
 #include "simulate/scene/light_scene.h"

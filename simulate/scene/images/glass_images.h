@@ -7,8 +7,8 @@
  * image see, and unfolded. Glass reflects a tenth, and what shows in it is bright sky: of
  * the rays of a diffuse lobe a few in thousands find it, and bring many times the mean.
  */
-#ifndef PP_SIMULATE_SCENE_GLASS_IMAGES_H
-#define PP_SIMULATE_SCENE_GLASS_IMAGES_H
+#ifndef PP_SIMULATE_SCENE_IMAGES_GLASS_IMAGES_H
+#define PP_SIMULATE_SCENE_IMAGES_GLASS_IMAGES_H
 
 #include "simulate/sampling/sample_polygon.h"
 #include "simulate/scene/light_scene.h"

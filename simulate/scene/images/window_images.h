@@ -9,8 +9,8 @@
  * The rays of the diffuse lobe find the same light: multiple importance sampling divides
  * it between the two.
  */
-#ifndef PP_SIMULATE_SCENE_WINDOW_IMAGES_H
-#define PP_SIMULATE_SCENE_WINDOW_IMAGES_H
+#ifndef PP_SIMULATE_SCENE_IMAGES_WINDOW_IMAGES_H
+#define PP_SIMULATE_SCENE_IMAGES_WINDOW_IMAGES_H
 
 #include "simulate/sampling/sample_polygon.h"
 #include "simulate/scene/light_scene.h"

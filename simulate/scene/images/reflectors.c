@@ -1,6 +1,6 @@
 /* reflectors.c - the glossy planes of a scene with its emitters, and directions
  * drawn as their lobes are shaped. */
-#include "simulate/scene/reflectors.h"
+#include "simulate/scene/images/reflectors.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -6,8 +6,8 @@
  * reflections are left to rays that find the emitter; the light that these may miss is
  * part of the stated error (unsampled.h).
  */
-#ifndef PP_SIMULATE_SCENE_MIRRORS_H
-#define PP_SIMULATE_SCENE_MIRRORS_H
+#ifndef PP_SIMULATE_SCENE_IMAGES_MIRRORS_H
+#define PP_SIMULATE_SCENE_IMAGES_MIRRORS_H
 
 #include "simulate/scene/light_scene.h"
 

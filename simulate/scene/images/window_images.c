@@ -1,6 +1,6 @@
 /* window_images.c - pairs of a polished plane and an opening, and directions to the one
  * in the other. */
-#include "simulate/scene/window_images.h"
+#include "simulate/scene/images/window_images.h"
 
 #include <math.h>
 #include <stdlib.h>

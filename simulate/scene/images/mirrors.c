@@ -1,5 +1,5 @@
 /* mirrors.c - the planes in which parts mirror, and images in one or two of them. */
-#include "simulate/scene/mirrors.h"
+#include "simulate/scene/images/mirrors.h"
 
 #include <math.h>
 #include <stdlib.h>

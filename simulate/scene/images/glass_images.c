@@ -1,6 +1,6 @@
 /* glass_images.c - pairs of openings, what of the one is seen in the glass of the other,
  * and directions to it. */
-#include "simulate/scene/glass_images.h"
+#include "simulate/scene/images/glass_images.h"
 
 #include <math.h>
 #include <stdlib.h>
