@@ -26,9 +26,8 @@ enum stage { PILOT, FINAL, FINISHED };
 struct planned_point {
     uint64_t seed;
     struct pp_counts counts;            /* wanted of each randomisation of the stage */
-    struct pp_plan plan;                /* by the pilot as it is, */
-    struct pp_counts grown;             /* which is to have these */
-    bool grows;                         /* before the plan is carried out */
+    struct pp_plan plan;                /* by the pilot, */
+    bool grows;                         /* unless that has to grow first */
     struct pp_randomisation *stages[2]; /* the pilot's, and those that count */
     int randomisations[2];
     int halves[2]; /* of those that count: wanted of even and of odd number */
