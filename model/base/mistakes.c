@@ -34,6 +34,8 @@ static bool is_noted(const struct pp_mistakes *mistakes, int line, const char *t
 
 void pp_mistakes_add(struct pp_mistakes *mistakes, int line, const char *format, ...)
 {
+    if (mistakes->count == PP_MISTAKES_MOST && mistakes->truncated)
+        return;
     char *text = NULL;
     va_list args;
     va_start(args, format);

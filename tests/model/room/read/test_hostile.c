@@ -1,5 +1,5 @@
-/* test_hostile.c - room files that are made to harm: refused, or read rightly, within a
- * second and in bounded memory. Those of a few lines are in tests/model/room/read/wrong.
+/* test_hostile.c - room files that are made to harm: refused, or read rightly, within
+ * seconds and in bounded memory. Those of a few lines are in tests/model/room/read/wrong.
  */
 #include <libxml/parser.h>
 #include <signal.h>
@@ -19,13 +19,16 @@
 
 #define PLAN "<plan width='4.2' depth='5.3' height='2.7'/>"
 
-/* A second of the processor's time; more where every access is watched. */
+/* Most of them take a tenth of a second of the processor's time, on a slow machine some
+ * half a second; what takes the square of its size would need minutes. More where every
+ * access is watched.
+ */
 static double seconds_allowed(void)
 {
     const char *preloaded = getenv("LD_PRELOAD");
     if (PP_WATCHED)
         return 30.0;
-    return preloaded && strstr(preloaded, "valgrind") ? 60.0 : 1.0;
+    return preloaded && strstr(preloaded, "valgrind") ? 60.0 : 5.0;
 }
 
 struct outcome {
