@@ -265,12 +265,12 @@ enum pp_status pp_gbxml_import(char **xml, size_t *length, const char *bytes,
                                struct pp_mistakes *notes, struct pp_error *err)
 {
     struct gbxml_work work = {.notes = notes, .file = file};
-    xmlDocPtr document;
+    struct pp_gbxml_document document;
     *xml = NULL;
     enum pp_status status =
         pp_gbxml_document_parse(&document, bytes, byte_count, file, err);
     if (status == PP_OK)
-        status = pp_gbxml_read(&work.model, document, file, notes, err);
+        status = pp_gbxml_read(&work.model, &document, file, notes, err);
     if (status == PP_OK)
         status = make_rooms(&work, err);
     if (status == PP_OK)
@@ -287,6 +287,6 @@ enum pp_status pp_gbxml_import(char **xml, size_t *length, const char *bytes,
     free(work.rooms);
     free(work.xml);
     pp_gbxml_model_clear(&work.model);
-    xmlFreeDoc(document);
+    pp_gbxml_document_clear(&document);
     return status;
 }

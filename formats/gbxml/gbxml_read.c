@@ -17,7 +17,7 @@ struct gbxml_named;
 
 struct gbxml_reader {
     struct pp_gbxml_model *model;
-    xmlNodePtr root;
+    const struct pp_gbxml_element *root;
     double metre; /* metres of a unit of the file's lengths */
     struct gbxml_named *named;
     int named_count;
@@ -45,16 +45,17 @@ static enum pp_status read_unit(struct gbxml_reader *r)
         r->err, PP_BAD_INPUT,
         "%s:%d: lengthUnit is \"%.40s\"; expected Meters, Feet, Millimeters, "
         "Inches or another of gbXML's",
-        r->file, pp_gbxml_document_line(r->root), typed ? typed : "");
+        r->file, r->root->line, typed ? typed : "");
 }
 
 /* ---- polygons ---- */
 
-static bool read_corner(const struct gbxml_reader *r, xmlNodePtr point,
-                        struct pp_vec3 *corner)
+static bool read_corner(const struct gbxml_reader *r,
+                        const struct pp_gbxml_element *point, struct pp_vec3 *corner)
 {
     double xyz[3];
-    xmlNodePtr coordinate = pp_gbxml_document_child(point, "Coordinate");
+    const struct pp_gbxml_element *coordinate =
+        pp_gbxml_document_child(point, "Coordinate");
     for (int i = 0; i < 3; i++) {
         if (!coordinate || !pp_gbxml_document_number(coordinate, &xyz[i]))
             return false;
@@ -68,19 +69,20 @@ static bool read_corner(const struct gbxml_reader *r, xmlNodePtr point,
 }
 
 /* Of a PolyLoop; false, and noted, where it is none. */
-static bool read_loop(struct gbxml_reader *r, xmlNodePtr loop,
+static bool read_loop(struct gbxml_reader *r, const struct pp_gbxml_element *loop,
                       struct pp_gbxml_polygon *polygon)
 {
     *polygon = (struct pp_gbxml_polygon){0};
-    for (xmlNodePtr point = pp_gbxml_document_child(loop, "CartesianPoint"); point;
-         point = pp_gbxml_document_next(point, "CartesianPoint")) {
+    for (const struct pp_gbxml_element *point =
+             pp_gbxml_document_child(loop, "CartesianPoint");
+         point; point = pp_gbxml_document_next(point, "CartesianPoint")) {
         struct pp_vec3 corner;
         if (polygon->count == CORNERS_MOST || !read_corner(r, point, &corner)
             || pp_array_append(&polygon->corners, polygon->count,
                                sizeof *polygon->corners, r->err)
                    != PP_OK) {
             pp_mistakes_add(
-                r->notes, pp_gbxml_document_line(point),
+                r->notes, point->line,
                 "no corner of three coordinates within 100 km, of a polygon "
                 "of %d at most: the polygon is left out",
                 CORNERS_MOST);
@@ -95,15 +97,15 @@ static bool read_loop(struct gbxml_reader *r, xmlNodePtr loop,
     return false;
 }
 
-static bool read_outline(struct gbxml_reader *r, xmlNodePtr element,
+static bool read_outline(struct gbxml_reader *r, const struct pp_gbxml_element *element,
                          struct pp_gbxml_polygon *polygon)
 {
-    xmlNodePtr loop = pp_gbxml_document_path(element, "PlanarGeometry/PolyLoop");
+    const struct pp_gbxml_element *loop =
+        pp_gbxml_document_path(element, "PlanarGeometry/PolyLoop");
     if (loop)
         return read_loop(r, loop, polygon);
-    pp_mistakes_add(r->notes, pp_gbxml_document_line(element),
-                    "%s \"%.60s\" has no PlanarGeometry; left out",
-                    (const char *)element->name,
+    pp_mistakes_add(r->notes, element->line,
+                    "%s \"%.60s\" has no PlanarGeometry; left out", element->name,
                     pp_gbxml_document_attribute(element, "id"));
     return false;
 }
@@ -113,7 +115,7 @@ static bool read_outline(struct gbxml_reader *r, xmlNodePtr element,
 /* A construction or window type by its id. */
 struct gbxml_named {
     const char *name, *id;
-    xmlNodePtr element;
+    const struct pp_gbxml_element *element;
 };
 
 static int by_name(const void *a, const void *b)
@@ -128,8 +130,9 @@ static enum pp_status list_named(struct gbxml_reader *r)
 {
     static const char *const names[] = {"Construction", "WindowType"};
     for (int i = 0; i < 2; i++)
-        for (xmlNodePtr at = pp_gbxml_document_child(r->root, names[i]); at;
-             at = pp_gbxml_document_next(at, names[i])) {
+        for (const struct pp_gbxml_element *at =
+                 pp_gbxml_document_child(r->root, names[i]);
+             at; at = pp_gbxml_document_next(at, names[i])) {
             const char *id = pp_gbxml_document_attribute(at, "id");
             if (!id)
                 continue;
@@ -145,8 +148,8 @@ static enum pp_status list_named(struct gbxml_reader *r)
 }
 
 /* The one of that name and id; NULL: none. */
-static xmlNodePtr find_by_id(const struct gbxml_reader *r, const char *name,
-                             const char *id)
+static const struct pp_gbxml_element *find_by_id(const struct gbxml_reader *r,
+                                                 const char *name, const char *id)
 {
     const struct gbxml_named wanted = {name, id ? id : "", NULL};
     const struct gbxml_named *found =
@@ -158,9 +161,10 @@ static xmlNodePtr find_by_id(const struct gbxml_reader *r, const char *name,
 
 /* The share of that name and type ("IntVisible") in an element: fraction or per cent. NAN:
  * none, or none that is a share. */
-static double read_share(xmlNodePtr element, const char *name, const char *type)
+static double read_share(const struct pp_gbxml_element *element, const char *name,
+                         const char *type)
 {
-    for (xmlNodePtr at = pp_gbxml_document_child(element, name); at;
+    for (const struct pp_gbxml_element *at = pp_gbxml_document_child(element, name); at;
          at = pp_gbxml_document_next(at, name)) {
         const char *of = pp_gbxml_document_attribute(at, "type");
         const char *unit = pp_gbxml_document_attribute(at, "unit");
@@ -175,11 +179,12 @@ static double read_share(xmlNodePtr element, const char *name, const char *type)
     return NAN;
 }
 
-static double read_transmittance(struct gbxml_reader *r, xmlNodePtr opening)
+static double read_transmittance(struct gbxml_reader *r,
+                                 const struct pp_gbxml_element *opening)
 {
     static const char *const refs[] = {"windowTypeIdRef", "constructionIdRef"};
     static const char *const names[] = {"WindowType", "Construction"};
-    xmlNodePtr found = NULL;
+    const struct pp_gbxml_element *found = NULL;
     for (int i = 0; i < 2 && !found; i++)
         found = find_by_id(r, names[i], pp_gbxml_document_attribute(opening, refs[i]));
     double share = read_share(found, "Transmittance", "Visible");
@@ -187,10 +192,10 @@ static double read_transmittance(struct gbxml_reader *r, xmlNodePtr opening)
         return share;
     if (found)
         pp_mistakes_add(
-            r->notes, pp_gbxml_document_line(found),
+            r->notes, found->line,
             "%s \"%.60s\" has no visible transmittance above 0; clear-double "
             "is taken for its openings",
-            (const char *)found->name, pp_gbxml_document_attribute(found, "id"));
+            found->name, pp_gbxml_document_attribute(found, "id"));
     r->without_type += !found;
     return NAN;
 }
@@ -206,7 +211,8 @@ static bool is_one_of(const char *word, const char *const *words)
 }
 
 static enum pp_status add_opening(struct gbxml_reader *r,
-                                  struct pp_gbxml_surface *surface, xmlNodePtr element)
+                                  struct pp_gbxml_surface *surface,
+                                  const struct pp_gbxml_element *element)
 {
     static const char *const glazed[] = {"FixedWindow",   "OperableWindow",
                                          "FixedSkylight", "OperableSkylight",
@@ -219,14 +225,13 @@ static enum pp_status add_opening(struct gbxml_reader *r,
     }
     if (!type || !is_one_of(type, glazed)) {
         pp_mistakes_add(
-            r->notes, pp_gbxml_document_line(element),
+            r->notes, element->line,
             "opening \"%.60s\" is of type \"%.40s\", no window, skylight or "
             "sliding door; taken as wall",
             id ? id : "", type ? type : "");
         return PP_OK;
     }
-    struct pp_gbxml_opening opening = {.line = pp_gbxml_document_line(element),
-                                       .name = id};
+    struct pp_gbxml_opening opening = {.line = element->line, .name = id};
     if (!read_outline(r, element, &opening.outline))
         return PP_OK;
     opening.transmittance = read_transmittance(r, element);
@@ -239,12 +244,12 @@ static enum pp_status add_opening(struct gbxml_reader *r,
     return status;
 }
 
-static enum pp_status add_surface(struct gbxml_reader *r, xmlNodePtr element)
+static enum pp_status add_surface(struct gbxml_reader *r,
+                                  const struct pp_gbxml_element *element)
 {
     struct pp_gbxml_model *model = r->model;
     const char *type = pp_gbxml_document_attribute(element, "surfaceType");
-    struct pp_gbxml_surface surface = {.line = pp_gbxml_document_line(element),
-                                       .type = type ? type : ""};
+    struct pp_gbxml_surface surface = {.line = element->line, .type = type ? type : ""};
     if (model->surface_count == SURFACES_MOST)
         return pp_fail(r->err, PP_BAD_INPUT,
                        "%s:%d: more than %d surfaces, the most that "
@@ -253,11 +258,12 @@ static enum pp_status add_surface(struct gbxml_reader *r, xmlNodePtr element)
     if (!read_outline(r, element, &surface.outline))
         return PP_OK;
     int neighbours = 0;
-    for (xmlNodePtr at = pp_gbxml_document_child(element, "AdjacentSpaceId");
+    for (const struct pp_gbxml_element *at =
+             pp_gbxml_document_child(element, "AdjacentSpaceId");
          at && neighbours < PP_GBXML_NEIGHBOURS;
          at = pp_gbxml_document_next(at, "AdjacentSpaceId"))
         surface.spaces[neighbours++] = pp_gbxml_document_attribute(at, "spaceIdRef");
-    xmlNodePtr construction = find_by_id(
+    const struct pp_gbxml_element *construction = find_by_id(
         r, "Construction", pp_gbxml_document_attribute(element, "constructionIdRef"));
     surface.reflectance = read_share(construction, "Reflectance", "IntVisible");
     enum pp_status status = pp_array_append(&model->surfaces, model->surface_count,
@@ -268,7 +274,8 @@ static enum pp_status add_surface(struct gbxml_reader *r, xmlNodePtr element)
     }
     struct pp_gbxml_surface *placed = &model->surfaces[model->surface_count++];
     *placed = surface;
-    for (xmlNodePtr at = pp_gbxml_document_child(element, "Opening");
+    for (const struct pp_gbxml_element *at =
+             pp_gbxml_document_child(element, "Opening");
          at && status == PP_OK; at = pp_gbxml_document_next(at, "Opening"))
         status = add_opening(r, placed, at);
     return status;
@@ -277,11 +284,13 @@ static enum pp_status add_surface(struct gbxml_reader *r, xmlNodePtr element)
 /* ---- spaces ---- */
 
 static enum pp_status add_shell(struct gbxml_reader *r, struct pp_gbxml_space *space,
-                                xmlNodePtr element)
+                                const struct pp_gbxml_element *element)
 {
     enum pp_status status = PP_OK;
-    xmlNodePtr shell = pp_gbxml_document_path(element, "ShellGeometry/ClosedShell");
-    for (xmlNodePtr loop = pp_gbxml_document_child(shell, "PolyLoop");
+    const struct pp_gbxml_element *shell =
+        pp_gbxml_document_path(element, "ShellGeometry/ClosedShell");
+    for (const struct pp_gbxml_element *loop =
+             pp_gbxml_document_child(shell, "PolyLoop");
          loop && status == PP_OK; loop = pp_gbxml_document_next(loop, "PolyLoop")) {
         struct pp_gbxml_polygon polygon;
         if (!read_loop(r, loop, &polygon))
@@ -296,11 +305,12 @@ static enum pp_status add_shell(struct gbxml_reader *r, struct pp_gbxml_space *s
     return status;
 }
 
-static enum pp_status add_space(struct gbxml_reader *r, xmlNodePtr element)
+static enum pp_status add_space(struct gbxml_reader *r,
+                                const struct pp_gbxml_element *element)
 {
     struct pp_gbxml_model *model = r->model;
     const char *id = pp_gbxml_document_attribute(element, "id");
-    int line = pp_gbxml_document_line(element);
+    int line = element->line;
     if (!id) {
         pp_mistakes_add(r->notes, line, "a Space without an id; left out");
         return PP_OK;
@@ -320,7 +330,8 @@ static enum pp_status add_space(struct gbxml_reader *r, xmlNodePtr element)
         .id = id,
         .name = name && *name ? name : NULL,
         .type = pp_gbxml_document_attribute(element, "spaceType")};
-    xmlNodePtr floor = pp_gbxml_document_path(element, "PlanarGeometry/PolyLoop");
+    const struct pp_gbxml_element *floor =
+        pp_gbxml_document_path(element, "PlanarGeometry/PolyLoop");
     if (floor)
         read_loop(r, floor, &space->floor);
     return add_shell(r, space, element);
@@ -328,11 +339,13 @@ static enum pp_status add_space(struct gbxml_reader *r, xmlNodePtr element)
 
 /* ---- the file ---- */
 
-static void read_location(struct gbxml_reader *r, xmlNodePtr campus)
+static void read_location(struct gbxml_reader *r, const struct pp_gbxml_element *campus)
 {
     struct pp_gbxml_model *model = r->model;
-    xmlNodePtr location = pp_gbxml_document_child(campus, "Location");
-    xmlNodePtr azimuth = pp_gbxml_document_child(location, "CADModelAzimuth");
+    const struct pp_gbxml_element *location =
+        pp_gbxml_document_child(campus, "Location");
+    const struct pp_gbxml_element *azimuth =
+        pp_gbxml_document_child(location, "CADModelAzimuth");
     double value;
     model->latitude = model->longitude = NAN;
     if (pp_gbxml_document_number(pp_gbxml_document_child(location, "Latitude"), &value)
@@ -346,44 +359,48 @@ static void read_location(struct gbxml_reader *r, xmlNodePtr campus)
         return;
     model->north_deg = value;
     pp_mistakes_add(
-        r->notes, pp_gbxml_document_line(azimuth),
+        r->notes, azimuth->line,
         "CADModelAzimuth %g is taken as the bearing of the plan's +y, "
         "clockwise from north, as the schema has it; some programs turn the "
         "other way",
         value);
 }
 
-static enum pp_status read_campus(struct gbxml_reader *r, xmlNodePtr campus)
+static enum pp_status read_campus(struct gbxml_reader *r,
+                                  const struct pp_gbxml_element *campus)
 {
     enum pp_status status = PP_OK;
-    for (xmlNodePtr building = pp_gbxml_document_child(campus, "Building"); building;
-         building = pp_gbxml_document_next(building, "Building")) {
+    for (const struct pp_gbxml_element *building =
+             pp_gbxml_document_child(campus, "Building");
+         building; building = pp_gbxml_document_next(building, "Building")) {
         if (!r->model->name)
             r->model->name =
                 pp_gbxml_document_text(pp_gbxml_document_child(building, "Name"));
-        for (xmlNodePtr space = pp_gbxml_document_child(building, "Space");
+        for (const struct pp_gbxml_element *space =
+                 pp_gbxml_document_child(building, "Space");
              space && status == PP_OK; space = pp_gbxml_document_next(space, "Space"))
             status = add_space(r, space);
     }
-    for (xmlNodePtr surface = pp_gbxml_document_child(campus, "Surface");
+    for (const struct pp_gbxml_element *surface =
+             pp_gbxml_document_child(campus, "Surface");
          surface && status == PP_OK;
          surface = pp_gbxml_document_next(surface, "Surface"))
         status = add_surface(r, surface);
     return status;
 }
 
-enum pp_status pp_gbxml_read(struct pp_gbxml_model *model, xmlDocPtr document,
-                             const char *file, struct pp_mistakes *notes,
-                             struct pp_error *err)
+enum pp_status pp_gbxml_read(struct pp_gbxml_model *model,
+                             const struct pp_gbxml_document *document, const char *file,
+                             struct pp_mistakes *notes, struct pp_error *err)
 {
     struct gbxml_reader r = {.model = model,
-                             .root = xmlDocGetRootElement(document),
+                             .root = document->root,
                              .file = file,
                              .notes = notes,
                              .err = err};
     *model = (struct pp_gbxml_model){.latitude = NAN, .longitude = NAN};
     enum pp_status status = read_unit(&r);
-    xmlNodePtr campus = pp_gbxml_document_child(r.root, "Campus");
+    const struct pp_gbxml_element *campus = pp_gbxml_document_child(r.root, "Campus");
     if (status == PP_OK && !campus)
         status = pp_fail(err, PP_BAD_INPUT, "%s: it has no Campus", file);
     if (status == PP_OK)

@@ -1,9 +1,7 @@
 /* xml.c - see xml.h. */
 #include "model/room/read/xml.h"
 
-#include <libxml/parser.h>
-#include <libxml/parserInternals.h>
-#include <libxml/SAX2.h>
+#include <expat.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,56 +9,16 @@
 #include "model/room/read/xml_bytes.h"
 #include "model/room/read/xml_words.h"
 
-/* The tree's memory: blocks that are freed together. */
-struct pp_xml_block {
-    struct pp_xml_block *next;
-    size_t used, size;
-    _Alignas(max_align_t) char bytes[];
-};
-
-enum { BLOCK_BYTES = 1 << 16 };
-
-static void *take(struct pp_xml *xml, size_t size)
-{
-    size = (size + sizeof(max_align_t) - 1) / sizeof(max_align_t) * sizeof(max_align_t);
-    struct pp_xml_block *block = xml->blocks;
-    if (!block || block->size - block->used < size) {
-        size_t bytes = size > BLOCK_BYTES ? size : BLOCK_BYTES;
-        block = malloc(sizeof *block + bytes);
-        if (!block)
-            return NULL;
-        *block = (struct pp_xml_block){.next = xml->blocks, .size = bytes};
-        xml->blocks = block;
-    }
-    void *taken = block->bytes + block->used;
-    block->used += size;
-    return taken;
-}
-
-static const char *take_text(struct pp_xml *xml, const xmlChar *text, size_t length)
-{
-    char *copy = take(xml, length + 1);
-    if (copy) {
-        memcpy(copy, text, length);
-        copy[length] = '\0';
-    }
-    return copy;
-}
-
 void pp_xml_clear(struct pp_xml *xml)
 {
-    while (xml->blocks) {
-        struct pp_xml_block *next = xml->blocks->next;
-        free(xml->blocks);
-        xml->blocks = next;
-    }
+    pp_arena_clear(&xml->memory);
     *xml = (struct pp_xml){0};
 }
 
 /* The state that the parser's callbacks share. */
 struct xml_builder {
     struct pp_xml *xml;
-    xmlParserCtxtPtr parser;
+    XML_Parser parser;
     struct pp_mistakes *mistakes;
     const char *bytes;
     size_t length;
@@ -73,17 +31,16 @@ struct xml_builder {
     size_t counted; /* bytes[0 .. counted) hold line - 1 line ends */
     int line;
 
-    bool stopped; /* a limit was passed or the file is broken, which has been noted */
+    bool stopped; /* a limit was passed, which has been noted, or memory is out */
     bool out_of_memory;
     bool text_noted;      /* since the last tag */
-    bool bad_namespace;   /* of the element that comes */
     bool namespace_noted; /* in the file */
 };
 
 static void stop(struct xml_builder *b)
 {
     b->stopped = true;
-    xmlStopParser(b->parser);
+    XML_StopParser(b->parser, XML_FALSE);
 }
 
 /* The line of a byte. Counts on from the last one asked for, so go forward. */
@@ -98,23 +55,13 @@ static int line_at(struct xml_builder *b, size_t offset)
     return b->line;
 }
 
-/* Where the parser stands. */
+/* Where what the parser tells of begins: of a tag, its <. */
 static size_t position(const struct xml_builder *b)
 {
-    long consumed = xmlByteConsumed(b->parser);
-    if (consumed < 0)
+    XML_Index index = XML_GetCurrentByteIndex(b->parser);
+    if (index < 0)
         return 0;
-    return (size_t)consumed < b->length ? (size_t)consumed : b->length;
-}
-
-/* The < of the start tag that the parser has just read: a well-formed tag holds no
- * other. */
-static size_t tag_start(const struct xml_builder *b)
-{
-    size_t p = position(b);
-    while (p > 0 && (p == b->length || b->bytes[p] != '<'))
-        p--;
-    return p;
+    return (size_t)index < b->length ? (size_t)index : b->length;
 }
 
 static bool is_white(char c)
@@ -137,36 +84,43 @@ static const char *next_attribute(const char *p, const char *end, const char **n
     return p;
 }
 
-/* Does xmlns="..." or xmlns:p="..." stand there? */
-static bool is_declaration(const char *p, const char *end)
+/* Is it xmlns="..." or xmlns:p="..."? */
+static bool is_declaration(const char *name)
 {
-    return end - p > 5 && memcmp(p, "xmlns", 5) == 0
-           && (p[5] == ':' || p[5] == '=' || is_white(p[5]));
+    return strncmp(name, "xmlns", 5) == 0 && (name[5] == ':' || name[5] == '\0');
 }
 
-/* Copies the attributes, each with the line of its name in the tag at `start`. Prefixes
- * have been complained of and are dropped; xml:lang and its like could be no others. */
-static bool take_attributes(struct xml_builder *b, struct pp_xml_element *element,
-                            int count, const xmlChar **attributes, size_t start)
+/* A name without its prefix. */
+static const char *local_name(const char *name)
 {
-    element->attributes = take(b->xml, (size_t)count * sizeof *element->attributes);
+    const char *colon = strrchr(name, ':');
+    return colon ? colon + 1 : name;
+}
+
+/* Copies the attributes, names and values by turns, each with the line of its name in the
+ * tag at `start`. Namespaces have been complained of and are dropped; xml:lang and its like
+ * could be no others. */
+static bool take_attributes(struct xml_builder *b, struct pp_xml_element *element,
+                            int count, const char **attributes, size_t start)
+{
+    element->attributes =
+        pp_arena_take(&b->xml->memory, (size_t)count * sizeof *element->attributes);
     if (!element->attributes)
         return false;
     const char *p = b->bytes + start, *end = b->bytes + b->length;
     while (p < end && !is_white(*p) && *p != '>')
         p++;
     for (int i = 0; i < count; i++) {
-        const xmlChar **from = attributes + 5 * i;
-        const char *name = next_attribute(p, end, &p);
-        while (is_declaration(name, end))
-            name = next_attribute(p, end, &p); /* the parser keeps it to itself */
-        if (from[1] && xmlStrEqual(from[1], BAD_CAST "xml"))
+        const char *name = attributes[2 * i], *value = attributes[2 * i + 1];
+        const char *at = next_attribute(p, end, &p);
+        if (is_declaration(name) || strncmp(name, "xml:", 4) == 0)
             continue;
+        name = local_name(name);
         struct pp_xml_attribute *taken =
             &element->attributes[element->attribute_count++];
-        taken->line = line_at(b, (size_t)(name - b->bytes));
-        taken->name = take_text(b->xml, from[0], strlen((const char *)from[0]));
-        taken->value = take_text(b->xml, from[3], (size_t)(from[4] - from[3]));
+        taken->line = line_at(b, (size_t)(at - b->bytes));
+        taken->name = pp_arena_take_text(&b->xml->memory, name, strlen(name));
+        taken->value = pp_arena_take_text(&b->xml->memory, value, strlen(value));
         if (!taken->name || !taken->value)
             return false;
     }
@@ -208,34 +162,34 @@ static void attach(struct xml_builder *b, struct pp_xml_element *element)
     b->elements++;
 }
 
-static void on_start(void *context, const xmlChar *name, const xmlChar *prefix,
-                     const xmlChar *uri, int namespace_count,
-                     const xmlChar **namespaces, int attribute_count,
-                     int defaulted_count, const xmlChar **attributes)
+static void on_start(void *context, const char *name, const char **attributes)
 {
-    (void)uri, (void)namespaces, (void)defaulted_count;
-    struct xml_builder *b = ((xmlParserCtxtPtr)context)->_private;
+    struct xml_builder *b = context;
     if (b->stopped)
         return;
     b->text_noted = false;
-    size_t start = tag_start(b);
+    size_t start = position(b);
     int line = line_at(b, start);
+    int attribute_count = 0;
+    bool foreign = strchr(name, ':') != NULL;
+    for (; attributes[2 * attribute_count]; attribute_count++) {
+        const char *attribute = attributes[2 * attribute_count];
+        foreign = foreign || is_declaration(attribute) || strchr(attribute, ':');
+    }
     if (!within_limits(b, attribute_count, line)) {
         stop(b);
         return;
     }
 
-    bool foreign = prefix || namespace_count > 0 || b->bad_namespace;
-    for (int i = 0; i < attribute_count; i++)
-        foreign = foreign || attributes[5 * i + 1];
     if (foreign && !b->namespace_noted) {
         pp_mistakes_add(b->mistakes, line,
                         "a room file has no namespaces; leave out xmlns and prefixes");
         b->namespace_noted = true;
     }
 
-    struct pp_xml_element *element = take(b->xml, sizeof *element);
-    const char *copy = take_text(b->xml, name, strlen((const char *)name));
+    struct pp_xml_element *element = pp_arena_take(&b->xml->memory, sizeof *element);
+    name = local_name(name);
+    const char *copy = pp_arena_take_text(&b->xml->memory, name, strlen(name));
     if (element && copy) {
         *element = (struct pp_xml_element){.name = copy, .line = line};
         if (take_attributes(b, element, attribute_count, attributes, start)) {
@@ -247,34 +201,27 @@ static void on_start(void *context, const xmlChar *name, const xmlChar *prefix,
     stop(b);
 }
 
-static void on_end(void *context, const xmlChar *name, const xmlChar *prefix,
-                   const xmlChar *uri)
+static void on_end(void *context, const char *name)
 {
-    (void)name, (void)prefix, (void)uri;
-    struct xml_builder *b = ((xmlParserCtxtPtr)context)->_private;
+    (void)name;
+    struct xml_builder *b = context;
     b->text_noted = false;
     if (!b->stopped && b->depth > 0)
         b->open[--b->depth]->ended = true;
 }
 
 /* Text between the elements: only white space may stand there. It comes in pieces. */
-static void on_text(void *context, const xmlChar *text, int length)
+static void on_text(void *context, const char *text, int length)
 {
-    struct xml_builder *b = ((xmlParserCtxtPtr)context)->_private;
-    const char *p = (const char *)text, *end = p + length;
+    struct xml_builder *b = context;
+    const char *p = text, *end = p + length;
     while (p < end && is_white(*p))
         p++;
     if (b->stopped || b->text_noted || p == end)
         return;
     b->text_noted = true;
 
-    /* The parser stands at or behind the end of this piece. */
-    size_t start = position(b);
-    while (start > 0 && b->bytes[start - 1] != '>')
-        start--;
-    while (start < b->length && is_white(b->bytes[start]))
-        start++;
-
+    size_t start = position(b) + (size_t)(p - text);
     while (is_white(end[-1]))
         end--;
     char copy[64], shown[64];
@@ -290,41 +237,27 @@ static void on_text(void *context, const xmlChar *text, int length)
         stop(b);
 }
 
-static void on_doctype(void *context, const xmlChar *name, const xmlChar *external,
-                       const xmlChar *system)
+static void on_doctype(void *context, const char *name, const char *system,
+                       const char *public, int has_subset)
 {
-    (void)name, (void)external, (void)system;
-    struct xml_builder *b = ((xmlParserCtxtPtr)context)->_private;
+    (void)name, (void)system, (void)public, (void)has_subset;
+    struct xml_builder *b = context;
     if (b->stopped)
         return;
-    pp_mistakes_add(b->mistakes, line_at(b, tag_start(b)),
+    pp_mistakes_add(b->mistakes, line_at(b, position(b)),
                     "a DOCTYPE is not allowed in a room file; leave it out");
     stop(b);
 }
 
-#if LIBXML_VERSION >= 21200
-static void on_error(void *context, const xmlError *error)
-#else
-static void on_error(void *context, xmlErrorPtr error)
-#endif
+/* Notes why the parser ended early. */
+static void note_error(struct xml_builder *b)
 {
-    struct xml_builder *b = ((xmlParserCtxtPtr)context)->_private;
-    if (b->stopped || error->level == XML_ERR_WARNING)
-        return;
-    if (error->domain == XML_FROM_NAMESPACE) {
-        b->bad_namespace = true; /* said with the line of the element, which comes */
-        return;
-    }
-    if (error->code == XML_ERR_NO_MEMORY) {
-        b->out_of_memory = true;
-    } else {
-        char sentence[512];
-        struct pp_xml_place place = {b->bytes, b->length, position(b),
-                                     b->depth ? b->open[b->depth - 1] : NULL};
-        size_t cause = pp_xml_words_sentence(sentence, sizeof sentence, error, &place);
-        pp_mistakes_add(b->mistakes, line_at(b, cause), "%s", sentence);
-    }
-    stop(b);
+    char sentence[512];
+    struct pp_xml_place place = {b->bytes, b->length, position(b), b->xml->root != NULL,
+                                 b->depth ? b->open[b->depth - 1] : NULL};
+    size_t cause = pp_xml_words_sentence(sentence, sizeof sentence,
+                                         XML_GetErrorCode(b->parser), &place);
+    pp_mistakes_add(b->mistakes, line_at(b, cause), "%s", sentence);
 }
 
 enum pp_status pp_xml_parse(struct pp_xml *xml, const char *bytes, size_t length,
@@ -338,7 +271,7 @@ enum pp_status pp_xml_parse(struct pp_xml *xml, const char *bytes, size_t length
     if (!pp_xml_bytes_sound(bytes, length, mistakes))
         return PP_OK;
 
-    xmlParserCtxtPtr parser = xmlNewParserCtxt();
+    XML_Parser parser = XML_ParserCreate("UTF-8");
     if (!parser)
         return pp_fail_memory(err);
     struct xml_builder b = {.xml = xml,
@@ -347,29 +280,22 @@ enum pp_status pp_xml_parse(struct pp_xml *xml, const char *bytes, size_t length
                             .bytes = bytes,
                             .length = length,
                             .line = 1};
-    *parser->sax = (xmlSAXHandler){.initialized = XML_SAX2_MAGIC,
-                                   .internalSubset = on_doctype,
-                                   .startElementNs = on_start,
-                                   .endElementNs = on_end,
-                                   .characters = on_text,
-                                   .ignorableWhitespace = on_text,
-                                   .cdataBlock = on_text,
-                                   .serror = on_error};
-    parser->_private = &b;
-    /* NOENT: else &amp; arrives as &#38;. A DOCTYPE stops the parser, so that a file
-     * can declare no entities of its own. */
-    xmlDocPtr none = xmlCtxtReadMemory(parser, bytes, (int)length, NULL, NULL,
-                                       XML_PARSE_NONET | XML_PARSE_NOENT);
-    xmlFreeDoc(none);
-    bool well_formed = parser->wellFormed;
-    xmlFreeParserCtxt(parser);
+    XML_SetUserData(parser, &b);
+    XML_SetElementHandler(parser, on_start, on_end);
+    XML_SetCharacterDataHandler(parser, on_text);
+    /* It stops the parser, so that a file can declare no entities of its own. */
+    XML_SetStartDoctypeDeclHandler(parser, on_doctype);
+    bool whole = XML_Parse(parser, bytes, (int)length, XML_TRUE) == XML_STATUS_OK;
+    if (!whole && XML_GetErrorCode(parser) == XML_ERROR_NO_MEMORY)
+        b.out_of_memory = true;
+    else if (!whole && !b.stopped)
+        note_error(&b);
+    XML_ParserFree(parser);
 
     if (b.out_of_memory) {
         pp_xml_clear(xml);
         return pp_fail_memory(err);
     }
-    if (!b.stopped && !well_formed)
-        pp_mistakes_add(mistakes, 0, "the file is not well-formed XML");
-    xml->whole = !b.stopped && well_formed;
+    xml->whole = whole;
     return PP_OK;
 }

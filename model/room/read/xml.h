@@ -14,6 +14,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "model/base/arena.h"
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
 
@@ -44,7 +45,7 @@ struct pp_xml {
     const struct pp_xml_element *root; /* NULL where there is none */
     bool whole; /* read to its end; else elements that have not `ended` may lack
                  * children */
-    struct pp_xml_block *blocks; /* the memory of all of it */
+    struct pp_arena memory; /* of all of it */
 };
 
 /* PP_OK also where there are mistakes; fails when memory is out. On success the tree is

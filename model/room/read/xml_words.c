@@ -1,4 +1,8 @@
-/* xml_words.c - see xml_words.h. */
+/* xml_words.c - see xml_words.h.
+ *
+ * The parser calls most of what may be wrong an invalid token. What stands before the place
+ * is well-formed, so that reading on from the tag's < to there tells what was expected.
+ */
 #include "model/room/read/xml_words.h"
 
 #include <stdio.h>
@@ -6,176 +10,316 @@
 
 #include "model/base/text.h"
 
-/* Errors that have one sentence each, whatever the file. */
-static const struct {
-    int code;
-    const char *sentence;
-} sentences[] = {
-    {XML_ERR_LT_IN_ATTRIBUTE,
-     "a < in an attribute's value; write &lt;, or is a quotation mark missing?"},
-    {XML_ERR_ATTRIBUTE_NOT_STARTED,
-     "an attribute's value is not in quotation marks; write name=\"value\""},
-    {XML_ERR_ATTRIBUTE_NOT_FINISHED,
-     "an attribute's value has no closing quotation mark"},
-    {XML_ERR_ATTRIBUTE_WITHOUT_VALUE,
-     "an attribute has no value; write name=\"value\""},
-    {XML_ERR_SPACE_REQUIRED,
-     "a tag is malformed here; expected a space, > or />, or is a "
-     "quotation mark missing?"},
-    {XML_ERR_GT_REQUIRED, "a tag is not closed; expected > or />"},
-    {XML_ERR_NAME_REQUIRED,
-     "a name was expected after < or &; write &lt; or &amp; for the sign itself"},
-    {XML_ERR_ENTITYREF_SEMICOL_MISSING,
-     "an & without its name and semicolon; write &amp; for the sign itself"},
-    {XML_ERR_ENTITYREF_NO_NAME,
-     "an & without its name and semicolon; write &amp; for the sign itself"},
-    {XML_ERR_INVALID_CHARREF,
-     "a character reference like &#...; that XML does not allow"},
-    {XML_ERR_INVALID_HEX_CHARREF,
-     "a character reference like &#x...; that XML does not allow"},
-    {XML_ERR_INVALID_DEC_CHARREF,
-     "a character reference like &#...; that XML does not allow"},
-    {XML_ERR_INVALID_CHAR, "a control character that XML does not allow"},
-    {XML_ERR_COMMENT_NOT_FINISHED, "a comment <!-- has no end; expected -->"},
-    {XML_ERR_HYPHEN_IN_COMMENT, "two hyphens -- within a comment"},
-    {XML_ERR_PI_NOT_FINISHED, "a <? has no end; expected ?>"},
-    {XML_ERR_CDATA_NOT_FINISHED, "a <![CDATA[ has no end; expected ]]>"},
-    {XML_ERR_MISPLACED_CDATA_END, "]]> stands between elements"},
-    {XML_ERR_RESERVED_XML_NAME, "<?xml ...?> must be the very first thing in the file"},
-    {XML_ERR_XMLDECL_NOT_STARTED, "the <?xml ...?> at the start is malformed"},
-    {XML_ERR_XMLDECL_NOT_FINISHED, "the <?xml ...?> at the start is not closed by ?>"},
-    {XML_ERR_VERSION_MISSING,
-     "the <?xml ...?> at the start has no version; write version=\"1.0\""},
-    {XML_ERR_DOCUMENT_EMPTY, "this is not XML; expected a <room> or a <building>"},
-    {XML_ERR_DOCUMENT_START, "this is not XML; expected a <room> or a <building>"},
-    {XML_ERR_DOCUMENT_END,
-     "something stands behind the end of the room; a file holds one room or building"},
-};
+static const char no_name[] =
+    "a name was expected after < or &; write &lt; or &amp; for the sign itself";
+static const char no_semicolon[] =
+    "an & without its name and semicolon; write &amp; for the sign itself";
+static const char malformed_tag[] = "a tag is malformed here; expected a space, > or "
+                                    "/>, or is a quotation mark missing?";
+static const char not_xml[] = "this is not XML; expected a <room> or a <building>";
 
-/* Errors that the end of the file in the middle of a tag may cause. */
-static bool breaks_off(int code)
+static bool is_white(char c)
 {
-    switch (code) {
-    case XML_ERR_TAG_NOT_FINISHED:
-    case XML_ERR_SPACE_REQUIRED:
-    case XML_ERR_GT_REQUIRED:
-    case XML_ERR_NAME_REQUIRED:
-    case XML_ERR_ATTRIBUTE_NOT_STARTED:
-    case XML_ERR_ATTRIBUTE_NOT_FINISHED:
-    case XML_ERR_ATTRIBUTE_WITHOUT_VALUE:
-    case XML_ERR_LT_IN_ATTRIBUTE:
-    case XML_ERR_ENTITYREF_SEMICOL_MISSING:
-    case XML_ERR_INVALID_CHARREF:
-    case XML_ERR_INVALID_DEC_CHARREF:
-    case XML_ERR_INVALID_HEX_CHARREF:
-        return true;
-    default:
-        return false;
-    }
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/* Does nothing but white space follow, or the / of an unclosed tag? */
-static bool at_the_end(const struct pp_xml_place *place)
-{
-    const char *p = place->bytes + place->position;
-    const char *end = place->bytes + place->length;
-    if (p < end && *p == '/')
-        p++;
-    while (p < end && (*p == ' ' || *p == '\t' || *p == '\r' || *p == '\n'))
-        p++;
-    return p == end;
-}
-
-/* Where the last of `what` begins before the place, or the place if there is none. */
-static size_t find_back(const struct pp_xml_place *place, const char *what)
+static bool stands_at(const struct pp_xml_place *place, size_t at, const char *what)
 {
     size_t length = strlen(what);
-    for (size_t p = place->position; p-- > 0;)
-        if (place->length - p >= length && memcmp(place->bytes + p, what, length) == 0)
+    return at <= place->length && place->length - at >= length
+           && memcmp(place->bytes + at, what, length) == 0;
+}
+
+/* Where `what` begins next, from `at` on; the length of the bytes where it does not. */
+static size_t find(const struct pp_xml_place *place, size_t at, const char *what)
+{
+    const char *found =
+        memmem(place->bytes + at, place->length - at, what, strlen(what));
+    return found ? (size_t)(found - place->bytes) : place->length;
+}
+
+/* Behind the tag that begins at `at`, or behind the < that stands in it. */
+static size_t tag_end(const struct pp_xml_place *place, size_t at)
+{
+    char quote = '\0';
+    for (size_t p = at + 1; p < place->length; p++) {
+        char c = place->bytes[p];
+        if (quote)
+            quote = c == quote ? '\0' : quote;
+        else if (c == '"' || c == '\'')
+            quote = c;
+        else if (c == '>' || c == '<')
+            return p + 1;
+    }
+    return place->length;
+}
+
+/* Of the tag, comment, CDATA section or processing instruction that the place lies in, the
+ * beginning; the place itself where it lies between them. */
+static size_t markup_start(const struct pp_xml_place *place)
+{
+    static const char *const passed_over[][2] = {
+        {"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}};
+    for (size_t p = 0;;) {
+        p = find(place, p, "<");
+        if (p >= place->position)
+            return place->position;
+        size_t next = 0;
+        for (int i = 0; i < 3 && next == 0; i++)
+            if (stands_at(place, p, passed_over[i][0]))
+                next = find(place, p + strlen(passed_over[i][0]), passed_over[i][1])
+                       + strlen(passed_over[i][1]);
+        if (next == 0)
+            next = tag_end(place, p);
+        if (next > place->position)
             return p;
-    return place->position;
-}
-
-/* An attribute's name was expected, but the next tag begins. */
-static bool is_unclosed_tag(int code, const struct pp_xml_place *place)
-{
-    return code == XML_ERR_NAME_REQUIRED && place->position < place->length
-           && place->bytes[place->position] == '<';
-}
-
-static size_t cause_of(int code, const struct pp_xml_place *place)
-{
-    size_t here = place->position, twice, once;
-    switch (code) {
-    case XML_ERR_LT_IN_ATTRIBUTE: /* a value without its end runs on to the next tag */
-    case XML_ERR_ATTRIBUTE_NOT_FINISHED:
-        twice = find_back(place, "\"");
-        once = find_back(place, "'");
-        return once == here || (twice != here && twice > once) ? twice : once;
-    case XML_ERR_COMMENT_NOT_FINISHED:
-        return find_back(place, "<!--");
-    case XML_ERR_PI_NOT_FINISHED:
-        return find_back(place, "<?");
-    case XML_ERR_CDATA_NOT_FINISHED:
-        return find_back(place, "<![CDATA[");
-    default:
-        return is_unclosed_tag(code, place) ? find_back(place, "<") : here;
+        p = next;
     }
 }
 
-static void write_sentence(char *text, size_t size, const xmlError *error,
-                           const struct pp_xml_place *place)
+/* A sentence on what is wrong at the place, and the place of its cause. */
+struct diagnosis {
+    const char *sentence;
+    size_t cause;
+};
+
+/* In the quotation that begins at `open`. */
+static struct diagnosis wrong_in_value(const struct pp_xml_place *place, size_t open)
+{
+    size_t here = place->position;
+    if (place->bytes[here] == '<')
+        return (struct diagnosis){"a < in an attribute's value; write &lt;, or is a "
+                                  "quotation mark missing?",
+                                  open};
+    return (struct diagnosis){place->bytes[here - 1] == '&' ? no_name : no_semicolon,
+                              here};
+}
+
+/* What the parts of a tag are, in their order. */
+enum part { NAME, SPACE, ATTRIBUTE, EQUALS, VALUE, BEHIND_VALUE, SLASH };
+
+/* The part that a byte of a well-formed tag begins or goes on with. */
+static enum part next_part(enum part part, char c, char *quote)
+{
+    bool white = is_white(c);
+    switch (part) {
+    case NAME:
+    case SPACE:
+    case BEHIND_VALUE:
+        return white ? SPACE : c == '/' ? SLASH : part == SPACE ? ATTRIBUTE : part;
+    case ATTRIBUTE:
+        return c == '=' ? EQUALS : ATTRIBUTE;
+    case EQUALS:
+        *quote = c;
+        return white ? EQUALS : VALUE;
+    case VALUE:
+        return c == *quote ? BEHIND_VALUE : VALUE;
+    default:
+        return part;
+    }
+}
+
+/* In the tag that begins at `start`. */
+static struct diagnosis wrong_in_tag(const struct pp_xml_place *place, size_t start)
+{
+    size_t here = place->position, name = start + 1, open = start;
+    bool is_end = stands_at(place, start, "</");
+    name += is_end;
+    if (here <= name)
+        return (struct diagnosis){no_name, here};
+    enum part part = NAME;
+    char quote = '\0';
+    for (size_t p = name; p < here; p++) {
+        enum part next = next_part(part, place->bytes[p], &quote);
+        if (next == VALUE && part == EQUALS)
+            open = p;
+        part = next;
+    }
+    if (part == VALUE)
+        return wrong_in_value(place, open);
+    if (place->bytes[here] == '<'
+        && (part == NAME || part == SPACE || part == BEHIND_VALUE))
+        return (struct diagnosis){"this tag is not closed; expected > or /> at its end",
+                                  start};
+    if (is_end || part == SLASH)
+        return (struct diagnosis){"a tag is not closed; expected > or />", here};
+    if (part == ATTRIBUTE)
+        return (struct diagnosis){"an attribute has no value; write name=\"value\"",
+                                  here};
+    if (part == EQUALS)
+        return (struct diagnosis){
+            "an attribute's value is not in quotation marks; write name=\"value\"",
+            here};
+    return (struct diagnosis){malformed_tag, here};
+}
+
+/* A control character, U+FFFE and U+FFFF. */
+static bool is_no_character(const struct pp_xml_place *place)
+{
+    unsigned char c = (unsigned char)place->bytes[place->position];
+    return (c < ' ' && !is_white((char)c))
+           || stands_at(place, place->position, "\xEF\xBF\xBE")
+           || stands_at(place, place->position, "\xEF\xBF\xBF");
+}
+
+static struct diagnosis invalid_token(const struct pp_xml_place *place)
+{
+    size_t here = place->position;
+    if (is_no_character(place))
+        return (struct diagnosis){"a control character that XML does not allow", here};
+    size_t start = markup_start(place);
+    if (start != here) {
+        if (stands_at(place, start, "<!--"))
+            return (struct diagnosis){"two hyphens -- within a comment", here};
+        if (stands_at(place, start, "<?"))
+            return (struct diagnosis){"a <?...?> is malformed; it begins with a name",
+                                      start};
+        return wrong_in_tag(place, start);
+    }
+    if (!place->begun)
+        return (struct diagnosis){not_xml, here};
+    if (!place->open)
+        return (struct diagnosis){"something stands behind the end of the room; a file "
+                                  "holds one room or building",
+                                  here};
+    for (size_t back = 0; back < 3 && back <= here; back++)
+        if (stands_at(place, here - back, "]]>"))
+            return (struct diagnosis){"]]> stands between elements", here - back};
+    return (struct diagnosis){
+        here > 0 && place->bytes[here - 1] == '&' ? no_name : no_semicolon, here};
+}
+
+/* What begins at the place has no end in the file. */
+static struct diagnosis unclosed(const struct pp_xml_place *place)
+{
+    size_t here = place->position;
+    if (stands_at(place, here, "<!--"))
+        return (struct diagnosis){"a comment <!-- has no end; expected -->", here};
+    if (stands_at(place, here, "<?"))
+        return (struct diagnosis){"a <? has no end; expected ?>", here};
+    return (struct diagnosis){NULL, place->length};
+}
+
+/* The CDATA section that has no end, of what the parser has passed. */
+static struct diagnosis unclosed_cdata(const struct pp_xml_place *place)
+{
+    struct pp_xml_place end = *place;
+    end.position = end.length;
+    return (struct diagnosis){"a <![CDATA[ has no end; expected ]]>",
+                              markup_start(&end)};
+}
+
+static struct diagnosis wrong_declaration(const struct pp_xml_place *place)
+{
+    struct pp_xml_place declaration = {.bytes = place->bytes,
+                                       .length = find(place, 0, "?>")};
+    bool has_version = find(&declaration, 0, "version") < declaration.length;
+    return (struct diagnosis){
+        has_version
+            ? "the <?xml ...?> at the start is malformed"
+            : "the <?xml ...?> at the start has no version; write version=\"1.0\"",
+        place->position};
+}
+
+/* NULL as a sentence: the file breaks off. */
+static struct diagnosis diagnose(enum XML_Error error, const struct pp_xml_place *place)
+{
+    size_t here = place->position;
+    switch (error) {
+    case XML_ERROR_INVALID_TOKEN:
+    case XML_ERROR_SYNTAX:
+    case XML_ERROR_JUNK_AFTER_DOC_ELEMENT:
+        return here < place->length ? invalid_token(place)
+                                    : (struct diagnosis){NULL, place->length};
+    case XML_ERROR_UNCLOSED_TOKEN:
+    case XML_ERROR_PARTIAL_CHAR:
+        return unclosed(place);
+    case XML_ERROR_NO_ELEMENTS:
+        return (struct diagnosis){place->begun ? NULL : not_xml, place->length};
+    case XML_ERROR_BAD_CHAR_REF:
+        return (struct diagnosis){
+            "a reference like &#...; to nothing, or to a control character that "
+            "XML does not allow",
+            here};
+    case XML_ERROR_MISPLACED_XML_PI:
+        return (struct diagnosis){
+            "<?xml ...?> must be the very first thing in the file", here};
+    case XML_ERROR_UNCLOSED_CDATA_SECTION:
+        return unclosed_cdata(place);
+    case XML_ERROR_XML_DECL:
+        return wrong_declaration(place);
+    default:
+        return (struct diagnosis){"the file is not well-formed XML", here};
+    }
+}
+
+/* An excerpt of the name that begins at `at`. */
+static const char *name_at(char *text, size_t size, const struct pp_xml_place *place,
+                           size_t at)
+{
+    char copy[128];
+    size_t length = 0;
+    while (at + length < place->length && length < sizeof copy - 1
+           && !strchr(" \t\r\n=/>;\"'<", place->bytes[at + length]))
+        length++;
+    memcpy(copy, place->bytes + at, length);
+    copy[length] = '\0';
+    return pp_text_excerpt(text, size, copy);
+}
+
+/* Where the first & of an unknown name is, from the place on. */
+static size_t unknown_entity(const struct pp_xml_place *place)
+{
+    static const char *const known[] = {"&#",   "&amp;",  "&lt;",
+                                        "&gt;", "&quot;", "&apos;"};
+    for (size_t p = place->position;; p++) {
+        p = find(place, p, "&");
+        if (p == place->length)
+            return place->position;
+        bool is_known = false;
+        for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+            is_known = is_known || stands_at(place, p, known[i]);
+        if (!is_known)
+            return p;
+    }
+}
+
+size_t pp_xml_words_sentence(char *text, size_t size, enum XML_Error error,
+                             const struct pp_xml_place *place)
 {
     const struct pp_xml_element *open = place->open;
     char one[160], other[160];
-    if (at_the_end(place) && breaks_off(error->code)) {
-        if (open)
-            snprintf(text, size,
-                     "the file breaks off within <%s> of line %d; expected </%s>",
-                     pp_text_excerpt(one, sizeof one, open->name), open->line,
-                     pp_text_excerpt(other, sizeof other, open->name));
-        else
-            snprintf(text, size, "the file breaks off within a tag");
-        return;
-    }
-    if (is_unclosed_tag(error->code, place)) {
-        snprintf(text, size, "this tag is not closed; expected > or /> at its end");
-        return;
-    }
-    switch (error->code) {
-    case XML_ERR_TAG_NAME_MISMATCH:
+    size_t here = place->position, entity;
+    switch (error) {
+    case XML_ERROR_TAG_MISMATCH:
         snprintf(text, size, "</%s> where </%s> was expected, to close line %d",
-                 pp_text_excerpt(other, sizeof other, error->str2 ? error->str2 : ""),
+                 name_at(other, sizeof other, place,
+                         here + (stands_at(place, here, "</") ? 2 : 0)),
                  pp_text_excerpt(one, sizeof one, open ? open->name : ""),
                  open ? open->line : 1);
-        return;
-    case XML_ERR_ATTRIBUTE_REDEFINED:
+        return here;
+    case XML_ERROR_DUPLICATE_ATTRIBUTE:
         snprintf(text, size, "the attribute \"%s\" is given twice",
-                 pp_text_excerpt(one, sizeof one, error->str1 ? error->str1 : ""));
-        return;
-    case XML_ERR_UNDECLARED_ENTITY:
-    case XML_WAR_UNDECLARED_ENTITY:
+                 name_at(one, sizeof one, place, here));
+        return here;
+    case XML_ERROR_UNDEFINED_ENTITY:
+        entity = unknown_entity(place);
         snprintf(text, size,
                  "&%s; is not known; XML has &amp; &lt; &gt; &quot; and &apos;",
-                 pp_text_excerpt(one, sizeof one, error->str1 ? error->str1 : ""));
-        return;
+                 name_at(one, sizeof one, place, entity + 1));
+        return entity;
     default:
         break;
     }
-    for (size_t i = 0; i < sizeof sentences / sizeof *sentences; i++)
-        if (error->code == sentences[i].code) {
-            snprintf(text, size, "%s", sentences[i].sentence);
-            return;
-        }
-    char copy[128] = "";
-    snprintf(copy, sizeof copy, "%s", error->message ? error->message : "");
-    copy[strcspn(copy, "\n")] = '\0';
-    snprintf(text, size, "not well-formed XML: %s", copy);
-}
-
-size_t pp_xml_words_sentence(char *text, size_t size, const xmlError *error,
-                             const struct pp_xml_place *place)
-{
-    write_sentence(text, size, error, place);
-    return cause_of(error->code, place);
+    struct diagnosis diagnosis = diagnose(error, place);
+    if (diagnosis.sentence)
+        snprintf(text, size, "%s", diagnosis.sentence);
+    else if (open)
+        snprintf(text, size,
+                 "the file breaks off within <%s> of line %d; expected </%s>",
+                 pp_text_excerpt(one, sizeof one, open->name), open->line,
+                 pp_text_excerpt(other, sizeof other, open->name));
+    else
+        snprintf(text, size, "the file breaks off within a tag");
+    return diagnosis.cause;
 }
