@@ -110,14 +110,6 @@ static double depth_over_width(const struct pp_world *world)
     return (high[0] - low[0]) / (high[1] - low[1]);
 }
 
-static bool has_column(const struct pp_report *report, const char *name)
-{
-    for (int i = 0; i < report->column_count; i++)
-        if (strcmp(report->columns[i].name, name) == 0)
-            return true;
-    return false;
-}
-
 /* Does the method answer for this room, or a point in it? */
 static bool has_figure(const struct pp_report *report, const char *name)
 {
@@ -174,7 +166,7 @@ struct pp_reliability pp_reliability_of(const struct pp_report *report)
     }
     double depth = depth_over_width(report->world);
     set(&found, PP_RELIABILITY_PROPORTIONS, depth,
-        depth > deep * (1.0 + 1e-9) && has_column(report, "bre-min"));
+        depth > deep * (1.0 + 1e-9) && has_figure(report, "bre-min"));
     return found;
 }
 

@@ -12,7 +12,7 @@
  *                  ends there
  *     ground       it reflects 0.3 more or less than that built into the method
  *
- * A method with a ground of its own built in is named wherever the room's is another.
+ * A method with a ground of its own built in that answers is named wherever the room's is another.
  */
 #ifndef PP_STUDIES_RELIABILITY_H
 #define PP_STUDIES_RELIABILITY_H

@@ -156,8 +156,8 @@ static void draw_edge_on(const struct section_drawing *drawing)
 }
 
 /* Is it beyond the ends of the section, as in another wing of an L-shaped room? */
-static bool is_beside(const struct pp_section_cut *cut,
-                      const struct pp_polygon *outline)
+static bool is_beyond_ends(const struct pp_section_cut *cut,
+                           const struct pp_polygon *outline)
 {
     double s = pp_section_cut_s(cut, pp_polygon_middle(outline));
     return s < -PP_TOUCH_M || s > cut->length_m + PP_TOUCH_M;
@@ -175,7 +175,7 @@ static int draw_openings_behind(const struct section_drawing *drawing)
     cairo_set_dash(drawing->cr, &dash, 1, 0.0);
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_polygon *outline = &world->openings[i].inner;
-        if (is_cut(cut, i) || is_beside(cut, outline))
+        if (is_cut(cut, i) || is_beyond_ends(cut, outline))
             continue;
         cairo_new_sub_path(drawing->cr);
         for (int k = 0; k < outline->count; k++)
@@ -208,7 +208,8 @@ static void draw_covers_behind(const struct section_drawing *drawing)
     pp_style_line(drawing->cr, drawing->style->thin, PP_GREY_LINE);
     for (int i = world->face_count; i < world->surface_count; i++) {
         const struct pp_polygon *outline = &world->surfaces[i].outline;
-        if (world->surfaces[i].role != PP_COVER || !is_behind(cut, outline))
+        if (world->surfaces[i].role != PP_COVER || !is_behind(cut, outline)
+            || is_beyond_ends(cut, outline))
             continue;
         cairo_new_path(drawing->cr);
         for (int k = 0; k < outline->count; k++)

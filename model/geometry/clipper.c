@@ -85,12 +85,13 @@ enum pp_status pp_clipper_ring_is_simple(bool *simple, struct pp_clipper *clippe
         return status;
     GEOSGeometry *ring = pp_geos_region_ring(geos, xy, count);
     if (!ring)
-        return PP_OK;
+        return pp_fail_memory(err);
     GEOSGeometry *polygon =
         geos->call.GEOSGeom_createPolygon_r(geos->context, ring, NULL, 0);
-    *simple = polygon && geos->call.GEOSisValid_r(geos->context, polygon) == 1;
-    if (polygon)
-        geos->call.GEOSGeom_destroy_r(geos->context, polygon);
+    if (!polygon)
+        return pp_fail_memory(err);
+    *simple = geos->call.GEOSisValid_r(geos->context, polygon) == 1;
+    geos->call.GEOSGeom_destroy_r(geos->context, polygon);
     return PP_OK;
 }
 

@@ -58,6 +58,18 @@ double pp_polygon_height(const struct pp_polygon *polygon, struct pp_vec3 point)
     return pp_vec_dot(polygon->normal, pp_vec_sub(point, pp_polygon_middle(polygon)));
 }
 
+bool pp_polygon_is_before(const struct pp_polygon *polygon,
+                          const struct pp_polygon *plane)
+{
+    const double rounding_m = 1e-7;
+    for (int i = 0; i < polygon->count; i++)
+        if (pp_vec_dot(plane->normal,
+                       pp_vec_sub(polygon->vertices[i], plane->vertices[0]))
+            < -rounding_m)
+            return false;
+    return true;
+}
+
 double pp_polygon_unevenness(const struct pp_polygon *polygon)
 {
     struct pp_vec3 middle = pp_polygon_middle(polygon);

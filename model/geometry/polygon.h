@@ -44,6 +44,11 @@ struct pp_vec3 pp_polygon_middle(const struct pp_polygon *polygon);
  * in metres. */
 double pp_polygon_height(const struct pp_polygon *polygon, struct pp_vec3 point);
 
+/* Does no vertex of it lie behind the plane of the other, to a ten thousandth of a
+ * millimetre? */
+bool pp_polygon_is_before(const struct pp_polygon *polygon,
+                          const struct pp_polygon *plane);
+
 /* How far the vertex that is farthest from the polygon's plane lies off it (m). */
 double pp_polygon_unevenness(const struct pp_polygon *polygon);
 

@@ -114,6 +114,14 @@ static bool is_in_fitting(const struct pp_fitting *fitting, struct pp_vec3 point
                   != PP_OUTSIDE;
 }
 
+bool pp_position_in_fitting(const struct pp_world *world, struct pp_vec3 point)
+{
+    for (int i = 0; i < world->fitting_count; i++)
+        if (is_in_fitting(&world->fittings[i], point))
+            return true;
+    return false;
+}
+
 /* What is wrong with a receiver on a surface of that role. */
 static const char *fault_on_surface(enum pp_role role)
 {
@@ -160,9 +168,8 @@ const char *pp_position_receiver_fault(const struct pp_world *world,
     for (int i = 0; i < world->block_count; i++)
         if (is_in_block(&world->blocks[i], position))
             return fault_on_surface(PP_BLOCK);
-    for (int i = 0; i < world->fitting_count; i++)
-        if (is_in_fitting(&world->fittings[i], position))
-            return "lies in furniture, a column or a partition";
+    if (pp_position_in_fitting(world, position))
+        return "lies in furniture, a column or a partition";
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
         /* On the wall behind a door, too. */

@@ -146,11 +146,11 @@ static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
         break;
     case FIGURE:
         pp_finding_cells_figure(text, finding, false);
-        snprintf(cell, PP_CELL_BYTES, "%.31s", text);
+        snprintf(cell, PP_CELL_BYTES, "%s", text);
         break;
     case WANTED:
         pp_finding_cells_wanted(text, finding, false);
-        snprintf(cell, PP_CELL_BYTES, "%.31s", text);
+        snprintf(cell, PP_CELL_BYTES, "%s", text);
         break;
     case VERDICT:
         snprintf(cell, PP_CELL_BYTES, "%s", verdict ? verdict : "-");

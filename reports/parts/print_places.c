@@ -101,6 +101,8 @@ static bool add_coordinate(struct pp_table *table, const struct pp_report *repor
 static void say_constants(const struct pp_report *report, char *text, size_t room)
 {
     static const char *const names[] = {"x", "y", "z"};
+    if (report->receiver_count == 0)
+        return;
     const struct pp_receiver *first = &report->receivers[0];
     const char *before = "; points at";
     for (int axis = 0; axis < 3; axis++)

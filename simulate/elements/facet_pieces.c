@@ -149,6 +149,8 @@ static enum pp_status less_covers(const struct cutting *work, struct pp_region *
 {
     const struct pp_world *world = work->facets->world;
     enum pp_status status = PP_OK;
+    if (work->face < 0)
+        return PP_OK; /* walls alone are covered */
     for (int i = world->face_count; status == PP_OK && i < world->surface_count; i++) {
         struct pp_region cover = {0, NULL}, rest = {0, NULL};
         if (!is_cover_of(world, i, work->facet))
@@ -169,8 +171,9 @@ static enum pp_status less_covers(const struct cutting *work, struct pp_region *
 /* Is the facet all of its outline, in the place where that is? */
 static bool is_whole(const struct pp_world *world, int index)
 {
-    bool whole =
-        index >= world->surface_count || world->surfaces[index].role != PP_COVER;
+    if (index >= world->face_count)
+        return index >= world->surface_count || world->surfaces[index].role != PP_COVER;
+    bool whole = true;
     for (int i = 0; whole && i < world->opening_count; i++)
         whole = world->openings[i].face != index;
     for (int i = world->face_count; whole && i < world->surface_count; i++)

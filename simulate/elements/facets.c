@@ -105,9 +105,9 @@ static enum pp_status fan(struct triangles *triangles, const struct pp_vec3 *cor
 }
 
 /* A surface outdoors, with the triangles that cover it where it is not convex. */
-static enum pp_status cover(struct triangles *triangles,
-                            const struct pp_surface *surface, int owner,
-                            struct pp_error *err)
+static enum pp_status fan_surface(struct triangles *triangles,
+                                  const struct pp_surface *surface, int owner,
+                                  struct pp_error *err)
 {
     const struct pp_vec3 *v = surface->outline.vertices;
     enum pp_status status = PP_OK;
@@ -128,7 +128,7 @@ static enum pp_status add_rays(struct pp_facets *facets, struct pp_error *err)
     for (int i = 0; status == PP_OK && i < facets->count; i++) {
         const struct pp_facet *facet = &facets->list[i];
         if (!facet->side[0].indoors) {
-            status = cover(&triangles, &facets->world->surfaces[i], i, err);
+            status = fan_surface(&triangles, &facets->world->surfaces[i], i, err);
             continue;
         }
         for (int k = 0; status == PP_OK && k < facet->piece_count; k++) {

@@ -257,9 +257,7 @@ struct pp_vec3 pp_photon_sources_point(const struct pp_light_scene *scene,
     const struct pp_target *target =
         source->pane >= 0 ? &scene->panes[source->pane].target : NULL;
     if (target && target->rectangle)
-        return pp_vec_along(
-            pp_vec_along(target->corner, u * target->width_m, target->along),
-            v * target->height_m, target->up);
+        return pp_target_point(target, u * target->width_m, v * target->height_m);
     return pp_triangle_point_of(source->triangles, source->triangle_count,
                                 source->area_m2, u, v);
 }

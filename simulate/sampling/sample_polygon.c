@@ -40,11 +40,6 @@ static double min2(double a, double b)
     return a < b ? a : b;
 }
 
-static double height_over(const struct pp_target *target, struct pp_vec3 from)
-{
-    return pp_vec_dot(target->normal, pp_vec_sub(from, target->middle));
-}
-
 static double diagonal_squared(const struct pp_target *target)
 {
     return target->width_m * target->width_m + target->height_m * target->height_m;
@@ -69,7 +64,7 @@ static bool any_corner_before(const struct pp_target *target, struct pp_vec3 fro
 bool pp_sample_polygon_in_sight(const struct pp_target *target, struct pp_vec3 from,
                                 struct pp_vec3 n)
 {
-    return height_over(target, from) > 1e-9 && any_corner_before(target, from, n);
+    return pp_target_height(target, from) > 1e-9 && any_corner_before(target, from, n);
 }
 
 /* Cosine at the surface times the brightness outside, for the unnormalised direction
@@ -102,7 +97,7 @@ static double importance_when_near(const struct pp_target *target, struct pp_vec
                                    double middle_weight)
 {
     struct pp_vec3 d = pp_vec_sub(target->corner, from);
-    double off = max2(height_over(target, from), LEAST_HEIGHT_M);
+    double off = max2(pp_target_height(target, from), LEAST_HEIGHT_M);
     double x0 = pp_vec_dot(d, target->along), x1 = x0 + target->width_m;
     double y0 = pp_vec_dot(d, target->up), y1 = y0 + target->height_m;
     double x = max2(x0, min2(x1, 0.0)), y = max2(y0, min2(y1, 0.0));
@@ -133,15 +128,9 @@ double pp_sample_polygon_importance(const struct pp_target *target, struct pp_ve
         && square < GUESSED_DIAGONALS * GUESSED_DIAGONALS * diagonal_squared(target))
         return importance_when_near(target, from, n, brightness, weight);
     /* Between the far field and the half space that a near opening fills. */
-    double slant = height_over(target, from) / length;
+    double slant = pp_target_height(target, from) / length;
     double solid = target->area_m2 * max2(slant, 0.05) / (square + target->area_m2);
     return solid * max2(weight, LEAST_CHOICE);
-}
-
-static struct pp_vec3 rectangle_point(const struct pp_target *target, double x,
-                                      double y)
-{
-    return pp_vec_along(pp_vec_along(target->corner, x, target->along), y, target->up);
 }
 
 /* The weight of this corner of a rectangle: cosine times brightness, per solid angle
@@ -150,7 +139,7 @@ static double corner_value(const struct pp_polygon_sampler *sampler, struct pp_v
                            struct pp_brightness brightness, int right, int top)
 {
     const struct pp_target *target = sampler->target;
-    struct pp_vec3 v = pp_vec_sub(rectangle_point(target, right ? target->width_m : 0.0,
+    struct pp_vec3 v = pp_vec_sub(pp_target_point(target, right ? target->width_m : 0.0,
                                                   top ? target->height_m : 0.0),
                                   sampler->from);
     double square = pp_vec_dot(v, v), length = sqrt(square);
@@ -230,7 +219,7 @@ static struct pp_vec3 rectangle_by_solid_angle(const struct pp_polygon_sampler *
     double hv = h0 + v * (h1 - h0), hv2 = hv * hv;
     double yv = hv2 < 1.0 - 1e-12 ? hv * d / sqrt(1.0 - hv2) : sampler->y1;
     yv = max2(sampler->y0, min2(sampler->y1, yv));
-    return rectangle_point(sampler->target, xu - sampler->x0, yv - sampler->y0);
+    return pp_target_point(sampler->target, xu - sampler->x0, yv - sampler->y0);
 }
 
 /* Solid angle of a triangle of directions a, b, c [VOS83]. */
@@ -365,7 +354,7 @@ static struct pp_direction_sample rectangle_sample(
 
     if (sampler->by_area) {
         struct pp_direction_sample sample = at_point(
-            sampler, rectangle_point(sampler->target, u * sampler->target->width_m,
+            sampler, pp_target_point(sampler->target, u * sampler->target->width_m,
                                      v * sampler->target->height_m));
         sample.per_density =
             sampler->target->area_m2 * per_area(sampler, &sample) / density;
@@ -384,7 +373,7 @@ void pp_sample_polygon_init(struct pp_polygon_sampler *sampler,
     sampler->target = target;
     sampler->from = from;
     sampler->facing = n;
-    sampler->distance_m = height_over(target, from);
+    sampler->distance_m = pp_target_height(target, from);
     if (target->rectangle) {
         rectangle_init(sampler);
         weigh_corners(sampler, n, brightness);

@@ -30,6 +30,20 @@ struct pp_target {
     int triangle_count;
 };
 
+/* How far a point lies before the target's plane (m). */
+static inline double pp_target_height(const struct pp_target *target,
+                                      struct pp_vec3 point)
+{
+    return pp_vec_dot(target->normal, pp_vec_sub(point, target->middle));
+}
+
+/* The place x along and y up from the corner of a rectangle. */
+static inline struct pp_vec3 pp_target_point(const struct pp_target *target, double x,
+                                             double y)
+{
+    return pp_vec_along(pp_vec_along(target->corner, x, target->along), y, target->up);
+}
+
 /* A guess of the luminance outside the openings, over that of the horizon. */
 struct pp_brightness {
     double ground;    /* below the horizon */

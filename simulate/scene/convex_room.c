@@ -8,10 +8,7 @@
 
 #include "simulate/scene/light_scene_parts.h"
 
-/* Points nearer than this to a plane lie in it. */
-static const double SAME_PLANE_M = 1e-7;
-
-/* And those nearer than this are in the room as well as in the plane: rounding. */
+/* Points nearer than this to a plane are in the room as well as in the plane: rounding. */
 static const double IN_PLANE_M = 1e-9;
 
 /* A ray may start so far behind a plane: in a corner it is rounding. */
@@ -35,17 +32,6 @@ struct pp_convex_room {
     int *panes; /* by plane */
 };
 
-bool pp_convex_room_all_before(const struct pp_polygon *outline,
-                               const struct pp_polygon *face)
-{
-    for (int i = 0; i < outline->count; i++)
-        if (pp_vec_dot(face->normal,
-                       pp_vec_sub(outline->vertices[i], face->vertices[0]))
-            < -SAME_PLANE_M)
-            return false;
-    return true;
-}
-
 bool pp_convex_room_is(const struct pp_world *world)
 {
     for (int i = world->face_count; i < world->surface_count; i++)
@@ -53,8 +39,8 @@ bool pp_convex_room_is(const struct pp_world *world)
             return false;
     for (int i = 0; i < world->face_count; i++)
         for (int k = 0; k < world->face_count; k++)
-            if (!pp_convex_room_all_before(&world->surfaces[k].outline,
-                                           &world->surfaces[i].outline))
+            if (!pp_polygon_is_before(&world->surfaces[k].outline,
+                                      &world->surfaces[i].outline))
                 return false;
     return world->face_count > 0;
 }

@@ -20,10 +20,6 @@
 struct pp_convex_room;
 struct pp_world;
 
-/* Does no vertex of the outline lie behind the face's plane? */
-bool pp_convex_room_all_before(const struct pp_polygon *outline,
-                               const struct pp_polygon *face);
-
 /* Do any two points in the room see each other, niches apart? Nothing stands in it, and no
  * vertex lies behind the plane of a face. */
 bool pp_convex_room_is(const struct pp_world *world);

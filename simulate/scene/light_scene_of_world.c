@@ -97,8 +97,6 @@ static enum pp_status add_triangles(struct pp_light_scene *scene,
     if (status == PP_OK)
         status = pp_window_images_find(scene, err);
     if (status == PP_OK)
-        status = pp_glass_images_find(scene, err);
-    if (status == PP_OK)
         status = pp_convex_room_create(&scene->convex, scene, err);
     return status == PP_OK ? pp_light_scene_add_rays(scene, list, err) : status;
 }
@@ -131,6 +129,8 @@ static enum pp_status build(struct pp_light_scene *scene, bool matt,
                                              scene->skylines.ground_level_m};
     if (status == PP_OK)
         status = add_triangles(scene, &list, err);
+    if (status == PP_OK && matt)
+        status = pp_glass_images_find(scene, err);
     pp_triangles_clear(&list);
     return status;
 }

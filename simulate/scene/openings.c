@@ -14,10 +14,10 @@ static bool is_unobstructed(const struct pp_world *world,
                             const struct pp_opening *opening)
 {
     for (int i = 0; i < world->surface_count; i++)
-        if (!pp_convex_room_all_before(&world->surfaces[i].outline, &opening->outer))
+        if (!pp_polygon_is_before(&world->surfaces[i].outline, &opening->outer))
             return false;
     for (int i = 0; i < world->opening_count; i++)
-        if (!pp_convex_room_all_before(&world->openings[i].outer, &opening->outer))
+        if (!pp_polygon_is_before(&world->openings[i].outer, &opening->outer))
             return false;
     return true;
 }

@@ -21,8 +21,8 @@
 #include "model/base/late_library.h"
 #include "simulate/scene/round.h"
 
-/* Embree is loaded with the first scene, since many a command needs none: with its tasks'
- * library it is a third of what a start would load. */
+/* Embree is loaded with the first scene, since many a command needs none; its functions are
+ * looked up for each. */
 #ifdef HAVE_EMBREE4
 #define EMBREE_FILE "libembree4.so.4"
 #else

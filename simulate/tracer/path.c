@@ -252,12 +252,12 @@ struct path_fan {
 
 /* A path that the glass of the pane has mirrored to what it has now met leaves the light of
  * an opening there out. */
-static void leave_out_image(const struct pp_light_scene *scene, int glass,
+static void leave_out_image(const struct pp_light_scene *scene, int pane,
                             const struct pp_light_hit *met, struct pp_light_path *path)
 {
     int window = scene->parts[met->part].window;
     if (window >= 0 && !met->back && path->sampled == PP_DIRECTLY_SAMPLED_NONE
-        && pp_glass_images_has(scene, glass, window))
+        && pp_glass_images_has(scene, pane, window))
         path->sampled = PP_DIRECTLY_SAMPLED_ALL;
 }
 

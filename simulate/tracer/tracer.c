@@ -14,6 +14,7 @@
 #include "simulate/tracer/path.h"
 #include "simulate/tracer/radiosity_solve.h"
 #include "simulate/tracer/shared_light.h"
+#include "simulate/transport/light_images.h"
 
 /* The estimators, and the sums of their paths; those of direct light are by component,
  * PP_SC to PP_IRC. */
@@ -180,6 +181,8 @@ static double bound_of(const void *client, int point, int component, unsigned fo
     const struct pp_tracer *tracer = client;
     /* Of what is shared a receiver takes 1 on the average. */
     double reflected = paths[tracer->points[point].shares ? SHARED : CORRECTION];
+    if (tracer->scene->glass_image_count > 0) /* what glass shows of others */
+        reflected = fmin(reflected, PP_GLASS_CHANCE * paths[DIRECT]);
     return pp_unsampled_of_component(&tracer->points[point].most, component, found,
                                      paths[DIRECT], reflected);
 }

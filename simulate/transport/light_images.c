@@ -94,11 +94,6 @@ bool pp_light_images_sample(struct pp_radiance_state *state,
     return !pp_rgb_is_black(sample->weight);
 }
 
-/* How often an image is looked for: it brings little, but steadily. Measured in 93 rooms of
- * openings in several walls, eight points at 1 %: with 1 they take 10 % more time, with 0.5
- * 2 % more. */
-static const double GLASS_CHANCE = 0.25;
-
 bool pp_light_images_in_glass(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading,
                               struct pp_glass_view *view,
@@ -112,7 +107,7 @@ bool pp_light_images_in_glass(struct pp_radiance_state *state,
     int vertex =
         pp_path_vertex_branch(shading->vertex * PP_DRAWS + PP_DRAW_WINDOWS, -3);
     pp_sobol_sequence_draw(&state->sequence, state->index, vertex, 4, u);
-    if (u[3] >= GLASS_CHANCE)
+    if (u[3] >= PP_GLASS_CHANCE)
         return false;
     int image =
         pp_glass_images_sample(scene, view, shading->point, shading->normal,
@@ -125,7 +120,7 @@ bool pp_light_images_in_glass(struct pp_radiance_state *state,
         || hit.part != scene->panes[pair->glass].part || hit.back)
         return false;
     struct pp_rgb weight =
-        pp_rgb_scale(shading->diffuse, cosine / (PP_PI * pdf * GLASS_CHANCE));
+        pp_rgb_scale(shading->diffuse, cosine / (PP_PI * pdf * PP_GLASS_CHANCE));
     hit.point = pp_path_vertex_drawn_back(hit.point, ray.to);
     if (!pp_light_scene_parts_reflect(scene, &hit, &ray, &weight))
         return false;

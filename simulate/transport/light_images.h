@@ -1,6 +1,6 @@
-/* light_images.h - next-event estimation of openings by way of polished planes: from a
- * diffuse surface, a direction to an opening's image in a reflector (window_images.h),
- * and on from there. Inside simulate/ only.
+/* light_images.h - next-event estimation of openings by way of polished planes and of other
+ * openings' glass: from a diffuse surface, a direction to an opening's image in a reflector
+ * (window_images.h) or in glass (glass_images.h), and on from there. Inside simulate/ only.
  *
  * From the reflector the opening is sampled by a direction of the lobe, or aimed at where
  * it looks smaller than that. The light outside is for light_path.c to find:
@@ -32,6 +32,11 @@ bool pp_light_images_view(struct pp_radiance_state *state,
 bool pp_light_images_sample(struct pp_radiance_state *state,
                             const struct pp_image_view *view,
                             struct pp_window_sample *sample);
+
+/* How often an image in glass is looked for: it brings little, but steadily. Measured in 93
+ * rooms of openings in several walls, eight points at 1 %: with 1 they take 10 % more time,
+ * with 0.5 2 % more. */
+#define PP_GLASS_CHANCE 0.25
 
 /* To an opening's image in the glass of another (glass_images.h), as far as that glass, and
  * on to the opening; false where no light comes along it. *there is in the glass then. */

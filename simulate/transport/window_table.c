@@ -47,7 +47,7 @@ struct pp_vec3 pp_window_table_point(const struct pp_window_table *table,
 {
     double x = (patch % table->columns + u) / table->columns * target->width_m;
     double y = (patch / table->columns + v) / table->rows * target->height_m;
-    return pp_vec_along(pp_vec_along(target->corner, x, target->along), y, target->up);
+    return pp_target_point(target, x, y);
 }
 
 bool pp_window_table_direction(const struct pp_target *target, int bin, double u,

@@ -134,6 +134,10 @@ check "no second file" refuses 2 "expected the other program's values" compare "
 check "a switch mistyped" refuses 2 "--as-if: there is no switch" compare --as-if bonces=2 "$room"
 check "a switch that makes no sense here" \
     refuses 1 "plane=9" compare --as-if plane=9 "$room"
+# On the floor under a desk there is no light, which is no fault of the switch.
+sed 's|<grid |<furniture x="0.2" y="1" width="1.2" depth="2" height="0.74"/><grid |' "$room" >"$scratch/desk.xml"
+check "points moved under a desk" \
+    shows "as if plane=0" compare --error 5% --as-if plane=0 "$scratch/desk.xml"
 check "a unit mistyped" refuses 2 "percent, fraction or lux" compare --as per-cent "$room" "$other"
 
 # ---- in a scene ----

@@ -85,6 +85,15 @@ static void a_method_that_does_not_answer_is_not_named_for_its_ground(void **sta
     assert_false(found.is[PP_RELIABILITY_GROUND]);
 }
 
+/* Nor for its table: bre-min is one of the overcast sky. */
+static void a_method_that_does_not_answer_is_not_named_for_its_table(void **state)
+{
+    (void)state;
+    struct pp_reliability found = under(pp_sky_uniform(), 6.3, 0.0, 0.1);
+    assert_false(found.is[PP_RELIABILITY_PROPORTIONS]);
+    assert_true(of_room(6.3, 0.0, 0.1).is[PP_RELIABILITY_PROPORTIONS]);
+}
+
 static void every_kind_has_its_measured_band(void **state)
 {
     (void)state;
@@ -104,6 +113,7 @@ int main(void)
         cmocka_unit_test(a_room_more_than_twice_as_deep_as_wide_is_beyond_the_table),
         cmocka_unit_test(a_ground_of_snow_is_far_from_the_one_built_in),
         cmocka_unit_test(a_method_that_does_not_answer_is_not_named_for_its_ground),
+        cmocka_unit_test(a_method_that_does_not_answer_is_not_named_for_its_table),
         cmocka_unit_test(every_kind_has_its_measured_band),
     };
     return cmocka_run_group_tests_name("reliability", tests, NULL, NULL);

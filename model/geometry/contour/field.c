@@ -14,19 +14,13 @@
  * 100 m was not found. */
 #define FINE_EDGE 0.25
 
-static enum pp_status evaluate(struct pp_field *field, const double xy[2],
-                               double *value, struct pp_error *err)
-{
-    field->evaluations++;
-    return field->function(field->context, xy[0], xy[1], value, err);
-}
-
 enum pp_status pp_field_evaluate(struct pp_field *field, const double xy[2],
                                  double *value, struct pp_error *err)
 {
     if (pp_known_values_find(&field->known, xy, value))
         return PP_OK;
-    enum pp_status status = evaluate(field, xy, value, err);
+    field->evaluations++;
+    enum pp_status status = field->function(field->context, xy[0], xy[1], value, err);
     return status == PP_OK ? pp_known_values_add(&field->known, xy, *value, err)
                            : status;
 }
@@ -38,7 +32,8 @@ enum pp_status pp_field_fill(struct pp_field *field, struct pp_error *err)
                          sizeof *field->values, err);
     while (field->value_count < field->mesh.node_count && status == PP_OK) {
         int node = field->value_count;
-        status = evaluate(field, field->mesh.nodes[node], &field->values[node], err);
+        status = pp_field_evaluate(field, field->mesh.nodes[node], &field->values[node],
+                                   err);
         if (status == PP_OK)
             field->value_count++;
     }

@@ -44,7 +44,7 @@ struct pp_field {
     double tolerance, coarse;
     double *values; /* at the mesh's nodes */
     int value_count, value_room;
-    struct pp_known_values known; /* between the nodes */
+    struct pp_known_values known; /* wherever it was evaluated */
     long evaluations;
 
     /* Of the level whose curves are being traced. */
@@ -77,7 +77,7 @@ double pp_field_share_below(const struct pp_field *field, double level);
 /* How often the function was evaluated. */
 long pp_field_evaluations(const struct pp_field *field);
 
-/* The value between the nodes. What was evaluated is kept: a level whose curves were traced
+/* The value at a place. What was evaluated is kept: a level whose curves were traced
  * is traced again for its outlines, when other levels have halved triangles elsewhere. */
 enum pp_status pp_field_evaluate(struct pp_field *field, const double xy[2],
                                  double *value, struct pp_error *err);

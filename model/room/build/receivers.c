@@ -205,9 +205,10 @@ static enum pp_status resolve_grid(struct pp_resolver *r, struct receiver_list *
     if (list->count == first && part->line > 0)
         pp_mistakes_add(
             r->mistakes, part->line,
-            "grid: no point of it lies in the room and %g m or more from the "
-            "walls; expected a smaller margin or spacing in a plan of %g m by "
-            "%g m",
+            "grid: no point of it lies in the room, clear of what stands there and %g "
+            "m "
+            "or more from the walls; expected a smaller margin or spacing in a plan of "
+            "%g m by %g m",
             part->margin_m, high[0] - low[0], high[1] - low[1]);
     return PP_OK;
 }
@@ -248,8 +249,15 @@ static enum pp_status resolve_default(struct pp_resolver *r, struct receiver_lis
         .kind = PP_GRID, .spacing_m = default_spacing_m, .margin_m = default_spacing_m};
     if (resolve_grid(r, list, &grid, err) != PP_OK)
         return PP_SYSTEM;
-    if (list->count == 0 && r->world->plane.count > 0)
-        return add_inmost(r, list, err);
+    if (list->count > 0 || r->world->plane.count == 0)
+        return PP_OK;
+    if (add_inmost(r, list, err) != PP_OK)
+        return PP_SYSTEM;
+    if (list->count == 0)
+        pp_mistakes_add(r->mistakes, r->room->line,
+                        "room: what stands in it leaves no place for points on the "
+                        "working plane; expected <point>s elsewhere, or another "
+                        "working-plane");
     return PP_OK;
 }
 

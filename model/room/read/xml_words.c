@@ -96,10 +96,10 @@ static struct diagnosis wrong_in_value(const struct pp_xml_place *place, size_t 
 }
 
 /* What the parts of a tag are, in their order. */
-enum part { NAME, SPACE, ATTRIBUTE, EQUALS, VALUE, BEHIND_VALUE, SLASH };
+enum tag_part { NAME, SPACE, ATTRIBUTE, EQUALS, VALUE, BEHIND_VALUE, SLASH };
 
 /* The part that a byte of a well-formed tag begins or goes on with. */
-static enum part next_part(enum part part, char c, char *quote)
+static enum tag_part next_part(enum tag_part part, char c, char *quote)
 {
     bool white = is_white(c);
     switch (part) {
@@ -127,10 +127,10 @@ static struct diagnosis wrong_in_tag(const struct pp_xml_place *place, size_t st
     name += is_end;
     if (here <= name)
         return (struct diagnosis){no_name, here};
-    enum part part = NAME;
+    enum tag_part part = NAME;
     char quote = '\0';
     for (size_t p = name; p < here; p++) {
-        enum part next = next_part(part, place->bytes[p], &quote);
+        enum tag_part next = next_part(part, place->bytes[p], &quote);
         if (next == VALUE && part == EQUALS)
             open = p;
         part = next;

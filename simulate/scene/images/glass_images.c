@@ -13,11 +13,6 @@ static const double LEAST_M = 1e-6;
 
 /* ---- found ---- */
 
-static double height_over(const struct pp_target *glass, struct pp_vec3 point)
-{
-    return pp_vec_dot(glass->normal, pp_vec_sub(point, glass->middle));
-}
-
 static const struct pp_material *material_of(const struct pp_light_scene *scene,
                                              int pane)
 {
@@ -25,21 +20,52 @@ static const struct pp_material *material_of(const struct pp_light_scene *scene,
     return &scene->materials[part->material[0]];
 }
 
+static bool mirrors(const struct pp_light_scene *scene, int pane)
+{
+    return material_of(scene, pane)->kind == PP_MATERIAL_GLASS
+           && scene->panes[pane].opening->glass.panes > 0;
+}
+
+/* What two openings that face each other send to each other, but for its factor. */
+static double exchange(const struct pp_target *glass, const struct pp_target *window)
+{
+    double apart = pp_vec_length(pp_vec_sub(glass->middle, window->middle));
+    return glass->area_m2 * window->area_m2 / (apart * apart);
+}
+
+/* Where the least of them stands. */
+static int least_of(const double *worth, int count)
+{
+    int least = 0;
+    for (int i = 1; i < count; i++)
+        if (worth[i] < worth[least])
+            least = i;
+    return least;
+}
+
 enum pp_status pp_glass_images_find(struct pp_light_scene *scene, struct pp_error *err)
 {
     int count = 0;
+    double worth[PP_GLASS_IMAGES_MOST];
     scene->glass_images = calloc(PP_GLASS_IMAGES_MOST, sizeof *scene->glass_images);
     if (!scene->glass_images)
         return pp_fail_memory(err);
     for (int i = 0; i < scene->pane_count; i++) {
         const struct pp_target *glass = &scene->panes[i].target;
-        if (material_of(scene, i)->kind != PP_MATERIAL_GLASS)
+        if (!mirrors(scene, i))
             continue;
-        for (int k = 0; k < scene->pane_count && count < PP_GLASS_IMAGES_MOST; k++) {
+        for (int k = 0; k < scene->pane_count; k++) {
             const struct pp_target *window = &scene->panes[k].target;
-            if (height_over(glass, window->middle) > LEAST_M
-                && height_over(window, glass->middle) > LEAST_M)
-                scene->glass_images[count++] = (struct pp_glass_image){i, k};
+            if (!(pp_target_height(glass, window->middle) > LEAST_M
+                  && pp_target_height(window, glass->middle) > LEAST_M))
+                continue;
+            bool full = count == PP_GLASS_IMAGES_MOST;
+            int place = full ? least_of(worth, count) : count++;
+            double own = exchange(glass, window);
+            if (full && !(own > worth[place]))
+                continue;
+            scene->glass_images[place] = (struct pp_glass_image){i, k};
+            worth[place] = own;
         }
     }
     scene->glass_image_count = count;
@@ -56,6 +82,10 @@ bool pp_glass_images_has(const struct pp_light_scene *scene, int glass, int wind
 }
 
 /* ---- seen ---- */
+
+/* What no glass is taken to reflect less than: one as clear as its stack of panes can be
+ * mirrors nothing straight ahead, and some at a slant. */
+static const double LEAST_REFLECTANCE = 0.01;
 
 /* The box of what a point sees through an outline of the target's plane, along the
  * target's axes from its corner. */
@@ -110,14 +140,12 @@ static bool cut_to(struct pp_target *target, const struct seen_box *box)
         return false;
     if (!target->rectangle)
         return true;
-    target->corner =
-        pp_vec_along(pp_vec_along(target->corner, x0, target->along), y0, target->up);
+    target->corner = pp_target_point(target, x0, y0);
     target->width_m = x1 - x0;
     target->height_m = y1 - y0;
     target->area_m2 = target->width_m * target->height_m;
     target->middle =
-        pp_vec_along(pp_vec_along(target->corner, 0.5 * target->width_m, target->along),
-                     0.5 * target->height_m, target->up);
+        pp_target_point(target, 0.5 * target->width_m, 0.5 * target->height_m);
     return true;
 }
 
@@ -125,7 +153,7 @@ static bool cut_to(struct pp_target *target, const struct seen_box *box)
 static struct pp_vec3 image_point(const struct pp_target *glass,
                                   const struct pp_glass_view *view)
 {
-    return pp_vec_along(view->point, -2.0 * height_over(glass, view->point),
+    return pp_vec_along(view->point, -2.0 * pp_target_height(glass, view->point),
                         glass->normal);
 }
 
@@ -138,7 +166,8 @@ static bool seen_part(const struct pp_light_scene *scene,
     const struct pp_target *glass = &scene->panes[image->glass].target;
     struct pp_vec3 from = image_point(glass, view);
     *part = scene->panes[image->window].target;
-    if (!(height_over(glass, view->point) > 0.0) || !(height_over(part, from) > 0.0))
+    if (!(pp_target_height(glass, view->point) > 0.0)
+        || !(pp_target_height(part, from) > 0.0))
         return false;
     struct seen_box box = seen_through(&scene->panes[image->glass].opening->outer, part,
                                        scene->centre, from);
@@ -163,7 +192,8 @@ static double share_of(const struct pp_light_scene *scene,
     struct pp_vec3 to = pp_vec_unit(pp_vec_sub(part.middle, from));
     double cosine = fabs(pp_vec_dot(to, glass->normal));
     return importance
-           * pp_scatter_specular_reflectance(material_of(scene, pane), cosine).g;
+           * fmax(pp_scatter_specular_reflectance(material_of(scene, pane), cosine).g,
+                  LEAST_REFLECTANCE);
 }
 
 static void look_from(const struct pp_light_scene *scene, struct pp_glass_view *view,

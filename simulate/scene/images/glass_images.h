@@ -1,5 +1,5 @@
-/* glass_images.h - openings as the glass of other openings reflects them into the room,
- * by which next-event estimation samples them.
+/* glass_images.h - openings as the glass of other openings reflects them into the room, by
+ * which next-event estimation samples them at the points of a room (tracer/path.h).
  *
  * Clear glass mirrors: seen from a point, one opening stands behind the glass of another
  * as it stands before the point's own image. Directions to it are sampled from there
@@ -13,7 +13,7 @@
 #include "simulate/sampling/sample_polygon.h"
 #include "simulate/scene/light_scene.h"
 
-/* Others are left to the rays. */
+/* The pairs that have most of each other; the light of others is left to the rays. */
 enum { PP_GLASS_IMAGES_MOST = 32 };
 
 /* An opening and another, in the glass of which it is seen: panes by number. */
@@ -22,7 +22,7 @@ struct pp_glass_image {
 };
 
 /* Finds the scene's, once its panes and their parts are there: none where all openings lie
- * in one plane. */
+ * in one plane, nor in one without glass. */
 enum pp_status pp_glass_images_find(struct pp_light_scene *scene, struct pp_error *err);
 
 /* Is it one of the scene's? */
@@ -35,13 +35,13 @@ struct pp_glass_sight {
     struct pp_polygon_sampler sampler;
 };
 
-/* All of them from the last point that looked for them; at first all zero. */
 enum { PP_GLASS_SIGHTS = 4 };
 
+/* All of them from the last point that looked for them; at first all zero. */
 struct pp_glass_view {
     struct pp_vec3 point, normal;
     double share[PP_GLASS_IMAGES_MOST]; /* what each may bring; 0: it is out of sight */
-    struct pp_glass_sight kept[PP_GLASS_SIGHTS]; /* of those that were chosen last */
+    struct pp_glass_sight kept[PP_GLASS_SIGHTS]; /* by number modulo their count */
 };
 
 /* A direction from the point to an image, by three numbers in (0, 1), and its density, with

@@ -31,6 +31,17 @@
     "glazing='none'/>"                                                                 \
     "<point x='2.1' y='3.7' z='0.6'/></room>"
 
+/* Glass as clear as its stack can be mirrors nothing of what stands straight before it, which
+ * the middle of the other window does here, and a little of its sides. */
+#define CLEAREST_ROOM                                                                  \
+    "<room version='1'><plan width='8.4' depth='3' height='3.2'/>"                     \
+    "<finishes floor='0.02' walls='0.05' ceiling='0.03'/>"                             \
+    "<window wall='south' left='0.2' sill='0.4' width='8' height='2.4' "               \
+    "transmittance='1'/>"                                                              \
+    "<window wall='north' left='0.2' sill='0.4' width='8' height='2.4' "               \
+    "transmittance='1'/>"                                                              \
+    "<point x='4.2' y='1.5' z='1.6'/></room>"
+
 /* Is the point of the glass' plane in the rectangle of the glass? */
 static bool is_in(const struct pp_opening *opening, struct pp_vec3 point)
 {
@@ -156,12 +167,12 @@ static struct found_light reflected(struct pp_path_state *state,
                                 sqrt((squares - sum * sum / NETS) / (NETS - 1))};
 }
 
-/* Sampled by images, and left out by rays, it is the same light. */
-static void images_in_glass_are_what_rays_find_there(void **state)
+/* Sampled by images, and left out by rays, it is the same light, with at most that much of
+ * the noise. */
+static void images_are_what_rays_find(const char *room, double noise)
 {
-    (void)state;
     struct pp_outside_light light;
-    struct pp_world *world = pp_test_lit_world(&light, NICHED_ROOM);
+    struct pp_world *world = pp_test_lit_world(&light, room);
     struct pp_light_scene *scene = pp_test_matt_scene(world);
     struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_sobol sobol;
@@ -175,11 +186,59 @@ static void images_in_glass_are_what_rays_find_there(void **state)
     struct found_light by_rays = reflected(&paths, &sobol, &world->receivers[0], false);
     double both = hypot(aimed.deviation, by_rays.deviation) / sqrt(NETS);
     assert_near(aimed.mean, by_rays.mean, 3.0 * both);
-    assert_near(aimed.deviation / by_rays.deviation, 0.0, 0.7);
+    assert_near(aimed.deviation / by_rays.deviation, 0.0, noise);
     pp_radiosity_destroy(guess);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
+}
+
+static void images_in_glass_are_what_rays_find_there(void **state)
+{
+    (void)state;
+    images_are_what_rays_find(NICHED_ROOM, 0.7);
+}
+
+static void the_clearest_glass_mirrors_at_its_sides(void **state)
+{
+    (void)state;
+    images_are_what_rays_find(CLEAREST_ROOM, 1.0);
+}
+
+/* Of six openings without glass and six windows opposite the windows alone mirror; of 72
+ * pairs of windows the 32 that have most of each other are kept, in the glass of both
+ * walls. */
+static void pairs_are_of_glass_and_those_that_have_most_of_each_other(void **state)
+{
+    (void)state;
+    static const char *const glazings[2] = {"none", "clear-double"};
+    for (int glazed = 0; glazed < 2; glazed++) {
+        struct pp_outside_light light;
+        char room[4096];
+        int length =
+            snprintf(room, sizeof room,
+                     "<room version='1'><plan width='9' depth='5' height='3'/>");
+        for (int i = 0; i < 12; i++)
+            length += snprintf(
+                room + length, sizeof room - (size_t)length,
+                "<window wall='%s' left='%g' sill='0.9' width='0.9' height='1.5' "
+                "glazing='%s'/>",
+                i < 6 ? "south" : "north", 0.3 + 1.4 * (i % 6),
+                i < 6 ? glazings[glazed] : "clear-double");
+        snprintf(room + length, sizeof room - (size_t)length,
+                 "<point x='2' y='2'/></room>");
+        struct pp_world *world = pp_test_lit_world(&light, room);
+        struct pp_light_scene *scene = pp_test_matt_scene(world);
+        int in_wall[2] = {0, 0};
+        for (int i = 0; i < scene->glass_image_count; i++)
+            in_wall[scene->glass_images[i].glass / 6]++;
+        assert_int_equal(scene->glass_image_count, PP_GLASS_IMAGES_MOST);
+        assert_int_equal(in_wall[0], glazed ? PP_GLASS_IMAGES_MOST / 2 : 0);
+        assert_true(pp_glass_images_has(scene, 6, 5));
+        assert_int_equal(pp_glass_images_has(scene, 5, 6), glazed);
+        pp_light_scene_destroy(scene);
+        pp_world_destroy(world);
+    }
 }
 
 /* The openings of one wall show in none of its glass. */
@@ -203,6 +262,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(black_room_reflects_one_window_in_the_glass_of_the_other),
         cmocka_unit_test(images_in_glass_are_what_rays_find_there),
+        cmocka_unit_test(the_clearest_glass_mirrors_at_its_sides),
+        cmocka_unit_test(pairs_are_of_glass_and_those_that_have_most_of_each_other),
         cmocka_unit_test(windows_in_one_plane_have_no_images),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

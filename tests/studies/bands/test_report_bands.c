@@ -138,16 +138,23 @@ static void rooms_that_the_atlas_has_not_are_told_so(void **state)
     }
 }
 
-/* Hardly darker than the wall of 0.5 behind it. */
+/* Hardly darker than the wall of 0.5 behind it, and darker by 0.2, which is not over it. */
 static void a_dado_like_its_wall_leaves_the_bands(void **state)
 {
     (void)state;
-    struct made m;
-    make(&m,
-         "<room version='1'>" ROOM "<dado height='1.1' reflectance='0.33'/></room>");
-    assert_int_equal(pp_report_bands_fill(&m.report, NULL), PP_OK);
-    assert_null(m.report.no_bands);
-    clear(&m);
+    static const char *const rooms[] = {
+        "<room version='1'>" ROOM "<dado height='1.1' reflectance='0.33'/></room>",
+        "<room version='1'>" ROOM "<dado height='1.1' reflectance='0.3'/></room>",
+        "<room version='1'>" ROOM "<finishes walls='0.8'/>"
+        "<dado height='1.1' reflectance='0.6'/></room>",
+    };
+    for (size_t i = 0; i < sizeof rooms / sizeof *rooms; i++) {
+        struct made m;
+        make(&m, rooms[i]);
+        assert_int_equal(pp_report_bands_fill(&m.report, NULL), PP_OK);
+        assert_null(m.report.no_bands);
+        clear(&m);
+    }
 }
 
 static double width_of(struct pp_band_ends band, double figure)
