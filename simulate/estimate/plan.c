@@ -187,12 +187,12 @@ static struct outlook reach_variance(struct outlook at, double allowed,
     }
 }
 
-struct pp_plan pp_plan_by_pilot(const struct pp_sampled *pilot, double wanted)
+static struct pp_plan plan_by(struct outlook outlook, double wanted)
 {
-    struct outlook outlook = outlook_of(pilot);
+    const struct pp_sampler *sampler = outlook.pilot->sampler;
     struct pp_plan plan;
-    for (int k = 0; k < pilot->sampler->estimators; k++)
-        while (outlook.counts.of[k] < pilot->sampler->least.of[k])
+    for (int k = 0; k < sampler->estimators; k++)
+        while (outlook.counts.of[k] < sampler->least.of[k])
             outlook = doubled(&outlook, k);
     outlook = reach_variance(outlook, allowed_variance(&outlook, wanted),
                              &plan.randomisations);
@@ -205,6 +205,47 @@ struct pp_plan pp_plan_by_pilot(const struct pp_sampled *pilot, double wanted)
     return plan;
 }
 
+/* Has the pilot seen too little? Then it is to have *counts. */
+static bool is_too_little(const struct outlook *now, double wanted,
+                          struct pp_counts *counts)
+{
+    const struct pp_sampler *sampler = now->pilot->sampler;
+    struct outlook more = *now;
+    bool may = false;
+    for (int k = 0; k < sampler->estimators; k++) {
+        uint32_t most = pp_plan_most(sampler, k);
+        more.counts.of[k] *= GROWTH;
+        if (more.counts.of[k] > PILOT_PATHS)
+            return false;
+        if (more.counts.of[k] > most)
+            more.counts.of[k] = most;
+        may |= more.counts.of[k] > now->counts.of[k];
+    }
+    if (!may)
+        return false;
+    int randomisations;
+    struct outlook planned =
+        reach_variance(*now, allowed_variance(now, wanted), &randomisations);
+    bool skewed = skewness_squared(&planned) > SKEWNESS_SQUARED;
+    bool vague =
+        height(now, VARIANCE) > VAGUE * VAGUE * PP_RANDOMISATIONS * wanted * wanted;
+    bool blind = bound_of(now) > 2.0 * wanted && bound_of(&more) < bound_of(now);
+    bool grows = skewed || vague || blind;
+    if (grows)
+        *counts = more.counts;
+    return grows;
+}
+
+bool pp_plan_grows(const struct pp_sampled *pilot, double wanted, bool may_grow,
+                   struct pp_counts *grown, struct pp_plan *plan)
+{
+    struct outlook outlook = outlook_of(pilot);
+    bool grows = may_grow && is_too_little(&outlook, wanted, grown);
+    if (!grows)
+        *plan = plan_by(outlook, wanted);
+    return grows;
+}
+
 void pp_plan_halves(const struct pp_sampled *done, double wanted, int halves[2])
 {
     int n = done->count / 2;
@@ -214,33 +255,4 @@ void pp_plan_halves(const struct pp_sampled *done, double wanted, int halves[2])
         double more = variance * student * student / (2.0 * n * wanted * wanted);
         halves[h] = more > LEAST_ADDED ? (int)ceil(n * fmin(more, MOST_ADDED)) : n;
     }
-}
-
-bool pp_plan_pilot_grows(const struct pp_sampled *pilot, double wanted,
-                         struct pp_counts *counts)
-{
-    struct outlook now = outlook_of(pilot), more = now;
-    bool may = false;
-    for (int k = 0; k < pilot->sampler->estimators; k++) {
-        uint32_t most = pp_plan_most(pilot->sampler, k);
-        more.counts.of[k] *= GROWTH;
-        if (more.counts.of[k] > PILOT_PATHS)
-            return false;
-        if (more.counts.of[k] > most)
-            more.counts.of[k] = most;
-        may |= more.counts.of[k] > now.counts.of[k];
-    }
-    if (!may)
-        return false;
-    int randomisations;
-    struct outlook planned =
-        reach_variance(now, allowed_variance(&now, wanted), &randomisations);
-    bool skewed = skewness_squared(&planned) > SKEWNESS_SQUARED;
-    bool vague =
-        height(&now, VARIANCE) > VAGUE * VAGUE * PP_RANDOMISATIONS * wanted * wanted;
-    bool blind = bound_of(&now) > 2.0 * wanted && bound_of(&more) < bound_of(&now);
-    bool grows = skewed || vague || blind;
-    if (grows)
-        *counts = more.counts;
-    return grows;
 }

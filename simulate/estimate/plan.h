@@ -38,14 +38,12 @@ static inline uint32_t pp_plan_most(const struct pp_sampler *sampler, int estima
     return most > 0 ? most : PP_MOST_PATHS;
 }
 
-/* The plan for a standard error of the last value of `wanted`. */
-struct pp_plan pp_plan_by_pilot(const struct pp_sampled *pilot, double wanted);
+/* For a standard error of the last value of `wanted`. Has the pilot seen too little for a
+ * plan, and may it grow? Then it is to have *grown, else the plan is *plan. */
+bool pp_plan_grows(const struct pp_sampled *pilot, double wanted, bool may_grow,
+                   struct pp_counts *grown, struct pp_plan *plan);
 
 /* The randomisations that the two halves (spread.h) are to have for that. */
 void pp_plan_halves(const struct pp_sampled *done, double wanted, int halves[2]);
-
-/* Has the pilot seen too little for that? Then it is to have *counts. */
-bool pp_plan_pilot_grows(const struct pp_sampled *pilot, double wanted,
-                         struct pp_counts *counts);
 
 #endif

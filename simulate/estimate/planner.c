@@ -209,10 +209,9 @@ static bool foresee(void *data, int member, int index)
     struct planned_point *point = &planner->points[index];
     struct pp_sampled pilot = sampled_of(planner, index, PILOT);
     double wanted = wanted_error(planner, index);
-    point->grows = planner->stage == PILOT && by_error(planner)
-                   && pp_plan_pilot_grows(&pilot, wanted, &point->counts);
-    if (!point->grows)
-        point->plan = pp_plan_by_pilot(&pilot, wanted);
+    bool may_grow = planner->stage == PILOT && by_error(planner);
+    point->grows =
+        pp_plan_grows(&pilot, wanted, may_grow, &point->counts, &point->plan);
     return true;
 }
 

@@ -42,12 +42,17 @@ static double variance_of_mean(const struct half *half, double mean)
 static struct pp_spread spread_of(const struct pp_sampled *sampled, int value,
                                   int estimator)
 {
+    enum { KEPT = 64 }; /* figures that are not worked out twice */
+    double kept[KEPT];
     struct half halves[2] = {{.count = 0}, {.count = 0}};
     struct pp_spread spread = {.std_error = NAN};
     for (int i = 0; i < sampled->count; i++)
         if (is_begun(sampled->sampler, &sampled->randomisations[i])) {
-            halves[i % 2].mean += figure(sampled, i, value, estimator);
+            double one = figure(sampled, i, value, estimator);
+            halves[i % 2].mean += one;
             halves[i % 2].count++;
+            if (i < KEPT)
+                kept[i] = one;
         }
     spread.count = halves[0].count + halves[1].count;
     if (spread.count == 0)
@@ -60,7 +65,8 @@ static struct pp_spread spread_of(const struct pp_sampled *sampled, int value,
         return spread;
     for (int i = 0; i < sampled->count; i++)
         if (is_begun(sampled->sampler, &sampled->randomisations[i])) {
-            double off = figure(sampled, i, value, estimator) - mean;
+            double one = i < KEPT ? kept[i] : figure(sampled, i, value, estimator);
+            double off = one - mean;
             halves[i % 2].squares += off * off;
             halves[i % 2].cubes += off * off * off;
         }
@@ -101,9 +107,20 @@ double pp_spread_variance_of_half(const struct pp_sampled *sampled, int half)
     return squares / (n - 1.0);
 }
 
-static bool differs(const struct pp_spread *spread)
+/* Has the value not come out the same in all randomisations? Mostly the second one tells. */
+static bool differs(const struct pp_sampled *sampled, int value)
 {
-    return sqrt(spread->variance) > ROUNDING * fabs(spread->mean);
+    double first = NAN;
+    for (int i = 0; i < sampled->count; i++) {
+        if (!is_begun(sampled->sampler, &sampled->randomisations[i]))
+            continue;
+        double one = figure(sampled, i, value, -1);
+        if (isnan(first))
+            first = one;
+        if (fabs(one - first) > ROUNDING * fabs(first))
+            return true;
+    }
+    return false;
 }
 
 /* How many randomisations from the first on all points have begun. */
@@ -160,21 +177,12 @@ double pp_spread_common(const struct pp_sampled *points, int count)
     return fmin(fmax((of_sum.squares - apart) / (together - apart), 0.0), 1.0);
 }
 
-/* All values, and which of them differ. */
-static unsigned find(const struct pp_sampled *sampled, struct pp_spread spreads[])
-{
-    unsigned found = 0;
-    for (int i = 0; i < sampled->sampler->values; i++) {
-        spreads[i] = spread_of(sampled, i, -1);
-        found |= (unsigned)differs(&spreads[i]) << i;
-    }
-    return found;
-}
-
 unsigned pp_spread_found(const struct pp_sampled *sampled)
 {
-    struct pp_spread spreads[PP_VALUES_MOST];
-    return find(sampled, spreads);
+    unsigned found = 0;
+    for (int i = 0; i < sampled->sampler->values; i++)
+        found |= (unsigned)differs(sampled, i) << i;
+    return found;
 }
 
 void pp_spread_paths(const struct pp_sampled *sampled, double *paths)
@@ -207,21 +215,20 @@ void pp_spread_readings(const struct pp_sampled *sampled,
                         struct pp_reading readings[PP_VALUES_MOST])
 {
     const struct pp_sampler *sampler = sampled->sampler;
-    struct pp_spread spreads[PP_VALUES_MOST];
     double paths[PP_ESTIMATORS_MOST];
-    unsigned found = find(sampled, spreads);
+    unsigned found = pp_spread_found(sampled);
     pp_spread_paths(sampled, paths);
     for (int i = 0; i < sampler->values; i++) {
-        const struct pp_spread *spread = &spreads[i];
+        struct pp_spread spread = spread_of(sampled, i, -1);
         readings[i] = pp_reading_none("not sampled yet");
-        if (spread->count < (sampled->count < 4 ? sampled->count : 4))
+        if (spread.count < (sampled->count < 4 ? sampled->count : 4))
             continue;
-        readings[i] = pp_reading_of(spread->mean);
-        if (spread->count < 4)
+        readings[i] = pp_reading_of(spread.mean);
+        if (spread.count < 4)
             continue;
         double bound = 0.0;
         if (sampler->bound)
             bound = sampler->bound(sampled->client, sampled->point, i, found, paths);
-        readings[i].std_error = hypot(spread->std_error, bound);
+        readings[i].std_error = hypot(spread.std_error, bound);
     }
 }

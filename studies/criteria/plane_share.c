@@ -142,7 +142,8 @@ static double level_of(const struct plane_points *points, int wanted,
         low = fmin(low, point->value - spread);
         high = fmax(high, point->value + spread);
     }
-    for (int step = 0; step < 50; step++) {
+    double enough = 1e-7 * (high - low);
+    while (high - low > enough) {
         double middle = 0.5 * (low + high);
         if (probability_of(points, wanted, middle, odds) > probability)
             low = middle;
