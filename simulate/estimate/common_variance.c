@@ -17,14 +17,23 @@ double pp_common_variance_of_all(const struct pp_planner *planner, int count)
     return common;
 }
 
+/* Points of which each is asked with those about it. */
+struct neighbourhood {
+    const struct pp_planner *planner;
+    const struct pp_vec3 *places;
+    int count, step; /* of the points, every step-th is asked */
+    double *common;  /* of those that are asked */
+};
+
 /* The points nearest to one, itself among them; how many there are. */
 static int find_nearest(int nearest[PP_COMMON_VARIANCE_NEAREST],
-                        const struct pp_vec3 *places, int all, int of)
+                        const struct neighbourhood *of, int index)
 {
-    double away[PP_COMMON_VARIANCE_NEAREST];
+    double away[PP_COMMON_VARIANCE_NEAREST]; /* squared */
     int count = 0;
-    for (int i = 0; i < all; i++) {
-        double off = pp_vec_length(pp_vec_sub(places[i], places[of]));
+    for (int i = 0; i < of->count; i++) {
+        struct pp_vec3 between = pp_vec_sub(of->places[i], of->places[index]);
+        double off = pp_vec_dot(between, between);
         int at = count;
         for (; at > 0 && off < away[at - 1]; at--)
             if (at < PP_COMMON_VARIANCE_NEAREST) {
@@ -40,20 +49,32 @@ static int find_nearest(int nearest[PP_COMMON_VARIANCE_NEAREST],
     return count;
 }
 
+static bool ask(void *data, int member, int index)
+{
+    (void)member;
+    const struct neighbourhood *of = data;
+    int nearest[PP_COMMON_VARIANCE_NEAREST];
+    struct pp_sampled list[PP_COMMON_VARIANCE_NEAREST];
+    int near = find_nearest(nearest, of, index * of->step);
+    for (int k = 0; k < near; k++)
+        list[k] = pp_planner_sampled(of->planner, nearest[k]);
+    of->common[index] = pp_spread_common(list, near);
+    return true;
+}
+
 double pp_common_variance_of_near(const struct pp_planner *planner,
                                   const struct pp_vec3 *places, int count)
 {
     enum { ASKED = 500 }; /* points at most, evenly from the list */
-    int step = count / ASKED + 1, asked = 0;
+    int step = count / ASKED + 1, asked = (count + step - 1) / step;
+    struct neighbourhood of = {planner, places, count, step,
+                               calloc((size_t)asked + 1, sizeof *of.common)};
+    if (!of.common)
+        return 1.0; /* on the safe side */
+    pp_crew_run(pp_planner_crew(planner), 0, asked, ask, &of);
     double sum = 0.0;
-    for (int i = 0; i < count; i += step) {
-        int nearest[PP_COMMON_VARIANCE_NEAREST];
-        struct pp_sampled list[PP_COMMON_VARIANCE_NEAREST];
-        int near = find_nearest(nearest, places, count, i);
-        for (int k = 0; k < near; k++)
-            list[k] = pp_planner_sampled(planner, nearest[k]);
-        sum += pp_spread_common(list, near);
-        asked++;
-    }
+    for (int i = 0; i < asked; i++)
+        sum += of.common[i];
+    free(of.common);
     return asked ? sum / asked : 0.0;
 }
