@@ -9,6 +9,7 @@
 #include "methods/daylight_curves.h"
 #include "methods/selection.h"
 #include "methods/usual_pair.h"
+#include "model/room/section.h"
 #include "studies/plane_figures.h"
 #include "studies/study_report.h"
 #include "studies/traced_plane.h"
@@ -109,6 +110,18 @@ static enum pp_status settle(struct pp_plan_study *study,
     return status;
 }
 
+/* ---- contours ---- */
+
+/* A shallow copy of the world whose plane has holes where something stands in the room: there
+ * is no light to draw contours of. Its plane is to be cleared. */
+static enum pp_status open_world(struct pp_world *open, const struct pp_world *world,
+                                 struct pp_error *err)
+{
+    *open = *world;
+    open->plane = (struct pp_region){0};
+    return pp_section_open(&open->plane, world, err);
+}
+
 /* ---- by hand ---- */
 
 /* What a method that gives the internally reflected component adds at every point: the
@@ -133,9 +146,13 @@ static enum pp_status draw_choice(struct pp_plan_study *study,
         return pp_fail(err, PP_BAD_INPUT,
                        "%s cannot be drawn: %s; expected another method, or --simulate",
                        name, irc.why ? irc.why : "there is no value");
-    enum pp_status status =
-        pp_daylight_curves_by(&study->plan, study->report.world, &study->report.light,
-                              choice->method, irc.value, internal, NULL, 0, err);
+    struct pp_world open;
+    enum pp_status status = open_world(&open, study->report.world, err);
+    if (status == PP_OK)
+        status =
+            pp_daylight_curves_by(&study->plan, &open, &study->report.light,
+                                  choice->method, irc.value, internal, NULL, 0, err);
+    pp_region_clear(&open.plane);
     return status == PP_OK ? set_figures(study, name, !internal, err) : status;
 }
 
@@ -207,13 +224,16 @@ static enum pp_status by_trace(struct pp_plan_study *study,
     struct pp_traced_plane *plane = NULL;
     struct pp_study_options half = *options;
     struct pp_report *report = &study->report;
+    struct pp_world open;
     struct pp_report contoured = {
-        .world = room->world, .light = room->light, .finished = true};
+        .world = &open, .light = room->light, .finished = true};
     half.seconds *= 0.5;
     report->world = room->world;
     report->light = room->light;
-    enum pp_status status = pp_plane_figures_receivers(
-        &report->more_receivers, &report->receiver_count, room, err);
+    enum pp_status status = open_world(&open, room->world, err);
+    if (status == PP_OK)
+        status = pp_plane_figures_receivers(&report->more_receivers,
+                                            &report->receiver_count, room, err);
     report->receivers = report->more_receivers;
     if (status == PP_OK)
         status = pp_study_report_traced(report, &half, by_clock, err);
@@ -223,11 +243,12 @@ static enum pp_status by_trace(struct pp_plan_study *study,
         status = trace_plane(&plane, &contoured, &half, by_clock, err);
     report->finished &= contoured.finished;
     if (status == PP_OK)
-        status = pp_daylight_curves_of(&study->plan, room->world, traced,
-                                       pp_traced_plane_value, pp_traced_plane_error,
-                                       plane, err);
+        status =
+            pp_daylight_curves_of(&study->plan, &open, traced, pp_traced_plane_value,
+                                  pp_traced_plane_error, plane, err);
     pp_traced_plane_destroy(plane);
     pp_report_clear(&contoured);
+    pp_region_clear(&open.plane);
     return status;
 }
 

@@ -23,8 +23,9 @@ enum { HALVINGS = 2 };
 /* The radius of the weights, in sides of the square that the place would have. */
 static const double reach_sides = 2.6;
 
-/* A place is never nearer to the plane's edge than this (m). */
-static const double inset_m = 0.005;
+/* A point is never nearer to the plane's edge than this (m), and a place on the edge is
+ * looked from so far within it: on the edge itself sight is not defined. */
+static const double inset_m = 0.005, looked_from_m = 0.001;
 
 enum { NEIGHBOURS_LEAST = 10, NEIGHBOURS_MOST = 128 };
 
@@ -409,11 +410,28 @@ static void find_neighbours(struct neighbours *found,
             }
 }
 
+/* A fit may leave the range of what it is of by a quarter of it, and not below half of the
+ * least: where few points are in sight, as beside a cupboard, they lie on one side. */
+static double bounded(double rest, const struct neighbours *of)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (int n = 0; n < of->count; n++) {
+        low = fmin(low, of->list[n]->rest);
+        high = fmax(high, of->list[n]->rest);
+    }
+    double beyond = 0.25 * (high - low), least = low - beyond;
+    if (low > 0.0)
+        least = fmax(least, 0.5 * low);
+    return fmin(fmax(rest, least), high + beyond);
+}
+
 /* What is fitted, and its standard error; false: nothing is known. */
 static bool fit(const struct pp_traced_plane *plane, double x, double y, double *rest,
                 double *error)
 {
-    const double at[2] = {x, y};
+    struct pp_vec3 within =
+        pp_direct_plane_off_walls(&plane->world->plane, 0.0, looked_from_m, x, y);
+    const double at[2] = {within.x, within.y};
     struct neighbours found = {0};
     double radius = reach_sides * plane->side_m * exp2(-halvings_at(plane, x, y));
     double furthest = hypot(plane->columns, plane->rows) * plane->side_m;
@@ -434,6 +452,7 @@ static bool fit(const struct pp_traced_plane *plane, double x, double y, double 
         errors += share;
         variance += share * share;
     }
+    *rest = bounded(*rest, &found);
     *error = pp_common_error(errors, variance, plane->common);
     return true;
 }

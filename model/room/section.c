@@ -11,6 +11,7 @@
 #include <stdlib.h>
 
 #include "model/base/array.h"
+#include "model/geometry/clipper.h"
 #include "model/geometry/tolerance.h"
 
 /* One edge of one face that goes through the plane. */
@@ -266,6 +267,45 @@ enum pp_status pp_section_at(struct pp_region *region, const struct pp_world *wo
     }
     free(numbers);
     free(corners);
+    if (status != PP_OK)
+        pp_region_clear(region);
+    return status;
+}
+
+static enum pp_status take_away(struct pp_region *region, struct pp_clipper *clipper,
+                                const struct pp_fitting *fitting, struct pp_error *err)
+{
+    struct pp_region cut = {0}, rest = {0};
+    enum pp_status status = pp_clipper_of_ring(
+        clipper, &cut, (const double(*)[2])fitting->xy, fitting->corner_count, err);
+    if (status == PP_OK)
+        status = pp_clipper_difference(clipper, &rest, region, &cut, err);
+    pp_region_clear(&cut);
+    if (status == PP_OK) {
+        pp_region_clear(region);
+        *region = rest;
+    }
+    return status;
+}
+
+enum pp_status pp_section_open(struct pp_region *region, const struct pp_world *world,
+                               struct pp_error *err)
+{
+    double z = world->working_plane_m;
+    struct pp_clipper *clipper;
+    enum pp_status status = pp_clipper_create(&clipper, err);
+    if (status != PP_OK)
+        return status;
+    pp_clipper_set_grid(clipper, 1e-9); /* beside a slanting wall no slivers are left */
+    status = pp_region_copy(region, &world->plane, err);
+    for (int i = 0; status == PP_OK && i < world->fitting_count; i++) {
+        const struct pp_fitting *fitting = &world->fittings[i];
+        if (z > fitting->low_m && z < fitting->high_m)
+            status = take_away(region, clipper, fitting, err);
+    }
+    pp_clipper_destroy(clipper);
+    if (status == PP_OK && region->count == 0)
+        status = pp_region_copy(region, &world->plane, err);
     if (status != PP_OK)
         pp_region_clear(region);
     return status;

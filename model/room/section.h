@@ -14,4 +14,9 @@ enum pp_status pp_section_at(struct pp_region *region, const struct pp_world *wo
 enum pp_status pp_section_cut(struct pp_region *region, const struct pp_world *world,
                               const int *corners, double z, struct pp_error *err);
 
+/* The working plane less the furniture, columns and partitions that it cuts; all of it where
+ * they leave nothing. The region is the caller's. */
+enum pp_status pp_section_open(struct pp_region *region, const struct pp_world *world,
+                               struct pp_error *err);
+
 #endif
