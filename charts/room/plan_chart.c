@@ -15,6 +15,7 @@
 #include "charts/sheet/legend.h"
 #include "charts/sheet/page.h"
 #include "charts/room/room_plan.h"
+#include "model/room/section.h"
 
 struct plan_drawing {
     cairo_t *cr;
@@ -269,6 +270,24 @@ static void place_plan(struct plan_drawing *drawing, struct pp_box room)
     drawing->labels->field = (struct pp_box){plan->x, plan->y - height, width, height};
 }
 
+/* What stands through the plane has no light, nor a colour of it. */
+static void blank_fittings(const struct plan_drawing *drawing)
+{
+    const struct pp_world *world = drawing->chart->world;
+    cairo_set_source_rgb(drawing->cr, 1.0, 1.0, 1.0);
+    for (int i = 0; i < world->fitting_count; i++) {
+        const struct pp_fitting *fitting = &world->fittings[i];
+        if (!pp_section_meets(world, fitting))
+            continue;
+        for (int k = 0; k < fitting->corner_count; k++)
+            cairo_line_to(drawing->cr,
+                          pp_room_plan_x(&drawing->plan, fitting->xy[k][0]),
+                          pp_room_plan_y(&drawing->plan, fitting->xy[k][1]));
+        cairo_close_path(drawing->cr);
+        cairo_fill(drawing->cr);
+    }
+}
+
 /* Clipped to the plane. */
 static void draw_plane(struct plan_drawing *drawing)
 {
@@ -280,6 +299,7 @@ static void draw_plane(struct plan_drawing *drawing)
         draw_dark(drawing);
     pp_plan_fill_draw(drawing->cr, &drawing->plan, chart->plan, chart->fill);
     draw_bands(drawing);
+    blank_fittings(drawing);
     cairo_restore(drawing->cr);
     draw_no_sky_line(drawing);
     draw_contours(drawing);

@@ -288,21 +288,24 @@ static enum pp_status take_away(struct pp_region *region, struct pp_clipper *cli
     return status;
 }
 
+bool pp_section_meets(const struct pp_world *world, const struct pp_fitting *fitting)
+{
+    return world->working_plane_m > fitting->low_m
+           && world->working_plane_m < fitting->high_m;
+}
+
 enum pp_status pp_section_open(struct pp_region *region, const struct pp_world *world,
                                struct pp_error *err)
 {
-    double z = world->working_plane_m;
     struct pp_clipper *clipper;
     enum pp_status status = pp_clipper_create(&clipper, err);
     if (status != PP_OK)
         return status;
     pp_clipper_set_grid(clipper, 1e-9); /* beside a slanting wall no slivers are left */
     status = pp_region_copy(region, &world->plane, err);
-    for (int i = 0; status == PP_OK && i < world->fitting_count; i++) {
-        const struct pp_fitting *fitting = &world->fittings[i];
-        if (z > fitting->low_m && z < fitting->high_m)
-            status = take_away(region, clipper, fitting, err);
-    }
+    for (int i = 0; status == PP_OK && i < world->fitting_count; i++)
+        if (pp_section_meets(world, &world->fittings[i]))
+            status = take_away(region, clipper, &world->fittings[i], err);
     pp_clipper_destroy(clipper);
     if (status == PP_OK && region->count == 0)
         status = pp_region_copy(region, &world->plane, err);

@@ -71,6 +71,16 @@ differ() {
     ! cmp -s "$1" "$2"
 }
 check "colours are drawn" differ "$scratch/none.svg" "$scratch/colour.svg"
+# A cupboard and a column stand through the plane, a desk below it.
+sed 's|</room>|<furniture x="0.2" y="4" width="0.8" depth="0.5" height="2"/>\
+<furniture x="1.4" y="4" width="0.8" depth="0.5" height="0.7"/>\
+<column x="2" y="3" diameter="0.3"/></room>|' "$deep" >"$scratch/furnished.xml"
+blanks() {
+    "$pepperpot" chart plan --fill colour -o "$scratch/blanks.svg" "$1"
+    grep -c 'fill:rgb(100%,100%,100%)' "$scratch/blanks.svg"
+}
+check "what stands through the plane has no colour" \
+    test "$(blanks "$scratch/furnished.xml")" -eq "$(($(blanks "$deep") + 2))"
 check "and greys" differ "$scratch/colour.svg" "$scratch/grey.svg"
 for seed in 1 1 2; do
     check "a traced plan" quietly chart plan --simulate --error 20% --seed $seed \
