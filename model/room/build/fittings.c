@@ -9,8 +9,18 @@
 
 enum { SIDES_ROUND = PP_FITTING_CORNERS };
 
-static const char *const words[] = {
-    [PP_FURNITURE] = "furniture", [PP_COLUMN] = "column", [PP_PARTITION] = "partition"};
+/* What messages call it. Furniture has a height. */
+static const char *words_of(const struct pp_fitting_part *part)
+{
+    static const char *const words[] = {[PP_FURNITURE] = "furniture",
+                                        [PP_COLUMN] = "column",
+                                        [PP_PARTITION] = "partition"};
+    static const char *const as_high[] = {
+        [PP_COLUMN] = "column without a height, which is as high as the room",
+        [PP_PARTITION] = "partition without a height, which is as high as the room"};
+    return isnan(part->height_m) && part->kind != PP_FURNITURE ? as_high[part->kind]
+                                                               : words[part->kind];
+}
 
 /* Twelve corners round the corner; the polygon's area is that of the circle. */
 static int round_outline(double xy[PP_FITTING_CORNERS][2],
@@ -61,8 +71,7 @@ static enum pp_status add(struct pp_resolver *r, const struct pp_fitting_part *p
         .name = part->name,
         .is_of_room = true,
         .line = part->line};
-    enum pp_status status =
-        pp_build_free_surfaces_add(r, &face, words[part->kind], err);
+    enum pp_status status = pp_build_free_surfaces_add(r, &face, words_of(part), err);
     *good = r->mistakes->count == faults;
     return status;
 }
