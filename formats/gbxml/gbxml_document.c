@@ -25,25 +25,14 @@ static void stop_without_memory(struct gbxml_builder *b)
     XML_StopParser(b->parser, XML_FALSE);
 }
 
-static const char *local_name(const char *name)
-{
-    const char *colon = strrchr(name, ':');
-    return colon ? colon + 1 : name;
-}
-
-static bool is_white(char c)
-{
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-
 /* Gives the text before a tag to the open element, if it has none and it is not white. */
 static bool settle_text(struct gbxml_builder *b)
 {
     const char *p = b->text, *end = p + b->text_length;
     b->text_length = 0;
-    while (p < end && is_white(*p))
+    while (p < end && pp_text_is_white(*p))
         p++;
-    while (end > p && is_white(end[-1]))
+    while (end > p && pp_text_is_white(end[-1]))
         end--;
     if (p == end || !b->open || b->open->text)
         return true;
@@ -63,7 +52,8 @@ static bool take_attributes(struct pp_arena *memory, struct pp_gbxml_element *el
     if (!element->attributes)
         return false;
     for (int i = 0; i < 2 * count; i++) {
-        const char *from = i % 2 == 0 ? local_name(attributes[i]) : attributes[i];
+        const char *from =
+            i % 2 == 0 ? pp_text_local_name(attributes[i]) : attributes[i];
         element->attributes[i] = pp_arena_take_text(memory, from, strlen(from));
         if (!element->attributes[i])
             return false;
@@ -76,7 +66,7 @@ static void on_start(void *context, const char *name, const char **attributes)
     struct gbxml_builder *b = context;
     struct pp_arena *memory = &b->document->memory;
     struct pp_gbxml_element *element = pp_arena_take(memory, sizeof *element);
-    name = local_name(name);
+    name = pp_text_local_name(name);
     const char *copy = pp_arena_take_text(memory, name, strlen(name));
     if (!element || !copy || !settle_text(b)) {
         stop_without_memory(b);

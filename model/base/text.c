@@ -164,6 +164,12 @@ static bool is_control(const char *p)
     return first < 0x20 || first == 0x7F || (first == 0xC2 && second < 0xA0);
 }
 
+const char *pp_text_local_name(const char *name)
+{
+    const char *colon = strrchr(name, ':');
+    return colon ? colon + 1 : name;
+}
+
 bool pp_text_is_plain(const char *text)
 {
     for (; *text; text++)

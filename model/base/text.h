@@ -53,6 +53,15 @@ enum pp_status pp_text_unknown(struct pp_error *err, const char *typed,
 const char *pp_text_list_names(char *text, size_t size, const char *const *names,
                                int count);
 
+/* A space, a tab, or an end of a line. */
+static inline bool pp_text_is_white(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+/* An XML name without its prefix. */
+const char *pp_text_local_name(const char *name);
+
 /* Has the text no control characters (which a terminal would obey)? */
 bool pp_text_is_plain(const char *text);
 

@@ -282,6 +282,19 @@ enum pp_status pp_clipper_difference(struct pp_clipper *clipper,
                    "the difference of outlines", err);
 }
 
+enum pp_status pp_clipper_take_away(struct pp_clipper *clipper,
+                                    struct pp_region *region,
+                                    const struct pp_region *minus, struct pp_error *err)
+{
+    struct pp_region rest = {0};
+    enum pp_status status = pp_clipper_difference(clipper, &rest, region, minus, err);
+    if (status == PP_OK) {
+        pp_region_clear(region);
+        *region = rest;
+    }
+    return status;
+}
+
 enum pp_status pp_clipper_inset(struct pp_clipper *clipper, struct pp_region *result,
                                 const struct pp_region *region, double distance,
                                 struct pp_error *err)

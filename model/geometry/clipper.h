@@ -50,6 +50,12 @@ enum pp_status pp_clipper_difference(struct pp_clipper *clipper,
                                      const struct pp_region *minus,
                                      struct pp_error *err);
 
+/* Takes a region from another, which stays as it was on failure. */
+enum pp_status pp_clipper_take_away(struct pp_clipper *clipper,
+                                    struct pp_region *region,
+                                    const struct pp_region *minus,
+                                    struct pp_error *err);
+
 /* The part of a region that is farther than `distance` (greater than 0) from its edge;
  * inner corners of the region, which a circle would round, stay sharp. */
 enum pp_status pp_clipper_inset(struct pp_clipper *clipper, struct pp_region *result,

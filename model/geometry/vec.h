@@ -6,6 +6,7 @@
 #define PP_MODEL_GEOMETRY_VEC_H
 
 #include <math.h>
+#include <stdbool.h>
 
 #define PP_PI 3.14159265358979323846
 #define PP_RAD (PP_PI / 180.0) /* one degree, in radians */
@@ -53,6 +54,11 @@ static inline struct pp_vec3 pp_vec_cross(struct pp_vec3 a, struct pp_vec3 b)
 static inline double pp_vec_length(struct pp_vec3 a)
 {
     return sqrt(pp_vec_dot(a, a));
+}
+
+static inline bool pp_vec_same(struct pp_vec3 a, struct pp_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
 /* A direction mirrored in a plane with normal n (unit). */

@@ -31,15 +31,11 @@ static enum pp_status cut(struct pp_region *region, struct pp_clipper *clipper,
                           const struct pp_face_axes *axes,
                           const struct pp_polygon *hole, struct pp_error *err)
 {
-    struct pp_region gap = {0, NULL}, rest = {0, NULL};
+    struct pp_region gap = {0, NULL};
     enum pp_status status = region_of(&gap, clipper, axes, hole, err);
     if (status == PP_OK)
-        status = pp_clipper_difference(clipper, &rest, region, &gap, err);
+        status = pp_clipper_take_away(clipper, region, &gap, err);
     pp_region_clear(&gap);
-    if (status == PP_OK) {
-        pp_region_clear(region);
-        *region = rest;
-    }
     return status;
 }
 

@@ -275,16 +275,12 @@ enum pp_status pp_section_at(struct pp_region *region, const struct pp_world *wo
 static enum pp_status take_away(struct pp_region *region, struct pp_clipper *clipper,
                                 const struct pp_fitting *fitting, struct pp_error *err)
 {
-    struct pp_region cut = {0}, rest = {0};
+    struct pp_region cut = {0};
     enum pp_status status = pp_clipper_of_ring(
         clipper, &cut, (const double(*)[2])fitting->xy, fitting->corner_count, err);
     if (status == PP_OK)
-        status = pp_clipper_difference(clipper, &rest, region, &cut, err);
+        status = pp_clipper_take_away(clipper, region, &cut, err);
     pp_region_clear(&cut);
-    if (status == PP_OK) {
-        pp_region_clear(region);
-        *region = rest;
-    }
     return status;
 }
 

@@ -152,18 +152,14 @@ static enum pp_status less_covers(const struct cutting *work, struct pp_region *
     if (work->face < 0)
         return PP_OK; /* walls alone are covered */
     for (int i = world->face_count; status == PP_OK && i < world->surface_count; i++) {
-        struct pp_region cover = {0, NULL}, rest = {0, NULL};
+        struct pp_region cover = {0, NULL};
         if (!is_cover_of(world, i, work->facet))
             continue;
         status = pp_face_less_openings(&cover, work->clipper, &work->axes,
                                        &world->surfaces[i].outline, NULL, -1, err);
         if (status == PP_OK)
-            status = pp_clipper_difference(work->clipper, &rest, region, &cover, err);
+            status = pp_clipper_take_away(work->clipper, region, &cover, err);
         pp_region_clear(&cover);
-        if (status != PP_OK)
-            continue;
-        pp_region_clear(region);
-        *region = rest;
     }
     return status;
 }

@@ -114,9 +114,8 @@ static void find_shares(struct pp_openings_shares *shares,
                         const struct pane_choice *choice)
 {
     const struct pp_openings_viewer *viewer = choice->viewer;
-    struct pp_vec3 moved = pp_vec_sub(shares->point, viewer->point);
-    struct pp_vec3 turned = pp_vec_sub(shares->normal, viewer->normal);
-    if (pp_vec_dot(moved, moved) == 0.0 && pp_vec_dot(turned, turned) == 0.0
+    if (pp_vec_same(shares->point, viewer->point)
+        && pp_vec_same(shares->normal, viewer->normal)
         && shares->mouths == viewer->mouths)
         return;
     shares->point = viewer->point;

@@ -22,11 +22,8 @@ static bool is_made_for(const struct pp_polygon_sampler *sampler,
                         const struct pp_target *target,
                         const struct pp_shading_point *shading)
 {
-    return sampler->target == target && sampler->from.x == shading->point.x
-           && sampler->from.y == shading->point.y && sampler->from.z == shading->point.z
-           && sampler->facing.x == shading->normal.x
-           && sampler->facing.y == shading->normal.y
-           && sampler->facing.z == shading->normal.z;
+    return sampler->target == target && pp_vec_same(sampler->from, shading->point)
+           && pp_vec_same(sampler->facing, shading->normal);
 }
 
 /* NULL where the window is out of sight. */

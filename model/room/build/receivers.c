@@ -205,10 +205,9 @@ static enum pp_status resolve_grid(struct pp_resolver *r, struct receiver_list *
     if (list->count == first && part->line > 0)
         pp_mistakes_add(
             r->mistakes, part->line,
-            "grid: no point of it lies in the room, clear of what stands there and %g "
-            "m "
-            "or more from the walls; expected a smaller margin or spacing in a plan of "
-            "%g m by %g m",
+            "grid: no point of it lies in the room, clear of what stands there and "
+            "%g m or more from the walls; expected a smaller margin or spacing in a "
+            "plan of %g m by %g m",
             part->margin_m, high[0] - low[0], high[1] - low[1]);
     return PP_OK;
 }

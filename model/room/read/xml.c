@@ -64,16 +64,11 @@ static size_t position(const struct xml_builder *b)
     return (size_t)index < b->length ? (size_t)index : b->length;
 }
 
-static bool is_white(char c)
-{
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
-
 /* The name of the next attribute behind p, in a well-formed tag; *next is behind its
  * value. */
 static const char *next_attribute(const char *p, const char *end, const char **next)
 {
-    while (p < end && is_white(*p))
+    while (p < end && pp_text_is_white(*p))
         p++;
     const char *open = p;
     while (open < end && *open != '"' && *open != '\'')
@@ -90,13 +85,6 @@ static bool is_declaration(const char *name)
     return strncmp(name, "xmlns", 5) == 0 && (name[5] == ':' || name[5] == '\0');
 }
 
-/* A name without its prefix. */
-static const char *local_name(const char *name)
-{
-    const char *colon = strrchr(name, ':');
-    return colon ? colon + 1 : name;
-}
-
 /* Copies the attributes, names and values by turns, each with the line of its name in the
  * tag at `start`. Namespaces have been complained of and are dropped; xml:lang and its like
  * could be no others. */
@@ -108,14 +96,14 @@ static bool take_attributes(struct xml_builder *b, struct pp_xml_element *elemen
     if (!element->attributes)
         return false;
     const char *p = b->bytes + start, *end = b->bytes + b->length;
-    while (p < end && !is_white(*p) && *p != '>')
+    while (p < end && !pp_text_is_white(*p) && *p != '>')
         p++;
     for (int i = 0; i < count; i++) {
         const char *name = attributes[2 * i], *value = attributes[2 * i + 1];
         const char *at = next_attribute(p, end, &p);
         if (is_declaration(name) || strncmp(name, "xml:", 4) == 0)
             continue;
-        name = local_name(name);
+        name = pp_text_local_name(name);
         struct pp_xml_attribute *taken =
             &element->attributes[element->attribute_count++];
         taken->line = line_at(b, (size_t)(at - b->bytes));
@@ -188,7 +176,7 @@ static void on_start(void *context, const char *name, const char **attributes)
     }
 
     struct pp_xml_element *element = pp_arena_take(&b->xml->memory, sizeof *element);
-    name = local_name(name);
+    name = pp_text_local_name(name);
     const char *copy = pp_arena_take_text(&b->xml->memory, name, strlen(name));
     if (element && copy) {
         *element = (struct pp_xml_element){.name = copy, .line = line};
@@ -215,14 +203,14 @@ static void on_text(void *context, const char *text, int length)
 {
     struct xml_builder *b = context;
     const char *p = text, *end = p + length;
-    while (p < end && is_white(*p))
+    while (p < end && pp_text_is_white(*p))
         p++;
     if (b->stopped || b->text_noted || p == end)
         return;
     b->text_noted = true;
 
     size_t start = position(b) + (size_t)(p - text);
-    while (is_white(end[-1]))
+    while (pp_text_is_white(end[-1]))
         end--;
     char copy[64], shown[64];
     size_t bytes =

@@ -94,13 +94,17 @@ static bool declares_utf8(const char *bytes, const char *end,
     return false;
 }
 
-/* Behind the tag that starts at p, or NULL where it is too long. */
+static bool starts(const char *p, const char *end, const char *with)
+{
+    size_t length = strlen(with);
+    return (size_t)(end - p) >= length && memcmp(p, with, length) == 0;
+}
+
+/* Behind the tag that starts at p. */
 static const char *tag_end(const char *p, const char *end)
 {
     char quote = '\0';
-    const char *last =
-        end - p > PP_XML_TAG_BYTES_MOST ? p + PP_XML_TAG_BYTES_MOST : end;
-    for (; p < last; p++) {
+    for (; p < end; p++) {
         if (quote)
             quote = *p == quote ? '\0' : quote;
         else if (*p == '"' || *p == '\'')
@@ -108,42 +112,38 @@ static const char *tag_end(const char *p, const char *end)
         else if (*p == '>')
             return p + 1;
     }
-    return last == end ? end : NULL;
+    return end;
 }
 
-static bool starts(const char *p, const char *end, const char *with)
+const char *pp_xml_bytes_markup_end(const char *p, const char *end, bool *is_tag)
 {
-    size_t length = strlen(with);
-    return (size_t)(end - p) >= length && memcmp(p, with, length) == 0;
+    static const char *const passed_over[][2] = {
+        {"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}};
+    *is_tag = false;
+    for (int i = 0; i < 3; i++)
+        if (starts(p, end, passed_over[i][0])) {
+            const char *close =
+                find(p + strlen(passed_over[i][0]), end, passed_over[i][1]);
+            return close ? close + strlen(passed_over[i][1]) : end;
+        }
+    *is_tag = true;
+    return tag_end(p, end);
 }
 
 static bool tags_are_short(const char *bytes, const char *end,
                            struct pp_mistakes *mistakes)
 {
-    static const char *const passed_over[][2] = {
-        {"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}};
-    for (const char *p = bytes; p < end;) {
-        p = memchr(p, '<', (size_t)(end - p));
-        if (!p)
-            return true;
-        const char *next = NULL;
-        for (int i = 0; i < 3 && !next; i++)
-            if (starts(p, end, passed_over[i][0])) {
-                next = find(p + strlen(passed_over[i][0]), end, passed_over[i][1]);
-                if (!next)
-                    return true; /* the parser will say so */
-            }
-        if (!next)
-            next = tag_end(p, end);
-        if (!next) {
-            pp_mistakes_add(
-                mistakes, line_of(bytes, p),
-                "a tag of more than %d bytes starts here; is a quotation mark "
-                "or a > missing?",
-                PP_XML_TAG_BYTES_MOST);
-            return false;
-        }
-        p = next;
+    const char *p = bytes, *next;
+    for (; p < end && (p = memchr(p, '<', (size_t)(end - p))); p = next) {
+        bool is_tag;
+        next = pp_xml_bytes_markup_end(p, end, &is_tag);
+        if (!is_tag || next - p <= PP_XML_TAG_BYTES_MOST)
+            continue;
+        pp_mistakes_add(mistakes, line_of(bytes, p),
+                        "a tag of more than %d bytes starts here; is a quotation mark "
+                        "or a > missing?",
+                        PP_XML_TAG_BYTES_MOST);
+        return false;
     }
     return true;
 }
@@ -169,7 +169,7 @@ bool pp_xml_bytes_sound(const char *bytes, size_t length, struct pp_mistakes *mi
         return false;
     }
     const char *p = bytes;
-    while (p < end && (*p == ' ' || *p == '\t' || *p == '\r' || *p == '\n'))
+    while (p < end && pp_text_is_white(*p))
         p++;
     if (p == end) {
         pp_mistakes_add(mistakes, 1,

@@ -13,4 +13,8 @@
  * attributes), nothing at all. True where there is no fault. */
 bool pp_xml_bytes_sound(const char *bytes, size_t length, struct pp_mistakes *mistakes);
 
+/* Behind the comment, CDATA section, processing instruction or tag that starts at p; `end`
+ * where it has no end. */
+const char *pp_xml_bytes_markup_end(const char *p, const char *end, bool *is_tag);
+
 #endif

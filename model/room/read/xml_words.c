@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "model/base/text.h"
+#include "model/room/read/xml_bytes.h"
 
 static const char no_name[] =
     "a name was expected after < or &; write &lt; or &amp; for the sign itself";
@@ -17,11 +18,6 @@ static const char no_semicolon[] =
 static const char malformed_tag[] = "a tag is malformed here; expected a space, > or "
                                     "/>, or is a quotation mark missing?";
 static const char not_xml[] = "this is not XML; expected a <room> or a <building>";
-
-static bool is_white(char c)
-{
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
 
 static bool stands_at(const struct pp_xml_place *place, size_t at, const char *what)
 {
@@ -38,39 +34,18 @@ static size_t find(const struct pp_xml_place *place, size_t at, const char *what
     return found ? (size_t)(found - place->bytes) : place->length;
 }
 
-/* Behind the tag that begins at `at`, or behind the < that stands in it. */
-static size_t tag_end(const struct pp_xml_place *place, size_t at)
-{
-    char quote = '\0';
-    for (size_t p = at + 1; p < place->length; p++) {
-        char c = place->bytes[p];
-        if (quote)
-            quote = c == quote ? '\0' : quote;
-        else if (c == '"' || c == '\'')
-            quote = c;
-        else if (c == '>' || c == '<')
-            return p + 1;
-    }
-    return place->length;
-}
-
 /* Of the tag, comment, CDATA section or processing instruction that the place lies in, the
  * beginning; the place itself where it lies between them. */
 static size_t markup_start(const struct pp_xml_place *place)
 {
-    static const char *const passed_over[][2] = {
-        {"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}};
+    const char *end = place->bytes + place->length;
     for (size_t p = 0;;) {
+        bool is_tag;
         p = find(place, p, "<");
         if (p >= place->position)
             return place->position;
-        size_t next = 0;
-        for (int i = 0; i < 3 && next == 0; i++)
-            if (stands_at(place, p, passed_over[i][0]))
-                next = find(place, p + strlen(passed_over[i][0]), passed_over[i][1])
-                       + strlen(passed_over[i][1]);
-        if (next == 0)
-            next = tag_end(place, p);
+        size_t next = (size_t)(pp_xml_bytes_markup_end(place->bytes + p, end, &is_tag)
+                               - place->bytes);
         if (next > place->position)
             return p;
         p = next;
@@ -101,7 +76,7 @@ enum tag_part { NAME, SPACE, ATTRIBUTE, EQUALS, VALUE, BEHIND_VALUE, SLASH };
 /* The part that a byte of a well-formed tag begins or goes on with. */
 static enum tag_part next_part(enum tag_part part, char c, char *quote)
 {
-    bool white = is_white(c);
+    bool white = pp_text_is_white(c);
     switch (part) {
     case NAME:
     case SPACE:
@@ -157,7 +132,7 @@ static struct diagnosis wrong_in_tag(const struct pp_xml_place *place, size_t st
 static bool is_no_character(const struct pp_xml_place *place)
 {
     unsigned char c = (unsigned char)place->bytes[place->position];
-    return (c < ' ' && !is_white((char)c))
+    return (c < ' ' && !pp_text_is_white((char)c))
            || stands_at(place, place->position, "\xEF\xBF\xBE")
            || stands_at(place, place->position, "\xEF\xBF\xBF");
 }
@@ -204,7 +179,7 @@ static struct diagnosis unclosed(const struct pp_xml_place *place)
 static struct diagnosis unclosed_cdata(const struct pp_xml_place *place)
 {
     struct pp_xml_place end = *place;
-    end.position = end.length;
+    end.position = end.length - 1;
     return (struct diagnosis){"a <![CDATA[ has no end; expected ]]>",
                               markup_start(&end)};
 }

@@ -227,20 +227,12 @@ static struct pp_glass_sight *sight_of(const struct pp_light_scene *scene,
     return sight;
 }
 
-static bool is_of(const struct pp_glass_view *view, struct pp_vec3 point,
-                  struct pp_vec3 normal)
-{
-    struct pp_vec3 moved = pp_vec_sub(view->point, point);
-    struct pp_vec3 turned = pp_vec_sub(view->normal, normal);
-    return pp_vec_dot(moved, moved) == 0.0 && pp_vec_dot(turned, turned) == 0.0;
-}
-
 int pp_glass_images_sample(const struct pp_light_scene *scene,
                            struct pp_glass_view *view, struct pp_vec3 point,
                            struct pp_vec3 normal, struct pp_brightness brightness,
                            const double u[3], struct pp_vec3 *to, double *pdf)
 {
-    if (!is_of(view, point, normal))
+    if (!pp_vec_same(view->point, point) || !pp_vec_same(view->normal, normal))
         look_from(scene, view, point, normal, brightness);
     double probability;
     int chosen =
