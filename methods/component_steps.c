@@ -28,39 +28,40 @@ enum pp_component pp_component_steps_given(const struct pp_method *method)
     return given_by[method->gives];
 }
 
-double pp_component_steps_figure(const struct pp_part *part,
+double pp_component_steps_figure(const struct pp_amounts *amounts,
                                  enum pp_component component)
 {
-    return component == PP_SC    ? part->sky
-           : component == PP_ERC ? part->external
-                                 : part->value;
+    return component == PP_SC    ? amounts->sky
+           : component == PP_ERC ? amounts->external
+                                 : amounts->value;
 }
 
 /* The components that the steps list, at most two: the externally reflected component
  * is left out where it is 0 and the method has recorded none. */
 static int components_of(enum pp_component list[2], const struct pp_method *method,
-                         const struct pp_part *part, const struct pp_steps *steps,
+                         const struct pp_amounts *amounts, const struct pp_steps *steps,
                          int first)
 {
     list[0] = pp_component_steps_given(method);
     list[1] = PP_ERC;
     bool reflects =
-        part->external != 0.0 || pp_steps_find(steps, first, own_symbols[PP_ERC]);
+        amounts->external != 0.0 || pp_steps_find(steps, first, own_symbols[PP_ERC]);
     return list[0] == PP_SC && reflects ? 2 : 1;
 }
 
 void pp_component_steps_add(struct pp_steps *steps, const struct pp_method *method,
                             const struct pp_world *world, int index,
-                            const struct pp_part *part, const struct pp_part *corrected,
-                            double D, int first)
+                            const struct pp_part *part,
+                            const struct pp_amounts *corrected, double D, int first)
 {
     const struct pp_opening *opening = &world->openings[index];
     enum pp_component components[2];
-    int count = components_of(components, method, part, steps, first);
+    const struct pp_amounts read = {part->sky, part->external, part->value};
+    int count = components_of(components, method, &read, steps, first);
     for (int i = 0; i < count; i++)
         if (!pp_steps_find(steps, first, own_symbols[components[i]]))
             pp_steps_add_named(steps, PP_UNIT_SHARE,
-                               pp_component_steps_figure(part, components[i]),
+                               pp_component_steps_figure(&read, components[i]),
                                own_symbols[components[i]], "%s, as read",
                                pp_component_steps_names[components[i]]);
     char product[64];
@@ -84,10 +85,10 @@ void pp_component_steps_add(struct pp_steps *steps, const struct pp_method *meth
 
 void pp_component_steps_add_sums(struct pp_steps *steps, const struct pp_method *method,
                                  const struct pp_world *world,
-                                 const struct pp_part *part)
+                                 const struct pp_amounts *sum)
 {
     enum pp_component components[2];
-    int count = components_of(components, method, part, steps, 0);
+    int count = components_of(components, method, sum, steps, 0);
     steps->line = 0;
     for (int i = 0; i < count; i++)
         pp_steps_add_sum(steps, 0, world->opening_count,

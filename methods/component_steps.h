@@ -13,20 +13,19 @@ extern const char *const pp_component_steps_symbols[PP_COMPONENT_COUNT];
 /* The component in a method's part.sky or part.value. */
 enum pp_component pp_component_steps_given(const struct pp_method *method);
 
-/* The value of a component in a part. */
-double pp_component_steps_figure(const struct pp_part *part,
+double pp_component_steps_figure(const struct pp_amounts *amounts,
                                  enum pp_component component);
 
 /* Records the corrections of an opening, D among them, and the corrected components,
  * behind the method's own steps, which begin with step `first`. */
 void pp_component_steps_add(struct pp_steps *steps, const struct pp_method *method,
                             const struct pp_world *world, int index,
-                            const struct pp_part *part, const struct pp_part *corrected,
-                            double D, int first);
+                            const struct pp_part *part,
+                            const struct pp_amounts *corrected, double D, int first);
 
 /* Records the sums over the openings, where there is not just one. */
 void pp_component_steps_add_sums(struct pp_steps *steps, const struct pp_method *method,
                                  const struct pp_world *world,
-                                 const struct pp_part *part);
+                                 const struct pp_amounts *sum);
 
 #endif

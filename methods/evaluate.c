@@ -24,7 +24,8 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
                                  enum pp_component component, struct pp_error *err)
 {
     if (!answer->why) {
-        *reading = pp_reading_of(pp_component_steps_figure(&answer->part, component));
+        *reading =
+            pp_reading_of(pp_component_steps_figure(&answer->amounts, component));
         /* Both direct components have one list of steps, which stands with the
          * first. */
         if (component != PP_ERC)
@@ -92,8 +93,8 @@ static bool found_average(const struct pp_method_run *run,
         column[k] = pp_report_find(report, k == 0 ? PP_SC : PP_ERC, same->name);
     if (!column[0] || !column[1] || !isfinite(column[0]->average.value))
         return false;
-    average->part.sky = column[0]->average.value;
-    average->part.external = column[1]->average.value;
+    average->amounts.sky = column[0]->average.value;
+    average->amounts.external = column[1]->average.value;
     return true;
 }
 

@@ -33,6 +33,13 @@ enum pp_speaks_for {
                      * has no average by such a method */
 };
 
+/* What a method gives: of one opening or, after the corrections, of all. */
+struct pp_amounts {
+    double sky;      /* of PP_GIVES_DIRECT */
+    double external; /* of PP_GIVES_DIRECT */
+    double value;    /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
+};
+
 /* The components of one opening, before the corrections for glass, frame and dirt. A
  * method that records its steps names the last step of each component "sc", "erc",
  * "irc" or "df", which later formulae refer to; for a method that does not,

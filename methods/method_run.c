@@ -67,12 +67,12 @@ void pp_method_run_clear(struct pp_method_run *run)
 }
 
 /* Adds the components of one opening times its corrections, which it returns. */
-static struct pp_part add_part(struct pp_part *sum, const struct pp_part *part,
-                               double factor)
+static struct pp_amounts add_part(struct pp_amounts *sum, const struct pp_part *part,
+                                  double factor)
 {
-    const struct pp_part own = {.sky = factor * part->sky,
-                                .external = factor * part->external,
-                                .value = factor * part->value};
+    const struct pp_amounts own = {.sky = factor * part->sky,
+                                   .external = factor * part->external,
+                                   .value = factor * part->value};
     sum->sky += own.sky;
     sum->external += own.external;
     sum->value += own.value;
@@ -112,7 +112,8 @@ static enum pp_status add_openings(const struct pp_method_run *run,
             return PP_OK;
         }
         used |= part.sheet.varied;
-        const struct pp_part own = add_part(&answer->part, &part, run->factors[i]);
+        const struct pp_amounts own =
+            add_part(&answer->amounts, &part, run->factors[i]);
         if (answer->steps)
             pp_component_steps_add(answer->steps, method, world, i, &part, &own,
                                    decorations_of(run), first);
@@ -153,7 +154,8 @@ enum pp_status pp_method_run_answer(const struct pp_method_run *run,
     if (status != PP_OK || answer->why || !answer->steps)
         return status;
     if (world->opening_count != 1)
-        pp_component_steps_add_sums(answer->steps, run->method, world, &answer->part);
+        pp_component_steps_add_sums(answer->steps, run->method, world,
+                                    &answer->amounts);
     return answer->steps->failed ? pp_fail_memory(err) : PP_OK;
 }
 
@@ -179,7 +181,7 @@ static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
 {
     struct plane_sum *sum = data;
     struct pp_method_answer answer = {0};
-    bool failed = pp_method_run_answer(sum->run, receiver, &answer, NULL) != PP_OK;
+    bool failed = add_openings(sum->run, receiver, &answer, NULL) != PP_OK;
     if (failed || answer.why) {
         pp_crew_lock(sum->run->company.crew);
         sum->failed |= failed;
@@ -189,8 +191,8 @@ static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
         return false;
     }
     bool direct = sum->run->method->gives == PP_GIVES_DIRECT;
-    values[0] = direct ? answer.part.sky : answer.part.value;
-    values[1] = direct ? answer.part.external : 0.0;
+    values[0] = direct ? answer.amounts.sky : answer.amounts.value;
+    values[1] = direct ? answer.amounts.external : 0.0;
     return true;
 }
 
@@ -201,14 +203,8 @@ static enum pp_status sum_averages(const struct pp_method_run *run,
                                    struct pp_error *err)
 {
     const struct pp_world *world = run->world;
-    const struct pp_receiver receiver = {.position = {world->plane.rings[0].xy[0][0],
-                                                      world->plane.rings[0].xy[0][1],
-                                                      world->working_plane_m},
-                                         .normal = {0.0, 0.0, 1.0}};
     *answer = (struct pp_method_answer){0};
     *known = true;
-    if (refuse(run, &receiver, answer))
-        return PP_OK;
     struct pp_part *parts = calloc((size_t)world->opening_count + 1, sizeof *parts);
     if (!parts)
         return pp_fail_memory(err);
@@ -216,9 +212,22 @@ static enum pp_status sum_averages(const struct pp_method_run *run,
         pp_opening_averages(parts, known, run->method, run->company.beams, run->light,
                             run->tools, run->company.crew, err);
     for (int i = 0; i < world->opening_count; i++)
-        add_part(&answer->part, parts + i, run->factors[i]);
+        add_part(&answer->amounts, parts + i, run->factors[i]);
     free(parts);
     return status;
+}
+
+/* Whether a method refuses an average turns on the plane's height and normal: any of its
+ * points tells. */
+static bool refuse_plane(const struct pp_method_run *run,
+                         struct pp_method_answer *answer)
+{
+    const struct pp_world *world = run->world;
+    const double *corner = world->plane.rings[0].xy[0];
+    const struct pp_receiver receiver = {
+        .position = {corner[0], corner[1], world->working_plane_m},
+        .normal = {0.0, 0.0, 1.0}};
+    return refuse(run, &receiver, answer);
 }
 
 enum pp_status pp_method_run_average(const struct pp_method_run *run,
@@ -235,6 +244,8 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
         answer->why = "the room has no working plane at that height";
         return PP_OK;
     }
+    if (refuse_plane(run, answer))
+        return PP_OK;
     if (run->method->average) {
         bool known;
         enum pp_status status = sum_averages(run, answer, &known, err);
@@ -261,7 +272,7 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
     if (stopped)
         return pp_fail(err, PP_SYSTEM,
                        "%s could not be averaged over the working plane", run->name);
-    answer->part =
-        (struct pp_part){.sky = mean[0], .external = mean[1], .value = mean[0]};
+    answer->amounts =
+        (struct pp_amounts){.sky = mean[0], .external = mean[1], .value = mean[0]};
     return PP_OK;
 }

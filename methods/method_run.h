@@ -36,8 +36,8 @@ struct pp_method_run {
 
 /* The components by a method over all openings, corrected, or why there are none. */
 struct pp_method_answer {
-    struct pp_part part;
-    const char *why;                  /* not owned; NULL: part is valid */
+    struct pp_amounts amounts;
+    const char *why;                  /* not owned; NULL: the amounts are valid */
     const struct pp_opening *opening; /* the subject of why; NULL: the room */
     int column;                       /* of why in a variant's text, from 1; 0: none */
     struct pp_steps *steps;           /* where the sum is recorded; may be NULL */

@@ -13,16 +13,21 @@ static const double d_psi = 2.0 * PP_PI / CELLS;
  * far side from the glass. */
 struct frame {
     struct pp_vec3 normal, first, second;
+    bool is_mirror; /* is the light the same at azimuths to the left and the right? */
 };
 
-static struct frame frame_of(struct pp_vec3 normal, const struct pp_window_axes *axes)
+static struct frame frame_of(struct pp_vec3 normal, const struct pp_window_axes *axes,
+                             const struct pp_sky *sky)
 {
     struct pp_vec3 back =
         pp_vec_along(axes->out, -pp_vec_dot(axes->out, normal), normal);
     if (pp_vec_length(back) < 1e-6)
         back = pp_vec_along(axes->along, -pp_vec_dot(axes->along, normal), normal);
     struct pp_vec3 first = pp_vec_unit(pp_vec_scale(back, -1.0));
-    return (struct frame){normal, first, pp_vec_cross(normal, first)};
+    struct pp_vec3 second = pp_vec_cross(normal, first);
+    bool is_mirror = !pp_sky_has_azimuth(sky) && fabs(second.z) < 1e-12
+                     && fabs(pp_vec_dot(second, axes->out)) < 1e-12;
+    return (struct frame){normal, first, second, is_mirror};
 }
 
 struct angle {
@@ -52,16 +57,21 @@ static void fill_ring(double up_to[CELLS + 1], int ring, const struct angle psi[
     double middle = (ring + 0.5) * d_theta;
     double weight = sin(2.0 * middle) * sin(d_theta) / 2.0 * d_psi;
     struct angle theta = angle_of(middle);
-    up_to[0] = 0.0;
-    for (int k = 0; k < CELLS; k++) {
+    double light[CELLS];
+    int asked = frame->is_mirror ? CELLS / 2 : CELLS;
+    for (int k = 0; k < asked; k++) {
         struct pp_vec3 u = direction(frame, theta, psi[k]);
         double cosine = fmin(pp_vec_dot(u, out), 1.0);
-        double light = u.z > 0.0 && cosine > 0.0
-                           ? pp_sky_luminance(sky, u) * weight
-                                 * pp_glass_transmittance(glass, cosine)
-                           : 0.0;
-        up_to[k + 1] = up_to[k] + light;
+        light[k] = u.z > 0.0 && cosine > 0.0
+                       ? pp_sky_luminance(sky, u) * weight
+                             * pp_glass_transmittance(glass, cosine)
+                       : 0.0;
     }
+    for (int k = asked; k < CELLS; k++)
+        light[k] = light[CELLS - 1 - k];
+    up_to[0] = 0.0;
+    for (int k = 0; k < CELLS; k++)
+        up_to[k + 1] = up_to[k] + light[k];
 }
 
 /* The share of a step at which a sum that grows from `low` to `high` on it is `value`. */
@@ -141,7 +151,7 @@ enum pp_status pp_pepper_pot_cloud_init(struct pp_pepper_pot_cloud *cloud,
                                         struct pp_error *err)
 {
     *cloud = (struct pp_pepper_pot_cloud){0};
-    const struct frame frame = frame_of(normal, axes);
+    const struct frame frame = frame_of(normal, axes, sky);
     enum pp_status status = place_dots(cloud, sky, glass, axes, &frame, worth, err);
     if (status != PP_OK)
         pp_pepper_pot_cloud_clear(cloud);
@@ -157,9 +167,5 @@ void pp_pepper_pot_cloud_clear(struct pp_pepper_pot_cloud *cloud)
 int pp_pepper_pot_cloud_count(const struct pp_pepper_pot_cloud *cloud,
                               const struct pp_region *region)
 {
-    int count = 0;
-    for (int i = 0; i < cloud->count; i++)
-        count +=
-            pp_region_contains(region, cloud->dots[i][0], cloud->dots[i][1]) ? 1 : 0;
-    return count;
+    return pp_region_count_inside(region, cloud->dots, cloud->count);
 }

@@ -50,9 +50,9 @@ static void place_azimuths(struct pp_pepper_pot *pot)
 static void fill_ring(double left[AZIMUTHS + 1], const struct pp_pepper_pot *pot,
                       double gamma)
 {
-    double cos_gamma = cos(gamma);
-    left[0] = 0.0;
-    for (int i = 0; i < AZIMUTHS; i++) {
+    double cos_gamma = cos(gamma), steps[AZIMUTHS];
+    int asked = pot->upright ? AZIMUTHS : AZIMUTHS / 2;
+    for (int i = 0; i < asked; i++) {
         double sum = 0.0;
         for (int k = 0; k < PP_PEPPER_POT_NODES; k++)
             sum += pot->weight[i][k]
@@ -60,8 +60,13 @@ static void fill_ring(double left[AZIMUTHS + 1], const struct pp_pepper_pot *pot
                           ? pp_interpolate_cubic(pot->losses, PP_PEPPER_POT_LOSSES, 0.0,
                                                  1.0, cos_gamma * pot->ahead[i][k])
                           : 1.0);
-        left[i + 1] = left[i] + sum;
+        steps[i] = sum;
     }
+    for (int i = asked; i < AZIMUTHS; i++) /* a level receiver has both sides alike */
+        steps[i] = steps[AZIMUTHS - 1 - i];
+    left[0] = 0.0;
+    for (int i = 0; i < AZIMUTHS; i++)
+        left[i + 1] = left[i] + steps[i];
 }
 
 static double from_altitude(const void *pot, double gamma)
@@ -147,10 +152,7 @@ void pp_pepper_pot_dots_destroy(struct pp_pepper_pot *pot)
 int pp_pepper_pot_dots_count(const struct pp_pepper_pot *pot,
                              const struct pp_region *region)
 {
-    int count = 0;
-    for (int i = 0; i < pot->count; i++)
-        count += pp_region_contains(region, pot->dots[i][0], pot->dots[i][1]);
-    return count;
+    return pp_region_count_inside(region, pot->dots, pot->count);
 }
 
 bool pp_pepper_pot_dots_to_square(const struct pp_pepper_pot *pot, double a, double b,

@@ -40,50 +40,73 @@ static double simpson(double a, double middle, double b, double step)
  * Gauss-Legendre rule; the density is smooth up to the strip's end, where it is 0. */
 enum { NODES = 16 };
 
-static double strip(const struct pp_protractor *protractor, const double *nodes,
-                    const double *weights, double gamma)
+struct strip_rule {
+    struct pp_protractor_angle thetas[NODES];
+    double weights[NODES];
+};
+
+static struct strip_rule strip_rule_of(void)
 {
-    double quarter = PP_PI / 4.0, sum = 0.0;
+    struct strip_rule rule;
+    double nodes[NODES];
+    pp_gauss_legendre(nodes, rule.weights, NODES);
     for (int i = 0; i < NODES; i++)
-        sum += weights[i]
-               * pp_protractor_scale_density(protractor, gamma,
-                                             quarter * (1.0 + nodes[i]));
-    return 2.0 * quarter * sum;
+        rule.thetas[i] = pp_protractor_scale_angle_of(PP_PI / 4.0 * (1.0 + nodes[i]));
+    return rule;
+}
+
+static double strip(const struct pp_protractor *protractor,
+                    const struct strip_rule *rule, double gamma)
+{
+    double densities[NODES], sum = 0.0;
+    pp_protractor_scale_densities(densities, protractor, gamma, rule->thetas, NODES);
+    for (int i = 0; i < NODES; i++)
+        sum += rule->weights[i] * densities[i];
+    return PP_PI / 2.0 * sum;
 }
 
 static void make_primary(struct pp_protractor_dial *dial)
 {
     const struct pp_protractor *protractor = &dial->protractor;
     double step = dial->range_rad / PP_DIAL_STEPS;
-    double nodes[NODES], weights[NODES];
-    pp_gauss_legendre(nodes, weights, NODES);
+    const struct strip_rule rule = strip_rule_of();
     dial->primary[0] = 0.0;
-    dial->slope[0] = strip(protractor, nodes, weights, 0.0);
+    dial->slope[0] = strip(protractor, &rule, 0.0);
     for (int i = 0; i < PP_DIAL_STEPS; i++) {
-        double middle = strip(protractor, nodes, weights, (i + 0.5) * step);
-        dial->slope[i + 1] = strip(protractor, nodes, weights, (i + 1) * step);
+        double middle = strip(protractor, &rule, (i + 0.5) * step);
+        dial->slope[i + 1] = strip(protractor, &rule, (i + 1) * step);
         dial->primary[i + 1] =
             dial->primary[i]
             + simpson(dial->slope[i], middle, dial->slope[i + 1], step);
     }
 }
 
-void pp_protractor_dial_semicircle_init(struct pp_protractor_semicircle *semicircle,
-                                        const struct pp_protractor *protractor,
-                                        double average_rad)
+/* The angles of a semicircle's steps and of their middles. */
+enum { HALF_STEPS = 2 * PP_DIAL_STEPS };
+
+static void half_steps(struct pp_protractor_angle thetas[HALF_STEPS + 1])
+{
+    for (int i = 0; i <= HALF_STEPS; i++)
+        thetas[i] = pp_protractor_scale_angle_of(PP_PI / 2.0 * i / HALF_STEPS);
+}
+
+static void make_semicircle(struct pp_protractor_semicircle *semicircle,
+                            const struct pp_protractor *protractor,
+                            const struct pp_protractor_angle thetas[HALF_STEPS + 1],
+                            double average_rad)
 {
     double range = pp_protractor_scale_range(protractor);
     double gamma = fmin(fmax(average_rad, end_rad), range - end_rad);
-    double step = PP_PI / 2.0 / PP_DIAL_STEPS;
+    double step = PP_PI / 2.0 / PP_DIAL_STEPS, densities[HALF_STEPS + 1];
     double *factor = semicircle->factor, *rate = semicircle->rate;
     semicircle->average_rad = average_rad;
+    pp_protractor_scale_densities(densities, protractor, gamma, thetas, HALF_STEPS + 1);
     factor[0] = 0.0;
-    rate[0] = pp_protractor_scale_density(protractor, gamma, 0.0);
+    rate[0] = densities[0];
     for (int i = 0; i < PP_DIAL_STEPS; i++) {
-        double middle =
-            pp_protractor_scale_density(protractor, gamma, (i + 0.5) * step);
-        rate[i + 1] = pp_protractor_scale_density(protractor, gamma, (i + 1) * step);
-        factor[i + 1] = factor[i] + simpson(rate[i], middle, rate[i + 1], step);
+        rate[i + 1] = densities[2 * i + 2];
+        factor[i + 1] =
+            factor[i] + simpson(rate[i], densities[2 * i + 1], rate[i + 1], step);
     }
     double whole = 2.0 * factor[PP_DIAL_STEPS];
     for (int i = 0; i <= PP_DIAL_STEPS; i++) {
@@ -92,20 +115,30 @@ void pp_protractor_dial_semicircle_init(struct pp_protractor_semicircle *semicir
     }
 }
 
+void pp_protractor_dial_semicircle_init(struct pp_protractor_semicircle *semicircle,
+                                        const struct pp_protractor *protractor,
+                                        double average_rad)
+{
+    struct pp_protractor_angle thetas[HALF_STEPS + 1];
+    half_steps(thetas);
+    make_semicircle(semicircle, protractor, thetas, average_rad);
+}
+
 void pp_protractor_dial_init(struct pp_protractor_dial *dial,
                              const struct pp_protractor *protractor)
 {
+    struct pp_protractor_angle thetas[HALF_STEPS + 1];
     dial->protractor = *protractor;
     dial->range_rad = pp_protractor_scale_range(protractor);
     make_primary(dial);
+    half_steps(thetas);
     for (int k = 0; k < PP_DIAL_SEMICIRCLES; k++) {
         double average = k * between_semicircles_rad;
         if (k > 0 && dial->semicircles[k - 1].average_rad > dial->range_rad) {
             dial->semicircles[k] = dial->semicircles[k - 1]; /* beyond the end, too */
             dial->semicircles[k].average_rad = average;
         } else {
-            pp_protractor_dial_semicircle_init(&dial->semicircles[k], protractor,
-                                               average);
+            make_semicircle(&dial->semicircles[k], protractor, thetas, average);
         }
     }
 }

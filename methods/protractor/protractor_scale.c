@@ -55,23 +55,43 @@ double pp_protractor_scale_range(const struct pp_protractor *protractor)
     return protractor->glass.panes == 0 ? PP_PI : PP_PI - protractor->slope_rad;
 }
 
+struct pp_protractor_angle pp_protractor_scale_angle_of(double rad)
+{
+    return (struct pp_protractor_angle){sin(rad), cos(rad)};
+}
+
+void pp_protractor_scale_densities(double *densities,
+                                   const struct pp_protractor *protractor,
+                                   double gamma_rad,
+                                   const struct pp_protractor_angle *thetas, int count)
+{
+    struct pp_protractor_angle gamma = pp_protractor_scale_angle_of(gamma_rad);
+    double through = sin(gamma_rad + protractor->slope_rad), up = gamma.sine;
+    if (protractor->receiver != PP_PROTRACTOR_UP)
+        up = fmax(up, 1e-12); /* the horizon's own sky, which counts here */
+    for (int i = 0; i < count; i++) {
+        double across = thetas[i].cosine, cos_i = across * through;
+        densities[i] = 0.0;
+        /* At grazing incidence the transmittance is 0, and several panes give 0/0. */
+        if (protractor->glass.panes > 0 && !(cos_i > 1e-12))
+            continue;
+        struct pp_vec3 u = pp_vec(across * gamma.cosine, thetas[i].sine, across * up);
+        double facing = protractor->receiver == PP_PROTRACTOR_UP      ? u.z
+                        : protractor->receiver == PP_PROTRACTOR_AHEAD ? u.x
+                                                                      : u.y;
+        densities[i] = pp_sky_luminance(&protractor->sky, u)
+                       * pp_glass_transmittance(&protractor->glass, cos_i) * facing
+                       * across;
+    }
+}
+
 double pp_protractor_scale_density(const struct pp_protractor *protractor,
                                    double gamma_rad, double theta_rad)
 {
-    double gamma = gamma_rad, theta = theta_rad;
-    double across = cos(theta), up = sin(gamma);
-    if (protractor->receiver != PP_PROTRACTOR_UP)
-        up = fmax(up, 1e-12); /* the horizon's own sky, which counts here */
-    double cos_i = across * sin(gamma + protractor->slope_rad);
-    /* At grazing incidence the transmittance is 0, and several panes give 0/0. */
-    if (protractor->glass.panes > 0 && !(cos_i > 1e-12))
-        return 0.0;
-    struct pp_vec3 u = pp_vec(across * cos(gamma), sin(theta), across * up);
-    double facing = protractor->receiver == PP_PROTRACTOR_UP      ? u.z
-                    : protractor->receiver == PP_PROTRACTOR_AHEAD ? u.x
-                                                                  : u.y;
-    return pp_sky_luminance(&protractor->sky, u)
-           * pp_glass_transmittance(&protractor->glass, cos_i) * facing * across;
+    struct pp_protractor_angle theta = pp_protractor_scale_angle_of(theta_rad);
+    double density;
+    pp_protractor_scale_densities(&density, protractor, gamma_rad, &theta, 1);
+    return density;
 }
 
 static bool closed_form(const struct pp_protractor *protractor)

@@ -62,21 +62,22 @@ static bool is_seen_whole(const struct opening_drawing *drawing)
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_polygon *face = &world->surfaces[i].outline;
         struct pp_vec3 origin = face->vertices[0];
-        double low = pp_vec_dot(pp_vec_sub(drawing->frame.point, origin), face->normal);
-        double high = low;
+        double depth =
+            pp_vec_dot(pp_vec_sub(drawing->frame.point, origin), face->normal);
+        bool behind = depth<-1e-6, before = depth> 1e-6;
         for (int v = 0; v < opening->count; v++) {
-            double depth =
-                pp_vec_dot(pp_vec_sub(opening->vertices[v], origin), face->normal);
-            low = fmin(low, depth);
-            high = fmax(high, depth);
+            depth = pp_vec_dot(pp_vec_sub(opening->vertices[v], origin), face->normal);
+            behind |= depth < -1e-6;
+            before |= depth > 1e-6;
         }
-        if (low < -1e-6 && high > 1e-6)
+        if (behind && before)
             return false;
     }
     return true;
 }
 
-/* The intersection of both outlines of an upright rectangle, above the horizon. */
+/* The intersection of both outlines of an upright rectangle, above the horizon. Each is as
+ * far away in all its corners, so that two across tell its jambs, sill and head. */
 static struct pp_elevation_part through_rectangle(const struct pp_opening *opening,
                                                   const struct opening_frame *frame)
 {
@@ -84,16 +85,12 @@ static struct pp_elevation_part through_rectangle(const struct pp_opening *openi
         .left = -INFINITY, .right = INFINITY, .low = 0.0, .high = INFINITY};
     const struct pp_polygon *outlines[2] = {&opening->inner, &opening->outer};
     for (int k = 0; k < 2; k++) {
-        struct pp_area_moments extent = pp_area_moments_empty();
-        for (int i = 0; i < outlines[k]->count; i++) {
-            struct pp_vec3 p = in_frame(frame, outlines[k]->vertices[i]);
-            double xz[2] = {p.x / p.y, p.z / p.y};
-            pp_area_moments_add_edge(&extent, xz, xz);
-        }
-        seen.left = fmax(seen.left, extent.left);
-        seen.right = fmin(seen.right, extent.right);
-        seen.low = fmax(seen.low, extent.low);
-        seen.high = fmin(seen.high, extent.high);
+        struct pp_vec3 a = in_frame(frame, outlines[k]->vertices[0]);
+        struct pp_vec3 b = in_frame(frame, outlines[k]->vertices[2]);
+        seen.left = fmax(seen.left, fmin(a.x, b.x) / a.y);
+        seen.right = fmin(seen.right, fmax(a.x, b.x) / a.y);
+        seen.low = fmax(seen.low, fmin(a.z, b.z) / a.y);
+        seen.high = fmin(seen.high, fmax(a.z, b.z) / a.y);
     }
     return seen;
 }

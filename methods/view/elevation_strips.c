@@ -233,19 +233,34 @@ static enum pp_status add_strips(struct pp_elevation *elevation,
     return status;
 }
 
+/* With nothing before it, the opening is one part. */
+static enum pp_status add_whole(struct pp_elevation *elevation,
+                                const struct pp_elevation_part *seen,
+                                struct pp_error *err)
+{
+    elevation->parts = malloc(sizeof *elevation->parts);
+    if (!elevation->parts)
+        return pp_fail_memory(err);
+    elevation->parts[0] = *seen;
+    elevation->parts[0].reflectance = NAN;
+    elevation->count = 1;
+    return PP_OK;
+}
+
 enum pp_status pp_elevation_strips_cut(struct pp_elevation *elevation,
                                        const struct pp_elevation_part *seen,
                                        struct pp_elevation_obstructions *obstructions,
                                        struct pp_error *err)
 {
+    if (obstructions->count == 0)
+        return add_whole(elevation, seen, err);
     size_t most = 2 * (size_t)obstructions->count + 2;
     double *numbers = malloc(4 * most * sizeof *numbers);
     int *places = malloc(2 * most * sizeof *places);
     enum pp_status status = numbers && places ? PP_OK : pp_fail_memory(err);
     if (status == PP_OK) {
-        if (obstructions->count > 0)
-            qsort(obstructions->list, (size_t)obstructions->count,
-                  sizeof *obstructions->list, by_distance);
+        qsort(obstructions->list, (size_t)obstructions->count,
+              sizeof *obstructions->list, by_distance);
         struct strip_sweep sweep = {.seen = seen,
                                     .list = obstructions->list,
                                     .count = obstructions->count,

@@ -45,20 +45,49 @@ static const struct pp_formula external_component = {
 static const struct pp_formula *const formulae[] = {&sky_component, &external_component,
                                                     NULL};
 
+/* The diagram, and the altitude at the middle of each row of its squares. */
+struct altitude {
+    double sine, cosine;
+};
+
+enum { MOST_ROWS = 64 }; /* there are 14 or 15 */
+struct overlay {
+    struct pp_waldram waldram;
+    double width, height; /* of a square */
+    int rows;
+    struct altitude altitudes[MOST_ROWS];
+};
+
+static void place_rows(struct overlay *overlay)
+{
+    const double *y = overlay->waldram.y, top = y[PP_WALDRAM_PANELS];
+    pp_waldram_squares_size(&overlay->waldram, &overlay->width, &overlay->height);
+    overlay->rows = (int)fmin(ceil(top / overlay->height), MOST_ROWS);
+    for (int row = 0; row < overlay->rows; row++) {
+        double altitude =
+            pp_interpolate_inverse(y, PP_WALDRAM_PANELS + 1, 0.0, PP_PI / 2.0,
+                                   fmin((row + 0.5) * overlay->height, top));
+        overlay->altitudes[row] = (struct altitude){sin(altitude), cos(altitude)};
+    }
+}
+
 static enum pp_status prepare(void **tools, const struct pp_world *world,
                               const struct pp_outside_light *light,
                               struct pp_error *err)
 {
     (void)world;
-    struct pp_waldram *waldram = malloc(sizeof *waldram);
-    if (!waldram)
+    struct overlay *overlay = malloc(sizeof *overlay);
+    if (!overlay)
         return pp_fail_memory(err);
-    enum pp_status status = pp_waldram_scale_init(waldram, &light->sky, false, err);
-    if (status == PP_OK)
-        *tools = waldram;
-    else
-        free(waldram);
-    return status;
+    enum pp_status status =
+        pp_waldram_scale_init(&overlay->waldram, &light->sky, false, err);
+    if (status != PP_OK) {
+        free(overlay);
+        return status;
+    }
+    place_rows(overlay);
+    *tools = overlay;
+    return PP_OK;
 }
 
 static const char *refuses(const struct pp_world *world,
@@ -74,37 +103,33 @@ static const char *refuses(const struct pp_world *world,
 
 /* Transmittance at the middle of a square; `out` is the glass's direction in the diagram's
  * axes. */
-static double transmittance_at(const struct pp_waldram *waldram,
+static double transmittance_at(const struct overlay *overlay,
                                const struct pp_glass *glass, struct pp_vec3 out,
                                const struct pp_waldram_square *square)
 {
-    double width, height;
-    pp_waldram_squares_size(waldram, &width, &height);
-    double top = waldram->y[PP_WALDRAM_PANELS];
-    double azimuth = (square->column + 0.5) * width;
-    double altitude =
-        pp_interpolate_inverse(waldram->y, PP_WALDRAM_PANELS + 1, 0.0, PP_PI / 2.0,
-                               fmin((square->row + 0.5) * height, top));
-    double level = cos(altitude);
-    struct pp_vec3 u =
-        pp_vec(level * sin(azimuth), level * cos(azimuth), sin(altitude));
+    double azimuth = (square->column + 0.5) * overlay->width;
+    const struct altitude *altitude =
+        &overlay
+             ->altitudes[square->row < overlay->rows ? square->row : overlay->rows - 1];
+    struct pp_vec3 u = pp_vec(altitude->cosine * sin(azimuth),
+                              altitude->cosine * cos(azimuth), altitude->sine);
     double cosine = fmin(pp_vec_dot(u, out), 1.0);
     return cosine > 0.0 ? pp_glass_transmittance(glass, cosine) : 0.0;
 }
 
-static double mean_transmittance(const struct pp_waldram *waldram,
+static double mean_transmittance(const struct overlay *overlay,
                                  const struct pp_glass *glass,
                                  const struct pp_window_axes *axes,
                                  const struct pp_waldram_count *count)
 {
     const double straight[2] = {0.0, 0.0};
-    struct pp_vec3 out = pp_waldram_scale_direction(waldram, axes, straight);
+    struct pp_vec3 out = pp_waldram_scale_direction(&overlay->waldram, axes, straight);
     double sum = 0.0;
     if (glass->panes == 0 || !(count->squares > 0.0))
         return 1.0;
     for (int i = 0; i < count->count; i++)
         sum += count->list[i].estimated
-               * transmittance_at(waldram, glass, out, &count->list[i]);
+               * transmittance_at(overlay, glass, out, &count->list[i]);
     return sum / count->squares;
 }
 
@@ -131,7 +156,7 @@ static enum pp_status evaluate(const struct pp_world *world,
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err)
 {
-    const struct pp_waldram *waldram = tools;
+    const struct overlay *overlay = tools;
     struct pp_window_drawing drawing;
     enum pp_status status = pp_window_drawing_init(&drawing, world, light, opening,
                                                    receiver->position, err);
@@ -143,12 +168,12 @@ static enum pp_status evaluate(const struct pp_world *world,
     for (int i = 0; i < drawing.count; i++) {
         const struct pp_drawn_part *drawn = &drawing.parts[i];
         struct pp_waldram_count count;
-        status = pp_waldram_squares_count(&count, waldram, &drawing.axes,
+        status = pp_waldram_squares_count(&count, &overlay->waldram, &drawing.axes,
                                           &drawn->region, err);
         if (status != PP_OK)
             break;
         double tau =
-            mean_transmittance(waldram, &opening->glass, &drawing.axes, &count);
+            mean_transmittance(overlay, &opening->glass, &drawing.axes, &count);
         *(drawn->hidden ? &part->external : &part->sky) +=
             work(&terms, drawn, count.squares, tau);
         pp_waldram_squares_clear(&count);

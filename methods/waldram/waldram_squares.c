@@ -11,6 +11,9 @@
 
 enum { DEEPEST = 12 }; /* halvings of one straight edge */
 
+/* In widths of a square. */
+static const double PLUMB = 1e-9;
+
 void pp_waldram_squares_size(const struct pp_waldram *waldram, double *width,
                              double *height)
 {
@@ -61,20 +64,24 @@ static struct diagram_point point_of(const struct mapping *mapping, struct pp_ve
 }
 
 /* Adds the points after `from` up to `to` of the straight edge from direction a to b.
- * The edge is halved until the middle of a chord is near the middle of the edge.
- * Between the last chord and the edge a triangle of equal area is added (a parabola has
- * 2/3 of its box, a triangle 1/2, so that the triangle has 4/3 of the height), so that
- * counts have no bias. */
+ * The edge is halved until the middle of a chord is near the middle of the edge; a plumb
+ * edge is its own chord. Between the last chord and the edge a triangle of equal area is
+ * added (a parabola has 2/3 of its box, a triangle 1/2, so that the triangle has 4/3 of the
+ * height), so that counts have no bias. */
 static void add_edge(struct droop_polyline *line, const struct mapping *mapping,
                      struct pp_vec3 a, struct diagram_point from, struct pp_vec3 b,
                      struct diagram_point to, int depth)
 {
     struct pp_vec3 middle = pp_vec_scale(pp_vec_add(a, b), 0.5);
     struct diagram_point half = point_of(mapping, middle, from.azimuth);
+    double run = (to.x - from.x) / mapping->width;
     double dx = (half.x - (from.x + to.x) / 2.0) / mapping->width;
     double dy = (half.y - (from.y + to.y) / 2.0) / mapping->height;
-    bool far_apart = fabs(to.x - from.x) > 4.0 * mapping->width;
-    if (depth < DEEPEST && (far_apart || hypot(dx, dy) > 0.002)) {
+    if (fabs(run) < PLUMB && fabs(dx) < PLUMB) {
+        add_point(line, to.x, to.y);
+        return;
+    }
+    if (depth < DEEPEST && (fabs(run) > 4.0 || hypot(dx, dy) > 0.002)) {
         add_edge(line, mapping, a, from, middle, half, depth + 1);
         add_edge(line, mapping, middle, half, b, to, depth + 1);
         return;

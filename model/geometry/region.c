@@ -81,6 +81,20 @@ bool pp_region_contains(const struct pp_region *region, double x, double y)
     return inside;
 }
 
+int pp_region_count_inside(const struct pp_region *region, double (*points)[2],
+                           int count)
+{
+    const struct pp_bounds2 box = pp_region_bounds(region);
+    int inside = 0;
+    for (int i = 0; i < count; i++) {
+        double x = points[i][0], y = points[i][1];
+        bool near =
+            x >= box.low[0] && x <= box.high[0] && y >= box.low[1] && y <= box.high[1];
+        inside += near && pp_region_contains(region, x, y);
+    }
+    return inside;
+}
+
 double pp_region_edge_distance(const struct pp_region *region, double x, double y)
 {
     double nearest = INFINITY;

@@ -19,13 +19,14 @@ static bool is_called(const struct pp_worksheet_figure *figure, const char *symb
 
 static void enter(struct pp_worksheet *sheet, const char *symbol, double printed)
 {
-    int at = sheet->count;
+    int at = sheet->count - 1;
     if (!symbol[0])
         return;
     /* A figure that is put down anew takes the place of the last of its name. */
-    for (int i = 0; i < sheet->count; i++)
-        if (is_called(&sheet->list[i], symbol))
-            at = i;
+    while (at >= 0 && !is_called(&sheet->list[at], symbol))
+        at--;
+    if (at < 0)
+        at = sheet->count;
     assert(at < PP_WORKSHEET_MOST);
     sheet->list[at] = (struct pp_worksheet_figure){symbol, sheet->part, printed};
     sheet->count += at == sheet->count;

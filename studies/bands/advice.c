@@ -36,16 +36,17 @@ static void look_up(struct ranking *ranking, const struct pp_report *report,
     ranking->count = 0;
     for (int i = 0; i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
-        struct pp_band_record records[PP_BAND_REGIMES];
+        struct pp_band_regimes regimes;
         if (column->component != PP_DF || (index >= 0 && !column->points)
             || !pp_report_bands_has(report, column))
             continue;
         double figure = index < 0 ? column->average.value : column->points[index].value;
-        int count = pp_band_table_find(records, pp_band_table_under(&report->light.sky),
-                                       place, PP_DF, column->name);
-        pp_band_features_of_column(features, report, column, index);
+        pp_band_table_find(&regimes, pp_band_table_under(&report->light.sky), PP_DF,
+                           column->name);
+        const struct pp_band_columns columns = pp_band_features_columns(report, column);
+        pp_band_features_of_columns(features, &columns, index);
         const struct pp_band_record *record =
-            pp_band_table_regime(records, count, features);
+            pp_band_table_regime(&regimes, place, features);
         if (!record || !isfinite(figure))
             continue;
         ranking->columns[ranking->count] = i;

@@ -17,9 +17,11 @@ const char *pp_band_features_name(int feature)
 
 int pp_band_features_find(const char *name)
 {
-    for (int i = 0; i < PP_BAND_FEATURES; i++)
-        if (strcmp(pp_band_features_name(i), name) == 0)
+    for (int i = 0; i < PP_BAND_FEATURES; i++) {
+        const char *own = pp_band_features_name(i);
+        if (own[0] == name[0] && strcmp(own, name) == 0)
             return i;
+    }
     return -1;
 }
 
@@ -44,25 +46,32 @@ void pp_band_features_own(double features[PP_BAND_FEATURES], double figure, doub
     features[PP_BAND_INSIDE] = figure > 0.0 ? irc / figure : NAN;
 }
 
-static double value_at(const struct pp_report *report, enum pp_component component,
-                       const char *name, int index)
+struct pp_band_columns pp_band_features_columns(const struct pp_report *report,
+                                                const struct pp_column *column)
 {
-    const struct pp_column *column = pp_report_find(report, component, name);
+    struct pp_band_columns columns = {.whole = column};
+    struct pp_band_parts parts =
+        pp_band_features_parts(column->component, column->name);
+    if (parts.direct[0]) {
+        columns.sky = pp_report_find(report, PP_SC, parts.direct);
+        columns.external = pp_report_find(report, PP_ERC, parts.direct);
+        columns.internal = pp_report_find(report, PP_IRC, parts.internal);
+    }
+    return columns;
+}
+
+static double value_at(const struct pp_column *column, int index)
+{
     return !column          ? NAN
            : index < 0      ? column->average.value
            : column->points ? column->points[index].value
                             : NAN;
 }
 
-void pp_band_features_of_column(double features[PP_BAND_FEATURES],
-                                const struct pp_report *report,
-                                const struct pp_column *column, int index)
+void pp_band_features_of_columns(double features[PP_BAND_FEATURES],
+                                 const struct pp_band_columns *columns, int index)
 {
-    struct pp_band_parts parts =
-        pp_band_features_parts(column->component, column->name);
     pp_band_features_own(
-        features, index < 0 ? column->average.value : column->points[index].value,
-        value_at(report, PP_SC, parts.direct, index),
-        value_at(report, PP_ERC, parts.direct, index),
-        value_at(report, PP_IRC, parts.internal, index));
+        features, value_at(columns->whole, index), value_at(columns->sky, index),
+        value_at(columns->external, index), value_at(columns->internal, index));
 }

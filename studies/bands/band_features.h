@@ -44,9 +44,16 @@ struct pp_band_parts pp_band_features_parts(enum pp_component component,
 void pp_band_features_own(double features[PP_BAND_FEATURES], double figure, double sc,
                           double erc, double irc);
 
-/* The same from a report's column, of point `index`, or -1: of the average. */
-void pp_band_features_of_column(double features[PP_BAND_FEATURES],
-                                const struct pp_report *report,
-                                const struct pp_column *column, int index);
+/* A column of a report, and those of the components that it is the sum of: NULL where it has
+ * none. */
+struct pp_band_columns {
+    const struct pp_column *whole, *sky, *external, *internal;
+};
+struct pp_band_columns pp_band_features_columns(const struct pp_report *report,
+                                                const struct pp_column *column);
+
+/* The same from a report's columns, of point `index`, or -1: of the average. */
+void pp_band_features_of_columns(double features[PP_BAND_FEATURES],
+                                 const struct pp_band_columns *columns, int index);
 
 #endif

@@ -11,7 +11,7 @@
 #include "model/base/error.h"
 
 /* Where the figures of a column stand. */
-enum pp_band_place { PP_BAND_POINT, PP_BAND_AVERAGE };
+enum pp_band_place { PP_BAND_POINT, PP_BAND_AVERAGE, PP_BAND_PLACES };
 extern const char *const pp_band_figures_places[]; /* "point", "average" */
 
 struct pp_band_figures {

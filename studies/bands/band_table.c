@@ -107,26 +107,37 @@ bool pp_band_table_at(struct pp_band_record *record, const struct pp_band_table 
     return false;
 }
 
-int pp_band_table_find(struct pp_band_record records[PP_BAND_REGIMES],
-                       const struct pp_band_table *table, enum pp_band_place place,
-                       enum pp_component component, const char *column)
+/* Most rows are of other columns, whose first letters tell as a rule. */
+static bool is_of(const struct row *row, enum pp_component component,
+                  const char *column)
 {
-    int count = 0;
-    for (int i = 0; i < table->count && count < PP_BAND_REGIMES; i++) {
-        const struct row *row = &table->rows[i];
-        /* Most rows are of other columns, whose first letters tell as a rule. */
-        if (row->column[0] == column[0] && strcmp(row->column, column) == 0
-            && strcmp(row->place, pp_band_figures_places[place]) == 0
-            && strcmp(row->component, pp_band_features_components[component]) == 0)
-            records[count++] = record_of(row);
-    }
-    return count;
+    return row->column[0] == column[0] && strcmp(row->column, column) == 0
+           && strcmp(row->component, pp_band_features_components[component]) == 0;
 }
 
-const struct pp_band_record *pp_band_table_regime(const struct pp_band_record *records,
-                                                  int count, const double *features)
+/* The rows of a column stand together. */
+void pp_band_table_find(struct pp_band_regimes *regimes,
+                        const struct pp_band_table *table, enum pp_component component,
+                        const char *column)
 {
-    for (int i = 0; i < count; i++)
+    const struct row *row = table->rows, *end = table->rows + table->count;
+    memset(regimes->count, 0, sizeof regimes->count);
+    while (row < end && !is_of(row, component, column))
+        row++;
+    for (; row < end && is_of(row, component, column); row++) {
+        const struct pp_band_record record = record_of(row);
+        int *count = &regimes->count[record.place];
+        if (*count < PP_BAND_REGIMES)
+            regimes->records[record.place][(*count)++] = record;
+    }
+}
+
+const struct pp_band_record *pp_band_table_regime(const struct pp_band_regimes *regimes,
+                                                  enum pp_band_place place,
+                                                  const double *features)
+{
+    const struct pp_band_record *records = regimes->records[place];
+    for (int i = 0; i < regimes->count[place]; i++)
         if (pp_band_regime_holds(&records[i].entry.regime, features))
             return &records[i];
     return NULL;

@@ -26,16 +26,20 @@ struct pp_band_record {
 bool pp_band_table_at(struct pp_band_record *record, const struct pp_band_table *table,
                       int index);
 
-/* The regimes of one column, at most PP_BAND_REGIMES, in `records`; returns how many, 0
- * where the atlas has none. */
+/* The regimes of one column, of points and of averages; none where the atlas has none. */
 enum { PP_BAND_REGIMES = 16 };
-int pp_band_table_find(struct pp_band_record records[PP_BAND_REGIMES],
-                       const struct pp_band_table *table, enum pp_band_place place,
-                       enum pp_component component, const char *column);
+struct pp_band_regimes {
+    int count[PP_BAND_PLACES];
+    struct pp_band_record records[PP_BAND_PLACES][PP_BAND_REGIMES];
+};
+void pp_band_table_find(struct pp_band_regimes *regimes,
+                        const struct pp_band_table *table, enum pp_component component,
+                        const char *column);
 
-/* The one among records whose regime has the features; NULL where none has. */
-const struct pp_band_record *pp_band_table_regime(const struct pp_band_record *records,
-                                                  int count, const double *features);
+/* The one of a place whose regime has the features; NULL where none has. */
+const struct pp_band_record *pp_band_table_regime(const struct pp_band_regimes *regimes,
+                                                  enum pp_band_place place,
+                                                  const double *features);
 
 /* What the rooms of the run have of a feature of rooms or points, from the least to the
  * most. False: the run does not tell. */

@@ -148,8 +148,8 @@ struct lookup {
     const struct pp_report *report;
     double *features;     /* of the room, and space for those of a point */
     struct place *places; /* of each point */
-    struct pp_band_record points[PP_BAND_REGIMES], averages[PP_BAND_REGIMES];
-    int point_count, average_count;
+    struct pp_band_regimes regimes;
+    struct pp_band_columns columns; /* the one that is looked up, and its components */
 };
 
 static struct pp_band_ends band_of(const struct pp_band_record *record, double figure)
@@ -162,29 +162,27 @@ static struct pp_band_ends band_of(const struct pp_band_record *record, double f
         pp_band_regime_truth(figure, ratio->high, PP_BAND_OFFSET)};
 }
 
-static struct pp_band_ends band_at(struct lookup *lookup,
-                                   const struct pp_column *column, int index)
+static struct pp_band_ends band_at(struct lookup *lookup, int index)
 {
     const struct place *place = &lookup->places[index];
     if (!place->known)
         return pp_band_none();
     memcpy(lookup->features + PP_ROOM_OF_POINTS, place->features,
            sizeof place->features);
-    pp_band_features_of_column(lookup->features, lookup->report, column, index);
+    pp_band_features_of_columns(lookup->features, &lookup->columns, index);
     return band_of(
-        pp_band_table_regime(lookup->points, lookup->point_count, lookup->features),
-        column->points[index].value);
+        pp_band_table_regime(&lookup->regimes, PP_BAND_POINT, lookup->features),
+        lookup->columns.whole->points[index].value);
 }
 
-static struct pp_band_ends average_band(struct lookup *lookup,
-                                        const struct pp_column *column)
+static struct pp_band_ends average_band(struct lookup *lookup)
 {
     for (int i = PP_ROOM_OF_POINTS; i < PP_ROOM_FEATURES; i++)
         lookup->features[i] = NAN;
-    pp_band_features_of_column(lookup->features, lookup->report, column, -1);
+    pp_band_features_of_columns(lookup->features, &lookup->columns, -1);
     return band_of(
-        pp_band_table_regime(lookup->averages, lookup->average_count, lookup->features),
-        column->average.value);
+        pp_band_table_regime(&lookup->regimes, PP_BAND_AVERAGE, lookup->features),
+        lookup->columns.whole->average.value);
 }
 
 static enum pp_status fill_column(struct lookup *lookup, struct pp_column *column,
@@ -192,13 +190,11 @@ static enum pp_status fill_column(struct lookup *lookup, struct pp_column *colum
 {
     const struct pp_report *report = lookup->report;
     const struct pp_band_table *table = pp_band_table_under(&report->light.sky);
-    lookup->point_count = pp_band_table_find(lookup->points, table, PP_BAND_POINT,
-                                             column->component, column->name);
-    lookup->average_count = pp_band_table_find(lookup->averages, table, PP_BAND_AVERAGE,
-                                               column->component, column->name);
-    if (lookup->average_count > 0)
-        column->average_band = average_band(lookup, column);
-    if (lookup->point_count == 0 || !column->points)
+    pp_band_table_find(&lookup->regimes, table, column->component, column->name);
+    lookup->columns = pp_band_features_columns(report, column);
+    if (lookup->regimes.count[PP_BAND_AVERAGE] > 0)
+        column->average_band = average_band(lookup);
+    if (lookup->regimes.count[PP_BAND_POINT] == 0 || !column->points)
         return PP_OK;
     free(column->bands);
     column->bands =
@@ -206,7 +202,7 @@ static enum pp_status fill_column(struct lookup *lookup, struct pp_column *colum
     if (!column->bands)
         return pp_fail_memory(err);
     for (int i = 0; i < report->receiver_count; i++)
-        column->bands[i] = band_at(lookup, column, i);
+        column->bands[i] = band_at(lookup, i);
     return PP_OK;
 }
 

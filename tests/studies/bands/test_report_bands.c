@@ -65,7 +65,7 @@ static void a_band_is_the_table_s_quantiles_on_the_figure(void **state)
 {
     (void)state;
     struct made m;
-    struct pp_band_record records[PP_BAND_REGIMES];
+    struct pp_band_regimes regimes;
     double features[PP_BAND_FEATURES];
     const char *why;
     make(&m, hall);
@@ -73,15 +73,15 @@ static void a_band_is_the_table_s_quantiles_on_the_figure(void **state)
     assert_null(m.report.no_bands);
     const struct pp_column *column = pp_report_find(&m.report, PP_DF, "exact+bre");
     assert_non_null(column->bands);
-    int count = pp_band_table_find(records, &pp_band_table_overcast, PP_BAND_POINT,
-                                   PP_DF, "exact+bre");
-    assert_true(count > 1);
+    const struct pp_band_columns columns = pp_band_features_columns(&m.report, column);
+    pp_band_table_find(&regimes, &pp_band_table_overcast, PP_DF, "exact+bre");
+    assert_true(regimes.count[PP_BAND_POINT] > 1);
     assert_int_equal(pp_report_bands_features(features, &why, &m.report, NULL), PP_OK);
     for (int i = 0; i < 2; i++) {
         assert_true(pp_report_bands_point(features, &m.report, i));
-        pp_band_features_of_column(features, &m.report, column, i);
+        pp_band_features_of_columns(features, &columns, i);
         const struct pp_band_record *record =
-            pp_band_table_regime(records, count, features);
+            pp_band_table_regime(&regimes, PP_BAND_POINT, features);
         assert_non_null(record);
         double h = column->points[i].value, a = PP_BAND_OFFSET;
         const struct pp_band_quantiles *q = &record->entry.regime.ratio;
@@ -92,6 +92,29 @@ static void a_band_is_the_table_s_quantiles_on_the_figure(void **state)
     assert_true(pp_band_is_known(column->average_band));
     assert_null(pp_report_find(&m.report, PP_DF, "nobody")->bands);
     clear(&m);
+}
+
+/* pp_band_table_find stops where another column begins. */
+static void the_rows_of_a_column_stand_together(void **state)
+{
+    (void)state;
+    const struct pp_band_table *tables[] = {&pp_band_table_overcast,
+                                            &pp_band_table_iso};
+    for (int t = 0; t < 2; t++) {
+        struct pp_band_record record, other;
+        for (int i = 0; pp_band_table_at(&record, tables[t], i); i++) {
+            struct pp_band_regimes regimes;
+            int count[PP_BAND_PLACES] = {0};
+            for (int k = 0; pp_band_table_at(&other, tables[t], k); k++)
+                if (other.component == record.component
+                    && strcmp(other.column, record.column) == 0)
+                    count[other.place]++;
+            pp_band_table_find(&regimes, tables[t], record.component, record.column);
+            for (int place = 0; place < PP_BAND_PLACES; place++)
+                assert_int_equal(regimes.count[place], count[place]);
+            i += count[PP_BAND_POINT] / 2; /* the same column once or twice more */
+        }
+    }
 }
 
 static void a_point_that_does_not_face_up_has_no_band(void **state)
@@ -207,6 +230,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_band_is_the_table_s_quantiles_on_the_figure),
+        cmocka_unit_test(the_rows_of_a_column_stand_together),
         cmocka_unit_test(a_point_that_does_not_face_up_has_no_band),
         cmocka_unit_test(rooms_that_the_atlas_has_not_are_told_so),
         cmocka_unit_test(a_dado_like_its_wall_leaves_the_bands),
