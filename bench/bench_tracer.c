@@ -149,11 +149,10 @@ static void run_randomisations(const struct pp_world *world,
                 *index = 0;
                 if (estimator == 1)
                     pp_path_gather(path_state, &start, end, &gathered);
-                for (; *index < end; ++*index)
-                    if (estimator == 0)
-                        pp_path_direct(path_state, &start, &light);
-                    else
-                        pp_path_correction(path_state, &start);
+                else if (estimator == 2)
+                    pp_path_correction(path_state, &start, end, &gathered);
+                else
+                    pp_path_direct(path_state, &start, end, &light);
             }
         }
 }

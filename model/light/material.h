@@ -25,7 +25,7 @@
 #include <stdbool.h>
 
 #include "model/base/error.h"
-#include "model/light/glass.h"
+#include "model/light/glass_curve.h"
 #include "model/light/rgb.h"
 #include "model/geometry/vec.h"
 
@@ -58,8 +58,10 @@ struct pp_material {
     struct pp_rgb through_gloss;
 
     struct pp_glass glass[3]; /* glass: of red, green and blue */
-    double clear_share;       /* of its area that is glass, not frame */
-    double dirt;              /* share of the light that dirt lets pass */
+    /* Of all three where they are alike, for who asks often; not owned; NULL: none. */
+    const struct pp_glass_curve *curve;
+    double clear_share; /* of its area that is glass, not frame */
+    double dirt;        /* share of the light that dirt lets pass */
 
     enum pp_emitter_kind emits;
     struct pp_rgb radiance; /* of the front, per steradian */

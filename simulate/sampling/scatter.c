@@ -6,18 +6,29 @@
 
 #include "simulate/sampling/lobe.h"
 
-static struct pp_rgb glass_law(const struct pp_material *material, double cosine,
-                               double (*law)(const struct pp_glass *, double))
+/* Of each channel by itself. */
+static struct pp_rgb by_channel(const struct pp_material *material, double cosine,
+                                double (*law)(const struct pp_glass *, double))
 {
-    double value[3];
-    for (int i = 0; i < 3; i++) {
-        const struct pp_glass *glass = &material->glass[i],
-                              *first = &material->glass[0];
-        bool like = i > 0 && glass->kl == first->kl && glass->n == first->n
-                    && glass->panes == first->panes && glass->scale == first->scale;
-        value[i] = like ? value[0] : law(glass, cosine);
-    }
-    return pp_rgb(value[0], value[1], value[2]);
+    const struct pp_glass *glass = material->glass;
+    return pp_rgb(law(&glass[0], cosine), law(&glass[1], cosine),
+                  law(&glass[2], cosine));
+}
+
+static struct pp_rgb glass_transmittance(const struct pp_material *material,
+                                         double cosine)
+{
+    return material->curve
+               ? pp_rgb_grey(pp_glass_curve_transmittance(material->curve, cosine))
+               : by_channel(material, cosine, pp_glass_transmittance);
+}
+
+static struct pp_rgb glass_reflectance(const struct pp_material *material,
+                                       double cosine)
+{
+    return material->curve
+               ? pp_rgb_grey(pp_glass_curve_reflectance(material->curve, cosine))
+               : by_channel(material, cosine, pp_glass_reflectance);
 }
 
 struct pp_rgb pp_scatter_regular_transmittance(const struct pp_material *material,
@@ -27,7 +38,7 @@ struct pp_rgb pp_scatter_regular_transmittance(const struct pp_material *materia
     case PP_MATERIAL_AIR:
         return pp_rgb_grey(1.0);
     case PP_MATERIAL_GLASS:
-        return pp_rgb_scale(glass_law(material, cos_incidence, pp_glass_transmittance),
+        return pp_rgb_scale(glass_transmittance(material, cos_incidence),
                             material->clear_share * material->dirt);
     case PP_MATERIAL_TRANSLUCENT:
         return pp_gloss_is_mirror(material->roughness[0], material->roughness[1])
@@ -45,7 +56,7 @@ struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material
     case PP_MATERIAL_AIR:
         return pp_rgb_grey(0.0);
     case PP_MATERIAL_GLASS:
-        return pp_rgb_scale(glass_law(material, cos_incidence, pp_glass_reflectance),
+        return pp_rgb_scale(glass_reflectance(material, cos_incidence),
                             material->clear_share);
     default:
         return material->gloss;

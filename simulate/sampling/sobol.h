@@ -16,7 +16,8 @@
 
 enum {
     PP_SOBOL_DIMENSIONS = 6,
-    PP_SOBOL_KEPT = 12, /* vertices whose seeds are worked out once */
+    PP_SOBOL_KEPT = 3, /* vertices whose seeds are worked out once: most of the draws of
+                        * light paths, of which a sequence has a dozen */
 };
 
 /* The sequence itself: for each dimension and each byte of the index (both with their

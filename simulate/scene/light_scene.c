@@ -24,6 +24,7 @@ void pp_light_scene_destroy(struct pp_light_scene *scene)
     free(scene->pane_triangles);
     free(scene->plane);
     free(scene->materials);
+    free(scene->glass_curves);
     free(scene->glosses);
     free(scene->gloss_of_material);
     free(scene->patterns);
@@ -109,14 +110,47 @@ static enum pp_status find_gloss(struct pp_light_scene *scene,
                          roughness[1], err);
 }
 
-enum pp_status pp_light_scene_add_glosses(struct pp_light_scene *scene,
-                                          struct pp_error *err)
+/* Has the material one law for all channels? */
+static bool has_one_glass(const struct pp_material *material)
+{
+    return material->kind == PP_MATERIAL_GLASS
+           && pp_glass_is_same(&material->glass[0], &material->glass[1])
+           && pp_glass_is_same(&material->glass[0], &material->glass[2]);
+}
+
+/* Like glass has one curve. */
+static enum pp_status add_glass_curves(struct pp_light_scene *scene,
+                                       struct pp_error *err)
+{
+    int room = 0, count = 0;
+    for (int i = 0; i < scene->material_count; i++)
+        room += has_one_glass(&scene->materials[i]);
+    scene->glass_curves = malloc(((size_t)room + 1) * sizeof *scene->glass_curves);
+    if (!scene->glass_curves)
+        return pp_fail_memory(err);
+    for (int i = 0; i < scene->material_count; i++) {
+        struct pp_material *material = &scene->materials[i];
+        int k = 0;
+        if (!has_one_glass(material))
+            continue;
+        while (k < count
+               && !pp_glass_is_same(&scene->glass_curves[k].glass, &material->glass[0]))
+            k++;
+        if (k == count)
+            pp_glass_curve_init(&scene->glass_curves[count++], &material->glass[0]);
+        material->curve = &scene->glass_curves[k];
+    }
+    return PP_OK;
+}
+
+enum pp_status pp_light_scene_add_laws(struct pp_light_scene *scene,
+                                       struct pp_error *err)
 {
     size_t count = (size_t)scene->material_count + 1;
     scene->gloss_of_material = malloc(count * sizeof *scene->gloss_of_material);
     if (!scene->gloss_of_material)
         return pp_fail_memory(err);
-    enum pp_status status = PP_OK;
+    enum pp_status status = add_glass_curves(scene, err);
     for (int i = 0; status == PP_OK && i < scene->material_count; i++) {
         scene->gloss_of_material[i] = -1;
         if (is_rough(&scene->materials[i]))

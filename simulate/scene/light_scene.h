@@ -139,10 +139,10 @@ enum pp_status pp_light_scene_add_rays(struct pp_light_scene *scene,
                                        const struct pp_triangles *triangles,
                                        struct pp_error *err);
 
-/* Once all materials and parts are there: works out the glosses that they have, and
- * which parts are matt. */
-enum pp_status pp_light_scene_add_glosses(struct pp_light_scene *scene,
-                                          struct pp_error *err);
+/* Once all materials and parts are there: works out the glosses that they have and the
+ * curves of their glass, and which parts are matt. */
+enum pp_status pp_light_scene_add_laws(struct pp_light_scene *scene,
+                                       struct pp_error *err);
 
 /* The gloss of a material; NULL: it has none, or is a mirror. */
 const struct pp_gloss *pp_light_scene_gloss(const struct pp_light_scene *scene,

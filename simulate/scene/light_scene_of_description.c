@@ -166,7 +166,7 @@ static enum pp_status build(struct light_scene_builder *b, struct pp_error *err)
         else
             status = add_round(b, &from->shapes[i], err);
     if (status == PP_OK)
-        status = pp_light_scene_add_glosses(scene, err);
+        status = pp_light_scene_add_laws(scene, err);
     if (status != PP_OK)
         return status;
     pp_emitters_link_triangles(scene);

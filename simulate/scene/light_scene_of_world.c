@@ -121,7 +121,7 @@ static enum pp_status build(struct pp_light_scene *scene, bool matt,
         scene->materials = materials.list;
         scene->material_count = materials.count;
         free(materials.sides);
-        status = pp_light_scene_add_glosses(scene, err);
+        status = pp_light_scene_add_laws(scene, err);
     }
     if (status == PP_OK)
         status = pp_scene_skylines_init(&scene->skylines, world, scene->centre, err);

@@ -59,6 +59,7 @@ struct pp_light_scene {
 
     struct pp_material *materials;
     int material_count;
+    struct pp_glass_curve *glass_curves; /* of the materials that are glass */
     struct pp_gloss *glosses;
     int gloss_count;
     int *gloss_of_material; /* -1: it has none, or is a mirror */

@@ -143,28 +143,75 @@ struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
     return e;
 }
 
-void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
-                    struct pp_light *light)
+/* The longest run that may begin at the index and ends at `end` or before; `most` is a
+ * power of two. */
+static int run_from(uint32_t index, uint32_t end, uint32_t most)
 {
-    if (state->light.scene->has_room) {
-        double u[2];
-        struct pp_vec3 point =
-            start->anywhere ? begin(state, start, PP_DRAW_WINDOWS, u) : start->position;
-        struct pp_irradiance e = pp_path_by_openings(state, point, start->normal, 0, 1);
-        if (state->glass) {
-            struct pp_shading_point shading =
-                shading_point(state, point, start->normal, 0, 1);
-            pp_light_path_glass(&state->light, &shading, &state->view, &e);
-        }
-        light->part[PP_SC] += e.sky.g;
-        light->part[PP_ERC] += e.outside.g;
-        light->part[PP_IRC] += e.rest.g;
-        return;
-    }
+    uint32_t count = most;
+    while (count > 1 && (index % count != 0 || count > end - index))
+        count /= 2;
+    return (int)count;
+}
+
+/* Through the openings, of the paths from the present index on, one or a run. The sums that
+ * there are go in and out as a share of the paths, a power of two: so they come out as if
+ * every path had been added by itself, to the bit. */
+static void add_direct(struct pp_path_state *state, const struct pp_start *start,
+                       struct pp_vec3 point, int paths, struct pp_light *light)
+{
+    struct pp_shading_point shading =
+        shading_point(state, point, start->normal, 0, (uint32_t)paths);
+    uint32_t first = state->light.index;
+    double *part = light->part;
+    struct pp_irradiance e = {.sky = pp_rgb_grey(part[PP_SC] / paths),
+                              .outside = pp_rgb_grey(part[PP_ERC] / paths),
+                              .rest = pp_rgb_grey(part[PP_IRC] / paths)};
+    state->light.index = first / (uint32_t)paths;
+    pp_light_path_windows(&state->light, &shading, &e);
+    part[PP_SC] = e.sky.g * paths;
+    part[PP_ERC] = e.outside.g * paths;
+    part[PP_IRC] = e.rest.g * paths;
+    state->light.index = first;
+}
+
+/* What the glass of openings shows of other openings. */
+static void add_glass(struct pp_path_state *state, const struct pp_start *start,
+                      struct pp_vec3 point, struct pp_light *light)
+{
+    struct pp_shading_point shading = shading_point(state, point, start->normal, 0, 1);
+    struct pp_irradiance e = {.rest = pp_rgb_grey(0.0)};
+    pp_light_path_glass(&state->light, &shading, &state->view, &e);
+    light->part[PP_IRC] += e.rest.g;
+}
+
+/* Where there is no room: by the sky's and the ground's own directions. */
+static void add_open_direct(struct pp_path_state *state, const struct pp_start *start,
+                            struct pp_light *light)
+{
     struct pp_light_ray ray = lobe_ray(state, start);
     struct pp_light_path path = path_of(state, &ray, 1);
     double value = PP_PI * pp_light_path_follow(&state->light, &path, NULL).g;
     light->part[path.first_met == PP_MET_SKY ? PP_SC : PP_ERC] += value;
+}
+
+void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
+                    uint32_t end, struct pp_light *light)
+{
+    const struct pp_light_scene *scene = state->light.scene;
+    for (; !scene->has_room && state->light.index < end; state->light.index++)
+        add_open_direct(state, start, light);
+    while (state->light.index < end) {
+        /* One sample of images outside goes with each call. */
+        bool runs = !start->anywhere && scene->window_image_count == 0;
+        int paths = runs ? run_from(state->light.index, end, PP_RUN_MOST) : 1;
+        double u[2];
+        struct pp_vec3 point =
+            start->anywhere ? begin(state, start, PP_DRAW_WINDOWS, u) : start->position;
+        add_direct(state, start, point, paths, light);
+        for (int i = 0; i < paths; i++, state->light.index++)
+            if (state->glass)
+                add_glass(state, start, point, light);
+    }
 }
 
 static double radiosity_at(const struct pp_path_state *state,
@@ -204,22 +251,13 @@ static void gather_run(struct pp_path_state *state, const struct pp_start *start
     }
 }
 
-/* The longest run that may begin at the index and ends at `end` or before. */
-static int run_from(uint32_t index, uint32_t end)
-{
-    uint32_t count = PP_RUN_MOST;
-    while (count > 1 && (index % count != 0 || count > end - index))
-        count /= 2;
-    return (int)count;
-}
-
 void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
                     uint32_t end, double *sum)
 {
     struct pp_frame frame = {.z = start->normal};
     pp_lobe_frame(start->normal, &frame.x, &frame.y);
     while (state->radiosity && state->light.index < end) {
-        int count = run_from(state->light.index, end);
+        int count = run_from(state->light.index, end, PP_RUN_MOST);
         if (!start->anywhere && count > 1) {
             gather_run(state, start, &frame, count, sum);
             continue;
@@ -249,6 +287,27 @@ struct path_fan {
     bool gathers; /* is G wanted of those, too, that come to a surface at once? */
     bool glass;   /* are openings sampled from there by their images in glass? */
 };
+
+/* The rays of the fans of a run of paths, one fan behind another. */
+struct fan_rays {
+    struct pp_lanes_directions to;
+    struct pp_convex_nearest nearest[PP_RUN_MOST];
+    bool known; /* are the nearest planes? */
+};
+
+/* Of the paths from the present index on, as many as there is room for at most. All leave
+ * from one place. */
+static void draw_rays(const struct pp_path_state *state, const struct path_fan *fan,
+                      int vertex, int paths, struct fan_rays *rays)
+{
+    double u[2][PP_RUN_MOST];
+    int count = paths * (int)fan->lobes;
+    pp_sobol_sequence_draw_run(&state->light.sequence, state->light.index * fan->lobes,
+                               count, vertex * PP_DRAWS, 2, u);
+    pp_lobe_run(&fan->frame, u, count, &rays->to);
+    rays->known = pp_light_scene_nearest(state->light.scene, fan->from, &rays->to,
+                                         count, rays->nearest);
+}
 
 /* A path that the glass of the pane has mirrored to what it has now met leaves the light of
  * an opening there out. */
@@ -320,29 +379,25 @@ static struct path_arm choose(const struct path_arm *arms, int count, double u)
     return arm;
 }
 
-/* K G by the arms of the fan, each of which comes to a surface or ends; one of them goes
- * on as *arm with the throughput of all. False if none does. */
-static bool spread(struct pp_path_state *state, const struct path_fan *fan, int vertex,
+/* K G by the arms of the fan, the rays from `first` on, each of which comes to a surface or
+ * ends; one of them goes on as *arm with the throughput of all. False if none does. */
+static bool spread(struct pp_path_state *state, const struct path_fan *fan,
+                   const struct fan_rays *rays, int first, int vertex,
                    struct path_arm *arm, double *sum)
 {
     struct pp_radiance_state *light = &state->light;
     struct path_arm arms[MOST_LOBES];
-    struct pp_lanes_directions to;
-    struct pp_convex_nearest nearest[PP_RUN_MOST];
+    const struct pp_lanes_directions *to = &rays->to;
     int count = 0, lobes = (int)fan->lobes;
-    double u[2][PP_RUN_MOST];
     uint32_t index = light->index;
-    pp_sobol_sequence_draw_run(&light->sequence, index * fan->lobes, lobes,
-                               vertex * PP_DRAWS, 2, u);
-    pp_lobe_run(&fan->frame, u, lobes, &to);
-    bool known = pp_light_scene_nearest(light->scene, fan->from, &to, lobes, nearest);
     for (int i = 0; i < lobes; i++) {
         struct path_arm *next = &arms[count];
+        int k = first + i;
         light->index = index * fan->lobes + (uint32_t)i;
         next->ray = (struct pp_light_ray){
-            fan->from, fan->frame.z, pp_vec(to.x[i], to.y[i], to.z[i]), PP_INDOORS};
+            fan->from, fan->frame.z, pp_vec(to->x[k], to->y[k], to->z[k]), PP_INDOORS};
         next->throughput = fan->throughput / fan->lobes;
-        if (!to_surface(state, next, known ? &nearest[i] : NULL, fan->glass,
+        if (!to_surface(state, next, rays->known ? &rays->nearest[k] : NULL, fan->glass,
                         pp_path_vertex_branch(vertex, PP_DRAWS), sum)
             || !(next->throughput > 0.0))
             continue;
@@ -374,10 +429,12 @@ static bool bounce(struct pp_path_state *state, struct path_arm *arm, int vertex
                            .lobes = lobes,
                            .throughput = arm->throughput,
                            .gathers = true};
+    struct fan_rays rays;
     struct pp_irradiance e =
         pp_path_by_openings(state, fan.from, fan.frame.z, vertex, openings);
     *sum += arm->throughput * pp_irradiance_sum(&e).g;
-    return spread(state, &fan, vertex, arm, sum);
+    draw_rays(state, &fan, vertex, 1, &rays);
+    return spread(state, &fan, &rays, 0, vertex, arm, sum);
 }
 
 /* Does the path go on? `first`: the importance that it had at its first surface. */
@@ -456,20 +513,40 @@ double pp_path_residual(struct pp_path_state *state, const struct pp_light_hit *
     return reached && is_left(state, &arm, 1) ? sum + residual(state, &arm, 2) : sum;
 }
 
-double pp_path_correction(struct pp_path_state *state, const struct pp_start *start)
+/* By one path, whose rays are those from `first` on. */
+static double correction(struct pp_path_state *state, const struct path_fan *fan,
+                         const struct fan_rays *rays, int first)
 {
-    double sum = 0.0, u[2];
+    double sum = 0.0;
     struct path_arm arm;
-    struct path_fan fan = {.from = begin(state, start, 0, u),
-                           .frame = {.z = start->normal},
-                           .lobes =
-                               state->radiosity && !state->shared ? FIRST_LOBES : 1,
+    bool goes_on = spread(state, fan, rays, first, 0, &arm, &sum);
+    return goes_on && is_left(state, &arm, 0) ? sum + residual(state, &arm, 1) : sum;
+}
+
+void pp_path_correction(struct pp_path_state *state, const struct pp_start *start,
+                        uint32_t end, double *sum)
+{
+    uint32_t lobes = state->radiosity && !state->shared ? FIRST_LOBES : 1;
+    struct path_fan fan = {.frame = {.z = start->normal},
+                           .lobes = lobes,
                            .throughput = 1.0,
                            .glass = state->glass};
     pp_lobe_frame(start->normal, &fan.frame.x, &fan.frame.y);
-    if (!state->light.scene->has_room || !spread(state, &fan, 0, &arm, &sum))
-        return sum;
-    return is_left(state, &arm, 0) ? sum + residual(state, &arm, 1) : sum;
+    while (state->light.scene->has_room && state->light.index < end) {
+        struct fan_rays rays;
+        int paths = 1;
+        if (start->anywhere) {
+            double u[2];
+            fan.from = begin(state, start, 0, u);
+        } else {
+            fan.from = start->position;
+            paths = run_from(state->light.index, end, PP_RUN_MOST / lobes);
+        }
+        draw_rays(state, &fan, 0, paths, &rays);
+        for (int i = 0; i < paths; i++, state->light.index++)
+            *sum += correction(state, &fan, &rays, i * (int)lobes);
+    }
+    state->light.index = end;
 }
 
 double pp_path_shared(const struct pp_path_state *state, const struct pp_start *start,

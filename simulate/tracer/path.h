@@ -95,17 +95,15 @@ struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
 bool pp_path_is_brought(const struct pp_path_state *state, struct pp_vec3 from,
                         const struct pp_light_hit *met);
 
-/* One sample each; state->light.index says which path. Direct light is added to `light`;
- * gathered light and correction are internally reflected, and 0 where there is no
- * room. */
+/* Add the samples of the paths from state->light.index to `end`, one after the other; the
+ * index is `end` afterwards. Gathered light and its correction are internally reflected,
+ * and 0 where there is no room. */
 void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
-                    struct pp_light *light);
-double pp_path_correction(struct pp_path_state *state, const struct pp_start *start);
-
-/* Adds the samples of the paths from state->light.index to `end`, one after the other;
- * the index is `end` afterwards. */
+                    uint32_t end, struct pp_light *light);
 void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
                     uint32_t end, double *sum);
+void pp_path_correction(struct pp_path_state *state, const struct pp_start *start,
+                        uint32_t end, double *sum);
 
 /* By one of the points that receivers share; where state->shared is not NULL the mean of
  * these is a part of the correction. */

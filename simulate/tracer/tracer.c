@@ -126,11 +126,10 @@ static void follow(const void *client, void *state, const struct pp_path_range *
     path->light.index = range->first;
     if (range->estimator == GATHER)
         pp_path_gather(path, start, range->end, &sums[SUM_GATHER]);
-    for (; path->light.index < range->end; path->light.index++)
-        if (range->estimator == DIRECT)
-            pp_path_direct(path, start, &direct);
-        else
-            sums[SUM_CORRECTION] += pp_path_correction(path, start);
+    else if (range->estimator == CORRECTION)
+        pp_path_correction(path, start, range->end, &sums[SUM_CORRECTION]);
+    else
+        pp_path_direct(path, start, range->end, &direct);
     for (int i = PP_SC; i <= PP_IRC; i++)
         sums[SUM_DIRECT + i] = direct.part[i];
     randomisation->rays[range->estimator] += path->light.rays - rays;

@@ -1,4 +1,6 @@
 /* test_glass.c - transmittance by angle of incidence. */
+#include "model/light/glass_curve.h"
+
 #include "model/light/glazings.h"
 
 #include "tests/lib/near.h"
@@ -131,9 +133,33 @@ static void an_unglazed_opening_lets_all_through_at_any_angle(void **state)
     assert_near(none.diffuse, 1.0, 0.0);
 }
 
+/* glass_curve.h against glass.h, of glazings from clear as air to dark. */
+static void a_tabulated_law_is_the_law(void **state)
+{
+    (void)state;
+    static struct pp_glass_curve curve;
+    for (int panes = 0; panes <= 4; panes++)
+        for (double kl = 1e-5; kl < 0.5; kl *= 3.0) {
+            struct pp_glass glass =
+                panes == 0 ? pp_glass_none()
+                           : pp_glass_of_normal(panes, 1.52, kl, kl > 0.1 ? 0.3 : 0.6);
+            pp_glass_curve_init(&curve, &glass);
+            for (int i = 0; i <= 20011; i++) {
+                double cosine = i / 20011.0;
+                assert_near(pp_glass_curve_transmittance(&curve, cosine),
+                            pp_glass_transmittance(&glass, cosine), 1e-8);
+                assert_near(pp_glass_curve_reflectance(&curve, cosine),
+                            pp_glass_reflectance(&glass, cosine), 1e-8);
+            }
+            assert_near(pp_glass_curve_transmittance(&curve, -0.1),
+                        pp_glass_transmittance(&glass, -0.1), 0.0);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_tabulated_law_is_the_law),
         cmocka_unit_test(one_and_two_panes_by_angle),
         cmocka_unit_test(diffuse_transmittances),
         cmocka_unit_test(the_brs_pane_is_the_sum_over_its_angles),

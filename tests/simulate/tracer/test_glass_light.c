@@ -154,11 +154,11 @@ static struct found_light reflected(struct pp_path_state *state,
         struct pp_light direct = {{0.0, 0.0, 0.0}};
         double light = 0.0;
         pp_sobol_sequence_init(&state->light.sequence, sobol, 2 * net);
-        for (*index = 0; *index < PATHS; (*index)++)
-            light += pp_path_correction(state, &start);
+        *index = 0;
+        pp_path_correction(state, &start, PATHS, &light);
         pp_sobol_sequence_init(&state->light.sequence, sobol, 2 * net + 1);
-        for (*index = 0; *index < PATHS; (*index)++)
-            pp_path_direct(state, &start, &direct);
+        *index = 0;
+        pp_path_direct(state, &start, PATHS, &direct);
         light = (light + direct.part[PP_IRC]) / PATHS;
         sum += light;
         squares += light * light;

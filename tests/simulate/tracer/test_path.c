@@ -73,11 +73,11 @@ static struct found_light reflected(const struct guessed_room *room, uint32_t pa
         state.light.index = 0;
         pp_path_gather(&state, &start, paths, &light);
         pp_sobol_sequence_init(&state.light.sequence, &room->sobol, 3 * net + 1);
-        for (state.light.index = 0; state.light.index < paths; state.light.index++)
-            light += pp_path_correction(&state, &start);
+        state.light.index = 0;
+        pp_path_correction(&state, &start, paths, &light);
         pp_sobol_sequence_init(&state.light.sequence, &room->sobol, 3 * net + 2);
-        for (state.light.index = 0; state.light.index < paths; state.light.index++)
-            pp_path_direct(&state, &start, &direct);
+        state.light.index = 0;
+        pp_path_direct(&state, &start, paths, &direct);
         light = (light + direct.part[PP_IRC]) / paths;
         sum += light;
         squares += light * light;

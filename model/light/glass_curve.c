@@ -1,0 +1,73 @@
+/* glass_curve.c - interpolates the law at Chebyshev's points of each step. */
+#include "model/light/glass_curve.h"
+
+#include <math.h>
+
+#include "model/geometry/vec.h"
+
+enum { POINTS = 4 };
+
+/* The polynomial in t, from 0 to 1, with these values at the points, by Newton's divided
+ * differences. */
+static void interpolate(pp_glass_cubic cubic, const double at[POINTS],
+                        const double values[POINTS])
+{
+    double divided[POINTS];
+    for (int i = 0; i < POINTS; i++)
+        divided[i] = values[i];
+    for (int k = 1; k < POINTS; k++)
+        for (int i = POINTS - 1; i >= k; i--)
+            divided[i] = (divided[i] - divided[i - 1]) / (at[i] - at[i - k]);
+    for (int i = 0; i < POINTS; i++)
+        cubic[i] = 0.0;
+    for (int k = POINTS - 1; k >= 0; k--) { /* times t - at[k], plus the difference */
+        for (int i = POINTS - 1; i > 0; i--)
+            cubic[i] = cubic[i - 1] - at[k] * cubic[i];
+        cubic[0] = divided[k] - at[k] * cubic[0];
+    }
+}
+
+void pp_glass_curve_init(struct pp_glass_curve *curve, const struct pp_glass *glass)
+{
+    curve->glass = *glass;
+    double at[POINTS], through[POINTS], back[POINTS];
+    for (int i = 0; i < POINTS; i++)
+        at[i] = 0.5 - 0.5 * cos((2 * i + 1) * PP_PI / (2.0 * POINTS));
+    for (int step = 0; step < PP_GLASS_CURVE_STEPS; step++) {
+        for (int i = 0; i < POINTS; i++) {
+            double cosine = (step + at[i]) / PP_GLASS_CURVE_STEPS;
+            through[i] = pp_glass_transmittance(glass, cosine);
+            back[i] = pp_glass_reflectance(glass, cosine);
+        }
+        interpolate(curve->transmittance[step], at, through);
+        interpolate(curve->reflectance[step], at, back);
+    }
+}
+
+/* Is the law itself to be asked? */
+static bool is_grazing(double cosine)
+{
+    return !(cosine * PP_GLASS_CURVE_STEPS >= PP_GLASS_CURVE_GRAZING);
+}
+
+static double read_cubic(const pp_glass_cubic cubics[PP_GLASS_CURVE_STEPS],
+                         double cosine)
+{
+    double place = cosine * PP_GLASS_CURVE_STEPS;
+    int step = place < PP_GLASS_CURVE_STEPS ? (int)place : PP_GLASS_CURVE_STEPS - 1;
+    const double *c = cubics[step];
+    double t = place - step;
+    return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
+}
+
+double pp_glass_curve_transmittance(const struct pp_glass_curve *curve, double cosine)
+{
+    return is_grazing(cosine) ? pp_glass_transmittance(&curve->glass, cosine)
+                              : read_cubic(curve->transmittance, cosine);
+}
+
+double pp_glass_curve_reflectance(const struct pp_glass_curve *curve, double cosine)
+{
+    return is_grazing(cosine) ? pp_glass_reflectance(&curve->glass, cosine)
+                              : read_cubic(curve->reflectance, cosine);
+}
