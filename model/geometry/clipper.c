@@ -318,6 +318,47 @@ enum pp_status pp_clipper_inset(struct pp_clipper *clipper, struct pp_region *re
     return pp_geos_region_from(result, geos, inside, clipper->grid, err);
 }
 
+/* Delaunay: the diagonal 0-2 is taken unless the circle through corners 0, 1 and 2 holds
+ * corner 3 by more than rounding. Corners run counter-clockwise. */
+static bool takes_first_diagonal(const double *const p[4])
+{
+    double x[3], y[3], square[3], scale = 0.0;
+    for (int i = 0; i < 3; i++) {
+        x[i] = p[i][0] - p[3][0];
+        y[i] = p[i][1] - p[3][1];
+        square[i] = x[i] * x[i] + y[i] * y[i];
+        scale = fmax(scale, square[i]);
+    }
+    double held = square[0] * (x[1] * y[2] - x[2] * y[1])
+                  - square[1] * (x[0] * y[2] - x[2] * y[0])
+                  + square[2] * (x[0] * y[1] - x[1] * y[0]);
+    return !(held > 1e-12 * scale * scale);
+}
+
+/* The same of a convex ring of three or four corners, without GEOS, which takes longer to
+ * load than most rooms need it. */
+static enum pp_status cut_convex(double (**triangles)[3][2], int *count,
+                                 const struct pp_ring *ring, struct pp_error *err)
+{
+    static const int cut[2][2][3] = {{{2, 3, 0}, {0, 1, 2}}, {{3, 0, 1}, {1, 2, 3}}};
+    int corners = ring->count;
+    bool left = pp_region_ring_area((const double(*)[2])ring->xy, corners) > 0.0;
+    const double *p[4];
+    for (int i = 0; i < corners; i++)
+        p[i] = ring->xy[left ? i : corners - 1 - i];
+    *triangles = malloc(2 * sizeof **triangles);
+    if (!*triangles)
+        return pp_fail_memory(err);
+    *count = corners - 2;
+    const int(*of)[3] = cut[0] + 1;
+    if (corners == 4)
+        of = cut[takes_first_diagonal(p) ? 0 : 1];
+    for (int i = 0; i < *count; i++)
+        for (int k = 0; k < 3; k++)
+            memcpy((*triangles)[i][k], p[of[i][k]], sizeof(double[2]));
+    return PP_OK;
+}
+
 enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
                                       double (**triangles)[3][2], int *count,
                                       const struct pp_region *region,
@@ -328,6 +369,10 @@ enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
     *count = 0;
     if (region->count == 0)
         return PP_OK;
+    const struct pp_ring *first = &region->rings[0];
+    if (region->count == 1 && first->count <= 4 && !(clipper->grid > 0.0)
+        && is_convex((const double(*)[2])first->xy, first->count))
+        return cut_convex(triangles, count, first, err);
     enum pp_status status = need_geos(clipper, err);
     if (status != PP_OK)
         return status;

@@ -95,15 +95,16 @@ static enum pp_status begin(struct pp_planner *planner, struct pp_error *err)
     enum pp_status status = PP_OK;
     for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
         struct planned_point *point = &planner->points[i];
-        int count = options->randomisations;
+        int count = by_samples(planner) ? options->randomisations
+                    : by_error(planner) ? planner->sampler->pilot_randomisations
+                                        : 0;
         point->seed = planner->sampler->seed(planner->client, i);
         point->counts = planner->sampler->pilot;
         for (int k = 0; by_samples(planner) && k < PP_ESTIMATORS_MOST; k++)
             point->counts.of[k] = (uint32_t)fmin((double)options->samples,
                                                  pp_plan_most(planner->sampler, k));
         status =
-            make(point, planner->stage,
-                 by_samples(planner) && count > 0 ? count : PP_RANDOMISATIONS, err);
+            make(point, planner->stage, count > 0 ? count : PP_RANDOMISATIONS, err);
     }
     return status;
 }

@@ -52,6 +52,10 @@ struct pp_sampler {
      * end. */
     struct pp_counts pilot, least;
 
+    /* Of the pilot, by error: even, and fewer than PP_RANDOMISATIONS (plan.h) where values
+     * have little skew; 0: as many. */
+    int pilot_randomisations;
+
     /* Of each estimator in a randomisation: no more than so many; 0: no such limit. */
     struct pp_counts most;
 

@@ -255,9 +255,55 @@ static void inside_its_edge_an_l_is_a_smaller_l(void **state)
     pp_region_clear(&outer);
 }
 
+/* Of random quadrilaterals round a circle, all convex: two triangles, counter-clockwise, of
+ * the whole area, of the two ways the one whose angles at the corners off the diagonal add
+ * up to 180 degrees or less (Delaunay). */
+static void a_convex_ring_of_four_is_cut_by_delaunay_s_diagonal(void **state)
+{
+    (void)state;
+    uint32_t seed = 1;
+    for (int n = 0; n < 500; n++) {
+        double xy[4][2], (*t)[3][2];
+        for (int i = 0; i < 4; i++) {
+            seed = seed * 1664525u + 1013904223u;
+            double angle = (i + 0.1 + 0.8 * (seed >> 8) * 0x1p-24) * 1.5707963267948966;
+            xy[n % 2 ? 3 - i : i][0] = 3.0 * cos(angle) + 7.0;
+            xy[n % 2 ? 3 - i : i][1] = (1.0 + n % 3) * sin(angle);
+        }
+        struct pp_ring ring = {4, xy};
+        struct pp_region region = {1, &ring};
+        int count;
+        assert_int_equal(pp_clipper_triangulate(clipper, &t, &count, &region, NULL),
+                         PP_OK);
+        assert_int_equal(count, 2);
+        double area = 0.0, opposite = 0.0;
+        for (int i = 0; i < 2; i++) {
+            double own = pp_region_ring_area((const double(*)[2])t[i], 3);
+            assert_true(own > 0.0);
+            area += own;
+            for (int k = 0; k < 3; k++) {
+                const double *a = t[i][k], *b = t[i][(k + 1) % 3],
+                             *c = t[i][(k + 2) % 3];
+                bool shared = false;
+                for (int m = 0; m < 3; m++)
+                    shared |= memcmp(a, t[1 - i][m], sizeof(double[2])) == 0;
+                if (!shared)
+                    opposite += acos(
+                        ((b[0] - a[0]) * (c[0] - a[0]) + (b[1] - a[1]) * (c[1] - a[1]))
+                        / (hypot(b[0] - a[0], b[1] - a[1])
+                           * hypot(c[0] - a[0], c[1] - a[1])));
+            }
+        }
+        assert_near(area, fabs(pp_region_area(&region)), 1e-12);
+        assert_true(opposite < 3.14159265358979 + 1e-6);
+        free(t);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_convex_ring_of_four_is_cut_by_delaunay_s_diagonal),
         cmocka_unit_test(a_clockwise_ring_is_turned_round),
         cmocka_unit_test(a_line_and_two_points_have_no_figure),
         cmocka_unit_test(a_bow_tie_is_refused),
