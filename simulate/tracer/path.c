@@ -1,6 +1,6 @@
-/* path.c - the three estimators of path.h: direct light, gathering of the control
- * variate, and its correction. */
-#include "simulate/tracer/path.h"
+/* path.c - two estimators of path.h, which take a step: direct light, and gathering of the
+ * control variate. */
+#include "simulate/tracer/path_parts.h"
 
 #include <stddef.h>
 
@@ -9,30 +9,6 @@
 #include "simulate/sampling/lobe_run.h"
 #include "simulate/scene/convex_room.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/transport/light_path.h"
-
-enum {
-    /* Directions from each surface met, where the control variate leaves a small
-     * difference of two large numbers. Measured in two rooms: half and twice as many
-     * lose 10 to 40 % of the efficiency, one of each two thirds. */
-    OPENINGS = 4,
-    LOBES = 8,
-    SHARED_LOBES = 16, /* where points are shared: in a convex room rays cost less */
-    FIRST_LOBES = 4,   /* from the point itself, where nothing is shared */
-    MOST_LOBES = SHARED_LOBES, /* as all of these a power of two, PP_RUN_MOST or less */
-    /* A path ends here where nothing ever absorbs: in an enclosure that reflects all.
-     * With a reflectance of 0.99 one path in 10^70 comes so far. */
-    MOST_BOUNCES = 1 << 14
-};
-
-/* Chance of a path to go on, for what is left of the importance that it had at its first
- * surface. Measured: 0.6 and 1 are as good for points of their own; with 1 those that
- * share take 8 % longer. */
-static const double GOING_ON = 0.6;
-
-/* An arm is drawn as if the control variate were nowhere below this share of its mean
- * over the arms that leave together: it may be wrong there. */
-static const double LEAST_SHARE = 0.5;
 
 /* NULL where no niche is known. */
 static const struct pp_niche_light *niches_of(const struct pp_radiosity *radiosity)
@@ -54,9 +30,8 @@ struct pp_path_state pp_path_state(const struct pp_light_scene *scene,
                                   .glass = scene->glass_image_count > 0};
 }
 
-/* The point, where the random numbers of `vertex` begin with two for a direction. */
-static struct pp_vec3 begin(const struct pp_path_state *state,
-                            const struct pp_start *start, int vertex, double u[2])
+struct pp_vec3 pp_path_begin(const struct pp_path_state *state,
+                             const struct pp_start *start, int vertex, double u[2])
 {
     double draw[5]; /* direction (2), choice of an opening, place on the plane (2) */
     pp_sobol_sequence_draw(&state->light.sequence, state->light.index, vertex,
@@ -83,22 +58,10 @@ static struct pp_light_ray lobe_ray(const struct pp_path_state *state,
                                     const struct pp_start *start)
 {
     double u[2];
-    struct pp_vec3 a, b, from = begin(state, start, 0, u);
+    struct pp_vec3 a, b, from = pp_path_begin(state, start, 0, u);
     pp_lobe_frame(start->normal, &a, &b);
     return start_ray(state, start, from,
                      pp_lobe_sample_in_frame(a, b, start->normal, u[0], u[1]));
-}
-
-static struct pp_light_path path_of(const struct pp_path_state *state,
-                                    const struct pp_light_ray *ray, int vertex)
-{
-    return (struct pp_light_path){.ray = *ray,
-                                  .throughput = pp_rgb_grey(1.0),
-                                  .least = state->light.options.least,
-                                  .sampled = PP_DIRECTLY_SAMPLED_ALL,
-                                  .sampled_in = ray->space,
-                                  .mirror_path = -1,
-                                  .vertex = vertex};
 }
 
 /* The light of niches that next-event estimation at that point of the room has; NULL: none. */
@@ -143,16 +106,6 @@ struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
     return e;
 }
 
-/* The longest run that may begin at the index and ends at `end` or before; `most` is a
- * power of two. */
-static int run_from(uint32_t index, uint32_t end, uint32_t most)
-{
-    uint32_t count = most;
-    while (count > 1 && (index % count != 0 || count > end - index))
-        count /= 2;
-    return (int)count;
-}
-
 /* Through the openings, of the paths from the present index on, one or a run. The sums that
  * there are go in and out as a share of the paths, a power of two: so they come out as if
  * every path had been added by itself, to the bit. */
@@ -189,7 +142,7 @@ static void add_open_direct(struct pp_path_state *state, const struct pp_start *
                             struct pp_light *light)
 {
     struct pp_light_ray ray = lobe_ray(state, start);
-    struct pp_light_path path = path_of(state, &ray, 1);
+    struct pp_light_path path = pp_path_of_ray(state, &ray, 1);
     double value = PP_PI * pp_light_path_follow(&state->light, &path, NULL).g;
     light->part[path.first_met == PP_MET_SKY ? PP_SC : PP_ERC] += value;
 }
@@ -203,22 +156,16 @@ void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
     while (state->light.index < end) {
         /* One sample of images outside goes with each call. */
         bool runs = !start->anywhere && scene->window_image_count == 0;
-        int paths = runs ? run_from(state->light.index, end, PP_RUN_MOST) : 1;
+        int paths = runs ? pp_path_run_from(state->light.index, end, PP_RUN_MOST) : 1;
         double u[2];
-        struct pp_vec3 point =
-            start->anywhere ? begin(state, start, PP_DRAW_WINDOWS, u) : start->position;
+        struct pp_vec3 point = start->anywhere
+                                   ? pp_path_begin(state, start, PP_DRAW_WINDOWS, u)
+                                   : start->position;
         add_direct(state, start, point, paths, light);
         for (int i = 0; i < paths; i++, state->light.index++)
             if (state->glass)
                 add_glass(state, start, point, light);
     }
-}
-
-static double radiosity_at(const struct pp_path_state *state,
-                           const struct pp_light_hit *met)
-{
-    return state->radiosity ? pp_radiosity_at(state->radiosity, state->light.scene, met)
-                            : 0.0;
 }
 
 /* G where the ray has come, if that is a surface and wants to be gathered. */
@@ -229,7 +176,7 @@ static double gathered(struct pp_path_state *state, const struct pp_light_ray *r
     if (pp_radiance_state_meet_by(&state->light, ray, nearest, &met) != PP_MEETS_PART
         || pp_path_is_brought(state, ray->from, &met))
         return 0.0;
-    return radiosity_at(state, &met);
+    return pp_path_guess(state, &met);
 }
 
 /* The paths of a run of indices; state->light.index is the first of them. */
@@ -257,7 +204,7 @@ void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
     struct pp_frame frame = {.z = start->normal};
     pp_lobe_frame(start->normal, &frame.x, &frame.y);
     while (state->radiosity && state->light.index < end) {
-        int count = run_from(state->light.index, end, PP_RUN_MOST);
+        int count = pp_path_run_from(state->light.index, end, PP_RUN_MOST);
         if (!start->anywhere && count > 1) {
             gather_run(state, start, &frame, count, sum);
             continue;
@@ -269,291 +216,11 @@ void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
     state->light.index = end;
 }
 
-/* A path on its way to a surface of the room. */
-struct path_arm {
-    struct pp_light_ray ray;
-    double throughput;
-    double importance; /* what it brings by G, about: its own share of several */
-    struct pp_light_hit met;
-    bool at_once; /* has it come there without meeting an opening? */
-};
-
-/* Arms that leave one place together. */
-struct path_fan {
-    struct pp_vec3 from;
-    struct pp_frame frame; /* z: of their cosine lobe */
-    uint32_t lobes;        /* how many */
-    double throughput;     /* of all */
-    bool gathers; /* is G wanted of those, too, that come to a surface at once? */
-    bool glass;   /* are openings sampled from there by their images in glass? */
-};
-
-/* The rays of the fans of a run of paths, one fan behind another. */
-struct fan_rays {
-    struct pp_lanes_directions to;
-    struct pp_convex_nearest nearest[PP_RUN_MOST];
-    bool known; /* are the nearest planes? */
-};
-
-/* Of the paths from the present index on, as many as there is room for at most. All leave
- * from one place. */
-static void draw_rays(const struct pp_path_state *state, const struct path_fan *fan,
-                      int vertex, int paths, struct fan_rays *rays)
-{
-    double u[2][PP_RUN_MOST];
-    int count = paths * (int)fan->lobes;
-    pp_sobol_sequence_draw_run(&state->light.sequence, state->light.index * fan->lobes,
-                               count, vertex * PP_DRAWS, 2, u);
-    pp_lobe_run(&fan->frame, u, count, &rays->to);
-    rays->known = pp_light_scene_nearest(state->light.scene, fan->from, &rays->to,
-                                         count, rays->nearest);
-}
-
-/* A path that the glass of the pane has mirrored to what it has now met leaves the light of
- * an opening there out. */
-static void leave_out_image(const struct pp_light_scene *scene, int pane,
-                            const struct pp_light_hit *met, struct pp_light_path *path)
-{
-    int window = scene->parts[met->part].window;
-    if (window >= 0 && !met->back && path->sampled == PP_DIRECTLY_SAMPLED_NONE
-        && pp_glass_images_has(scene, pane, window))
-        path->sampled = PP_DIRECTLY_SAMPLED_ALL;
-}
-
-/* Follows the ray until it meets a surface of the room, past glass and frames; false if
- * the path ends before. Light that comes in on the way is added to *sum. nearest:
- * the ray's plane; NULL: not known. glass: is that of openings left out which show in the
- * glass that it meets first? */
-static bool to_surface(struct pp_path_state *state, struct path_arm *arm,
-                       const struct pp_convex_nearest *nearest, bool glass, int vertex,
-                       double *sum)
-{
-    struct pp_radiance_state *light = &state->light;
-    const struct pp_light_part *parts = light->scene->parts;
-    enum pp_meeting meeting =
-        pp_radiance_state_meet_by(light, &arm->ray, nearest, &arm->met);
-    arm->at_once = true;
-    if (meeting == PP_MEETS_PART && parts[arm->met.part].window < 0)
-        return true;
-    struct pp_light_path path = path_of(state, &arm->ray, vertex);
-    struct pp_rgb found = pp_rgb_grey(0.0);
-    bool goes = true, there = false;
-    int pane = glass && meeting == PP_MEETS_PART ? parts[arm->met.part].window : -1;
-    arm->at_once = false;
-    while (goes && !there) {
-        goes = pp_light_path_arrive(light, &path, meeting, &arm->met, &found);
-        if (goes)
-            meeting = pp_radiance_state_meet(light, &path.ray, &arm->met);
-        if (goes && pane >= 0 && meeting == PP_MEETS_PART)
-            leave_out_image(light->scene, pane, &arm->met, &path);
-        pane = -1;
-        there = goes && path.ray.space == PP_INDOORS && meeting == PP_MEETS_PART
-                && parts[arm->met.part].window < 0;
-    }
-    *sum += arm->throughput * PP_PI * found.g;
-    arm->throughput *= path.throughput.g;
-    arm->ray = path.ray;
-    return there;
-}
-
-/* One of the arms, drawn by u in (0, 1), goes on for all of them. The noise that a path
- * finds at a surface grows with the light there: so an arm is drawn in proportion to what
- * it brings by G, and whichever goes on brings about as much noise. */
-static struct path_arm choose(const struct path_arm *arms, int count, double u)
-{
-    double mean = 0.0, total = 0.0, below = 0.0, share[MOST_LOBES];
-    for (int i = 0; i < count; i++)
-        mean += arms[i].importance / count;
-    for (int i = 0; i < count; i++) {
-        share[i] = arms[i].importance + LEAST_SHARE * mean;
-        if (!(mean > 0.0))
-            share[i] = arms[i].throughput;
-        total += share[i];
-    }
-    int chosen = 0;
-    while (chosen + 1 < count && below + share[chosen] <= u * total)
-        below += share[chosen++];
-    struct path_arm arm = arms[chosen];
-    arm.throughput *= total / share[chosen];
-    arm.importance = mean * count;
-    return arm;
-}
-
-/* K G by the arms of the fan, the rays from `first` on, each of which comes to a surface or
- * ends; one of them goes on as *arm with the throughput of all. False if none does. */
-static bool spread(struct pp_path_state *state, const struct path_fan *fan,
-                   const struct fan_rays *rays, int first, int vertex,
-                   struct path_arm *arm, double *sum)
-{
-    struct pp_radiance_state *light = &state->light;
-    struct path_arm arms[MOST_LOBES];
-    const struct pp_lanes_directions *to = &rays->to;
-    int count = 0, lobes = (int)fan->lobes;
-    uint32_t index = light->index;
-    for (int i = 0; i < lobes; i++) {
-        struct path_arm *next = &arms[count];
-        int k = first + i;
-        light->index = index * fan->lobes + (uint32_t)i;
-        next->ray = (struct pp_light_ray){
-            fan->from, fan->frame.z, pp_vec(to->x[k], to->y[k], to->z[k]), PP_INDOORS};
-        next->throughput = fan->throughput / fan->lobes;
-        if (!to_surface(state, next, rays->known ? &rays->nearest[k] : NULL, fan->glass,
-                        pp_path_vertex_branch(vertex, PP_DRAWS), sum)
-            || !(next->throughput > 0.0))
-            continue;
-        next->importance = next->throughput * radiosity_at(state, &next->met);
-        if (!next->at_once
-            || (fan->gathers && !pp_path_is_brought(state, fan->from, &next->met)))
-            *sum += next->importance;
-        count++;
-    }
-    light->index = index;
-    double chosen = 0.0;
-    if (count > 1)
-        pp_sobol_sequence_draw(&light->sequence, index,
-                               vertex * PP_DRAWS + PP_DRAW_PANES, 1, &chosen);
-    if (count > 0)
-        *arm = choose(arms, count, chosen);
-    return count > 0;
-}
-
-/* E + K G of a surface, over several directions; one of these goes on as *arm with the
- * whole throughput; false if that ends before. */
-static bool bounce(struct pp_path_state *state, struct path_arm *arm, int vertex,
-                   uint32_t openings, uint32_t lobes, double *sum)
-{
-    const struct pp_light_part *part = &state->light.scene->parts[arm->met.part];
-    struct path_fan fan = {.from =
-                               pp_path_vertex_drawn_back(arm->met.point, arm->ray.to),
-                           .frame = {part->a, part->b, arm->met.normal},
-                           .lobes = lobes,
-                           .throughput = arm->throughput,
-                           .gathers = true};
-    struct fan_rays rays;
-    struct pp_irradiance e =
-        pp_path_by_openings(state, fan.from, fan.frame.z, vertex, openings);
-    *sum += arm->throughput * pp_irradiance_sum(&e).g;
-    draw_rays(state, &fan, vertex, 1, &rays);
-    return spread(state, &fan, &rays, 0, vertex, arm, sum);
-}
-
-/* Does the path go on? `first`: the importance that it had at its first surface. */
-static bool survives(const struct pp_path_state *state, struct path_arm *arm,
-                     double first, int vertex)
-{
-    const struct pp_radiance_state *light = &state->light;
-    double u, left = first > 0.0 ? arm->importance / first : arm->throughput;
-    double chance =
-        state->radiosity ? GOING_ON * left : arm->throughput / light->options.least;
-    if (vertex == 1 || chance >= 1.0)
-        return true;
-    pp_sobol_sequence_draw(&light->sequence, light->index,
-                           vertex * PP_DRAWS + PP_DRAW_SOURCES, 1, &u);
-    arm->throughput /= chance;
-    arm->importance /= chance;
-    return u < chance;
-}
-
-/* One step of (2) where the arm has come to, times its throughput, with the arm on its
- * way to the next surface; false if it ends before. */
-static bool step(struct pp_path_state *state, struct path_arm *arm, int vertex,
-                 double *sum)
-{
-    const struct pp_material *material =
-        &state->light.scene->materials[arm->met.material];
-    uint32_t lobes = !state->radiosity ? 1 : state->shared ? SHARED_LOBES : LOBES;
-    uint32_t openings = state->radiosity ? OPENINGS : 1;
-    *sum += arm->throughput
-            * (PP_PI * material->radiance.g - radiosity_at(state, &arm->met));
-    arm->throughput *= material->diffuse.g;
-    return arm->throughput > 0.0 && bounce(state, arm, vertex, openings, lobes, sum);
-}
-
-/* B - G where the arm has come to, times its throughput. */
-static double residual(struct pp_path_state *state, struct path_arm *arm, int vertex)
-{
-    double sum = 0.0, first = arm->importance;
-    while (vertex < MOST_BOUNCES && survives(state, arm, first, vertex)
-           && step(state, arm, vertex, &sum))
-        vertex++;
-    return sum;
-}
-
-/* Is the residual at the surface that the arm has come to left to this ray? A part of it
- * is shared, where the ray has come straight. */
-static bool is_left(const struct pp_path_state *state, const struct path_arm *arm,
-                    int vertex)
-{
-    double u;
-    if (!arm->at_once || !state->shared)
-        return true;
-    double left = pp_shared_density_left(state->shared, &arm->ray, &arm->met);
-    if (!(left > 0.0))
-        return false;
-    pp_sobol_sequence_draw(&state->light.sequence, state->light.index,
-                           vertex * PP_DRAWS + PP_DRAW_SOURCES, 1, &u);
-    return u < left;
-}
-
-double pp_path_residual(struct pp_path_state *state, const struct pp_light_hit *met,
-                        const struct pp_shared_light *others, int count)
-{
-    struct path_arm arm = {.ray.to = pp_vec_scale(met->normal, -1.0),
-                           .throughput = 1.0,
-                           .importance = radiosity_at(state, met),
-                           .met = *met,
-                           .at_once = true};
-    if (count == 0)
-        return residual(state, &arm, 1);
-    double sum = 0.0, shared = 0.0;
-    bool reached = step(state, &arm, 1, &sum);
-    for (int i = 0; i < count; i++)
-        shared += pp_shared_density_taken(&others[i], met->point, met->normal);
-    sum += state->light.scene->materials[met->material].diffuse.g * shared / count;
-    return reached && is_left(state, &arm, 1) ? sum + residual(state, &arm, 2) : sum;
-}
-
-/* By one path, whose rays are those from `first` on. */
-static double correction(struct pp_path_state *state, const struct path_fan *fan,
-                         const struct fan_rays *rays, int first)
-{
-    double sum = 0.0;
-    struct path_arm arm;
-    bool goes_on = spread(state, fan, rays, first, 0, &arm, &sum);
-    return goes_on && is_left(state, &arm, 0) ? sum + residual(state, &arm, 1) : sum;
-}
-
-void pp_path_correction(struct pp_path_state *state, const struct pp_start *start,
-                        uint32_t end, double *sum)
-{
-    uint32_t lobes = state->radiosity && !state->shared ? FIRST_LOBES : 1;
-    struct path_fan fan = {.frame = {.z = start->normal},
-                           .lobes = lobes,
-                           .throughput = 1.0,
-                           .glass = state->glass};
-    pp_lobe_frame(start->normal, &fan.frame.x, &fan.frame.y);
-    while (state->light.scene->has_room && state->light.index < end) {
-        struct fan_rays rays;
-        int paths = 1;
-        if (start->anywhere) {
-            double u[2];
-            fan.from = begin(state, start, 0, u);
-        } else {
-            fan.from = start->position;
-            paths = run_from(state->light.index, end, PP_RUN_MOST / lobes);
-        }
-        draw_rays(state, &fan, 0, paths, &rays);
-        for (int i = 0; i < paths; i++, state->light.index++)
-            *sum += correction(state, &fan, &rays, i * (int)lobes);
-    }
-    state->light.index = end;
-}
-
 double pp_path_shared(const struct pp_path_state *state, const struct pp_start *start,
                       const struct pp_shared_light *shared)
 {
     double u[2];
     struct pp_vec3 point =
-        start->anywhere ? begin(state, start, 0, u) : start->position;
+        start->anywhere ? pp_path_begin(state, start, 0, u) : start->position;
     return pp_shared_density_taken(shared, point, start->normal);
 }
