@@ -137,12 +137,61 @@ static void aiming_at_the_mouth_finds_the_sides_of_the_niche(void **state)
     clear(&room);
 }
 
+/* The sums of all three estimators by the paths up to `end`, in steps of `step`. */
+struct path_sums {
+    struct pp_light direct;
+    double gathered, correction;
+};
+
+static struct path_sums sums_of(const struct guessed_room *room, uint32_t end,
+                                uint32_t step)
+{
+    const struct pp_receiver *receiver = &room->world->receivers[0];
+    struct pp_path_state state =
+        pp_path_state(room->scene, room->environment, room->guess);
+    const struct pp_start start = {
+        .position = pp_vec_sub(receiver->position, room->scene->centre),
+        .normal = receiver->normal};
+    struct path_sums sums = {.direct = {{0.0, 0.0, 0.0}}};
+    uint32_t *index = &state.light.index;
+    pp_sobol_sequence_init(&state.light.sequence, &room->sobol, 17);
+    for (*index = 0; *index < end;)
+        pp_path_direct(&state, &start, *index + step < end ? *index + step : end,
+                       &sums.direct);
+    for (*index = 0; *index < end;)
+        pp_path_gather(&state, &start, *index + step < end ? *index + step : end,
+                       &sums.gathered);
+    for (*index = 0; *index < end;)
+        pp_path_correction(&state, &start, *index + step < end ? *index + step : end,
+                           &sums.correction);
+    return sums;
+}
+
+/* Paths are drawn in runs of up to sixteen; what they add is that of one after the other, to
+ * the bit. */
+static void paths_in_runs_are_those_one_by_one(void **state)
+{
+    (void)state;
+    struct guessed_room room;
+    init(&room);
+    struct path_sums one_by_one = sums_of(&room, 117, 1);
+    assert_true(one_by_one.direct.part[PP_IRC] > 0.0 && one_by_one.gathered > 0.0);
+    assert_true(one_by_one.correction != 0.0);
+    static const uint32_t steps[] = {3, 8, 32, 117};
+    for (int i = 0; i < 4; i++) {
+        struct path_sums sums = sums_of(&room, 117, steps[i]);
+        assert_memory_equal(&sums, &one_by_one, sizeof sums);
+    }
+    clear(&room);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(light_does_not_depend_on_the_guess),
         cmocka_unit_test(paths_go_to_where_there_is_light),
         cmocka_unit_test(aiming_at_the_mouth_finds_the_sides_of_the_niche),
+        cmocka_unit_test(paths_in_runs_are_those_one_by_one),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
