@@ -102,9 +102,11 @@ static double level_between(const struct pp_field *field, double low, double hig
             char digits[32];
             snprintf(digits, sizeof digits, "%.6g", steps[i] * power);
             double level = strtod(digits, NULL);
+            if (!(level > low * 1.0001 && level < high / 1.0001))
+                continue;
             double share = pp_field_share_below(field, level);
             double part = fmin(share - from, to - share);
-            if (level > low * 1.0001 && level < high / 1.0001 && part > best) {
+            if (part > best) {
                 best = part;
                 found = level;
             }

@@ -13,6 +13,10 @@ static const double chebyshev[PP_AXIAL_POWERS] = {
     -0.96592582628906829, -0.70710678118654752, -0.25881904510252076,
     0.25881904510252076,  0.70710678118654752,  0.96592582628906829};
 
+/* The six functions of (2). Where the axis lies square to q, n and g, as that of an upright
+ * pane does over a level plane, none but the last two are wanted. */
+enum { K_1, K_C, K_CC, K_CS, K_S, K_SS };
+
 /* ---- the moments ---- */
 
 struct moment_sums {
@@ -32,12 +36,12 @@ static void extend_sums(struct moment_sums *sums, double rho)
     for (int i = 0; i < 3; i++) {
         double c = cos(middle + half * node[i]), s = sin(middle + half * node[i]);
         double f = sums->function(sums->context, c) * s * half * weight[i];
-        sums->of[0] += f;
-        sums->of[1] += f * c;
-        sums->of[2] += f * s;
-        sums->of[3] += f * c * c;
-        sums->of[4] += f * c * s;
-        sums->of[5] += f * s * s;
+        sums->of[K_1] += f;
+        sums->of[K_C] += f * c;
+        sums->of[K_S] += f * s;
+        sums->of[K_CC] += f * c * c;
+        sums->of[K_CS] += f * c * s;
+        sums->of[K_SS] += f * s * s;
     }
     sums->theta = to;
 }
@@ -80,12 +84,12 @@ static void divide_sums(double values[PP_AXIAL_MOMENTS], const struct moment_sum
                         const double balance[3])
 {
     double angle = sums->theta, c = cos(angle), s = sin(angle), s2 = s * s;
-    values[0] = (sums->of[0] - balance[0] * (1.0 - c)) / s2;
-    values[1] = (sums->of[1] - balance[1] * (1.0 - c)) / s2;
-    values[2] = (sums->of[2] - balance[2] * (angle - s * c) / 2.0) / (s2 * s);
-    values[3] = sums->of[3] / s2;
-    values[4] = sums->of[4] / (s2 * s);
-    values[5] = sums->of[5] / (s2 * s2);
+    values[K_1] = (sums->of[K_1] - balance[0] * (1.0 - c)) / s2;
+    values[K_C] = (sums->of[K_C] - balance[1] * (1.0 - c)) / s2;
+    values[K_S] = (sums->of[K_S] - balance[2] * (angle - s * c) / 2.0) / (s2 * s);
+    values[K_CC] = sums->of[K_CC] / s2;
+    values[K_CS] = sums->of[K_CS] / (s2 * s);
+    values[K_SS] = sums->of[K_SS] / (s2 * s2);
 }
 
 static void fill_cells(struct pp_axial_table *table, struct moment_sums *sums,
@@ -125,17 +129,18 @@ void pp_axial_table_init_balanced(struct pp_axial_table *table,
     struct moment_sums sums = {.function = function, .context = context};
     for (int i = 1; i <= PP_AXIAL_CELLS; i++)
         extend_sums(&sums, end * i / PP_AXIAL_CELLS);
-    table->balance[0] = sums.of[0] / 2.0;
-    table->balance[1] = sums.of[1] / 2.0;
-    table->balance[2] = sums.of[2] / (PP_PI / 2.0);
+    table->balance[0] = sums.of[K_1] / 2.0;
+    table->balance[1] = sums.of[K_C] / 2.0;
+    table->balance[2] = sums.of[K_S] / (PP_PI / 2.0);
     sums = (struct moment_sums){.function = function, .context = context};
     fill_cells(table, &sums, PP_AXIAL_CELLS);
 }
 
 /* ---- the potential ---- */
 
-static inline void moments_at(double k[PP_AXIAL_MOMENTS],
-                              const struct pp_axial_table *table, double c)
+/* The functions from `first` on, at c. */
+static inline __attribute__((always_inline)) void moments_at(
+    double k[PP_AXIAL_MOMENTS], const struct pp_axial_table *table, double c, int first)
 {
     double rho = c < 1.0 ? sqrt(1.0 - c) : 0.0;
     bool coarse = rho < table->border;
@@ -148,11 +153,30 @@ static inline void moments_at(double k[PP_AXIAL_MOMENTS],
         cell = PP_AXIAL_CELLS - 1;
     }
     const double(*powers)[PP_AXIAL_MOMENTS] = table->cells[cell];
-    for (int m = 0; m < PP_AXIAL_MOMENTS; m++)
+    for (int m = first; m < PP_AXIAL_MOMENTS; m++)
         k[m] = powers[PP_AXIAL_POWERS - 1][m];
     for (int p = PP_AXIAL_POWERS - 2; p >= 0; p--)
-        for (int m = 0; m < PP_AXIAL_MOMENTS; m++)
+        for (int m = first; m < PP_AXIAL_MOMENTS; m++)
             k[m] = k[m] * t + powers[p][m];
+}
+
+/* About an axis square to q, n and g. */
+static double square_potential(const struct pp_axial_light *axial,
+                               const struct pp_arc_nodes *nodes)
+{
+    struct pp_vec3 axis = axial->axis, linear = axial->linear;
+    struct pp_vec3 n = axial->n, g = axial->g;
+    double sum = 0.0;
+    for (int i = 0; i < nodes->count; i++) {
+        struct pp_vec3 u = nodes->u[i];
+        double k[PP_AXIAL_MOMENTS];
+        moments_at(k, axial->table, pp_vec_dot(axis, u), K_S);
+        double potential = pp_vec_dot(linear, u) * k[K_S];
+        if (axial->quadratic)
+            potential += pp_vec_dot(n, u) * pp_vec_dot(g, u) * k[K_SS];
+        sum += nodes->weight[i] * potential;
+    }
+    return sum * pp_vec_dot(axis, nodes->across);
 }
 
 double pp_axial_table_potential(const void *light, const struct pp_arc_nodes *nodes)
@@ -162,17 +186,19 @@ double pp_axial_table_potential(const void *light, const struct pp_arc_nodes *no
     double along = pp_vec_dot(linear, axis), sum = 0.0;
     double n = axial->quadratic ? pp_vec_dot(axial->n, axis) : 0.0;
     double g = axial->quadratic ? pp_vec_dot(axial->g, axis) : 0.0;
+    if (axial->constant == 0.0 && along == 0.0 && n == 0.0 && g == 0.0)
+        return square_potential(axial, nodes);
     for (int i = 0; i < nodes->count; i++) {
         struct pp_vec3 u = nodes->u[i];
         double k[PP_AXIAL_MOMENTS], c = pp_vec_dot(axis, u);
-        moments_at(k, axial->table, c);
-        double potential = axial->constant * k[0] + along * k[1]
-                           + (pp_vec_dot(linear, u) - c * along) * k[2];
+        moments_at(k, axial->table, c, K_1);
+        double potential = axial->constant * k[K_1] + along * k[K_C]
+                           + (pp_vec_dot(linear, u) - c * along) * k[K_S];
         if (axial->quadratic) {
             double across_n = pp_vec_dot(axial->n, u) - c * n;
             double across_g = pp_vec_dot(axial->g, u) - c * g;
-            potential += n * g * k[3] + (n * across_g + g * across_n) * k[4]
-                         + across_n * across_g * k[5];
+            potential += n * g * k[K_CC] + (n * across_g + g * across_n) * k[K_CS]
+                         + across_n * across_g * k[K_SS];
         }
         sum += nodes->weight[i] * potential;
     }

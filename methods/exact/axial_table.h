@@ -22,7 +22,7 @@
 enum {
     PP_AXIAL_CELLS = 64,
     PP_AXIAL_POWERS = 6,
-    PP_AXIAL_MOMENTS = 6 /* k1, kc, ks, kcc, kcs, kss */
+    PP_AXIAL_MOMENTS = 6
 };
 
 struct pp_axial_table {
@@ -42,11 +42,11 @@ void pp_axial_table_init(struct pp_axial_table *table, pp_axial_function *functi
 
 /* Fills one for all directions. So that the potential is regular opposite to the axis too,
  * a constant is taken off each of F, F c and F s / s, which makes their integrals over
- * every meridian 0: the first three functions then belong to
+ * every meridian 0: k1, kc and ks then belong to
  *
  *     F(c) p - balance[0] p + (q.a) (F(c) c - balance[1]) + Q (F(c) - balance[2])    (3)
  *
- * The last three functions are not filled. */
+ * The other three are not filled. */
 void pp_axial_table_init_balanced(struct pp_axial_table *table,
                                   pp_axial_function *function, const void *context);
 

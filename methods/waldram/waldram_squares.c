@@ -81,7 +81,7 @@ static void add_edge(struct droop_polyline *line, const struct mapping *mapping,
         add_point(line, to.x, to.y);
         return;
     }
-    if (depth < DEEPEST && (fabs(run) > 4.0 || hypot(dx, dy) > 0.002)) {
+    if (depth < DEEPEST && (fabs(run) > 4.0 || dx * dx + dy * dy > 0.002 * 0.002)) {
         add_edge(line, mapping, a, from, middle, half, depth + 1);
         add_edge(line, mapping, middle, half, b, to, depth + 1);
         return;
@@ -158,11 +158,17 @@ enum pp_status pp_waldram_squares_outline(struct pp_region *outline,
     return PP_OK;
 }
 
+/* Without the calls of fmin and fmax: this stands in the innermost loop. */
+static double within(double x, double low, double high)
+{
+    return x < low ? low : x > high ? high : x;
+}
+
 /* The mean height of an edge from y0 to y1 over a square's foot, within the square. */
 static double mean_within(double y0, double y1, double height)
 {
-    double low = fmin(y0, y1), high = fmax(y0, y1);
-    double from = fmin(fmax(low, 0.0), height), to = fmin(fmax(high, 0.0), height);
+    double low = y0 < y1 ? y0 : y1, high = y0 < y1 ? y1 : y0;
+    double from = within(low, 0.0, height), to = within(high, 0.0, height);
     if (!(to > from))
         return from;
     return ((to - from) * (from + to) / 2.0 + fmax(high - height, 0.0) * height)
@@ -182,12 +188,12 @@ static void add_below(struct square_field *field, int column, const double *p,
                       const double *q)
 {
     double left = column * field->width, right = (column + 1) * field->width;
-    double from = fmin(fmax(p[0], left), right), to = fmin(fmax(q[0], left), right);
+    double from = within(p[0], left, right), to = within(q[0], left, right);
     if (from == to)
         return;
     double rise = q[1] - p[1], run = q[0] - p[0], height = field->height;
     double y0 = p[1] + (from - p[0]) / run * rise;
-    double y1 = p[1] + (to - p[0]) / run * rise, top = fmax(y0, y1);
+    double y1 = p[1] + (to - p[0]) / run * rise, top = y0 > y1 ? y0 : y1;
     double *parts = field->parts + (column - field->first) * field->rows;
     for (int row = 0; row < field->rows && row * height < top; row++)
         parts[row] +=

@@ -92,6 +92,11 @@ int pp_format_utf8_width(const char *text)
 {
     int width = 0, length;
     for (; *text; text += length) {
+        if (*text >= ' ' && *text <= '~') { /* ASCII: one column, without a look at it */
+            length = 1;
+            width++;
+            continue;
+        }
         int32_t code = decode(text, &length);
         int columns = is_unfit(code) ? 4 * length : wcwidth((wchar_t)code);
         width += columns < 0 ? 1 : columns;

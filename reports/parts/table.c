@@ -197,9 +197,11 @@ struct writer {
 
 static void put_text(struct writer *writer, const char *text, int length)
 {
-    if (length > 0)
-        fprintf(writer->out, "%*s%.*s", writer->blanks, "", length, text);
-    writer->blanks = length > 0 ? 0 : writer->blanks;
+    if (length <= 0)
+        return;
+    for (; writer->blanks > 0; writer->blanks--)
+        fputc(' ', writer->out);
+    fwrite(text, 1, (size_t)length, writer->out);
 }
 
 static void end_line(struct writer *writer)

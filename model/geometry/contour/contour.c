@@ -17,8 +17,9 @@ static bool is_near(const struct pp_field *field, int triangle)
     const int *t = field->mesh.triangles[triangle];
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < 3; i++) {
-        low = fmin(low, field->values[t[i]]);
-        high = fmax(high, field->values[t[i]]);
+        double value = field->values[t[i]];
+        low = value < low ? value : low;
+        high = value > high ? value : high;
     }
     double more = 0.5 * (high - low);
     return low - more <= field->level && field->level <= high + more;
