@@ -19,11 +19,7 @@
 
 #include "methods/exact/arc_sum.h"
 
-enum {
-    PP_AXIAL_CELLS = 64,
-    PP_AXIAL_POWERS = 6,
-    PP_AXIAL_MOMENTS = 6
-};
+enum { PP_AXIAL_CELLS = 64, PP_AXIAL_POWERS = 6, PP_AXIAL_MOMENTS = 6 };
 
 struct pp_axial_table {
     double border;       /* of coarse and fine cells, in rho */

@@ -92,7 +92,8 @@ int pp_format_utf8_width(const char *text)
 {
     int width = 0, length;
     for (; *text; text += length) {
-        if (*text >= ' ' && *text <= '~') { /* ASCII: one column, without a look at it */
+        if (*text >= ' '
+            && *text <= '~') { /* ASCII: one column, without a look at it */
             length = 1;
             width++;
             continue;
