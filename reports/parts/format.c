@@ -92,9 +92,8 @@ int pp_format_utf8_width(const char *text)
 {
     int width = 0, length;
     for (; *text; text += length) {
-        if (*text >= ' '
-            && *text <= '~') { /* ASCII: one column, without a look at it */
-            length = 1;
+        if (*text >= ' ' && *text <= '~') {
+            length = 1; /* ASCII: no need to ask */
             width++;
             continue;
         }
