@@ -64,7 +64,8 @@ static bool is_seen_whole(const struct opening_drawing *drawing)
         struct pp_vec3 origin = face->vertices[0];
         double depth =
             pp_vec_dot(pp_vec_sub(drawing->frame.point, origin), face->normal);
-        bool behind = depth<-1e-6, before = depth> 1e-6;
+        bool behind = depth < -1e-6;
+        bool before = depth > 1e-6;
         for (int v = 0; v < opening->count; v++) {
             depth = pp_vec_dot(pp_vec_sub(opening->vertices[v], origin), face->normal);
             behind |= depth < -1e-6;
