@@ -118,6 +118,9 @@ static bool has_one_glass(const struct pp_material *material)
            && pp_glass_is_same(&material->glass[0], &material->glass[2]);
 }
 
+/* Curves take 16 kB each: of a scene with more sorts of glass the rest is asked by its law. */
+enum { CURVES_MOST = 64 };
+
 /* Like glass has one curve. */
 static enum pp_status add_glass_curves(struct pp_light_scene *scene,
                                        struct pp_error *err)
@@ -125,6 +128,7 @@ static enum pp_status add_glass_curves(struct pp_light_scene *scene,
     int room = 0, count = 0;
     for (int i = 0; i < scene->material_count; i++)
         room += has_one_glass(&scene->materials[i]);
+    room = room < CURVES_MOST ? room : CURVES_MOST;
     scene->glass_curves = malloc(((size_t)room + 1) * sizeof *scene->glass_curves);
     if (!scene->glass_curves)
         return pp_fail_memory(err);
@@ -136,6 +140,8 @@ static enum pp_status add_glass_curves(struct pp_light_scene *scene,
         while (k < count
                && !pp_glass_is_same(&scene->glass_curves[k].glass, &material->glass[0]))
             k++;
+        if (k == room)
+            continue;
         if (k == count)
             pp_glass_curve_init(&scene->glass_curves[count++], &material->glass[0]);
         material->curve = &scene->glass_curves[k];

@@ -3,6 +3,8 @@
 
 #include "simulate/scene/light_scene_of_description.h"
 #include "simulate/scene/light_scene_of_world.h"
+#include "simulate/sampling/scatter.h"
+#include "tests/lib/light_scenes.h"
 #include "tests/lib/room_of.h"
 
 static const double huge_far = 1e4;
@@ -363,6 +365,37 @@ static void a_small_ball_far_away_is_met(void **state)
     pp_light_scene_destroy(made);
 }
 
+/* A scene of 80 sorts of glass, each twice, and a coloured one: the first sorts have a curve,
+ * which both panes share; whoever has none is asked by its law, which is the same. */
+static void glass_is_its_law_with_and_without_a_curve(void **state)
+{
+    (void)state;
+    struct pp_scene_description from = {0};
+    for (int i = 0; i < 161; i++) {
+        double t = 0.2 + 0.009 * (i % 80);
+        struct pp_material pane =
+            pp_material_pane(pp_rgb(t, t, i < 160 ? t : 0.5), 1.52);
+        snprintf(pane.name, sizeof pane.name, "pane %d", i);
+        int index;
+        assert_int_equal(pp_scene_description_add_material(&from, &pane, &index, NULL),
+                         PP_OK);
+        pp_test_rectangle(&from, index, pp_vec(i, 0.0, 0.0), pp_vec(0.9, 0.0, 0.0),
+                          pp_vec(0.0, 0.0, 1.0));
+    }
+    struct pp_light_scene *scene = built(&from);
+    for (int i = 0; i < 161; i++) {
+        const struct pp_material *pane = pp_light_scene_material(scene, i);
+        assert_int_equal(pane->curve != NULL, i < 160 && i % 80 < 64);
+        assert_ptr_equal(pane->curve,
+                         i < 160 ? pp_light_scene_material(scene, i % 80)->curve
+                                 : NULL);
+        for (int k = 1; k <= 10; k++)
+            assert_near(pp_scatter_regular_transmittance(pane, 0.1 * k).b,
+                        pp_glass_transmittance(&pane->glass[2], 0.1 * k), 1e-8);
+    }
+    pp_light_scene_destroy(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -377,6 +410,7 @@ int main(void)
         cmocka_unit_test(a_room_is_met_by_its_surfaces_names),
         cmocka_unit_test(a_named_finish_brings_its_gloss),
         cmocka_unit_test(the_hash_hangs_on_all_that_light_meets),
+        cmocka_unit_test(glass_is_its_law_with_and_without_a_curve),
     };
     return cmocka_run_group_tests_name("light_scene", tests, NULL, NULL);
 }
