@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "model/geometry/polynomial.h"
+
 /* Cells from rho = 0 to the border and from there to rho = 1: towards c = 0, where rho is 1,
  * the transmittance of glass bends within 0.005 of c. */
 #define BORDER 0.9375
@@ -46,27 +48,17 @@ static void extend_sums(struct moment_sums *sums, double rho)
     sums->theta = to;
 }
 
-/* The coefficients in t from -1 to 1 of the polynomial through values at the nodes, by
- * divided differences. */
+/* The coefficients in t from -1 to 1 of the polynomials through values at the nodes. */
 static void fit_cell(double cell[PP_AXIAL_POWERS][PP_AXIAL_MOMENTS],
                      double values[PP_AXIAL_POWERS][PP_AXIAL_MOMENTS])
 {
-    enum { MOST = PP_AXIAL_POWERS - 1 };
     for (int m = 0; m < PP_AXIAL_MOMENTS; m++) {
-        double of[PP_AXIAL_POWERS], power[PP_AXIAL_POWERS] = {0.0};
-        for (int i = 0; i <= MOST; i++)
+        double of[PP_AXIAL_POWERS], powers[PP_AXIAL_POWERS];
+        for (int i = 0; i < PP_AXIAL_POWERS; i++)
             of[i] = values[i][m];
-        for (int order = 1; order <= MOST; order++)
-            for (int i = MOST; i >= order; i--)
-                of[i] = (of[i] - of[i - 1]) / (chebyshev[i] - chebyshev[i - order]);
-        power[0] = of[MOST];
-        for (int i = MOST - 1; i >= 0; i--) {
-            for (int k = MOST; k > 0; k--)
-                power[k] = power[k - 1] - chebyshev[i] * power[k];
-            power[0] = of[i] - chebyshev[i] * power[0];
-        }
-        for (int k = 0; k <= MOST; k++)
-            cell[k][m] = power[k];
+        pp_polynomial_through(powers, chebyshev, of, PP_AXIAL_POWERS);
+        for (int k = 0; k < PP_AXIAL_POWERS; k++)
+            cell[k][m] = powers[k];
     }
 }
 
@@ -160,20 +152,28 @@ static inline __attribute__((always_inline)) void moments_at(
             k[m] = k[m] * t + powers[p][m];
 }
 
-/* About an axis square to q, n and g. */
-static double square_potential(const struct pp_axial_light *axial,
-                               const struct pp_arc_nodes *nodes)
+/* is_square: does the axis lie square to q, n and g, and is there no p? Their products with
+ * it are 0 then. Inlined twice, so that each has no more than its own functions. */
+static inline __attribute__((always_inline)) double potential_of(
+    const struct pp_axial_light *axial, const struct pp_arc_nodes *nodes, double along,
+    double n, double g, bool is_square)
 {
-    struct pp_vec3 axis = axial->axis, linear = axial->linear;
-    struct pp_vec3 n = axial->n, g = axial->g;
+    struct pp_vec3 axis = axial->axis;
     double sum = 0.0;
     for (int i = 0; i < nodes->count; i++) {
         struct pp_vec3 u = nodes->u[i];
-        double k[PP_AXIAL_MOMENTS];
-        moments_at(k, axial->table, pp_vec_dot(axis, u), K_S);
-        double potential = pp_vec_dot(linear, u) * k[K_S];
-        if (axial->quadratic)
-            potential += pp_vec_dot(n, u) * pp_vec_dot(g, u) * k[K_SS];
+        double k[PP_AXIAL_MOMENTS], c = pp_vec_dot(axis, u);
+        moments_at(k, axial->table, c, is_square ? K_S : K_1);
+        double potential = is_square ? 0.0 : axial->constant * k[K_1] + along * k[K_C];
+        potential += (pp_vec_dot(axial->linear, u) - c * along) * k[K_S];
+        if (axial->quadratic) {
+            double across_n = pp_vec_dot(axial->n, u) - c * n;
+            double across_g = pp_vec_dot(axial->g, u) - c * g;
+            double rest =
+                is_square ? 0.0
+                          : n * g * k[K_CC] + (n * across_g + g * across_n) * k[K_CS];
+            potential += rest + across_n * across_g * k[K_SS];
+        }
         sum += nodes->weight[i] * potential;
     }
     return sum * pp_vec_dot(axis, nodes->across);
@@ -182,27 +182,12 @@ static double square_potential(const struct pp_axial_light *axial,
 double pp_axial_table_potential(const void *light, const struct pp_arc_nodes *nodes)
 {
     const struct pp_axial_light *axial = light;
-    struct pp_vec3 axis = axial->axis, linear = axial->linear;
-    double along = pp_vec_dot(linear, axis), sum = 0.0;
-    double n = axial->quadratic ? pp_vec_dot(axial->n, axis) : 0.0;
-    double g = axial->quadratic ? pp_vec_dot(axial->g, axis) : 0.0;
-    if (axial->constant == 0.0 && along == 0.0 && n == 0.0 && g == 0.0)
-        return square_potential(axial, nodes);
-    for (int i = 0; i < nodes->count; i++) {
-        struct pp_vec3 u = nodes->u[i];
-        double k[PP_AXIAL_MOMENTS], c = pp_vec_dot(axis, u);
-        moments_at(k, axial->table, c, K_1);
-        double potential = axial->constant * k[K_1] + along * k[K_C]
-                           + (pp_vec_dot(linear, u) - c * along) * k[K_S];
-        if (axial->quadratic) {
-            double across_n = pp_vec_dot(axial->n, u) - c * n;
-            double across_g = pp_vec_dot(axial->g, u) - c * g;
-            potential += n * g * k[K_CC] + (n * across_g + g * across_n) * k[K_CS]
-                         + across_n * across_g * k[K_SS];
-        }
-        sum += nodes->weight[i] * potential;
-    }
-    return sum * pp_vec_dot(axis, nodes->across);
+    double along = pp_vec_dot(axial->linear, axial->axis);
+    double n = axial->quadratic ? pp_vec_dot(axial->n, axial->axis) : 0.0;
+    double g = axial->quadratic ? pp_vec_dot(axial->g, axial->axis) : 0.0;
+    return axial->constant == 0.0 && along == 0.0 && n == 0.0 && g == 0.0
+               ? potential_of(axial, nodes, 0.0, 0.0, 0.0, true)
+               : potential_of(axial, nodes, along, n, g, false);
 }
 
 double pp_axial_table_sum(const struct pp_axial_light *light, double longest,

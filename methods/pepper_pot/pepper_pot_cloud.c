@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "model/base/array.h"
+#include "model/geometry/angle.h"
 
 enum { RINGS = 180, CELLS = 240 };
 static const double d_psi = 2.0 * PP_PI / CELLS;
@@ -30,17 +31,8 @@ static struct frame frame_of(struct pp_vec3 normal, const struct pp_window_axes 
     return (struct frame){normal, first, second, is_mirror};
 }
 
-struct angle {
-    double sine, cosine;
-};
-
-static struct angle angle_of(double rad)
-{
-    return (struct angle){sin(rad), cos(rad)};
-}
-
-static struct pp_vec3 direction(const struct frame *frame, struct angle theta,
-                                struct angle psi)
+static struct pp_vec3 direction(const struct frame *frame, struct pp_angle theta,
+                                struct pp_angle psi)
 {
     struct pp_vec3 u = pp_vec_scale(frame->normal, theta.cosine);
     u = pp_vec_along(u, theta.sine * psi.cosine, frame->first);
@@ -49,14 +41,15 @@ static struct pp_vec3 direction(const struct frame *frame, struct angle theta,
 
 /* Adds up the light of a ring's cells, to up_to the end of each. Rings are as wide in angle;
  * each has its sines times cosines as a whole, which is exact for an even sky. */
-static void fill_ring(double up_to[CELLS + 1], int ring, const struct angle psi[CELLS],
-                      const struct pp_sky *sky, const struct pp_glass *glass,
-                      struct pp_vec3 out, const struct frame *frame)
+static void fill_ring(double up_to[CELLS + 1], int ring,
+                      const struct pp_angle psi[CELLS], const struct pp_sky *sky,
+                      const struct pp_glass *glass, struct pp_vec3 out,
+                      const struct frame *frame)
 {
     double d_theta = PP_PI / 2.0 / RINGS;
     double middle = (ring + 0.5) * d_theta;
     double weight = sin(2.0 * middle) * sin(d_theta) / 2.0 * d_psi;
-    struct angle theta = angle_of(middle);
+    struct pp_angle theta = pp_angle_of(middle);
     double light[CELLS];
     int asked = frame->is_mirror ? CELLS / 2 : CELLS;
     for (int k = 0; k < asked; k++) {
@@ -107,7 +100,7 @@ static void place_dot(struct pp_pepper_pot_cloud *cloud, double ring,
     double whole, s = modf((cloud->count + 0.5) * golden, &whole);
     double theta = ring / RINGS * PP_PI / 2.0;
     double psi = place_of(up_to, CELLS, s * up_to[CELLS]) / CELLS * 2.0 * PP_PI;
-    struct pp_vec3 u = direction(frame, angle_of(theta), angle_of(psi));
+    struct pp_vec3 u = direction(frame, pp_angle_of(theta), pp_angle_of(psi));
     double out = fmax(pp_vec_dot(u, axes->out), least_cosine);
     dot[0] = pp_vec_dot(u, axes->along) / out;
     dot[1] = pp_vec_dot(u, axes->up) / out;
@@ -122,10 +115,10 @@ static enum pp_status place_dots(struct pp_pepper_pot_cloud *cloud,
                                  struct pp_error *err)
 {
     double up_to[CELLS + 1];
-    struct angle psi[CELLS];
+    struct pp_angle psi[CELLS];
     int room = 0;
     for (int k = 0; k < CELLS; k++)
-        psi[k] = angle_of((k + 0.5) * d_psi);
+        psi[k] = pp_angle_of((k + 0.5) * d_psi);
     for (int i = 0; i < RINGS; i++) {
         fill_ring(up_to, i, psi, sky, glass, axes->out, frame);
         double before = cloud->whole;

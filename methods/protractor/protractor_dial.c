@@ -41,7 +41,7 @@ static double simpson(double a, double middle, double b, double step)
 enum { NODES = 16 };
 
 struct strip_rule {
-    struct pp_protractor_angle thetas[NODES];
+    struct pp_angle thetas[NODES];
     double weights[NODES];
 };
 
@@ -51,7 +51,7 @@ static struct strip_rule strip_rule_of(void)
     double nodes[NODES];
     pp_gauss_legendre(nodes, rule.weights, NODES);
     for (int i = 0; i < NODES; i++)
-        rule.thetas[i] = pp_protractor_scale_angle_of(PP_PI / 4.0 * (1.0 + nodes[i]));
+        rule.thetas[i] = pp_angle_of(PP_PI / 4.0 * (1.0 + nodes[i]));
     return rule;
 }
 
@@ -84,15 +84,15 @@ static void make_primary(struct pp_protractor_dial *dial)
 /* The angles of a semicircle's steps and of their middles. */
 enum { HALF_STEPS = 2 * PP_DIAL_STEPS };
 
-static void half_steps(struct pp_protractor_angle thetas[HALF_STEPS + 1])
+static void half_steps(struct pp_angle thetas[HALF_STEPS + 1])
 {
     for (int i = 0; i <= HALF_STEPS; i++)
-        thetas[i] = pp_protractor_scale_angle_of(PP_PI / 2.0 * i / HALF_STEPS);
+        thetas[i] = pp_angle_of(PP_PI / 2.0 * i / HALF_STEPS);
 }
 
 static void make_semicircle(struct pp_protractor_semicircle *semicircle,
                             const struct pp_protractor *protractor,
-                            const struct pp_protractor_angle thetas[HALF_STEPS + 1],
+                            const struct pp_angle thetas[HALF_STEPS + 1],
                             double average_rad)
 {
     double range = pp_protractor_scale_range(protractor);
@@ -119,7 +119,7 @@ void pp_protractor_dial_semicircle_init(struct pp_protractor_semicircle *semicir
                                         const struct pp_protractor *protractor,
                                         double average_rad)
 {
-    struct pp_protractor_angle thetas[HALF_STEPS + 1];
+    struct pp_angle thetas[HALF_STEPS + 1];
     half_steps(thetas);
     make_semicircle(semicircle, protractor, thetas, average_rad);
 }
@@ -127,7 +127,7 @@ void pp_protractor_dial_semicircle_init(struct pp_protractor_semicircle *semicir
 void pp_protractor_dial_init(struct pp_protractor_dial *dial,
                              const struct pp_protractor *protractor)
 {
-    struct pp_protractor_angle thetas[HALF_STEPS + 1];
+    struct pp_angle thetas[HALF_STEPS + 1];
     dial->protractor = *protractor;
     dial->range_rad = pp_protractor_scale_range(protractor);
     make_primary(dial);

@@ -55,17 +55,12 @@ double pp_protractor_scale_range(const struct pp_protractor *protractor)
     return protractor->glass.panes == 0 ? PP_PI : PP_PI - protractor->slope_rad;
 }
 
-struct pp_protractor_angle pp_protractor_scale_angle_of(double rad)
-{
-    return (struct pp_protractor_angle){sin(rad), cos(rad)};
-}
-
 void pp_protractor_scale_densities(double *densities,
                                    const struct pp_protractor *protractor,
-                                   double gamma_rad,
-                                   const struct pp_protractor_angle *thetas, int count)
+                                   double gamma_rad, const struct pp_angle *thetas,
+                                   int count)
 {
-    struct pp_protractor_angle gamma = pp_protractor_scale_angle_of(gamma_rad);
+    struct pp_angle gamma = pp_angle_of(gamma_rad);
     double through = sin(gamma_rad + protractor->slope_rad), up = gamma.sine;
     if (protractor->receiver != PP_PROTRACTOR_UP)
         up = fmax(up, 1e-12); /* the horizon's own sky, which counts here */
@@ -88,7 +83,7 @@ void pp_protractor_scale_densities(double *densities,
 double pp_protractor_scale_density(const struct pp_protractor *protractor,
                                    double gamma_rad, double theta_rad)
 {
-    struct pp_protractor_angle theta = pp_protractor_scale_angle_of(theta_rad);
+    struct pp_angle theta = pp_angle_of(theta_rad);
     double density;
     pp_protractor_scale_densities(&density, protractor, gamma_rad, &theta, 1);
     return density;

@@ -33,6 +33,7 @@
 #define PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
 
 #include "model/base/error.h"
+#include "model/geometry/angle.h"
 #include "model/light/glass.h"
 #include "model/light/sky.h"
 
@@ -68,17 +69,11 @@ double pp_protractor_scale_range(const struct pp_protractor *protractor);
 double pp_protractor_scale_density(const struct pp_protractor *protractor,
                                    double gamma_rad, double theta_rad);
 
-/* An angle by its sine and cosine. */
-struct pp_protractor_angle {
-    double sine, cosine;
-};
-struct pp_protractor_angle pp_protractor_scale_angle_of(double rad);
-
 /* The density at many angles out of the section on one sight line. */
 void pp_protractor_scale_densities(double *densities,
                                    const struct pp_protractor *protractor,
-                                   double gamma_rad,
-                                   const struct pp_protractor_angle *thetas, int count);
+                                   double gamma_rad, const struct pp_angle *thetas,
+                                   int count);
 
 /* Primary scale: sky component of an endless strip from the horizon to gamma_rad, 0 to
  * pi (what lies beyond the range adds nothing). Relative error 1e-9. */

@@ -21,6 +21,7 @@
 #include "methods/refusals.h"
 #include "methods/view/window_drawing.h"
 #include "methods/waldram/waldram_squares.h"
+#include "model/geometry/angle.h"
 
 static const struct pp_formula_quantity of_squares[] = {
     {"n", PP_UNIT_COUNT, "squares counted"},
@@ -46,16 +47,12 @@ static const struct pp_formula *const formulae[] = {&sky_component, &external_co
                                                     NULL};
 
 /* The diagram, and the altitude at the middle of each row of its squares. */
-struct altitude {
-    double sine, cosine;
-};
-
 enum { MOST_ROWS = 64 }; /* there are 14 or 15 */
 struct overlay {
     struct pp_waldram waldram;
     double width, height; /* of a square */
     int rows;
-    struct altitude altitudes[MOST_ROWS];
+    struct pp_angle altitudes[MOST_ROWS];
 };
 
 static void place_rows(struct overlay *overlay)
@@ -67,7 +64,7 @@ static void place_rows(struct overlay *overlay)
         double altitude =
             pp_interpolate_inverse(y, PP_WALDRAM_PANELS + 1, 0.0, PP_PI / 2.0,
                                    fmin((row + 0.5) * overlay->height, top));
-        overlay->altitudes[row] = (struct altitude){sin(altitude), cos(altitude)};
+        overlay->altitudes[row] = pp_angle_of(altitude);
     }
 }
 
@@ -108,9 +105,8 @@ static double transmittance_at(const struct overlay *overlay,
                                const struct pp_waldram_square *square)
 {
     double azimuth = (square->column + 0.5) * overlay->width;
-    const struct altitude *altitude =
-        &overlay
-             ->altitudes[square->row < overlay->rows ? square->row : overlay->rows - 1];
+    int row = square->row < overlay->rows ? square->row : overlay->rows - 1;
+    const struct pp_angle *altitude = &overlay->altitudes[row];
     struct pp_vec3 u = pp_vec(altitude->cosine * sin(azimuth),
                               altitude->cosine * cos(azimuth), altitude->sine);
     double cosine = fmin(pp_vec_dot(u, out), 1.0);

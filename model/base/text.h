@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <string.h>
 
 #include "model/base/error.h"
 
@@ -52,6 +53,12 @@ enum pp_status pp_text_unknown(struct pp_error *err, const char *typed,
 /* Writes the names as "a, b or c" to text, cut to its size. Returns text. */
 const char *pp_text_list_names(char *text, size_t size, const char *const *names,
                                int count);
+
+/* strcmp, called only where the first letters are alike: for the inner loop of a search. */
+static inline bool pp_text_is_same(const char *a, const char *b)
+{
+    return a[0] == b[0] && strcmp(a, b) == 0;
+}
 
 /* A space, a tab, or an end of a line. */
 static inline bool pp_text_is_white(char c)

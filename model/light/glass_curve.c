@@ -3,29 +3,10 @@
 
 #include <math.h>
 
+#include "model/geometry/polynomial.h"
 #include "model/geometry/vec.h"
 
 enum { POINTS = 4 };
-
-/* The polynomial in t, from 0 to 1, with these values at the points, by Newton's divided
- * differences. */
-static void interpolate(pp_glass_cubic cubic, const double at[POINTS],
-                        const double values[POINTS])
-{
-    double divided[POINTS];
-    for (int i = 0; i < POINTS; i++)
-        divided[i] = values[i];
-    for (int k = 1; k < POINTS; k++)
-        for (int i = POINTS - 1; i >= k; i--)
-            divided[i] = (divided[i] - divided[i - 1]) / (at[i] - at[i - k]);
-    for (int i = 0; i < POINTS; i++)
-        cubic[i] = 0.0;
-    for (int k = POINTS - 1; k >= 0; k--) { /* times t - at[k], plus the difference */
-        for (int i = POINTS - 1; i > 0; i--)
-            cubic[i] = cubic[i - 1] - at[k] * cubic[i];
-        cubic[0] = divided[k] - at[k] * cubic[0];
-    }
-}
 
 void pp_glass_curve_init(struct pp_glass_curve *curve, const struct pp_glass *glass)
 {
@@ -39,8 +20,8 @@ void pp_glass_curve_init(struct pp_glass_curve *curve, const struct pp_glass *gl
             through[i] = pp_glass_transmittance(glass, cosine);
             back[i] = pp_glass_reflectance(glass, cosine);
         }
-        interpolate(curve->transmittance[step], at, through);
-        interpolate(curve->reflectance[step], at, back);
+        pp_polynomial_through(curve->transmittance[step], at, through, POINTS);
+        pp_polynomial_through(curve->reflectance[step], at, back, POINTS);
     }
 }
 

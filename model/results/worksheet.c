@@ -10,23 +10,24 @@
 
 #include "model/base/text.h"
 
-/* strcmp, called only where the first letters are alike: this is the inner loop. */
-static bool is_called(const struct pp_worksheet_figure *figure, const char *symbol)
+/* The latest figure of that name; NULL: there is none. */
+static const struct pp_worksheet_figure *find_symbol(const struct pp_worksheet *sheet,
+                                                     const char *symbol)
 {
-    return figure->symbol == symbol
-           || (figure->symbol[0] == symbol[0] && strcmp(figure->symbol, symbol) == 0);
+    for (int i = sheet->count - 1; i >= 0; i--)
+        if (sheet->list[i].symbol == symbol
+            || pp_text_is_same(sheet->list[i].symbol, symbol))
+            return &sheet->list[i];
+    return NULL;
 }
 
 static void enter(struct pp_worksheet *sheet, const char *symbol, double printed)
 {
-    int at = sheet->count - 1;
     if (!symbol[0])
         return;
     /* A figure that is put down anew takes the place of the last of its name. */
-    while (at >= 0 && !is_called(&sheet->list[at], symbol))
-        at--;
-    if (at < 0)
-        at = sheet->count;
+    const struct pp_worksheet_figure *last = find_symbol(sheet, symbol);
+    int at = last ? (int)(last - sheet->list) : sheet->count;
     assert(at < PP_WORKSHEET_MOST);
     sheet->list[at] = (struct pp_worksheet_figure){symbol, sheet->part, printed};
     sheet->count += at == sheet->count;
@@ -78,15 +79,6 @@ static const struct pp_worksheet_figure *find(const struct pp_worksheet *sheet,
     for (int i = 0; i < sheet->count; i++)
         if (strncmp(sheet->list[i].symbol, symbol, (size_t)length) == 0
             && !sheet->list[i].symbol[length])
-            return &sheet->list[i];
-    return NULL;
-}
-
-static const struct pp_worksheet_figure *find_symbol(const struct pp_worksheet *sheet,
-                                                     const char *symbol)
-{
-    for (int i = sheet->count - 1; i >= 0; i--)
-        if (is_called(&sheet->list[i], symbol))
             return &sheet->list[i];
     return NULL;
 }

@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "model/base/text.h"
+
 const char *const pp_band_features_components[PP_COMPONENT_COUNT] = {
     [PP_SC] = "sc", [PP_ERC] = "erc", [PP_IRC] = "irc", [PP_DF] = "df"};
 
@@ -17,11 +19,9 @@ const char *pp_band_features_name(int feature)
 
 int pp_band_features_find(const char *name)
 {
-    for (int i = 0; i < PP_BAND_FEATURES; i++) {
-        const char *own = pp_band_features_name(i);
-        if (own[0] == name[0] && strcmp(own, name) == 0)
+    for (int i = 0; i < PP_BAND_FEATURES; i++)
+        if (pp_text_is_same(pp_band_features_name(i), name))
             return i;
-    }
     return -1;
 }
 

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/base/text.h"
+
 /* As the CSV file has them. Words stand in the row itself: pointers to them would be 12,000
  * places that every start has to fill in. */
 struct row {
@@ -107,11 +109,10 @@ bool pp_band_table_at(struct pp_band_record *record, const struct pp_band_table 
     return false;
 }
 
-/* Most rows are of other columns, whose first letters tell as a rule. */
 static bool is_of(const struct row *row, enum pp_component component,
                   const char *column)
 {
-    return row->column[0] == column[0] && strcmp(row->column, column) == 0
+    return pp_text_is_same(row->column, column)
            && strcmp(row->component, pp_band_features_components[component]) == 0;
 }
 

@@ -45,6 +45,19 @@ static void clear(struct guessed_room *room)
     pp_world_destroy(room->world);
 }
 
+static struct pp_path_state state_of(const struct guessed_room *room)
+{
+    return pp_path_state(room->scene, room->environment, room->guess);
+}
+
+static struct pp_start start_of(const struct guessed_room *room)
+{
+    const struct pp_receiver *receiver = &room->world->receivers[0];
+    return (struct pp_start){.position =
+                                 pp_vec_sub(receiver->position, room->scene->centre),
+                             .normal = receiver->normal};
+}
+
 /* What the room's surfaces bring to the point, the sides of the niche with the direct
  * light; its standard deviation over the nets of so many paths. niches: are their mouths aimed at? */
 enum { NETS = 64 };
@@ -56,15 +69,11 @@ struct found_light {
 static struct found_light reflected(const struct guessed_room *room, uint32_t paths,
                                     bool niches)
 {
-    const struct pp_receiver *receiver = &room->world->receivers[0];
-    struct pp_path_state state =
-        pp_path_state(room->scene, room->environment, room->guess);
+    struct pp_path_state state = state_of(room);
     assert_non_null(state.niches);
     if (!niches)
         state.niches = NULL;
-    const struct pp_start start = {
-        .position = pp_vec_sub(receiver->position, room->scene->centre),
-        .normal = receiver->normal};
+    const struct pp_start start = start_of(room);
     double sum = 0.0, squares = 0.0;
     for (uint64_t net = 0; net < NETS; net++) {
         double light = 0.0;
@@ -143,26 +152,25 @@ struct path_sums {
     double gathered, correction;
 };
 
+static uint32_t nearer(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
 static struct path_sums sums_of(const struct guessed_room *room, uint32_t end,
                                 uint32_t step)
 {
-    const struct pp_receiver *receiver = &room->world->receivers[0];
-    struct pp_path_state state =
-        pp_path_state(room->scene, room->environment, room->guess);
-    const struct pp_start start = {
-        .position = pp_vec_sub(receiver->position, room->scene->centre),
-        .normal = receiver->normal};
+    struct pp_path_state state = state_of(room);
+    const struct pp_start start = start_of(room);
     struct path_sums sums = {.direct = {{0.0, 0.0, 0.0}}};
     uint32_t *index = &state.light.index;
     pp_sobol_sequence_init(&state.light.sequence, &room->sobol, 17);
     for (*index = 0; *index < end;)
-        pp_path_direct(&state, &start, *index + step < end ? *index + step : end,
-                       &sums.direct);
+        pp_path_direct(&state, &start, nearer(*index + step, end), &sums.direct);
     for (*index = 0; *index < end;)
-        pp_path_gather(&state, &start, *index + step < end ? *index + step : end,
-                       &sums.gathered);
+        pp_path_gather(&state, &start, nearer(*index + step, end), &sums.gathered);
     for (*index = 0; *index < end;)
-        pp_path_correction(&state, &start, *index + step < end ? *index + step : end,
+        pp_path_correction(&state, &start, nearer(*index + step, end),
                            &sums.correction);
     return sums;
 }
