@@ -6,7 +6,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <locale.h>
-#include <malloc.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -14,6 +13,7 @@
 #include "cli/command.h"
 #include "cli/message.h"
 #include "cli/ranks/mpirun.h"
+#include "model/base/heap.h"
 #include "model/base/text.h"
 
 enum { MOST_COMMANDS = 16 };
@@ -92,21 +92,12 @@ static void occupy_standard_streams(void)
             open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-/* The heap grows by a megabyte, and takes arrays of up to four: a page that is given back and
- * asked for again has to be cleared again, which was a sixth of a plan's pages. */
-static void keep_memory(void)
-{
-#ifdef M_TOP_PAD
-    mallopt(M_TOP_PAD, 1 << 20);
-    mallopt(M_MMAP_THRESHOLD, 4 << 20);
-    mallopt(M_TRIM_THRESHOLD, 8 << 20);
-#endif
-}
-
-int pp_program(int argc, char **argv, const struct pp_command *const *commands)
+int pp_program(int argc, char **argv, const struct pp_command *const *commands,
+               size_t filled)
 {
     occupy_standard_streams();
-    keep_memory();
+    pp_heap_keep();
+    pp_heap_expect(filled);
     setlocale(LC_CTYPE, ""); /* the terminal's characters; numbers keep their point */
 
     struct pp_mpirun mpirun;

@@ -4,7 +4,9 @@
 
 #include "cli/command.h"
 
-/* What main() does and returns. The list of commands ends with NULL. */
-int pp_program(int argc, char **argv, const struct pp_command *const *commands);
+/* What main() does and returns. The list of commands ends with NULL; any of them fills
+ * about so many bytes of memory. */
+int pp_program(int argc, char **argv, const struct pp_command *const *commands,
+               size_t filled);
 
 #endif
