@@ -50,9 +50,8 @@ const char *pp_lumen_scope_refuses_room(const struct pp_world *world)
 {
     if (!is_box(world))
         return "its tables are for rooms with a rectangular plan and a level ceiling";
-    for (int i = world->face_count; i < world->surface_count; i++)
-        if (world->surfaces[i].inside && world->surfaces[i].role == PP_FREE_SURFACE)
-            return "its tables are for empty rooms, and something stands in this one";
+    if (!world->is_empty)
+        return "its tables are for empty rooms, and something stands in this one";
     double floor = floor_of(world)->front;
     if (floor < 0.10 - small || floor > 0.50 + small)
         return "its tables are for a floor reflectance of 0.3, and good for 0.1 to 0.5";

@@ -56,9 +56,8 @@ static bool is_seen_whole(const struct opening_drawing *drawing)
 {
     const struct pp_world *world = drawing->world;
     const struct pp_polygon *opening = &drawing->opening->inner;
-    for (int i = 0; i < world->surface_count; i = pp_world_next_but_blocks(world, i))
-        if (world->surfaces[i].inside && world->surfaces[i].role == PP_FREE_SURFACE)
-            return false;
+    if (!world->is_empty)
+        return false;
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_polygon *face = &world->surfaces[i].outline;
         struct pp_vec3 origin = face->vertices[0];
@@ -66,6 +65,8 @@ static bool is_seen_whole(const struct opening_drawing *drawing)
             pp_vec_dot(pp_vec_sub(drawing->frame.point, origin), face->normal);
         bool behind = depth < -1e-6;
         bool before = depth > 1e-6;
+        if (drawing->opening->faces_open_in && !behind)
+            continue;
         for (int v = 0; v < opening->count; v++) {
             depth = pp_vec_dot(pp_vec_sub(opening->vertices[v], origin), face->normal);
             behind |= depth < -1e-6;
@@ -270,7 +271,8 @@ static enum pp_status add_surfaces(struct opening_drawing *drawing,
 {
     const struct pp_world *world = drawing->world;
     enum pp_status status = PP_OK;
-    for (int i = 0; i < world->surface_count && status == PP_OK;
+    for (int i = drawing->opening->faces_open_out ? world->face_count : 0;
+         i < world->surface_count && status == PP_OK;
          i = pp_world_next_but_blocks(world, i)) {
         const struct pp_surface *surface = world->surfaces + i;
         bool free_outside = surface->role == PP_FREE_SURFACE && !surface->inside;

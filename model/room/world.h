@@ -88,6 +88,11 @@ struct pp_opening {
     char *name;      /* NULL where it has none */
     int part;        /* which of its room's openings it is, as the file has them */
     int line;
+
+    /* Lies it before the planes of all faces, or in them? A point that does so too sees it
+     * past all faces. */
+    bool faces_open_in;
+    bool faces_open_out; /* has no other face a part beyond its glass, or in it? */
 };
 
 /* One endless obstruction parallel to a wall, from the ground up. */
@@ -209,6 +214,8 @@ struct pp_world {
     int mesh_count;
     struct pp_garden *gardens;
     int garden_count;
+
+    bool is_empty; /* stands no surface in the room but those that cover others? */
 
     double height_m;               /* of the highest point of the envelope */
     double working_plane_m;        /* z of the working plane */
