@@ -6,6 +6,7 @@
 
 #include "model/base/array.h"
 #include "model/geometry/angle.h"
+#include "model/light/glass_curve.h"
 
 enum { RINGS = 180, CELLS = 240 };
 static const double d_psi = 2.0 * PP_PI / CELLS;
@@ -43,7 +44,7 @@ static struct pp_vec3 direction(const struct frame *frame, struct pp_angle theta
  * each has its sines times cosines as a whole, which is exact for an even sky. */
 static void fill_ring(double up_to[CELLS + 1], int ring,
                       const struct pp_angle psi[CELLS], const struct pp_sky *sky,
-                      const struct pp_glass *glass, struct pp_vec3 out,
+                      const struct pp_glass_curve *losses, struct pp_vec3 out,
                       const struct frame *frame)
 {
     double d_theta = PP_PI / 2.0 / RINGS;
@@ -57,7 +58,7 @@ static void fill_ring(double up_to[CELLS + 1], int ring,
         double cosine = fmin(pp_vec_dot(u, out), 1.0);
         light[k] = u.z > 0.0 && cosine > 0.0
                        ? pp_sky_luminance(sky, u) * weight
-                             * pp_glass_transmittance(glass, cosine)
+                             * pp_glass_curve_transmittance(losses, cosine)
                        : 0.0;
     }
     for (int k = asked; k < CELLS; k++)
@@ -116,11 +117,13 @@ static enum pp_status place_dots(struct pp_pepper_pot_cloud *cloud,
 {
     double up_to[CELLS + 1];
     struct pp_angle psi[CELLS];
+    struct pp_glass_curve losses;
     int room = 0;
+    pp_glass_curve_init(&losses, glass);
     for (int k = 0; k < CELLS; k++)
         psi[k] = pp_angle_of((k + 0.5) * d_psi);
     for (int i = 0; i < RINGS; i++) {
-        fill_ring(up_to, i, psi, sky, glass, axes->out, frame);
+        fill_ring(up_to, i, psi, sky, &losses, axes->out, frame);
         double before = cloud->whole;
         cloud->whole += up_to[CELLS];
         int count = (int)fmax(ceil(cloud->whole / worth - 0.5), 0.0);

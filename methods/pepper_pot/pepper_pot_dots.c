@@ -56,10 +56,9 @@ static void fill_ring(double left[AZIMUTHS + 1], const struct pp_pepper_pot *pot
         double sum = 0.0;
         for (int k = 0; k < PP_PEPPER_POT_NODES; k++)
             sum += pot->weight[i][k]
-                   * (pot->glazed
-                          ? pp_interpolate_cubic(pot->losses, PP_PEPPER_POT_LOSSES, 0.0,
-                                                 1.0, cos_gamma * pot->ahead[i][k])
-                          : 1.0);
+                   * (pot->glazed ? pp_glass_curve_transmittance(
+                          &pot->losses, cos_gamma * pot->ahead[i][k])
+                                  : 1.0);
         steps[i] = sum;
     }
     for (int i = asked; i < AZIMUTHS; i++) /* a level receiver has both sides alike */
@@ -120,9 +119,8 @@ enum pp_status pp_pepper_pot_dots_create(struct pp_pepper_pot **pot,
                                    .upright = upright,
                                    .facing_rad = upright ? facing_rad : 0.0,
                                    .worth = worth};
-    for (int i = 0; i < PP_PEPPER_POT_LOSSES; i++)
-        made->losses[i] =
-            pp_glass_transmittance(&made->glass, i / (PP_PEPPER_POT_LOSSES - 1.0));
+    if (glazed)
+        pp_glass_curve_init(&made->losses, &made->glass);
     place_azimuths(made);
     int most = 0;
     if (made->high_rad > made->low_rad) {

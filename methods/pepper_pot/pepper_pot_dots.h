@@ -19,7 +19,7 @@
 #include <stdbool.h>
 
 #include "model/base/error.h"
-#include "model/light/glass.h"
+#include "model/light/glass_curve.h"
 #include "model/geometry/region.h"
 #include "model/light/sky.h"
 
@@ -28,7 +28,6 @@
 
 enum {
     PP_PEPPER_POT_PANELS = 64,
-    PP_PEPPER_POT_LOSSES = 513,
     PP_PEPPER_POT_AZIMUTHS = 20, /* steps */
     PP_PEPPER_POT_NODES = 4,     /* of Gauss's rule in each */
 };
@@ -42,7 +41,7 @@ struct pp_pepper_pot {
                         * positive to the right */
     double worth;      /* of a dot */
     double whole;      /* all dots' worth together: what a boundless window gives */
-    double losses[PP_PEPPER_POT_LOSSES]; /* of the glass, at even cosines from 0 to 1 */
+    struct pp_glass_curve losses;           /* of the glass */
     double below[PP_PEPPER_POT_PANELS + 1]; /* what comes from below even altitudes */
     double low_rad, high_rad; /* azimuths from which light reaches the receiver */
     /* At the nodes between them: the cosine, and what the node weighs. */

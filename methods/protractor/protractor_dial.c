@@ -56,25 +56,28 @@ static struct strip_rule strip_rule_of(void)
 }
 
 static double strip(const struct pp_protractor *protractor,
-                    const struct strip_rule *rule, double gamma)
+                    const struct pp_glass_curve *losses, const struct strip_rule *rule,
+                    double gamma)
 {
     double densities[NODES], sum = 0.0;
-    pp_protractor_scale_densities(densities, protractor, gamma, rule->thetas, NODES);
+    pp_protractor_scale_densities(densities, protractor, losses, gamma, rule->thetas,
+                                  NODES);
     for (int i = 0; i < NODES; i++)
         sum += rule->weights[i] * densities[i];
     return PP_PI / 2.0 * sum;
 }
 
-static void make_primary(struct pp_protractor_dial *dial)
+static void make_primary(struct pp_protractor_dial *dial,
+                         const struct pp_glass_curve *losses)
 {
     const struct pp_protractor *protractor = &dial->protractor;
     double step = dial->range_rad / PP_DIAL_STEPS;
     const struct strip_rule rule = strip_rule_of();
     dial->primary[0] = 0.0;
-    dial->slope[0] = strip(protractor, &rule, 0.0);
+    dial->slope[0] = strip(protractor, losses, &rule, 0.0);
     for (int i = 0; i < PP_DIAL_STEPS; i++) {
-        double middle = strip(protractor, &rule, (i + 0.5) * step);
-        dial->slope[i + 1] = strip(protractor, &rule, (i + 1) * step);
+        double middle = strip(protractor, losses, &rule, (i + 0.5) * step);
+        dial->slope[i + 1] = strip(protractor, losses, &rule, (i + 1) * step);
         dial->primary[i + 1] =
             dial->primary[i]
             + simpson(dial->slope[i], middle, dial->slope[i + 1], step);
@@ -92,6 +95,7 @@ static void half_steps(struct pp_angle thetas[HALF_STEPS + 1])
 
 static void make_semicircle(struct pp_protractor_semicircle *semicircle,
                             const struct pp_protractor *protractor,
+                            const struct pp_glass_curve *losses,
                             const struct pp_angle thetas[HALF_STEPS + 1],
                             double average_rad)
 {
@@ -100,7 +104,8 @@ static void make_semicircle(struct pp_protractor_semicircle *semicircle,
     double step = PP_PI / 2.0 / PP_DIAL_STEPS, densities[HALF_STEPS + 1];
     double *factor = semicircle->factor, *rate = semicircle->rate;
     semicircle->average_rad = average_rad;
-    pp_protractor_scale_densities(densities, protractor, gamma, thetas, HALF_STEPS + 1);
+    pp_protractor_scale_densities(densities, protractor, losses, gamma, thetas,
+                                  HALF_STEPS + 1);
     factor[0] = 0.0;
     rate[0] = densities[0];
     for (int i = 0; i < PP_DIAL_STEPS; i++) {
@@ -121,16 +126,18 @@ void pp_protractor_dial_semicircle_init(struct pp_protractor_semicircle *semicir
 {
     struct pp_angle thetas[HALF_STEPS + 1];
     half_steps(thetas);
-    make_semicircle(semicircle, protractor, thetas, average_rad);
+    make_semicircle(semicircle, protractor, NULL, thetas, average_rad);
 }
 
 void pp_protractor_dial_init(struct pp_protractor_dial *dial,
                              const struct pp_protractor *protractor)
 {
     struct pp_angle thetas[HALF_STEPS + 1];
+    struct pp_glass_curve losses;
+    pp_glass_curve_init(&losses, &protractor->glass);
     dial->protractor = *protractor;
     dial->range_rad = pp_protractor_scale_range(protractor);
-    make_primary(dial);
+    make_primary(dial, &losses);
     half_steps(thetas);
     for (int k = 0; k < PP_DIAL_SEMICIRCLES; k++) {
         double average = k * between_semicircles_rad;
@@ -138,7 +145,8 @@ void pp_protractor_dial_init(struct pp_protractor_dial *dial,
             dial->semicircles[k] = dial->semicircles[k - 1]; /* beyond the end, too */
             dial->semicircles[k].average_rad = average;
         } else {
-            make_semicircle(&dial->semicircles[k], protractor, thetas, average);
+            make_semicircle(&dial->semicircles[k], protractor, &losses, thetas,
+                            average);
         }
     }
 }

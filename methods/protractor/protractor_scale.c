@@ -57,6 +57,7 @@ double pp_protractor_scale_range(const struct pp_protractor *protractor)
 
 void pp_protractor_scale_densities(double *densities,
                                    const struct pp_protractor *protractor,
+                                   const struct pp_glass_curve *losses,
                                    double gamma_rad, const struct pp_angle *thetas,
                                    int count)
 {
@@ -75,8 +76,9 @@ void pp_protractor_scale_densities(double *densities,
                         : protractor->receiver == PP_PROTRACTOR_AHEAD ? u.x
                                                                       : u.y;
         densities[i] = pp_sky_luminance(&protractor->sky, u)
-                       * pp_glass_transmittance(&protractor->glass, cos_i) * facing
-                       * across;
+                       * (losses ? pp_glass_curve_transmittance(losses, cos_i)
+                                 : pp_glass_transmittance(&protractor->glass, cos_i))
+                       * facing * across;
     }
 }
 
@@ -85,7 +87,7 @@ double pp_protractor_scale_density(const struct pp_protractor *protractor,
 {
     struct pp_angle theta = pp_angle_of(theta_rad);
     double density;
-    pp_protractor_scale_densities(&density, protractor, gamma_rad, &theta, 1);
+    pp_protractor_scale_densities(&density, protractor, NULL, gamma_rad, &theta, 1);
     return density;
 }
 

@@ -34,7 +34,7 @@
 
 #include "model/base/error.h"
 #include "model/geometry/angle.h"
-#include "model/light/glass.h"
+#include "model/light/glass_curve.h"
 #include "model/light/sky.h"
 
 /* What the light falls on. */
@@ -69,9 +69,11 @@ double pp_protractor_scale_range(const struct pp_protractor *protractor);
 double pp_protractor_scale_density(const struct pp_protractor *protractor,
                                    double gamma_rad, double theta_rad);
 
-/* The density at many angles out of the section on one sight line. */
+/* The density at many angles out of the section on one sight line, through a glass whose
+ * law is tabulated (NULL: it is asked itself). */
 void pp_protractor_scale_densities(double *densities,
                                    const struct pp_protractor *protractor,
+                                   const struct pp_glass_curve *losses,
                                    double gamma_rad, const struct pp_angle *thetas,
                                    int count);
 

@@ -18,30 +18,36 @@ static struct pp_vec3 crossing(struct pp_vec3 a, struct pp_vec3 b, double z)
     return pp_vec_along(a, (z - a.z) / (b.z - a.z), pp_vec_sub(b, a));
 }
 
+static int next(const struct pp_polygon *polygon, int i)
+{
+    return i + 1 < polygon->count ? i + 1 : 0;
+}
+
 /* The polygon's area is the sum of the triangles of its edges with a fixed point o.
  * With o on the cut, triangles of edges along the cut have no area, so that the sum
  * needs only the parts of the polygon's own edges below z. */
 double pp_interior_area_below(const struct pp_polygon *polygon, double z)
 {
-    struct pp_vec3 o = polygon->vertices[0];
-    double lowest = o.z, highest = o.z;
-    for (int i = 0; i < polygon->count; i++) {
-        struct pp_vec3 a = polygon->vertices[i];
-        struct pp_vec3 b = polygon->vertices[(i + 1) % polygon->count];
-        lowest = fmin(lowest, a.z);
-        highest = fmax(highest, a.z);
-        if ((a.z < z) != (b.z < z))
-            o = crossing(a, b, z);
+    const struct pp_vec3 *vertices = polygon->vertices;
+    double lowest = vertices[0].z, highest = lowest;
+    for (int i = 1; i < polygon->count; i++) {
+        lowest = vertices[i].z < lowest ? vertices[i].z : lowest;
+        highest = vertices[i].z > highest ? vertices[i].z : highest;
     }
     if (lowest >= z)
         return 0.0;
     if (highest < z)
         return polygon->area_m2;
 
+    struct pp_vec3 o = vertices[0];
+    for (int i = 0; i < polygon->count; i++) {
+        struct pp_vec3 a = vertices[i], b = vertices[next(polygon, i)];
+        if ((a.z < z) != (b.z < z))
+            o = crossing(a, b, z);
+    }
     double sum = 0.0;
     for (int i = 0; i < polygon->count; i++) {
-        struct pp_vec3 a = polygon->vertices[i];
-        struct pp_vec3 b = polygon->vertices[(i + 1) % polygon->count];
+        struct pp_vec3 a = vertices[i], b = vertices[next(polygon, i)];
         if (a.z >= z && b.z >= z)
             continue;
         if ((a.z < z) != (b.z < z)) {

@@ -103,17 +103,31 @@ double pp_waldram_scale_x(const struct pp_waldram *waldram, double azimuth_rad)
     return copysign(read_scale(waldram->x, azimuth), azimuth_rad);
 }
 
+/* Is there a closed form of Y? */
+static bool is_closed(const struct pp_waldram *waldram)
+{
+    return !waldram->glazed && waldram->sky.kind != PP_SKY_ISO;
+}
+
 double pp_waldram_scale_y(const struct pp_waldram *waldram, double altitude_rad)
 {
     if (!(altitude_rad > 0.0))
         return 0.0;
-    bool closed = !waldram->glazed && waldram->sky.kind != PP_SKY_ISO;
-    if (closed && waldram->upright)
+    if (is_closed(waldram) && waldram->upright)
         return pp_graded_sky_upright_below_altitude(waldram->sky.gradation,
                                                     altitude_rad);
-    if (closed)
+    if (is_closed(waldram))
         return pp_graded_sky_below_altitude(waldram->sky.gradation, sin(altitude_rad));
     return read_scale(waldram->y, altitude_rad);
+}
+
+double pp_waldram_scale_y_toward(const struct pp_waldram *waldram, struct pp_vec3 u)
+{
+    double level = sqrt(u.x * u.x + u.y * u.y);
+    if (u.z > 0.0 && is_closed(waldram) && !waldram->upright)
+        return pp_graded_sky_below_altitude(waldram->sky.gradation,
+                                            u.z / sqrt(level * level + u.z * u.z));
+    return pp_waldram_scale_y(waldram, atan2(u.z, level));
 }
 
 double pp_waldram_scale_total_area(const struct pp_waldram *waldram)
@@ -144,7 +158,7 @@ static int edge_integrand(unsigned dim, const double *t, void *data, unsigned fd
     if (level2 > 0.0) {
         double azimuth = atan2(u.x, u.y);
         double turn = (u.y * edge->d.x - u.x * edge->d.y) / level2;
-        double y = pp_waldram_scale_y(edge->waldram, atan2(u.z, sqrt(level2)));
+        double y = pp_waldram_scale_y_toward(edge->waldram, u);
         if (!edge->waldram->glazed || fabs(azimuth) < PP_PI / 2.0)
             *value = (edge->top - y) * x_density(edge->waldram, azimuth) * turn;
     }

@@ -85,6 +85,9 @@ double pp_waldram_scale_x(const struct pp_waldram *waldram, double azimuth_rad);
  * 1e-9. */
 double pp_waldram_scale_y(const struct pp_waldram *waldram, double altitude_rad);
 
+/* Y of the altitude of a direction, of any length. */
+double pp_waldram_scale_y_toward(const struct pp_waldram *waldram, struct pp_vec3 u);
+
 /* Area of the map from azimuth -pi/2 to pi/2: 1/2 without glass for a receiver that faces
  * up. */
 double pp_waldram_scale_total_area(const struct pp_waldram *waldram);

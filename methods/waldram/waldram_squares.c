@@ -58,9 +58,9 @@ static struct diagram_point point_of(const struct mapping *mapping, struct pp_ve
 {
     double azimuth = u.x == 0.0 && u.y == 0.0 ? near : atan2(u.x, u.y);
     azimuth += 2.0 * PP_PI * round((near - azimuth) / (2.0 * PP_PI));
-    double y = pp_waldram_scale_y(mapping->waldram, atan2(u.z, hypot(u.x, u.y)));
     return (struct diagram_point){azimuth,
-                                  pp_waldram_scale_x(mapping->waldram, azimuth), y};
+                                  pp_waldram_scale_x(mapping->waldram, azimuth),
+                                  pp_waldram_scale_y_toward(mapping->waldram, u)};
 }
 
 /* Adds the points after `from` up to `to` of the straight edge from direction a to b.
@@ -193,9 +193,13 @@ static void add_below(struct square_field *field, int column, const double *p,
         return;
     double rise = q[1] - p[1], run = q[0] - p[0], height = field->height;
     double y0 = p[1] + (from - p[0]) / run * rise;
-    double y1 = p[1] + (to - p[0]) / run * rise, top = y0 > y1 ? y0 : y1;
+    double y1 = p[1] + (to - p[0]) / run * rise;
+    double top = y0 > y1 ? y0 : y1, bottom = y0 > y1 ? y1 : y0;
     double *parts = field->parts + (column - field->first) * field->rows;
-    for (int row = 0; row < field->rows && row * height < top; row++)
+    int row = 0;
+    for (; row < field->rows && bottom - row * height >= height; row++)
+        parts[row] += (from - to) * height;
+    for (; row < field->rows && row * height < top; row++)
         parts[row] +=
             (from - to) * mean_within(y0 - row * height, y1 - row * height, height);
 }

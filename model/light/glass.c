@@ -46,31 +46,39 @@ static void clear_stack(const struct pp_glass *glass, double cos_i, double *t,
     *r = (stack.r[0] + stack.r[1]) / 2.0;
 }
 
+void pp_glass_optics(const struct pp_glass *glass, double cos_incidence,
+                     double *transmittance, double *reflectance)
+{
+    if (glass->panes == 0) {
+        *transmittance = 1.0;
+        *reflectance = 0.0;
+    } else if (glass->diffusing) {
+        *transmittance = glass->diffuse;
+        *reflectance = fmin(0.1, 1.0 - glass->diffuse);
+    } else if (!(cos_incidence > 0.0)) {
+        *transmittance = 0.0;
+        *reflectance = 1.0; /* grazing: the limit, which the formula has as 0/0 */
+    } else {
+        double t, r;
+        clear_stack(glass, fmin(cos_incidence, 1.0), &t, &r);
+        *transmittance = glass->scale * t;
+        /* A glazing clearer than its stack can't reflect all that the stack does. */
+        *reflectance = fmin(r, 1.0 - glass->scale * t);
+    }
+}
+
 double pp_glass_transmittance(const struct pp_glass *glass, double cos_incidence)
 {
-    if (glass->panes == 0)
-        return 1.0;
-    if (glass->diffusing)
-        return glass->diffuse;
-    if (!(cos_incidence > 0.0))
-        return 0.0;
-    double t, r;
-    clear_stack(glass, fmin(cos_incidence, 1.0), &t, &r);
-    return glass->scale * t;
+    double transmittance, reflectance;
+    pp_glass_optics(glass, cos_incidence, &transmittance, &reflectance);
+    return transmittance;
 }
 
 double pp_glass_reflectance(const struct pp_glass *glass, double cos_incidence)
 {
-    if (glass->panes == 0)
-        return 0.0;
-    if (glass->diffusing)
-        return fmin(0.1, 1.0 - glass->diffuse);
-    if (!(cos_incidence > 0.0))
-        return 1.0; /* grazing: the limit, which the formula has as 0/0 */
-    double t, r;
-    clear_stack(glass, fmin(cos_incidence, 1.0), &t, &r);
-    /* A glazing clearer than its stack can't reflect all that the stack does. */
-    return fmin(r, 1.0 - glass->scale * t);
+    double transmittance, reflectance;
+    pp_glass_optics(glass, cos_incidence, &transmittance, &reflectance);
+    return reflectance;
 }
 
 /* tau(cos i) 2 cos i, whose integral over cos i is the diffuse transmittance. */

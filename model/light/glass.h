@@ -53,4 +53,8 @@ double pp_glass_transmittance(const struct pp_glass *glass, double cos_incidence
  * A diffusing pane answers with 0.1, of a diffuse kind. */
 double pp_glass_reflectance(const struct pp_glass *glass, double cos_incidence);
 
+/* Both at once. */
+void pp_glass_optics(const struct pp_glass *glass, double cos_incidence,
+                     double *transmittance, double *reflectance);
+
 #endif

@@ -17,8 +17,7 @@ void pp_glass_curve_init(struct pp_glass_curve *curve, const struct pp_glass *gl
     for (int step = 0; step < PP_GLASS_CURVE_STEPS; step++) {
         for (int i = 0; i < POINTS; i++) {
             double cosine = (step + at[i]) / PP_GLASS_CURVE_STEPS;
-            through[i] = pp_glass_transmittance(glass, cosine);
-            back[i] = pp_glass_reflectance(glass, cosine);
+            pp_glass_optics(glass, cosine, &through[i], &back[i]);
         }
         pp_polynomial_through(curve->transmittance[step], at, through, POINTS);
         pp_polynomial_through(curve->reflectance[step], at, back, POINTS);

@@ -41,6 +41,13 @@ int pp_expression_name_length(const char *text)
     return length;
 }
 
+/* Is `symbol` the name of `length` bytes at text? */
+static bool is_name(const char *symbol, const char *text, int length)
+{
+    return symbol[0] == text[0] && strncmp(symbol, text, (size_t)length) == 0
+           && !symbol[length];
+}
+
 /* ---- the parser ---- */
 
 static const struct pp_dimension plain = {.number = true};
@@ -77,7 +84,8 @@ static struct term fail(struct parser *parser, const char *at, const char *what)
 
 static char peek(struct parser *parser)
 {
-    parser->at += strspn(parser->at, " ");
+    while (*parser->at == ' ')
+        parser->at++;
     return *parser->at;
 }
 
@@ -139,8 +147,7 @@ static struct term name(struct parser *parser, const char *start, int length)
 {
     struct pp_expression *made = parser->made;
     for (int i = 0; i < parser->name_count; i++) {
-        const char *symbol = parser->names[i].symbol;
-        if (strncmp(symbol, start, (size_t)length) != 0 || symbol[length])
+        if (!is_name(parser->names[i].symbol, start, length))
             continue;
         int known = 0;
         while (known < made->name_count && made->names[known] != i)
@@ -271,8 +278,7 @@ static struct term primary(struct parser *parser)
     if (length > 0) {
         parser->at += length;
         for (int i = 0; functions[i]; i++)
-            if (strncmp(functions[i], start, (size_t)length) == 0
-                && !functions[i][length])
+            if (is_name(functions[i], start, length))
                 return call(parser, (enum pp_operation_kind)(PP_DO_SQRT + i), start);
         return name(parser, start, length);
     }

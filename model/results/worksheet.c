@@ -10,13 +10,24 @@
 
 #include "model/base/text.h"
 
-/* The latest figure of that name; NULL: there is none. */
+/* One of 64 marks, by the first two letters of a symbol. */
+static uint64_t mark_of(const char *symbol)
+{
+    return UINT64_C(1) << ((symbol[0] + 9 * symbol[1]) & 63);
+}
+
+/* The figure of that name; NULL: there is none. The program's own symbols, of one spelling,
+ * mostly stand at one place in memory. */
 static const struct pp_worksheet_figure *find_symbol(const struct pp_worksheet *sheet,
                                                      const char *symbol)
 {
+    if (!(sheet->marks & mark_of(symbol)))
+        return NULL;
     for (int i = sheet->count - 1; i >= 0; i--)
-        if (sheet->list[i].symbol == symbol
-            || pp_text_is_same(sheet->list[i].symbol, symbol))
+        if (sheet->list[i].symbol == symbol)
+            return &sheet->list[i];
+    for (int i = 0; i < sheet->count; i++)
+        if (pp_text_is_same(sheet->list[i].symbol, symbol))
             return &sheet->list[i];
     return NULL;
 }
@@ -30,6 +41,7 @@ static void enter(struct pp_worksheet *sheet, const char *symbol, double printed
     int at = last ? (int)(last - sheet->list) : sheet->count;
     assert(at < PP_WORKSHEET_MOST);
     sheet->list[at] = (struct pp_worksheet_figure){symbol, sheet->part, printed};
+    sheet->marks |= mark_of(symbol);
     sheet->count += at == sheet->count;
 }
 

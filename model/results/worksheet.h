@@ -9,6 +9,7 @@
 #define PP_MODEL_RESULTS_WORKSHEET_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "model/results/expression_value.h"
 #include "model/results/formula.h"
@@ -26,6 +27,7 @@ struct pp_worksheet {
     bool varied; /* has a reader's variant been worked out? */
     int part;    /* number behind the symbols that are put down now; 0: none */
     int count;
+    uint64_t marks; /* of the symbols: one of another mark is not there */
     struct pp_worksheet_figure {
         const char *symbol; /* not owned */
         int part;

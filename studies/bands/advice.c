@@ -17,6 +17,7 @@ static const double about_as_narrow = 1.1, narrow_enough = 1.25;
 /* The records of the daylight factors that have figures at a place, in the report's order;
  * space for all columns. */
 struct ranking {
+    struct pp_band_index index;
     struct pp_band_record *list;
     int *columns; /* of the report */
     int count;
@@ -41,8 +42,7 @@ static void look_up(struct ranking *ranking, const struct pp_report *report,
             || !pp_report_bands_has(report, column))
             continue;
         double figure = index < 0 ? column->average.value : column->points[index].value;
-        pp_band_table_find(&regimes, pp_band_table_under(&report->light.sky), PP_DF,
-                           column->name);
+        pp_band_table_find(&regimes, &ranking->index, PP_DF, column->name);
         const struct pp_band_columns columns = pp_band_features_columns(report, column);
         pp_band_features_of_columns(features, &columns, index);
         const struct pp_band_record *record =
@@ -175,6 +175,7 @@ static enum pp_status advise(struct pp_advice *advice, const struct pp_report *r
                              struct pp_error *err)
 {
     int favourite;
+    pp_band_table_index(&ranking->index, pp_band_table_under(&report->light.sky));
     look_up(ranking, report, features, -1);
     enum pp_status status = PP_OK;
     if (ranking->count > 0)

@@ -1,6 +1,7 @@
 /* band_table.c - rows of the printed tables, turned into records. */
 #include "studies/bands/band_table.h"
 
+#include <assert.h>
 #include <math.h>
 #include <string.h>
 
@@ -67,7 +68,7 @@ static bool is_record(const struct row *row)
 static void add_condition(struct pp_band_regime *regime, const char *feature,
                           double from, double to)
 {
-    if (strcmp(feature, "-") != 0)
+    if (!pp_text_is_same(feature, "-"))
         regime->conditions[regime->condition_count++] = (struct pp_band_condition){
             pp_band_features_find(feature), isnan(from) ? -INFINITY : from,
             isnan(to) ? INFINITY : to};
@@ -117,16 +118,34 @@ static bool is_of(const struct row *row, enum pp_component component,
 }
 
 /* The rows of a column stand together. */
+void pp_band_table_index(struct pp_band_index *index, const struct pp_band_table *table)
+{
+    const struct row *last = NULL;
+    *index = (struct pp_band_index){.table = table};
+    for (int i = 0; i < table->count; i++) {
+        const struct row *row = &table->rows[i];
+        if (!is_record(row)
+            || (last && strcmp(row->column, last->column) == 0
+                && strcmp(row->component, last->component) == 0))
+            continue;
+        assert(index->count < PP_BAND_COLUMNS);
+        index->first[index->count++] = i;
+        last = row;
+    }
+}
+
 void pp_band_table_find(struct pp_band_regimes *regimes,
-                        const struct pp_band_table *table, enum pp_component component,
+                        const struct pp_band_index *index, enum pp_component component,
                         const char *column)
 {
-    const struct row *row = table->rows, *end = table->rows + table->count;
+    const struct row *rows = index->table->rows;
+    int i = 0, end = index->table->count;
     memset(regimes->count, 0, sizeof regimes->count);
-    while (row < end && !is_of(row, component, column))
-        row++;
-    for (; row < end && is_of(row, component, column); row++) {
-        const struct pp_band_record record = record_of(row);
+    while (i < index->count && !is_of(&rows[index->first[i]], component, column))
+        i++;
+    int first = i < index->count ? index->first[i] : end;
+    for (int k = first; k < end && is_of(&rows[k], component, column); k++) {
+        const struct pp_band_record record = record_of(&rows[k]);
         int *count = &regimes->count[record.place];
         if (*count < PP_BAND_REGIMES)
             regimes->records[record.place][(*count)++] = record;

@@ -26,6 +26,16 @@ struct pp_band_record {
 bool pp_band_table_at(struct pp_band_record *record, const struct pp_band_table *table,
                       int index);
 
+/* Where the records of each column begin, whose search would go through the whole table. */
+enum { PP_BAND_COLUMNS = 128 };
+struct pp_band_index {
+    const struct pp_band_table *table;
+    int count;
+    int first[PP_BAND_COLUMNS];
+};
+void pp_band_table_index(struct pp_band_index *index,
+                         const struct pp_band_table *table);
+
 /* The regimes of one column, of points and of averages; none where the atlas has none. */
 enum { PP_BAND_REGIMES = 16 };
 struct pp_band_regimes {
@@ -33,7 +43,7 @@ struct pp_band_regimes {
     struct pp_band_record records[PP_BAND_PLACES][PP_BAND_REGIMES];
 };
 void pp_band_table_find(struct pp_band_regimes *regimes,
-                        const struct pp_band_table *table, enum pp_component component,
+                        const struct pp_band_index *index, enum pp_component component,
                         const char *column);
 
 /* The one of a place whose regime has the features; NULL where none has. */

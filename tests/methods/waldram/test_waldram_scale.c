@@ -58,6 +58,25 @@ static void ordinates_as_published(void **state)
     }
 }
 
+/* Without glass, by altitude's sine, and with it, by altitude; of any length, and none below
+ * the horizon. */
+static void the_ordinate_of_a_direction_is_that_of_its_altitude(void **state)
+{
+    (void)state;
+    const struct pp_waldram diagrams[] = {made(pp_sky_overcast(), false),
+                                          made(pp_sky_overcast(), true),
+                                          made(pp_sky_uniform(), false)};
+    for (int k = 0; k < 3; k++)
+        for (int i = -9; i <= 90; i++) {
+            double altitude = i * PP_RAD, r = cos(altitude) * (i + 20);
+            struct pp_vec3 u = {r * cos(0.3 * i), r * sin(0.3 * i),
+                                (i + 20) * sin(altitude)};
+            assert_near(pp_waldram_scale_y_toward(&diagrams[k], u),
+                        pp_waldram_scale_y(&diagrams[k], altitude), 1e-14);
+            assert_true((pp_waldram_scale_y_toward(&diagrams[k], u) > 0.0) == (i > 0));
+        }
+}
+
 /* Sky component of a rectangle with its sill in the point's plane and one jamb on the
  * normal, in closed form [TS93]. */
 static double corner(double w, double h, bool overcast)
@@ -139,6 +158,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_whole_diagram_is_half_the_sky),
         cmocka_unit_test(ordinates_as_published),
+        cmocka_unit_test(the_ordinate_of_a_direction_is_that_of_its_altitude),
         cmocka_unit_test(areas_of_windows_are_their_sky_components),
         cmocka_unit_test(what_lies_below_the_horizon_has_no_area),
         cmocka_unit_test(rooflights_overhead_count_as_they_should),

@@ -65,6 +65,7 @@ static void a_band_is_the_table_s_quantiles_on_the_figure(void **state)
 {
     (void)state;
     struct made m;
+    struct pp_band_index index;
     struct pp_band_regimes regimes;
     double features[PP_BAND_FEATURES];
     const char *why;
@@ -74,7 +75,8 @@ static void a_band_is_the_table_s_quantiles_on_the_figure(void **state)
     const struct pp_column *column = pp_report_find(&m.report, PP_DF, "exact+bre");
     assert_non_null(column->bands);
     const struct pp_band_columns columns = pp_band_features_columns(&m.report, column);
-    pp_band_table_find(&regimes, &pp_band_table_overcast, PP_DF, "exact+bre");
+    pp_band_table_index(&index, &pp_band_table_overcast);
+    pp_band_table_find(&regimes, &index, PP_DF, "exact+bre");
     assert_true(regimes.count[PP_BAND_POINT] > 1);
     assert_int_equal(pp_report_bands_features(features, &why, &m.report, NULL), PP_OK);
     for (int i = 0; i < 2; i++) {
@@ -102,6 +104,8 @@ static void the_rows_of_a_column_stand_together(void **state)
                                             &pp_band_table_iso};
     for (int t = 0; t < 2; t++) {
         struct pp_band_record record, other;
+        struct pp_band_index index;
+        pp_band_table_index(&index, tables[t]);
         for (int i = 0; pp_band_table_at(&record, tables[t], i); i++) {
             struct pp_band_regimes regimes;
             int count[PP_BAND_PLACES] = {0};
@@ -109,7 +113,7 @@ static void the_rows_of_a_column_stand_together(void **state)
                 if (other.component == record.component
                     && strcmp(other.column, record.column) == 0)
                     count[other.place]++;
-            pp_band_table_find(&regimes, tables[t], record.component, record.column);
+            pp_band_table_find(&regimes, &index, record.component, record.column);
             for (int place = 0; place < PP_BAND_PLACES; place++)
                 assert_int_equal(regimes.count[place], count[place]);
             i += count[PP_BAND_POINT] / 2; /* the same column once or twice more */
