@@ -14,6 +14,15 @@ bool pp_lettering_boxes_overlap(struct pp_box a, struct pp_box b)
            && b.y < a.y + a.height;
 }
 
+/* All sizes are laid out in one and enlarged: of each size that pango is asked for it searches
+ * the machine's fonts anew, by two threads of its own. */
+static const double laid_out_mm = 4.0;
+
+static double enlargement(const struct pp_style *style, const struct pp_lettering *text)
+{
+    return style->text[text->size] / laid_out_mm;
+}
+
 /* The caller's to unref. One unit of the layout is one of cairo's user space, a
  * millimetre, so positions must not be rounded to units. */
 static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
@@ -32,8 +41,7 @@ static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
 
     PangoFontDescription *font = pango_font_description_new();
     pango_font_description_set_family_static(font, families);
-    pango_font_description_set_absolute_size(font,
-                                             style->text[text->size] * PANGO_SCALE);
+    pango_font_description_set_absolute_size(font, laid_out_mm * PANGO_SCALE);
     if (text->bold)
         pango_font_description_set_weight(font, PANGO_WEIGHT_BOLD);
     if (text->italic)
@@ -42,7 +50,8 @@ static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
     pango_font_description_free(font);
 
     if (text->width > 0.0) {
-        pango_layout_set_width(layout, (int)(text->width * PANGO_SCALE));
+        pango_layout_set_width(
+            layout, (int)(text->width / enlargement(style, text) * PANGO_SCALE));
         pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
         pango_layout_set_ellipsize(layout, text->lines ? PANGO_ELLIPSIZE_END
                                                        : PANGO_ELLIPSIZE_NONE);
@@ -62,13 +71,13 @@ static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
     return layout;
 }
 
-static struct pp_box box_of(PangoLayout *layout, const struct pp_lettering *text,
-                            double x, double y)
+static struct pp_box box_of(PangoLayout *layout, const struct pp_style *style,
+                            const struct pp_lettering *text, double x, double y)
 {
     PangoRectangle logical;
     pango_layout_get_extents(layout, 0, &logical);
-    double width = (double)logical.width / PANGO_SCALE;
-    double height = (double)logical.height / PANGO_SCALE;
+    double unit = enlargement(style, text) / PANGO_SCALE;
+    double width = logical.width * unit, height = logical.height * unit;
     return (struct pp_box){x - text->across * width, y - text->down * height, width,
                            height};
 }
@@ -78,7 +87,7 @@ struct pp_box pp_lettering_measure(cairo_t *cr, const struct pp_style *style,
                                    const char *words)
 {
     PangoLayout *layout = layout_of(cr, style, text, words);
-    struct pp_box box = box_of(layout, text, x, y);
+    struct pp_box box = box_of(layout, style, text, x, y);
     g_object_unref(layout);
     return box;
 }
@@ -88,7 +97,7 @@ static struct pp_box draw(cairo_t *cr, const struct pp_style *style,
                           const char *words, bool cleared)
 {
     PangoLayout *layout = layout_of(cr, style, text, words);
-    struct pp_box box = box_of(layout, text, x, y);
+    struct pp_box box = box_of(layout, style, text, x, y);
     PangoRectangle logical;
     pango_layout_get_extents(layout, 0, &logical);
 
@@ -104,6 +113,8 @@ static struct pp_box draw(cairo_t *cr, const struct pp_style *style,
     }
     pp_style_grey(cr, text->grey);
     /* In a layout of a set width, aligned lines stand off its left edge. */
+    double scale = enlargement(style, text);
+    cairo_scale(cr, scale, scale);
     cairo_move_to(cr, -(double)logical.x / PANGO_SCALE, 0.0);
     pango_cairo_show_layout(cr, layout);
     cairo_restore(cr);
