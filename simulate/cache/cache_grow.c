@@ -20,6 +20,7 @@
 
 enum {
     CHUNK = 1 << 16,
+    RAY_CHUNK = 1 << 12, /* rays that are followed before their requests are kept */
     /* At most, that look for the surfaces which light the requests; surfaces that they
      * miss have their light by paths. */
     EXPANSION_RAYS = 8192,
@@ -107,7 +108,8 @@ static struct pp_radiance_state state_of(const struct pp_irradiance_cache *cache
 /* A chunk of rays that the crew's members share. */
 struct request_rays {
     const struct pp_irradiance_cache *cache;
-    const struct pp_light_ray *rays;
+    pp_cache_ray *ray_of;
+    const void *list;
     size_t first; /* of the chunk */
     int depth;
     struct ray_requests *requests; /* of the chunk's rays */
@@ -121,35 +123,38 @@ static bool trace_one(void *data, int member, int i)
     const struct request_rays *chunk = data;
     const struct pp_irradiance_cache *cache = chunk->cache;
     struct ray_requests *wanted = &chunk->requests[i];
-    size_t ray = chunk->first + (size_t)i;
+    size_t number = chunk->first + (size_t)i;
+    struct pp_light_ray ray;
     struct pp_ambient ambient = {record_request, wanted};
     struct pp_radiance_state state = state_of(cache, cache->options.seed);
     *wanted = (struct ray_requests){.cache = cache, .depth = chunk->depth};
     state.options.sources = state.options.windows = false;
     state.ambient = &ambient;
-    state.index = (uint32_t)ray;
+    state.index = (uint32_t)number;
+    if (!chunk->ray_of(chunk->list, number, &ray))
+        return true;
     if (chunk->depth == 0)
-        pp_radiance_along(&state, &chunk->rays[ray], NULL);
+        pp_radiance_along(&state, &ray, NULL);
     else
-        pp_radiance_indirect(&state, &chunk->rays[ray], NULL);
+        pp_radiance_indirect(&state, &ray, NULL);
     return true;
 }
 
 /* Appends the requests of depth `depth` that rays make, scattered. */
 static enum pp_status request_along(struct pp_irradiance_cache *cache,
-                                    const struct pp_light_ray *rays, size_t count,
-                                    int depth, struct pp_error *err)
+                                    pp_cache_ray *ray_of, const void *list,
+                                    size_t count, int depth, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     struct pp_cache_layer *layer = &cache->layers[depth];
     int before = layer->request_count;
-    struct ray_requests *rays_requests = malloc(CHUNK * sizeof *rays_requests);
+    struct ray_requests *rays_requests = malloc(RAY_CHUNK * sizeof *rays_requests);
     if (!rays_requests)
         return pp_fail_memory(err);
-    for (size_t first = 0; status == PP_OK && first < count; first += CHUNK) {
-        int n = count - first < CHUNK ? (int)(count - first) : CHUNK;
-        struct request_rays chunk = {cache, rays, first, depth, rays_requests};
-        pp_crew_run(cache->crew, 0, n, trace_one, &chunk);
+    for (size_t first = 0; status == PP_OK && first < count; first += RAY_CHUNK) {
+        int n = count - first < RAY_CHUNK ? (int)(count - first) : RAY_CHUNK;
+        struct request_rays chunk = {cache, ray_of, list, first, depth, rays_requests};
+        pp_crew_run_small(cache->crew, 0, n, trace_one, &chunk);
         for (int i = 0; i < n; i++)
             for (int k = 0; status == PP_OK && k < rays_requests[i].count; k++)
                 status = request(layer, &rays_requests[i].places[k], err);
@@ -161,13 +166,13 @@ static enum pp_status request_along(struct pp_irradiance_cache *cache,
 }
 
 enum pp_status pp_cache_grow_request_rays(struct pp_irradiance_cache *cache,
-                                          const struct pp_light_ray *rays, size_t count,
-                                          struct pp_error *err)
+                                          pp_cache_ray *ray_of, const void *list,
+                                          size_t count, struct pp_error *err)
 {
     if (cache->options.bounces == 0)
         return PP_OK;
     forget(cache);
-    return request_along(cache, rays, count, 0, err);
+    return request_along(cache, ray_of, list, count, 0, err);
 }
 
 enum pp_status pp_cache_grow_request_point(struct pp_irradiance_cache *cache,
@@ -179,6 +184,12 @@ enum pp_status pp_cache_grow_request_point(struct pp_irradiance_cache *cache,
         return PP_OK;
     forget(cache);
     return request(&cache->layers[0], &place, err);
+}
+
+static bool listed_ray(const void *list, size_t number, struct pp_light_ray *ray)
+{
+    *ray = ((const struct pp_light_ray *)list)[number];
+    return true;
 }
 
 /* Rays from a place over its hemisphere. */
@@ -211,7 +222,7 @@ enum pp_status pp_cache_grow_request_hemisphere(struct pp_irradiance_cache *cach
     for (uint32_t i = 0; i < RAYS; i++)
         rays[i] = ray_about(cache, &place, cache->options.seed, i);
     forget(cache);
-    return request_along(cache, rays, RAYS, 1, err);
+    return request_along(cache, listed_ray, rays, RAYS, 1, err);
 }
 
 /* For the new requests of depth 0, requests of depth 1 of the surfaces that light
@@ -233,7 +244,7 @@ static enum pp_status expand(struct pp_irradiance_cache *cache, struct pp_error 
     for (size_t i = 0; i < count; i++)
         rays[i] = ray_about(cache, &seen->requests[begin + i % new].place,
                             cache->options.seed, (uint32_t)i);
-    enum pp_status status = request_along(cache, rays, count, 1, err);
+    enum pp_status status = request_along(cache, listed_ray, rays, count, 1, err);
     free(rays);
     return status;
 }
@@ -301,7 +312,7 @@ static void find_open(struct pp_irradiance_cache *cache, struct pp_cache_layer *
 {
     struct look look = {cache, layer};
     layer->open_count = 0;
-    pp_crew_run(cache->crew, 0, count, look_at, &look);
+    pp_crew_run_small(cache->crew, 0, count, look_at, &look);
     for (int i = 0; i < count; i++)
         if (layer->requests[layer->next + i].guess_m >= 0.0f)
             layer->open[layer->open_count++] = i;

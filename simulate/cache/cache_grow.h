@@ -10,15 +10,19 @@
 
 #include "simulate/cache/irradiance_cache.h"
 
-/* Requests the places that the rays of a picture will ask for, through glass and by
+/* The ray of that number of a list, from 0; false: there is none. Several threads may ask
+ * at the same time. */
+typedef bool pp_cache_ray(const void *list, size_t number, struct pp_light_ray *ray);
+
+/* Requests the places that `count` rays of a picture will ask for, through glass and by
  * mirrors too. Their order decides that of the records: a scattered one is best, and is
  * made here. May be called again, before or after growing; once the cache is done, it
  * forgets the requests that it has met when new ones come. The records made for these
  * may shrink earlier ones: whoever requests in parts does so until nothing new is
  * made. */
 enum pp_status pp_cache_grow_request_rays(struct pp_irradiance_cache *cache,
-                                          const struct pp_light_ray *rays, size_t count,
-                                          struct pp_error *err);
+                                          pp_cache_ray *ray_of, const void *list,
+                                          size_t count, struct pp_error *err);
 
 /* Requests the places that rays from a point's hemisphere will ask for at depth 1 (a
  * sensor point, whose own irradiance is not interpolated). normal: unit. */

@@ -12,7 +12,7 @@
  * then reads it:
  *
  *     pp_irradiance_cache_create(&cache, scene, environment, store, &light, &options, err);
- *     pp_cache_grow_request_rays(cache, rays, ray_count, err);
+ *     pp_cache_grow_request_rays(cache, ray_of, list, ray_count, err);
  *     while (!pp_cache_grow_done(cache))
  *         pp_cache_grow(cache, 0.1, err);
  *     state.ambient = pp_irradiance_cache_ambient(cache);

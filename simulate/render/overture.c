@@ -8,7 +8,7 @@
 #include "simulate/cache/cache_grow.h"
 #include "simulate/render/render_parts.h"
 
-/* Pixels of a part where the caller says nothing: some 170 MB of rays and requests. */
+/* Pixels of a part where the caller says nothing: some 100 MB of requests. */
 enum { PART_PIXELS = 1 << 20 };
 
 /* The share of the progress that showing the first round of parts is worth. */
@@ -52,26 +52,40 @@ void pp_overture_destroy(struct pp_overture *overture)
     free(overture);
 }
 
-/* The rays through the middles of a part's pixels, row by row. */
-static enum pp_status show(const struct pp_overture *overture, int part,
+/* A part of the picture: every step-th pixel of every step-th row, from x, y on. */
+struct picture_part {
+    const struct pp_render *view;
+    int x, y, step;
+    size_t across; /* pixels in a row of the part */
+};
+
+/* The ray through the middle of a part's pixel, row by row. */
+static bool ray_of(const void *list, size_t number, struct pp_light_ray *ray)
+{
+    const struct picture_part *part = list;
+    int row = (int)(number / part->across), column = (int)(number % part->across);
+    const double middle[2] = {part->x + column * part->step + 0.5,
+                              part->y + row * part->step + 0.5};
+    return pp_render_camera_ray(part->view, middle, ray);
+}
+
+/* How many pixels there are from `first` on, with `step` from one to the next. */
+static size_t pixels(int first, int end, int step)
+{
+    return first < end ? (size_t)((end - first + step - 1) / step) : 0;
+}
+
+static enum pp_status show(const struct pp_overture *overture, int number,
                            struct pp_error *err)
 {
-    int step = overture->step, width = overture->view.options.width;
-    int height = overture->view.options.height;
-    size_t across = (size_t)(width + step - 1) / (size_t)step;
-    size_t down = (size_t)(height + step - 1) / (size_t)step, count = 0;
-    struct pp_light_ray *rays = malloc((across * down + 1) * sizeof *rays);
-    if (!rays)
-        return pp_fail_memory(err);
-    for (int y = part / step; y < height; y += step)
-        for (int x = part % step; x < width; x += step) {
-            const double middle[2] = {x + 0.5, y + 0.5};
-            count += pp_render_camera_ray(&overture->view, middle, rays + count);
-        }
-    enum pp_status status =
-        pp_cache_grow_request_rays(overture->cache, rays, count, err);
-    free(rays);
-    return status;
+    const struct pp_render_options *options = &overture->view.options;
+    struct picture_part part = {.view = &overture->view,
+                                .x = number % overture->step,
+                                .y = number / overture->step,
+                                .step = overture->step};
+    part.across = pixels(part.x, options->width, part.step);
+    size_t count = part.across * pixels(part.y, options->height, part.step);
+    return pp_cache_grow_request_rays(overture->cache, ray_of, &part, count, err);
 }
 
 /* Once the cache has all that it was shown: the next part, and behind the last one

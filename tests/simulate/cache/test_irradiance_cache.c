@@ -66,6 +66,12 @@ static void grow(struct pp_irradiance_cache *cache)
         assert_int_equal(pp_cache_grow(cache, 1.0, NULL), PP_OK);
 }
 
+static bool listed_ray(const void *list, size_t number, struct pp_light_ray *ray)
+{
+    *ray = ((const struct pp_light_ray *)list)[number];
+    return true;
+}
+
 /* Rays from a point in the room all over the sphere, as a picture would send them. */
 static void see_all_round(struct pp_irradiance_cache *cache, struct pp_vec3 eye,
                           enum pp_space space)
@@ -78,7 +84,8 @@ static void see_all_round(struct pp_irradiance_cache *cache, struct pp_vec3 eye,
         rays[i] = (struct pp_light_ray){
             .from = eye, .to = {r * cos(phi), r * sin(phi), z}, .space = space};
     }
-    assert_int_equal(pp_cache_grow_request_rays(cache, rays, RAYS, NULL), PP_OK);
+    assert_int_equal(pp_cache_grow_request_rays(cache, listed_ray, rays, RAYS, NULL),
+                     PP_OK);
     grow(cache);
 }
 
@@ -427,7 +434,8 @@ static void a_record_on_an_edge_is_of_numbers(void **state)
         rays[i] = (struct pp_light_ray){
             .from = eye, .to = pp_vec_unit(pp_vec_sub(edge, eye)), .space = PP_INDOORS};
     }
-    assert_int_equal(pp_cache_grow_request_rays(cache, rays, RAYS, NULL), PP_OK);
+    assert_int_equal(pp_cache_grow_request_rays(cache, listed_ray, rays, RAYS, NULL),
+                     PP_OK);
     grow(cache);
     int on_edge = 0;
     for (size_t i = 0; i < pp_irradiance_cache_count(cache); i++) {
