@@ -7,6 +7,7 @@
 #include "bench/bench.h"
 #include "model/base/clock.h"
 #include "model/base/crew.h"
+#include "model/base/heap.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/tracer/tracer.h"
 #include "tests/lib/random_rooms.h"
@@ -148,6 +149,8 @@ static void bench_growth(void)
     print_growth("  polygons outside", screens, seconds, 4);
 }
 
+enum { ROUNDS = 8, PROCESSORS_MOST = 64 };
+
 static void bench_threads(void)
 {
     struct pp_crew *crew;
@@ -156,18 +159,24 @@ static void bench_threads(void)
     int most = pp_crew_size(crew);
     pp_crew_destroy(crew);
     char *xml = grown_room(64, 4, 0);
-    double alone = trace_xml(xml, 1, true);
-    printf("threads, 512 points, by the clock: 1: %.3g s", alone);
-    for (int threads = 2; threads <= 2 * most; threads *= 2) {
-        double taken = trace_xml(xml, threads, true);
-        printf(", %d: %.3g s (%.2f times as fast)", threads, taken, alone / taken);
-    }
+    double best[2 * PROCESSORS_MOST + 1];
+    int end = 2 * (most < PROCESSORS_MOST ? most : PROCESSORS_MOST);
+    for (int round = 0; round < ROUNDS; round++) /* a machine has its moods */
+        for (int threads = 1; threads <= end; threads *= 2) {
+            double taken = trace_xml(xml, threads, true);
+            best[threads] = round > 0 ? fmin(best[threads], taken) : taken;
+        }
+    printf("threads, 512 points, by the clock: 1: %.3g s", best[1]);
+    for (int threads = 2; threads <= end; threads *= 2)
+        printf(", %d: %.3g s (%.2f times as fast)", threads, best[threads],
+               best[1] / best[threads]);
     printf("; %d processor%s\n", most, most > 1 ? "s" : "");
     free(xml);
 }
 
 int main(void)
 {
+    pp_heap_keep(); /* as the program does */
     bench_rooms();
     bench_growth();
     bench_threads();

@@ -9,6 +9,10 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
+/* Of indices with little work: how many a member takes at once, at most, and how often it
+ * does so, at least, so that all come to the end together. */
+enum { HANDFUL = 16, HANDFULS = 16 };
+
 struct crew_member {
     struct pp_crew *crew; /* not owned */
     int number;           /* from 1; 0 is the caller */
@@ -32,6 +36,7 @@ struct pp_crew {
     pp_crew_work *work;
     void *data;
     int end;
+    int handful; /* of indices that a member takes at once */
     atomic_int next;
     atomic_bool stopped;
 
@@ -91,15 +96,18 @@ int pp_crew_size(const struct pp_crew *crew)
 }
 
 /* Takes indices until there are none. No index is taken after one whose work has
- * stopped the rest, so that those that were taken are the first. */
+ * stopped the rest, but what was taken is done, so that those that are done are the first. */
 static void take(struct pp_crew *crew, int member)
 {
     while (!atomic_load(&crew->stopped)) {
-        int index = atomic_fetch_add(&crew->next, 1);
-        if (index >= crew->end)
+        int first = atomic_fetch_add(&crew->next, crew->handful);
+        if (first >= crew->end)
             break;
-        if (!crew->work(crew->data, member, index))
-            atomic_store(&crew->stopped, true);
+        int left = crew->end - first;
+        int count = left < crew->handful ? left : crew->handful;
+        for (int i = first; i < first + count; i++)
+            if (!crew->work(crew->data, member, i))
+                atomic_store(&crew->stopped, true);
     }
 }
 
@@ -163,8 +171,8 @@ static void close_and_wait(struct pp_crew *crew)
     pthread_mutex_unlock(&crew->mutex);
 }
 
-int pp_crew_run(struct pp_crew *crew, int first, int end, pp_crew_work *work,
-                void *data)
+static int run(struct pp_crew *crew, int first, int end, int handful,
+               pp_crew_work *work, void *data)
 {
     int count = end - first;
     if (count <= 0)
@@ -172,6 +180,7 @@ int pp_crew_run(struct pp_crew *crew, int first, int end, pp_crew_work *work,
     crew->work = work;
     crew->data = data;
     crew->end = end;
+    crew->handful = handful;
     atomic_store(&crew->next, first);
     atomic_store(&crew->stopped, false);
     int others = (count < crew->size ? count : crew->size) - 1;
@@ -184,6 +193,20 @@ int pp_crew_run(struct pp_crew *crew, int first, int end, pp_crew_work *work,
         close_and_wait(crew);
     int next = atomic_load(&crew->next);
     return next < end ? next : end;
+}
+
+int pp_crew_run(struct pp_crew *crew, int first, int end, pp_crew_work *work,
+                void *data)
+{
+    return run(crew, first, end, 1, work, data);
+}
+
+int pp_crew_run_small(struct pp_crew *crew, int first, int end, pp_crew_work *work,
+                      void *data)
+{
+    int fair = (end - first) / (HANDFULS * crew->size);
+    int handful = fair < 1 ? 1 : fair > HANDFUL ? HANDFUL : fair;
+    return run(crew, first, end, handful, work, data);
 }
 
 void pp_crew_lock(struct pp_crew *crew)

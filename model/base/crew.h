@@ -1,7 +1,8 @@
 /* crew.h - work dealt out to several threads: one function for every index of a range.
  * The one place where the program starts threads.
  *
- * Indices are dealt out in their order, one at a time, to whoever has nothing to do.
+ * Indices are dealt out in their order, one at a time or by handfuls, to whoever has nothing
+ * to do.
  * What each gives has to be its own, so that the result does not depend on who does
  * what; what is added up over them is added up afterwards, in their order.
  *
@@ -36,6 +37,12 @@ typedef bool pp_crew_work(void *data, int member, int index);
  * stopped it. By one thread at a time, and not from within the crew's work. */
 int pp_crew_run(struct pp_crew *crew, int first, int end, pp_crew_work *work,
                 void *data);
+
+/* The same for work of microseconds: members take several indices at once, where there are
+ * many, as what they count by and write to side by side is in each other's caches. Which is
+ * the last that was dealt out depends on how many there are and on the crew's size. */
+int pp_crew_run_small(struct pp_crew *crew, int first, int end, pp_crew_work *work,
+                      void *data);
 
 /* Around what one member at a time may do, within the crew's work. */
 void pp_crew_lock(struct pp_crew *crew);

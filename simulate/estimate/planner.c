@@ -3,7 +3,7 @@
  * A stage goes by passes: every randomisation that is not done gets a step, in any
  * order and by any thread. Its sums are its own, and values are added up in index
  * order. */
-#include "simulate/estimate/planner.h"
+#include "simulate/estimate/planner_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,67 +11,23 @@
 
 #include "model/base/array.h"
 #include "model/base/clock.h"
+#include "model/base/heap.h"
 #include "simulate/sampling/hash.h"
 
 enum {
     STEP = 1024, /* most paths of a randomisation at a time */
-    BLOCK = 64   /* randomisations at a time, where points share something of each */
+    BLOCK = 64,  /* randomisations at a time, where points share something of each */
+    APART = 64   /* bytes between what two threads write to, for their caches */
 };
 
 /* By the clock, each round is planned for this share of the error of the last. */
 static const double ROUND_SHARE = 0.7;
 
-enum stage { PILOT, FINAL, FINISHED };
-
-struct planned_point {
-    uint64_t seed;
-    struct pp_counts counts;            /* wanted of each randomisation of the stage */
-    struct pp_plan plan;                /* by the pilot, */
-    bool grows;                         /* unless that has to grow first */
-    struct pp_randomisation *stages[2]; /* the pilot's, and those that count */
-    int randomisations[2];
-    int halves[2]; /* of those that count: wanted of even and of odd number */
-};
-
-struct planner_unit {
-    int point, randomisation;
-};
-
-struct pp_planner {
-    const struct pp_sampler *sampler; /* not owned */
-    const void *client;               /* not owned */
-    struct pp_planner_options options;
-    struct pp_sobol sobol;
-    struct pp_crew *crew;
-    char *states; /* one for each of the crew, one behind another */
-    struct planned_point *points;
-    int point_count, most_points;
-
-    enum stage stage;
-    bool topped_up;
-    double greatest; /* value by the pilots, where the options ask for a share of it */
-    double round;    /* by the clock: the share of the pilot's error that is wanted */
-    struct planner_unit *units; /* of this pass */
-    int unit_count, unit_capacity, next_unit;
-    int block; /* where points share: the first randomisation of this pass */
-    struct pp_path_work forgotten; /* before the last restart */
-};
-
-static bool by_samples(const struct pp_planner *planner)
-{
-    return planner->options.samples > 0;
-}
-
-static bool by_error(const struct pp_planner *planner)
-{
-    return planner->options.error > 0.0 && !by_samples(planner);
-}
-
 /* ---- making ---- */
 
 /* The randomisations of a stage: `count` in all, fresh but for those that are there. */
-static enum pp_status make(struct planned_point *point, enum stage stage, int count,
-                           struct pp_error *err)
+static enum pp_status make(struct pp_planned_point *point, enum pp_planner_stage stage,
+                           int count, struct pp_error *err)
 {
     int there = point->randomisations[stage];
     if (count <= there)
@@ -89,24 +45,31 @@ static enum pp_status make(struct planned_point *point, enum stage stage, int co
 static enum pp_status begin(struct pp_planner *planner, struct pp_error *err)
 {
     const struct pp_planner_options *options = &planner->options;
-    planner->stage = by_samples(planner) ? FINAL : PILOT;
+    planner->stage = pp_planner_by_samples(planner) ? PP_FINAL : PP_PILOT;
     planner->round = 1.0;
     planner->unit_count = planner->next_unit = 0;
+    int asked = pp_planner_by_samples(planner) ? options->randomisations
+                : pp_planner_by_error(planner) ? planner->sampler->pilot_randomisations
+                                               : 0;
+    int count = asked > 0 ? asked : PP_RANDOMISATIONS;
+    pp_heap_expect((size_t)planner->point_count * (size_t)count
+                   * sizeof(struct pp_randomisation));
     enum pp_status status = PP_OK;
     for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
-        struct planned_point *point = &planner->points[i];
-        int count = by_samples(planner) ? options->randomisations
-                    : by_error(planner) ? planner->sampler->pilot_randomisations
-                                        : 0;
+        struct pp_planned_point *point = &planner->points[i];
         point->seed = planner->sampler->seed(planner->client, i);
         point->counts = planner->sampler->pilot;
-        for (int k = 0; by_samples(planner) && k < PP_ESTIMATORS_MOST; k++)
+        for (int k = 0; pp_planner_by_samples(planner) && k < PP_ESTIMATORS_MOST; k++)
             point->counts.of[k] = (uint32_t)fmin((double)options->samples,
                                                  pp_plan_most(planner->sampler, k));
-        status =
-            make(point, planner->stage, count > 0 ? count : PP_RANDOMISATIONS, err);
+        status = make(point, planner->stage, count, err);
     }
     return status;
+}
+
+static void *state_of(const struct pp_planner *planner, int member)
+{
+    return planner->states + (size_t)member * planner->state_step;
 }
 
 enum pp_status pp_planner_create(struct pp_planner **result,
@@ -131,7 +94,8 @@ enum pp_status pp_planner_create(struct pp_planner **result,
     if (status == PP_OK)
         status = pp_crew_create(&planner->crew, options->threads, err);
     int members = status == PP_OK ? pp_crew_size(planner->crew) : 0;
-    planner->states = calloc((size_t)members + 1, sampler->state_size);
+    planner->state_step = (sampler->state_size / APART + 2) * APART;
+    planner->states = calloc((size_t)members + 1, planner->state_step);
     if (status == PP_OK && !planner->states)
         status = pp_fail_memory(err);
     if (status != PP_OK) {
@@ -139,7 +103,7 @@ enum pp_status pp_planner_create(struct pp_planner **result,
         return status;
     }
     for (int i = 0; i < members; i++)
-        sampler->begin(client, planner->states + (size_t)i * sampler->state_size);
+        sampler->begin(client, state_of(planner, i));
     *result = planner;
     return PP_OK;
 }
@@ -149,7 +113,7 @@ void pp_planner_destroy(struct pp_planner *planner)
     if (!planner)
         return;
     for (int i = 0; planner->points && i < planner->most_points; i++)
-        for (int stage = 0; stage < FINISHED; stage++)
+        for (int stage = 0; stage < PP_FINISHED; stage++)
             free(planner->points[i].stages[stage]);
     free(planner->points);
     pp_crew_destroy(planner->crew);
@@ -162,8 +126,8 @@ void pp_planner_restart(struct pp_planner *planner, int points)
 {
     planner->forgotten = pp_planner_work(planner);
     for (int i = 0; i < planner->point_count; i++)
-        memset(planner->points[i].stages[FINAL], 0,
-               (size_t)planner->points[i].randomisations[FINAL]
+        memset(planner->points[i].stages[PP_FINAL], 0,
+               (size_t)planner->points[i].randomisations[PP_FINAL]
                    * sizeof **planner->points[i].stages);
     planner->point_count = points;
     begin(planner, NULL); /* all that it needs is there */
@@ -171,17 +135,9 @@ void pp_planner_restart(struct pp_planner *planner, int points)
 
 /* ---- stages ---- */
 
-static struct pp_sampled sampled_of(const struct pp_planner *planner, int index,
-                                    enum stage stage)
-{
-    const struct planned_point *point = &planner->points[index];
-    return (struct pp_sampled){planner->sampler, planner->client, index,
-                               point->stages[stage], point->randomisations[stage]};
-}
-
 static double pilot_value(const struct pp_planner *planner, int index)
 {
-    struct pp_sampled pilot = sampled_of(planner, index, PILOT);
+    struct pp_sampled pilot = pp_planner_stage(planner, index, PP_PILOT);
     return fabs(pp_spread_of_value(&pilot, planner->sampler->values - 1).mean);
 }
 
@@ -190,12 +146,12 @@ static double pilot_value(const struct pp_planner *planner, int index)
 static double wanted_error(const struct pp_planner *planner, int index)
 {
     const struct pp_planner_options *options = &planner->options;
-    if (by_error(planner)) {
+    if (pp_planner_by_error(planner)) {
         double least = options->least_share * planner->greatest;
         return fmax(options->error * fmax(pilot_value(planner, index), least),
                     options->least_error);
     }
-    struct pp_sampled pilot = sampled_of(planner, index, PILOT);
+    struct pp_sampled pilot = pp_planner_stage(planner, index, PP_PILOT);
     struct pp_reading readings[PP_VALUES_MOST];
     pp_spread_readings(&pilot, readings);
     return fmax(planner->round * readings[planner->sampler->values - 1].std_error,
@@ -207,10 +163,10 @@ static bool foresee(void *data, int member, int index)
 {
     (void)member;
     struct pp_planner *planner = data;
-    struct planned_point *point = &planner->points[index];
-    struct pp_sampled pilot = sampled_of(planner, index, PILOT);
+    struct pp_planned_point *point = &planner->points[index];
+    struct pp_sampled pilot = pp_planner_stage(planner, index, PP_PILOT);
     double wanted = wanted_error(planner, index);
-    bool may_grow = planner->stage == PILOT && by_error(planner);
+    bool may_grow = planner->stage == PP_PILOT && pp_planner_by_error(planner);
     point->grows =
         pp_plan_grows(&pilot, wanted, may_grow, &point->counts, &point->plan);
     return true;
@@ -223,7 +179,7 @@ static bool foresee_all(struct pp_planner *planner)
     planner->greatest = 0.0;
     for (int i = 0; i < planner->point_count && planner->options.least_share > 0.0; i++)
         planner->greatest = fmax(planner->greatest, pilot_value(planner, i));
-    pp_crew_run(planner->crew, 0, planner->point_count, foresee, planner);
+    pp_crew_run_small(planner->crew, 0, planner->point_count, foresee, planner);
     for (int i = 0; i < planner->point_count; i++)
         grows |= planner->points[i].grows;
     return grows;
@@ -233,13 +189,17 @@ static bool foresee_all(struct pp_planner *planner)
  * each round, until all points have as many as there can be. */
 static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *err)
 {
-    bool again = planner->stage == FINAL, grows = !again;
-    planner->stage = FINAL;
+    bool again = planner->stage == PP_FINAL, grows = !again;
+    planner->stage = PP_FINAL;
     enum pp_status status = PP_OK;
+    size_t wanted = 0;
+    for (int i = 0; i < planner->point_count; i++)
+        wanted += (size_t)planner->points[i].plan.randomisations;
+    pp_heap_expect(wanted * sizeof(struct pp_randomisation));
     for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
-        struct planned_point *point = &planner->points[i];
+        struct pp_planned_point *point = &planner->points[i];
         struct pp_plan plan = point->plan;
-        bool more = plan.randomisations > point->randomisations[FINAL];
+        bool more = plan.randomisations > point->randomisations[PP_FINAL];
         for (int k = 0; again && k < planner->sampler->estimators; k++) {
             more = more || plan.counts.of[k] > point->counts.of[k];
             if (plan.counts.of[k] < point->counts.of[k])
@@ -252,11 +212,26 @@ static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *er
                 grows = true;
             }
         point->counts = plan.counts;
-        status = make(point, FINAL, plan.randomisations, err);
+        status = make(point, PP_FINAL, plan.randomisations, err);
     }
     if (!grows)
-        planner->stage = FINISHED;
+        planner->stage = PP_FINISHED;
     return status;
+}
+
+/* What the halves of a point need by each other's spread. */
+static bool foresee_halves(void *data, int member, int index)
+{
+    (void)member;
+    struct pp_planner *planner = data;
+    struct pp_sampled done = pp_planner_stage(planner, index, PP_FINAL);
+    pp_plan_halves(&done, wanted_error(planner, index), planner->points[index].halves);
+    return true;
+}
+
+static int larger_half(const struct pp_planned_point *point)
+{
+    return point->halves[0] > point->halves[1] ? point->halves[0] : point->halves[1];
 }
 
 /* Once: more randomisations where the error is above what is wanted, in each half by
@@ -264,28 +239,30 @@ static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *er
 static enum pp_status top_up(struct pp_planner *planner, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
+    size_t wanted = 0;
     planner->topped_up = true;
+    pp_crew_run_small(planner->crew, 0, planner->point_count, foresee_halves, planner);
+    for (int i = 0; i < planner->point_count; i++)
+        wanted += 2 * (size_t)larger_half(&planner->points[i]);
+    pp_heap_expect(wanted * sizeof(struct pp_randomisation));
     for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
-        struct planned_point *point = &planner->points[i];
-        struct pp_sampled done = sampled_of(planner, i, FINAL);
-        pp_plan_halves(&done, wanted_error(planner, i), point->halves);
-        int more =
-            point->halves[0] > point->halves[1] ? point->halves[0] : point->halves[1];
-        status = make(point, FINAL, 2 * more, err);
+        struct pp_planned_point *point = &planner->points[i];
+        status = make(point, PP_FINAL, 2 * larger_half(point), err);
     }
     return status;
 }
 
 static enum pp_status end_stage(struct pp_planner *planner, struct pp_error *err)
 {
-    if (planner->stage == PILOT || (!by_error(planner) && !by_samples(planner))) {
-        if (!by_error(planner))
+    if (planner->stage == PP_PILOT
+        || (!pp_planner_by_error(planner) && !pp_planner_by_samples(planner))) {
+        if (!pp_planner_by_error(planner))
             planner->round *= ROUND_SHARE;
         return foresee_all(planner) ? PP_OK : plan_final(planner, err);
     }
-    if (by_error(planner) && !planner->topped_up)
+    if (pp_planner_by_error(planner) && !planner->topped_up)
         return top_up(planner, err);
-    planner->stage = FINISHED;
+    planner->stage = PP_FINISHED;
     return PP_OK;
 }
 
@@ -293,7 +270,7 @@ static enum pp_status end_stage(struct pp_planner *planner, struct pp_error *err
 
 static bool is_done(const struct pp_planner *planner, int index, int r)
 {
-    const struct planned_point *point = &planner->points[index];
+    const struct pp_planned_point *point = &planner->points[index];
     const struct pp_randomisation *randomisation = &point->stages[planner->stage][r];
     if (planner->topped_up && r / 2 >= point->halves[r % 2])
         return true;
@@ -309,7 +286,7 @@ static enum pp_status list_block(struct pp_planner *planner, int *most,
 {
     planner->unit_count = planner->next_unit = *most = 0;
     for (int i = 0; i < planner->point_count; i++) {
-        struct pp_sampled sampled = sampled_of(planner, i, planner->stage);
+        struct pp_sampled sampled = pp_planner_stage(planner, i, planner->stage);
         enum pp_status status = pp_array_reserve(
             &planner->units, &planner->unit_capacity,
             planner->unit_count + sampled.count, sizeof *planner->units, err);
@@ -319,7 +296,7 @@ static enum pp_status list_block(struct pp_planner *planner, int *most,
         int end = planner->sampler->prepare ? planner->block + BLOCK : sampled.count;
         for (int k = planner->block; k < sampled.count && k < end; k++)
             if (!is_done(planner, i, k))
-                planner->units[planner->unit_count++] = (struct planner_unit){i, k};
+                planner->units[planner->unit_count++] = (struct pp_planner_unit){i, k};
     }
     return PP_OK;
 }
@@ -329,7 +306,7 @@ static enum pp_status prepare(const struct pp_planner *planner, struct pp_error 
 {
     struct pp_counts wanted[BLOCK] = {{{0}}};
     for (int i = 0; i < planner->unit_count; i++) {
-        struct planner_unit unit = planner->units[i];
+        struct pp_planner_unit unit = planner->units[i];
         const uint32_t *of = planner->points[unit.point].counts.of;
         uint32_t *most = wanted[unit.randomisation - planner->block].of;
         for (int k = 0; k < planner->sampler->estimators; k++)
@@ -355,9 +332,10 @@ static enum pp_status list_units(struct pp_planner *planner, struct pp_error *er
 }
 
 /* A step of one randomisation: the sums do not depend on how the way is divided. */
-static void run(const struct pp_planner *planner, struct planner_unit unit, void *state)
+static void run(const struct pp_planner *planner, struct pp_planner_unit unit,
+                void *state)
 {
-    struct planned_point *point = &planner->points[unit.point];
+    struct pp_planned_point *point = &planner->points[unit.point];
     struct pp_randomisation *randomisation =
         &point->stages[planner->stage][unit.randomisation];
     uint64_t seed = pp_hash(pp_hash(point->seed, (uint64_t)planner->stage),
@@ -389,8 +367,7 @@ static bool run_unit(void *data, int member, int index)
 {
     const struct slice *slice = data;
     struct pp_planner *planner = slice->planner;
-    run(planner, planner->units[index],
-        planner->states + (size_t)member * planner->sampler->state_size);
+    run(planner, planner->units[index], state_of(planner, member));
     return pp_clock_s() < slice->end_s;
 }
 
@@ -398,19 +375,19 @@ enum pp_status pp_planner_advance(struct pp_planner *planner, double seconds,
                                   struct pp_error *err)
 {
     struct slice slice = {planner, pp_clock_s() + seconds};
-    while (planner->stage != FINISHED) {
+    while (planner->stage != PP_FINISHED) {
         if (planner->next_unit == planner->unit_count) {
             enum pp_status status = list_units(planner, err);
             if (status == PP_OK && planner->point_count == 0)
-                planner->stage = FINISHED;
+                planner->stage = PP_FINISHED;
             else if (status == PP_OK && planner->unit_count == 0)
                 status = end_stage(planner, err);
             if (status != PP_OK)
                 return status;
             continue;
         }
-        planner->next_unit = pp_crew_run(planner->crew, planner->next_unit,
-                                         planner->unit_count, run_unit, &slice);
+        planner->next_unit = pp_crew_run_small(planner->crew, planner->next_unit,
+                                               planner->unit_count, run_unit, &slice);
         if (pp_clock_s() >= slice.end_s)
             break;
     }
@@ -424,74 +401,5 @@ struct pp_crew *pp_planner_crew(const struct pp_planner *planner)
 
 bool pp_planner_done(const struct pp_planner *planner)
 {
-    return planner->stage == FINISHED;
-}
-
-/* ---- readings ---- */
-
-double pp_planner_progress(const struct pp_planner *planner)
-{
-    if (planner->stage == FINISHED)
-        return 1.0;
-    if (!by_error(planner) && !by_samples(planner))
-        return 0.0;
-    double wanted = 0.0, done = 0.0;
-    for (int i = 0; i < planner->point_count; i++) {
-        const struct planned_point *point = &planner->points[i];
-        struct pp_sampled sampled = sampled_of(planner, i, planner->stage);
-        for (int r = 0; r < sampled.count; r++) {
-            if (planner->topped_up && r / 2 >= point->halves[r % 2])
-                continue;
-            for (int k = 0; k < planner->sampler->estimators; k++) {
-                double each = point->counts.of[k];
-                wanted += each;
-                done += fmin(sampled.randomisations[r].done.of[k], each);
-            }
-        }
-    }
-    double share = wanted > 0.0 ? done / wanted : 1.0;
-    if (by_samples(planner))
-        return share;
-    return planner->stage == PILOT ? 0.1 * share : 0.1 + 0.9 * share;
-}
-
-struct pp_sampled pp_planner_sampled(const struct pp_planner *planner, int point)
-{
-    return sampled_of(planner, point, FINAL);
-}
-
-void pp_planner_read(const struct pp_planner *planner, int point,
-                     struct pp_reading readings[PP_VALUES_MOST])
-{
-    for (int i = 0; i < planner->sampler->values; i++)
-        readings[i] = pp_reading_none("not sampled yet");
-    for (int stage = FINAL; isnan(readings[0].value) && stage >= PILOT; stage--) {
-        struct pp_sampled sampled = sampled_of(planner, point, (enum stage)stage);
-        if (sampled.count > 0)
-            pp_spread_readings(&sampled, readings);
-    }
-}
-
-double pp_planner_error(const struct pp_planner *planner)
-{
-    double largest = NAN;
-    for (int i = 0; i < planner->point_count; i++) {
-        struct pp_reading readings[PP_VALUES_MOST];
-        pp_planner_read(planner, i, readings);
-        const struct pp_reading *last = &readings[planner->sampler->values - 1];
-        if (last->value > 0.0)
-            largest = fmax(largest, last->std_error / last->value);
-    }
-    return largest;
-}
-
-struct pp_path_work pp_planner_work(const struct pp_planner *planner)
-{
-    struct pp_path_work work = planner->forgotten;
-    for (int i = 0; i < planner->point_count; i++)
-        for (int stage = PILOT; stage < FINISHED; stage++) {
-            struct pp_sampled sampled = sampled_of(planner, i, (enum stage)stage);
-            pp_spread_add_work(&sampled, &work);
-        }
-    return work;
+    return planner->stage == PP_FINISHED;
 }

@@ -256,7 +256,7 @@ static enum pp_status draw_tile(struct pp_render *render, int tile,
     enum pp_status status = pp_planner_advance(render->planner, INFINITY, err);
     if (status != PP_OK)
         return status;
-    pp_crew_run(pp_planner_crew(render->planner), 0, count, show_pixel, render);
+    pp_crew_run_small(pp_planner_crew(render->planner), 0, count, show_pixel, render);
     render->tile_done[tile] = 1;
     render->done_count++;
     return PP_OK;

@@ -31,8 +31,14 @@ static bool note(void *data, int member, int index)
     return index != done->stop_at;
 }
 
+/* How indices are dealt out: one at a time, or by handfuls. */
+typedef int dealer(struct pp_crew *crew, int first, int end, pp_crew_work *work,
+                   void *data);
+static dealer *const dealers[] = {pp_crew_run, pp_crew_run_small};
+
 /* One run by a crew of that size: where it ended. */
-static int run(struct done *done, int size, int first, int end, int stop_at)
+static int run(struct done *done, dealer *deal, int size, int first, int end,
+               int stop_at)
 {
     struct pp_crew *crew;
     memset(done, 0, sizeof *done);
@@ -40,7 +46,7 @@ static int run(struct done *done, int size, int first, int end, int stop_at)
     assert_int_equal(pp_crew_size(crew), size);
     done->size = size;
     done->stop_at = stop_at;
-    int next = pp_crew_run(crew, first, end, note, done);
+    int next = deal(crew, first, end, note, done);
     pp_crew_destroy(crew);
     assert_int_equal(done->clashes, 0);
     return next;
@@ -53,10 +59,11 @@ static void every_index_is_done_once(void **state)
     (void)state;
     static struct done done;
     static const int ranges[][2] = {{0, MOST}, {17, 18}, {5, 8}, {4000, 4077}};
-    for (int s = 0; s < 4; s++)
+    for (int s = 0; s < 8; s++)
         for (int r = 0; r < 4; r++) {
             int first = ranges[r][0], end = ranges[r][1];
-            assert_int_equal(run(&done, sizes[s], first, end, -1), end);
+            assert_int_equal(run(&done, dealers[s / 4], sizes[s % 4], first, end, -1),
+                             end);
             for (int i = 0; i < MOST; i++)
                 assert_int_equal(done.times[i], i >= first && i < end);
         }
@@ -66,10 +73,10 @@ static void of_no_indices_nothing_is_done(void **state)
 {
     (void)state;
     static struct done done;
-    for (int s = 0; s < 4; s++) {
-        assert_int_equal(run(&done, sizes[s], 0, 0, -1), 0);
-        assert_int_equal(run(&done, sizes[s], 7, 7, -1), 7);
-        assert_int_equal(run(&done, sizes[s], 7, 3, -1), 7);
+    for (int s = 0; s < 8; s++) {
+        assert_int_equal(run(&done, dealers[s / 4], sizes[s % 4], 0, 0, -1), 0);
+        assert_int_equal(run(&done, dealers[s / 4], sizes[s % 4], 7, 7, -1), 7);
+        assert_int_equal(run(&done, dealers[s / 4], sizes[s % 4], 7, 3, -1), 7);
         for (int i = 0; i < MOST; i++)
             assert_int_equal(done.times[i], 0);
     }
@@ -80,16 +87,18 @@ static void work_that_stops_leaves_no_gap(void **state)
 {
     (void)state;
     static struct done done;
-    for (int s = 0; s < 4; s++)
+    for (int s = 0; s < 8; s++)
         for (int stop_at = 0; stop_at < 400; stop_at += 37) {
-            int next = run(&done, sizes[s], 0, MOST, stop_at);
+            int next = run(&done, dealers[s / 4], sizes[s % 4], 0, MOST, stop_at);
             assert_true(next > stop_at);
-            if (sizes[s] == 1)
+            if (s == 0) /* one member, one at a time */
                 assert_int_equal(next, stop_at + 1);
+            if (s == 4)
+                assert_true(next <= stop_at + 16);
             for (int i = 0; i < MOST; i++)
                 assert_int_equal(done.times[i], i < next);
         }
-    assert_int_equal(run(&done, 3, 0, MOST, MOST - 1), MOST);
+    assert_int_equal(run(&done, pp_crew_run, 3, 0, MOST, MOST - 1), MOST);
 }
 
 /* Two indices, each of which is done when the other has begun. */

@@ -1,0 +1,63 @@
+/* planner_parts.h - what a planner holds. Inside simulate/estimate/ only. */
+#ifndef PP_SIMULATE_ESTIMATE_PLANNER_PARTS_H
+#define PP_SIMULATE_ESTIMATE_PLANNER_PARTS_H
+
+#include "simulate/estimate/planner.h"
+
+enum pp_planner_stage { PP_PILOT, PP_FINAL, PP_FINISHED };
+
+struct pp_planned_point {
+    uint64_t seed;
+    struct pp_counts counts;            /* wanted of each randomisation of the stage */
+    struct pp_plan plan;                /* by the pilot, */
+    bool grows;                         /* unless that has to grow first */
+    struct pp_randomisation *stages[2]; /* the pilot's, and those that count */
+    int randomisations[2];
+    int halves[2]; /* of those that count: wanted of even and of odd number */
+};
+
+struct pp_planner_unit {
+    int point, randomisation;
+};
+
+struct pp_planner {
+    const struct pp_sampler *sampler; /* not owned */
+    const void *client;               /* not owned */
+    struct pp_planner_options options;
+    struct pp_sobol sobol;
+    struct pp_crew *crew;
+    char *states; /* one for each of the crew, `state_step` bytes apart */
+    size_t state_step;
+    struct pp_planned_point *points;
+    int point_count, most_points;
+
+    enum pp_planner_stage stage;
+    bool topped_up;
+    double greatest; /* value by the pilots, where the options ask for a share of it */
+    double round;    /* by the clock: the share of the pilot's error that is wanted */
+    struct pp_planner_unit *units; /* of this pass */
+    int unit_count, unit_capacity, next_unit;
+    int block; /* where points share: the first randomisation of this pass */
+    struct pp_path_work forgotten; /* before the last restart */
+};
+
+static inline bool pp_planner_by_samples(const struct pp_planner *planner)
+{
+    return planner->options.samples > 0;
+}
+
+static inline bool pp_planner_by_error(const struct pp_planner *planner)
+{
+    return planner->options.error > 0.0 && !pp_planner_by_samples(planner);
+}
+
+/* What a point has in a stage. */
+static inline struct pp_sampled pp_planner_stage(const struct pp_planner *planner,
+                                                 int index, enum pp_planner_stage stage)
+{
+    const struct pp_planned_point *point = &planner->points[index];
+    return (struct pp_sampled){planner->sampler, planner->client, index,
+                               point->stages[stage], point->randomisations[stage]};
+}
+
+#endif
