@@ -14,7 +14,7 @@
 struct pp_overture;
 
 /* cache and scene must live as long as the overture. part_pixels: about how many a part
- * has; 0: a million, which take some 170 MB. */
+ * has; 0: a million, which take some 100 MB. */
 enum pp_status pp_overture_create(struct pp_overture **overture,
                                   struct pp_irradiance_cache *cache,
                                   const struct pp_light_scene *scene,
