@@ -53,6 +53,13 @@ int pp_diagram_windows_diagram_count(const struct pp_world *world)
     return count;
 }
 
+struct pp_board_face pp_diagram_windows_face(const struct pp_world *world,
+                                             const struct pp_opening *opening)
+{
+    const struct pp_surface *face = &world->surfaces[opening->face];
+    return (struct pp_board_face){face->name, face->role == PP_CEILING};
+}
+
 enum pp_status pp_diagram_windows_begin(struct pp_board_window *window,
                                         struct pp_window_drawing *drawing,
                                         const struct pp_method *method,

@@ -28,6 +28,10 @@ int pp_diagram_windows_count_alike(const struct pp_world *world, int first);
 /* The number of diagrams that a room needs. */
 int pp_diagram_windows_diagram_count(const struct pp_world *world);
 
+/* The face that an opening is cut from, for the words above its diagram. */
+struct pp_board_face pp_diagram_windows_face(const struct pp_world *world,
+                                             const struct pp_opening *opening);
+
 /* Draws an opening as seen from the point and begins the sheet's window for it: its
  * line, corrections, distance, and room for a piece for each part of the drawing. On
  * success the drawing is the caller's to clear. */

@@ -101,11 +101,13 @@ const char *pp_board_letter(int index)
     return letters[index % 26];
 }
 
-void pp_board_panel_words(char *words, size_t room, const char *wall, bool glazed)
+void pp_board_panel_words(char *words, size_t room, const struct pp_board_face *face,
+                          bool glazed)
 {
     *words = 0;
-    if (wall)
-        pp_page_say(words, room, "Wall %s:", wall);
+    if (face->name || face->overhead)
+        pp_page_say(words, room, "%s%s%s:", face->overhead ? "Ceiling" : "Wall",
+                    face->name ? " " : "", face->name ? face->name : "");
     pp_page_say(words, room, "%s,",
                 glazed ? "with clear single glass" : "without glass");
 }

@@ -40,8 +40,9 @@ void pp_board_outline(cairo_t *cr, const struct pp_style *style,
 struct pp_box pp_board_tint_keys(cairo_t *cr, const struct pp_style *style, double x,
                                  double y, bool hidden_too, bool drawn);
 
-/* Begins the words above a panel: its wall (NULL: not named) and its glass. */
-void pp_board_panel_words(char *words, size_t room, const char *wall, bool glazed);
+/* Begins the words above a panel: the wall or ceiling, and its glass. */
+void pp_board_panel_words(char *words, size_t room, const struct pp_board_face *face,
+                          bool glazed);
 
 /* The sums below a diagram: each of the first few windows' with letter and line, the
  * number of the others, and the sum of all. */

@@ -143,10 +143,9 @@ static void draw_eye(const struct pp_pepper_pot_drawing *drawing,
 }
 
 static void panel_words(char *words, size_t room,
-                        const struct pp_pepper_pot_sheet *sheet,
                         const struct pp_pepper_pot_panel *panel)
 {
-    pp_board_panel_words(words, room, sheet->blank ? NULL : panel->wall, panel->glazed);
+    pp_board_panel_words(words, room, &panel->face, panel->glazed);
     pp_page_say(words, room, "%d dots in all, %.1f\u00a0%%", panel->dot_count,
                 100.0 * panel->whole);
 }
@@ -197,7 +196,7 @@ void pp_pepper_pot_plot_draw(const struct pp_pepper_pot_drawing *drawing,
                               frame->y + frame->height + extent.low[1] * mm, mm};
 
     char words[128];
-    panel_words(words, sizeof words, drawing->sheet, panel);
+    panel_words(words, sizeof words, panel);
     struct pp_lettering set = {.size = PP_TEXT_BODY, .bold = true, .across = 0.5};
     pp_lettering_draw(drawing->cr, style, &set, frame->x + 0.5 * frame->width,
                       frame->y - border.top, words);

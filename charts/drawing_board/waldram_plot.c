@@ -340,8 +340,7 @@ static void panel_words(char *words, size_t room, const struct pp_waldram_sheet 
     if (sheet->upright)
         *words = 0;
     else
-        pp_board_panel_words(words, room, sheet->blank ? NULL : panel->wall,
-                             panel->glazed);
+        pp_board_panel_words(words, room, &panel->face, panel->glazed);
     pp_page_say(words, room, "%.0f squares, %.1f\u00a0%%", panel->whole / sheet->worth,
                 100.0 * panel->whole);
 }

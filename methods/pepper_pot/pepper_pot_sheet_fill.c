@@ -129,7 +129,7 @@ static enum pp_status fill_panel(struct pp_pepper_pot_panel *panel,
                        worth, err);
     if (status != PP_OK)
         return status;
-    panel->wall = world->surfaces[opening->face].name;
+    panel->face = pp_diagram_windows_face(world, opening);
     panel->windows = calloc((size_t)pp_diagram_windows_count_alike(world, first),
                             sizeof *panel->windows);
     if (status == PP_OK && !panel->windows)

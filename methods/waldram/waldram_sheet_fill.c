@@ -196,7 +196,7 @@ static enum pp_status fill_panel(struct pp_waldram_panel *panel,
         pp_waldram_scale_init(&waldram, &light->sky, opening->glass.panes > 0, err);
     if (status == PP_OK)
         status = fill_scales(panel, &waldram, err);
-    panel->wall = world->surfaces[opening->face].name;
+    panel->face = pp_diagram_windows_face(world, opening);
     panel->windows = calloc((size_t)pp_diagram_windows_count_alike(world, first),
                             sizeof *panel->windows);
     if (status == PP_OK && !panel->windows)
@@ -300,7 +300,7 @@ enum pp_status pp_waldram_sheet_fill_site(struct pp_waldram_sheet *sheet,
     sheet->point = point;
     sheet->off_middle =
         pp_vec_length(pp_vec_sub(point, pp_exterior_opening_centroid(window))) > 0.0;
-    panel->wall = world->surfaces[window->face].name;
+    panel->face = pp_diagram_windows_face(world, window);
     panel->windows = calloc(1, sizeof *panel->windows);
     status = panel->windows ? pp_waldram_site_init(&site, &waldram, world, sheet->point,
                                                    window->face, err)

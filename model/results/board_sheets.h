@@ -37,6 +37,12 @@ struct pp_board_window {
     struct pp_board_piece *pieces;
 };
 
+/* The face of the room that a panel's windows are in; all zero: it is not named. */
+struct pp_board_face {
+    const char *name; /* NULL where it has none; not owned */
+    bool overhead;    /* is it a ceiling? else a wall */
+};
+
 /* Sets the window's sky and external by its counted squares or dots; `worth` is that of
  * one, a fraction of Eh. */
 void pp_board_sheets_window_sum(struct pp_board_window *window, double worth);
@@ -63,7 +69,7 @@ void pp_board_sheets_windows_destroy(struct pp_board_window *windows, int count)
 
 /* One diagram, with the windows that face one way. */
 struct pp_waldram_panel {
-    const char *wall;              /* that the windows are in, or NULL; not owned */
+    struct pp_board_face face;
     bool glazed;                   /* with the losses of clear single vertical glass */
     int low, high;                 /* columns from low to high - 1 are shown */
     double top;                    /* height of the zenith */
@@ -109,10 +115,10 @@ struct pp_pepper_pot_dot {
 
 /* One diagram, with the windows that face one way. */
 struct pp_pepper_pot_panel {
-    const char *wall; /* that the windows are in, or NULL; not owned */
-    bool glazed;      /* with the losses of clear single glass */
-    bool any_slope;   /* b is up the slope; else the windows are vertical */
-    double whole;     /* all dots' worth together, fraction of Eh */
+    struct pp_board_face face;
+    bool glazed;    /* with the losses of clear single glass */
+    bool any_slope; /* b is up the slope; else the windows are vertical */
+    double whole;   /* all dots' worth together, fraction of Eh */
     int dot_count;
     struct pp_pepper_pot_dot *dots;
     int count;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "charts/drawing_board/board.h"
 #include "charts/drawing_board/pepper_pot_chart.h"
 #include "charts/drawing_board/skylight_indicator_chart.h"
 #include "charts/drawing_board/waldram_chart.h"
@@ -157,6 +158,35 @@ static struct stroke frame_of(const struct strokes *strokes)
 
 /* --- tests ---------------------------------------------------------------------------
  */
+
+/* Above each diagram stands the face that it is of: a wall by its name, a ceiling that has
+ * none. */
+static void a_panel_is_headed_by_its_wall_or_ceiling(void **state)
+{
+    (void)state;
+    static const char *const heads[] = {"Wall south: with clear single glass,",
+                                        "Ceiling: without glass,"};
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='5' depth='4' height='3'/>"
+                "<window wall='south' left='1' sill='0.9' width='2' height='1.4'/>"
+                "<rooflight x='2' y='2' width='1.2' depth='0.9' glazing='none'/>"
+                "<point x='2.5' y='2'/></room>");
+    struct pp_pepper_pot_sheet sheet;
+    assert_int_equal(pp_pepper_pot_sheet_fill_room(&sheet, world, &light,
+                                                   world->receivers,
+                                                   PP_PEPPER_POT_WORTH, NULL),
+                     PP_OK);
+    assert_int_equal(sheet.count, 2);
+    for (int i = 0; i < 2; i++) {
+        char words[128];
+        pp_board_panel_words(words, sizeof words, &sheet.panels[i].face,
+                             sheet.panels[i].glazed);
+        assert_string_equal(words, heads[i]);
+    }
+    pp_board_sheets_pepper_pot_clear(&sheet);
+    pp_world_destroy(world);
+}
 
 static void sheets_sum_up_to_what_the_methods_give(void **state)
 {
@@ -620,6 +650,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dots_for_any_sky_and_slope_sum_up_to_their_method),
+        cmocka_unit_test(a_panel_is_headed_by_its_wall_or_ceiling),
         cmocka_unit_test(sheets_sum_up_to_what_the_methods_give),
         cmocka_unit_test(the_ruler_is_100_mm_long_and_has_its_millimetres),
         cmocka_unit_test(metres_are_drawn_as_the_viewing_distance_over_theirs),
