@@ -23,8 +23,15 @@ ranks() {
     status=$?
 }
 
-files="$examples/office.xml $deep $examples/classroom.xml $examples/l-shaped.xml"
-batch="$files --simulate --samples 8 --format json"
+# lines WORDS: one on a line. What stands unquoted below is divided at the ends of lines, as the
+# folder of the examples may have blanks in its name.
+lines() {
+    printf '%s\n' "$@"
+}
+IFS='
+'
+files=$(lines "$examples/office.xml" "$deep" "$examples/classroom.xml" "$examples/l-shaped.xml")
+batch=$(lines "$files" --simulate --samples 8 --format json)
 
 the_same_bytes_of_df() {
     run df $batch
@@ -45,7 +52,8 @@ the_same_bytes_of_assess() {
 }
 
 the_same_bytes_of_validate() {
-    few="rooms $deep $examples/office.xml --samples 8 --methods exact+bre --format json"
+    few=$(lines rooms "$deep" "$examples/office.xml" --samples 8 --methods exact+bre \
+        --format json)
     run validate $few
     [ $status -eq 0 ] || told || return 1
     cp "$scratch/out" "$scratch/alone"
@@ -72,7 +80,7 @@ the_same_bytes_beside_radiance() {
     chmod +x "$scratch/bin/oconv" "$scratch/bin/rtrace"
     (
         PATH=$scratch/bin:$PATH
-        for words in radiance '--against radiance'; do
+        for words in radiance "$(lines --against radiance)"; do
             run validate $words $batch_of_two
             cp "$scratch/out" "$scratch/alone"
             ranks 2 validate $words $batch_of_two
@@ -81,7 +89,7 @@ the_same_bytes_beside_radiance() {
     )
     grep -q '"against": "radiance"' "$scratch/out" || told
 }
-batch_of_two="$deep $examples/office.xml --samples 8 --format json"
+batch_of_two=$(lines "$deep" "$examples/office.xml" --samples 8 --format json)
 
 # Has the process worked for a second? It simulates by then.
 simulates() {
@@ -112,9 +120,9 @@ a_stop_prints_what_is_there() {
 }
 
 one_rank_writes() {
-    run df $deep
+    run df "$deep"
     cp "$scratch/out" "$scratch/alone"
-    ranks 4 df $deep -o "$scratch/file"
+    ranks 4 df "$deep" -o "$scratch/file"
     [ $status -eq 0 ] && [ ! -s "$scratch/out" ] || told || return 1
     cmp "$scratch/alone" "$scratch/file" || return 1
     run size --help
@@ -124,13 +132,13 @@ one_rank_writes() {
 }
 
 one_rank_speaks() {
-    ranks 4 df $deep "$scratch/none.xml"
+    ranks 4 df "$deep" "$scratch/none.xml"
     [ $status -eq 1 ] || [ $status -eq 3 ] || told || return 1
     [ "$(grep -c 'none.xml' "$scratch/err")" -eq 1 ] || told
 }
 
 the_same_bytes_of_an_atlas() {
-    few="atlas --rooms 5 --error 20% --quiet"
+    few=$(lines atlas --rooms 5 --error 20% --quiet)
     run $few -o "$scratch/one.csv"
     for n in 2 4; do
         ranks $n $few -o "$scratch/$n.csv"

@@ -28,7 +28,8 @@ check "whose ids are all different" nothing \
     "$(grep -oE ' id="[^"]*"' "$page" | sort | uniq -d | head -n 3)"
 check "the sky before and after" grep -q "W3, south, line 29</td><td>27.08</td><td>17.21</td>" "$page"
 check "what the country asks" grep -q "kitchen: 200 lx over 50 %" "$page"
-check "how it was made" grep -qF "pepperpot report --for uk-planning --by-hand $site" "$page"
+check "how it was made" \
+    grep -q "pepperpot report --for uk-planning --by-hand .*${site##*/}" "$page"
 check "what the methods' figures contain" grep -q "bre</td>.*\[BRE310\]</td>.*>clear single glass and the frame<" "$page"
 check "and the works that it names" grep -q "\[BR209\]</td><td class=\"w\">Littlefair" "$page"
 check "simulated, with standard errors" \

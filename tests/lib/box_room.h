@@ -69,6 +69,7 @@ static inline void box_room_build(struct box_room *box, double width_m, double d
         .surface_count = BOX_FACES,
         .face_count = BOX_FACES,
         .openings = box->openings,
+        .is_empty = true,
         .height_m = h,
         .working_plane_m = 0.85,
         .plane = {1, &box->ring},
