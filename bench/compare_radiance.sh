@@ -228,8 +228,11 @@ ratios() {
                 from = "paths"
                 for (j = 1; j <= c; j++)
                     if (ce[j] <= target && ct[j] < best) { best = ct[j]; from = "its cache" }
-                printf "At an error of %g %%: %.3g s and, by rtrace at its best (%s), %.3g s: %.0f times.\n",
-                    target, own, best < 0 ? "none" : from, best, best / own
+                if (own > 0)
+                    printf "At an error of %g %%: %.3g s and, by rtrace at its best (%s), %.3g s: %.0f times.\n",
+                        target, own, best < 0 ? "none" : from, best, best / own
+                else # the noise of both references is larger than it
+                    printf "At an error of %g %%: our error is below what the references tell.\n", target
             }
         }' "$scratch/runs"
 }
