@@ -217,6 +217,7 @@ void pp_pepper_pot_sheet_fill_unsolved(struct pp_pepper_pot_sheet *sheet)
     sheet->blank = true;
     for (int i = 0; i < sheet->count; i++) {
         struct pp_pepper_pot_panel *panel = &sheet->panels[i];
+        panel->face = (struct pp_board_face){0};
         pp_board_sheets_windows_destroy(panel->windows, panel->count);
         panel->windows = NULL;
         panel->count = 0;

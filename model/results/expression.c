@@ -41,13 +41,6 @@ int pp_expression_name_length(const char *text)
     return length;
 }
 
-/* Is `symbol` the name of `length` bytes at text? */
-static bool is_name(const char *symbol, const char *text, int length)
-{
-    return symbol[0] == text[0] && strncmp(symbol, text, (size_t)length) == 0
-           && !symbol[length];
-}
-
 /* ---- the parser ---- */
 
 static const struct pp_dimension plain = {.number = true};
@@ -147,7 +140,7 @@ static struct term name(struct parser *parser, const char *start, int length)
 {
     struct pp_expression *made = parser->made;
     for (int i = 0; i < parser->name_count; i++) {
-        if (!is_name(parser->names[i].symbol, start, length))
+        if (!pp_text_is_word(parser->names[i].symbol, start, (size_t)length))
             continue;
         int known = 0;
         while (known < made->name_count && made->names[known] != i)
@@ -160,7 +153,7 @@ static struct term name(struct parser *parser, const char *start, int length)
         emit(parser, PP_DO_NAME, start)->name = i;
         return (struct term){parser->names[i].dimension, start, false, NAN};
     }
-    if (length == 2 && strncmp(start, "pi", 2) == 0)
+    if (pp_text_is_word("pi", start, (size_t)length))
         return number_of(parser, start, PP_PI);
     return unknown_name(parser, start, length);
 }
@@ -278,7 +271,7 @@ static struct term primary(struct parser *parser)
     if (length > 0) {
         parser->at += length;
         for (int i = 0; functions[i]; i++)
-            if (is_name(functions[i], start, length))
+            if (pp_text_is_word(functions[i], start, (size_t)length))
                 return call(parser, (enum pp_operation_kind)(PP_DO_SQRT + i), start);
         return name(parser, start, length);
     }

@@ -89,8 +89,7 @@ static const struct pp_worksheet_figure *find(const struct pp_worksheet *sheet,
                                               const char *symbol, int length)
 {
     for (int i = 0; i < sheet->count; i++)
-        if (strncmp(sheet->list[i].symbol, symbol, (size_t)length) == 0
-            && !sheet->list[i].symbol[length])
+        if (pp_text_is_word(sheet->list[i].symbol, symbol, (size_t)length))
             return &sheet->list[i];
     return NULL;
 }

@@ -92,7 +92,7 @@ struct pp_opening {
     /* Lies it before the planes of all faces, or in them? A point that does so too sees it
      * past all faces. */
     bool faces_open_in;
-    bool faces_open_out; /* has no other face a part beyond its glass, or in it? */
+    bool faces_open_out; /* has no face a part beyond its glass? */
 };
 
 /* One endless obstruction parallel to a wall, from the ground up. */

@@ -186,26 +186,27 @@ enum pp_status pp_cache_grow_request_point(struct pp_irradiance_cache *cache,
     return request(&cache->layers[0], &place, err);
 }
 
-static bool listed_ray(const void *list, size_t number, struct pp_light_ray *ray)
-{
-    *ray = ((const struct pp_light_ray *)list)[number];
-    return true;
-}
+/* Requests whose hemispheres are looked over, by rays about them in turn. */
+struct looked_over {
+    const struct pp_irradiance_cache *cache;
+    const struct pp_cache_request *requests;
+    size_t count;
+};
 
-/* Rays from a place over its hemisphere. */
-static struct pp_light_ray ray_about(const struct pp_irradiance_cache *cache,
-                                     const struct pp_cache_place *place, uint64_t seed,
-                                     uint32_t index)
+static bool ray_about(const void *list, size_t number, struct pp_light_ray *ray)
 {
+    const struct looked_over *over = list;
+    const struct pp_cache_place *place = &over->requests[number % over->count].place;
     struct pp_sobol_sequence sequence;
     struct pp_vec3 a, b;
     double u[2];
-    pp_sobol_sequence_init(&sequence, &cache->sobol, seed);
-    pp_sobol_sequence_draw(&sequence, index, 0, 2, u);
+    pp_sobol_sequence_init(&sequence, &over->cache->sobol, over->cache->options.seed);
+    pp_sobol_sequence_draw(&sequence, (uint32_t)number, 0, 2, u);
     pp_lobe_frame(place->normal, &a, &b);
-    return (struct pp_light_ray){
+    *ray = (struct pp_light_ray){
         place->point, place->normal,
         pp_lobe_sample_in_frame(a, b, place->normal, u[0], u[1]), place->space};
+    return true;
 }
 
 enum pp_status pp_cache_grow_request_hemisphere(struct pp_irradiance_cache *cache,
@@ -215,14 +216,12 @@ enum pp_status pp_cache_grow_request_hemisphere(struct pp_irradiance_cache *cach
                                                 struct pp_error *err)
 {
     enum { RAYS = 256 };
-    struct pp_light_ray rays[RAYS];
-    struct pp_cache_place place = {point, normal, space};
+    struct pp_cache_request request = {.place = {point, normal, space}};
+    struct looked_over over = {cache, &request, 1};
     if (cache->options.bounces >= 0 && cache->options.bounces < 2)
         return PP_OK;
-    for (uint32_t i = 0; i < RAYS; i++)
-        rays[i] = ray_about(cache, &place, cache->options.seed, i);
     forget(cache);
-    return request_along(cache, listed_ray, rays, RAYS, 1, err);
+    return request_along(cache, ray_about, &over, RAYS, 1, err);
 }
 
 /* For the new requests of depth 0, requests of depth 1 of the surfaces that light
@@ -238,15 +237,8 @@ static enum pp_status expand(struct pp_irradiance_cache *cache, struct pp_error 
     cache->expanded_rays += (int)count;
     if (count == 0 || (cache->options.bounces >= 0 && cache->options.bounces < 2))
         return PP_OK;
-    struct pp_light_ray *rays = malloc(count * sizeof *rays);
-    if (!rays)
-        return pp_fail_memory(err);
-    for (size_t i = 0; i < count; i++)
-        rays[i] = ray_about(cache, &seen->requests[begin + i % new].place,
-                            cache->options.seed, (uint32_t)i);
-    enum pp_status status = request_along(cache, listed_ray, rays, count, 1, err);
-    free(rays);
-    return status;
+    struct looked_over over = {cache, seen->requests + begin, new};
+    return request_along(cache, ray_about, &over, count, 1, err);
 }
 
 /* ---- growing ---- */

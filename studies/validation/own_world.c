@@ -8,6 +8,7 @@
 
 #include "methods/method.h"
 #include "methods/variant.h"
+#include "model/base/text.h"
 #include "model/room/room.h"
 #include "studies/study_report.h"
 #include "studies/validation/own_skylines.h"
@@ -40,13 +41,11 @@ static const struct pp_method *method_of(const char *name, size_t length,
                                          const struct pp_method_options *options)
 {
     for (int i = 0; pp_methods[i]; i++)
-        if (strncmp(pp_methods[i]->name, name, length) == 0
-            && pp_methods[i]->name[length] == '\0')
+        if (pp_text_is_word(pp_methods[i]->name, name, length))
             return pp_methods[i];
     const struct pp_variant_list *variants = options ? options->variants : NULL;
     for (int i = 0; variants && i < variants->count; i++)
-        if (strncmp(variants->list[i].name, name, length) == 0
-            && variants->list[i].name[length] == '\0')
+        if (pp_text_is_word(variants->list[i].name, name, length))
             return variants->list[i].method;
     return NULL;
 }

@@ -639,6 +639,7 @@ static void dots_for_any_sky_and_slope_sum_up_to_their_method(void **state)
                     1e-13);
         pp_pepper_pot_sheet_fill_unsolved(&pot);
         assert_true(pot.blank && pot.panels[0].count == 0);
+        assert_true(!pot.panels[0].face.name && !pot.panels[0].face.overhead);
         for (int k = 0; k < pot.panels[0].dot_count; k++)
             assert_false(pot.panels[0].dots[k].counted);
         pp_board_sheets_pepper_pot_clear(&pot);
