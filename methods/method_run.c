@@ -2,7 +2,9 @@
  * symbol for the steps) and adds up; at a point, for the room, or as an average. */
 #include "methods/method_run.h"
 
+#include <stddef.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "methods/component_steps.h"
 #include "methods/average/beams.h"
@@ -89,8 +91,10 @@ static enum pp_status add_openings(const struct pp_method_run *run,
     const struct pp_world *world = run->world;
     bool roughly = run->roughly && method->evaluate_roughly, used = false;
     for (int i = 0; i < world->opening_count; i++) {
-        struct pp_part part = {
-            .sheet = {.steps = answer->steps, .formulary = run->formulary}};
+        struct pp_part part;
+        memset(&part, 0, offsetof(struct pp_part, sheet.list)); /* no figure is there */
+        part.sheet.steps = answer->steps;
+        part.sheet.formulary = run->formulary;
         int first = 0;
         if (answer->steps) {
             first = answer->steps->count;

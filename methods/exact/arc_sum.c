@@ -3,6 +3,8 @@
 
 #include <stddef.h>
 
+#include "model/geometry/larger.h"
+
 /* Gauss-Legendre rules on 0 to 1: the lower half of the nodes, and their weights. */
 struct arc_rule {
     int nodes;
@@ -63,17 +65,6 @@ static void add_nodes(struct arc_walk *walk, const struct arc_end *a,
     walk->sum += walk->potential(walk->context, &nodes);
 }
 
-/* fmax and fmin without their calls: these stand in the innermost loop. */
-static inline double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
-static inline double smaller(double a, double b)
-{
-    return a < b ? a : b;
-}
-
 /* An arc's length over the longest for which eight nodes suffice. The bounds were chosen by
  * trial over random windows: a bend may change by twice its width and what it is at least,
  * an arc near the cusp be as long as it is far, and a tenth. */
@@ -85,13 +76,14 @@ static double stretch_of(const struct pp_arc_spacing *spacing, const struct arc_
         const struct pp_arc_bend *bend = &spacing->bends[i];
         double from = fabs(pp_vec_dot(bend->axis, a->u));
         double to = fabs(pp_vec_dot(bend->axis, b->u));
-        stretch = larger(stretch,
-                         fabs(to - from) / (2.0 * (smaller(from, to) + bend->width)));
+        stretch = pp_larger(
+            stretch, fabs(to - from) / (2.0 * (pp_smaller(from, to) + bend->width)));
     }
     if (spacing->cusp) {
-        double near =
-            larger(pp_vec_dot(*spacing->cusp, a->u), pp_vec_dot(*spacing->cusp, b->u));
-        stretch = larger(stretch, chord / (sqrt(larger(0.0, 2.0 - 2.0 * near)) + 0.1));
+        double near = pp_larger(pp_vec_dot(*spacing->cusp, a->u),
+                                pp_vec_dot(*spacing->cusp, b->u));
+        stretch =
+            pp_larger(stretch, chord / (sqrt(pp_larger(0.0, 2.0 - 2.0 * near)) + 0.1));
     }
     return stretch;
 }

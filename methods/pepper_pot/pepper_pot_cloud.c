@@ -6,6 +6,7 @@
 
 #include "model/base/array.h"
 #include "model/geometry/angle.h"
+#include "model/geometry/larger.h"
 #include "model/light/glass_curve.h"
 
 enum { RINGS = 180, CELLS = 240 };
@@ -32,18 +33,24 @@ static struct frame frame_of(struct pp_vec3 normal, const struct pp_window_axes 
     return (struct frame){normal, first, second, is_mirror};
 }
 
+/* The unit vector of an azimuth, square to the normal. */
+static struct pp_vec3 aside(const struct frame *frame, double psi)
+{
+    struct pp_vec3 u = pp_vec_scale(frame->first, cos(psi));
+    return pp_vec_along(u, sin(psi), frame->second);
+}
+
 static struct pp_vec3 direction(const struct frame *frame, struct pp_angle theta,
-                                struct pp_angle psi)
+                                struct pp_vec3 aside)
 {
     struct pp_vec3 u = pp_vec_scale(frame->normal, theta.cosine);
-    u = pp_vec_along(u, theta.sine * psi.cosine, frame->first);
-    return pp_vec_along(u, theta.sine * psi.sine, frame->second);
+    return pp_vec_along(u, theta.sine, aside);
 }
 
 /* Adds up the light of a ring's cells, to up_to the end of each. Rings are as wide in angle;
  * each has its sines times cosines as a whole, which is exact for an even sky. */
 static void fill_ring(double up_to[CELLS + 1], int ring,
-                      const struct pp_angle psi[CELLS], const struct pp_sky *sky,
+                      const struct pp_vec3 asides[CELLS], const struct pp_sky *sky,
                       const struct pp_glass_curve *losses, struct pp_vec3 out,
                       const struct frame *frame)
 {
@@ -54,8 +61,8 @@ static void fill_ring(double up_to[CELLS + 1], int ring,
     double light[CELLS];
     int asked = frame->is_mirror ? CELLS / 2 : CELLS;
     for (int k = 0; k < asked; k++) {
-        struct pp_vec3 u = direction(frame, theta, psi[k]);
-        double cosine = fmin(pp_vec_dot(u, out), 1.0);
+        struct pp_vec3 u = direction(frame, theta, asides[k]);
+        double cosine = pp_smaller(pp_vec_dot(u, out), 1.0);
         light[k] = u.z > 0.0 && cosine > 0.0
                        ? pp_sky_luminance(sky, u) * weight
                              * pp_glass_curve_transmittance(losses, cosine)
@@ -101,7 +108,7 @@ static void place_dot(struct pp_pepper_pot_cloud *cloud, double ring,
     double whole, s = modf((cloud->count + 0.5) * golden, &whole);
     double theta = ring / RINGS * PP_PI / 2.0;
     double psi = place_of(up_to, CELLS, s * up_to[CELLS]) / CELLS * 2.0 * PP_PI;
-    struct pp_vec3 u = direction(frame, pp_angle_of(theta), pp_angle_of(psi));
+    struct pp_vec3 u = direction(frame, pp_angle_of(theta), aside(frame, psi));
     double out = fmax(pp_vec_dot(u, axes->out), least_cosine);
     dot[0] = pp_vec_dot(u, axes->along) / out;
     dot[1] = pp_vec_dot(u, axes->up) / out;
@@ -116,14 +123,14 @@ static enum pp_status place_dots(struct pp_pepper_pot_cloud *cloud,
                                  struct pp_error *err)
 {
     double up_to[CELLS + 1];
-    struct pp_angle psi[CELLS];
+    struct pp_vec3 asides[CELLS];
     struct pp_glass_curve losses;
     int room = 0;
     pp_glass_curve_init(&losses, glass);
     for (int k = 0; k < CELLS; k++)
-        psi[k] = pp_angle_of((k + 0.5) * d_psi);
+        asides[k] = aside(frame, (k + 0.5) * d_psi);
     for (int i = 0; i < RINGS; i++) {
-        fill_ring(up_to, i, psi, sky, &losses, axes->out, frame);
+        fill_ring(up_to, i, asides, sky, &losses, axes->out, frame);
         double before = cloud->whole;
         cloud->whole += up_to[CELLS];
         int count = (int)fmax(ceil(cloud->whole / worth - 0.5), 0.0);

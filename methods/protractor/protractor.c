@@ -28,6 +28,8 @@ enum { GLAZED_90, GLAZED_0, GLAZED_30, GLAZED_60, BARE, DIALS };
 /* The protractors that the room's openings need. */
 struct dial_set {
     struct pp_protractor_dial *dials[DIALS];
+    const struct pp_protractor_dial
+        *of[]; /* each opening; NULL: there is none for it */
 };
 
 static void destroy_tools(void *tools)
@@ -56,7 +58,8 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
                               const struct pp_outside_light *light,
                               struct pp_error *err)
 {
-    struct dial_set *set = calloc(1, sizeof *set);
+    size_t openings = (size_t)world->opening_count;
+    struct dial_set *set = calloc(1, sizeof *set + openings * sizeof *set->of);
     if (!set)
         return pp_fail_memory(err);
     for (int i = 0; i < world->opening_count; i++) {
@@ -65,14 +68,15 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
         if (pp_protractor_read_choose(&protractor, &light->sky, opening, NULL) != PP_OK)
             continue;
         struct pp_protractor_dial **dial = &set->dials[index_of(&protractor)];
-        if (*dial)
-            continue;
-        *dial = malloc(sizeof **dial);
         if (!*dial) {
-            destroy_tools(set);
-            return pp_fail_memory(err);
+            *dial = malloc(sizeof **dial);
+            if (!*dial) {
+                destroy_tools(set);
+                return pp_fail_memory(err);
+            }
+            pp_protractor_dial_init(*dial, &protractor);
         }
-        pp_protractor_dial_init(*dial, &protractor);
+        set->of[i] = *dial;
     }
     *tools = set;
     return PP_OK;
@@ -170,14 +174,14 @@ static enum pp_status evaluate(const struct pp_world *world,
                                struct pp_part *part, struct pp_error *err)
 {
     const struct dial_set *set = tools;
-    struct pp_protractor protractor;
-    enum pp_status status =
-        pp_protractor_read_choose(&protractor, &light->sky, opening, err);
-    if (status != PP_OK)
-        return status;
+    const struct pp_protractor_dial *dial = set->of[opening - world->openings];
+    if (!dial) {
+        struct pp_protractor none;
+        return pp_protractor_read_choose(&none, &light->sky, opening, err);
+    }
     struct pp_protractor_readings readings;
-    status = pp_protractor_read(&readings, set->dials[index_of(&protractor)], world,
-                                light, opening, receiver->position, err);
+    enum pp_status status = pp_protractor_read(&readings, dial, world, light, opening,
+                                               receiver->position, err);
     if (status != PP_OK)
         return status;
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, readings.count);

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "model/geometry/gauss.h"
+#include "model/geometry/larger.h"
 
 static const double between_semicircles_rad = 10.0 * PP_RAD;
 
@@ -26,7 +27,7 @@ static double read_table(const double *values, const double *slopes, double last
                          double x)
 {
     double step = last / PP_DIAL_STEPS;
-    double place = fmin(fmax(x / step, 0.0), PP_DIAL_STEPS);
+    double place = pp_within(x / step, 0.0, PP_DIAL_STEPS);
     int i = place < PP_DIAL_STEPS ? (int)place : PP_DIAL_STEPS - 1;
     return hermite(place - i, step, values[i], slopes[i], values[i + 1], slopes[i + 1]);
 }
@@ -104,6 +105,7 @@ static void make_semicircle(struct pp_protractor_semicircle *semicircle,
     double step = PP_PI / 2.0 / PP_DIAL_STEPS, densities[HALF_STEPS + 1];
     double *factor = semicircle->factor, *rate = semicircle->rate;
     semicircle->average_rad = average_rad;
+    semicircle->cos_average = cos(average_rad);
     pp_protractor_scale_densities(densities, protractor, losses, gamma, thetas,
                                   HALF_STEPS + 1);
     factor[0] = 0.0;
@@ -144,6 +146,7 @@ void pp_protractor_dial_init(struct pp_protractor_dial *dial,
         if (k > 0 && dial->semicircles[k - 1].average_rad > dial->range_rad) {
             dial->semicircles[k] = dial->semicircles[k - 1]; /* beyond the end, too */
             dial->semicircles[k].average_rad = average;
+            dial->semicircles[k].cos_average = cos(average);
         } else {
             make_semicircle(&dial->semicircles[k], protractor, &losses, thetas,
                             average);
@@ -185,11 +188,8 @@ double pp_protractor_dial_angle(const struct pp_protractor_dial *dial, double sh
     return gamma;
 }
 
-static double on_semicircle(const struct pp_protractor_semicircle *semicircle,
-                            double jamb, bool turned_down)
+static double at_theta(const struct pp_protractor_semicircle *semicircle, double theta)
 {
-    double theta =
-        turned_down ? jamb : pp_protractor_scale_theta(semicircle->average_rad, jamb);
     return read_table(semicircle->factor, semicircle->rate, PP_PI / 2.0, theta);
 }
 
@@ -199,9 +199,16 @@ double pp_protractor_dial_factor(const struct pp_protractor_dial *dial,
     double place = average_rad / between_semicircles_rad;
     int k = (int)fmin(fmax(place, 0.0), PP_DIAL_SEMICIRCLES - 2);
     double jamb = fmin(fabs(jamb_rad), PP_PI / 2.0);
-    double outer = on_semicircle(&dial->semicircles[k], jamb, turned_down);
-    double inner = on_semicircle(&dial->semicircles[k + 1], jamb, turned_down);
-    return copysign(outer + (place - k) * (inner - outer), jamb_rad);
+    double theta[2] = {jamb, jamb}, factor[2];
+    if (!turned_down) {
+        const struct pp_angle azimuth = pp_angle_of(jamb);
+        for (int i = 0; i < 2; i++)
+            theta[i] = pp_protractor_scale_theta(dial->semicircles[k + i].cos_average,
+                                                 azimuth);
+    }
+    for (int i = 0; i < 2; i++)
+        factor[i] = at_theta(&dial->semicircles[k + i], theta[i]);
+    return copysign(factor[0] + (place - k) * (factor[1] - factor[0]), jamb_rad);
 }
 
 double pp_protractor_dial_jamb_angle(const struct pp_protractor_semicircle *semicircle,
@@ -210,12 +217,12 @@ double pp_protractor_dial_jamb_angle(const struct pp_protractor_semicircle *semi
     double low = 0.0, high = PP_PI / 2.0;
     while (high - low > 1e-9) {
         double theta = (low + high) / 2.0;
-        if (on_semicircle(semicircle, theta, true) < factor)
+        if (at_theta(semicircle, theta) < factor)
             low = theta;
         else
             high = theta;
     }
     double theta = (low + high) / 2.0;
     return turned_down ? theta
-                       : atan2(sin(theta), cos(theta) * cos(semicircle->average_rad));
+                       : atan2(sin(theta), cos(theta) * semicircle->cos_average);
 }

@@ -26,7 +26,7 @@ enum {
 /* The auxiliary scale at one average altitude: CF and dCF/dtheta at even steps of theta
  * from 0 to pi/2. */
 struct pp_protractor_semicircle {
-    double average_rad;
+    double average_rad, cos_average;
     double factor[PP_DIAL_STEPS + 1], rate[PP_DIAL_STEPS + 1];
 };
 

@@ -130,8 +130,9 @@ static void read_rectangle(struct pp_protractor_reading *reading,
 {
     const double b[2] = {at->low, at->high}, x[2] = {at->left, at->right};
     bool turned_down = !is_upright(slope);
+    const struct pp_angle section = pp_angle_of(slope);
     for (int i = 0; i < 2; i++) {
-        reading->edge_rad[i] = pp_slope_rectangles_altitude(b[i], slope);
+        reading->edge_rad[i] = pp_slope_rectangles_altitude(b[i], section);
         reading->share[i] = pp_protractor_dial_share(dial, reading->edge_rad[i]);
     }
     reading->average_rad = (reading->edge_rad[0] + reading->edge_rad[1]) / 2.0;
@@ -234,7 +235,7 @@ enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
                                   struct pp_vec3 point, struct pp_error *err)
 {
     double slope = pp_protractor_read_slope(opening);
-    struct pp_vec3 along = pp_slope_rectangles_along(opening);
+    struct pp_vec3 along = pp_slope_rectangles_along(opening, slope);
     *readings = (struct pp_protractor_readings){
         .along = along,
         .out = pp_vec_unit(pp_vec_cross(pp_vec(0.0, 0.0, 1.0), along)),

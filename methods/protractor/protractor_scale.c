@@ -209,7 +209,7 @@ double pp_protractor_scale_auxiliary(const struct pp_protractor *protractor,
     return copysign(share / 2.0, theta_rad);
 }
 
-double pp_protractor_scale_theta(double gamma_rad, double azimuth_rad)
+double pp_protractor_scale_theta(double cos_gamma, struct pp_angle azimuth)
 {
-    return atan2(sin(azimuth_rad) * cos(gamma_rad), cos(azimuth_rad));
+    return atan2(azimuth.sine * cos_gamma, azimuth.cosine);
 }

@@ -96,9 +96,9 @@ double pp_protractor_scale_angle(const struct pp_protractor *protractor, double 
 double pp_protractor_scale_auxiliary(const struct pp_protractor *protractor,
                                      double gamma_rad, double theta_rad);
 
-/* The angle out of the section of a jamb that stands at azimuth_rad (-pi/2 to pi/2 from
- * the normal) on the plan, for an average altitude below pi/2: tan theta =
+/* The angle out of the section of a jamb that stands at an azimuth (-pi/2 to pi/2 from
+ * the normal) on the plan, for an average altitude gamma below pi/2: tan theta =
  * tan azimuth cos gamma. */
-double pp_protractor_scale_theta(double gamma_rad, double azimuth_rad);
+double pp_protractor_scale_theta(double cos_gamma, struct pp_angle azimuth);
 
 #endif

@@ -64,6 +64,8 @@ double pp_interior_area_below(const struct pp_polygon *polygon, double z)
 
 static double area_below(const struct pp_polygon *polygon, double z)
 {
+    if (z == INFINITY)
+        return polygon->area_m2;
     bool level = fabs(polygon->normal.z) > 1.0 - 1e-12;
     if (level && fabs(polygon->vertices[0].z - z) < 1e-9)
         return polygon->normal.z > 0.0 ? polygon->area_m2 : 0.0;

@@ -12,6 +12,7 @@
 #include "model/base/array.h"
 #include "model/geometry/area_moments.h"
 #include "model/geometry/frame.h"
+#include "model/geometry/larger.h"
 
 /* The opening's own frame at the point: x along, y out through the glass, z up. */
 struct opening_frame {
@@ -22,6 +23,12 @@ struct opening_frame {
 static struct pp_vec3 in_frame(const struct opening_frame *frame, struct pp_vec3 p)
 {
     return pp_frame_in(&frame->axes, pp_vec_sub(p, frame->point));
+}
+
+/* y in it. */
+static double distance_of(const struct opening_frame *frame, struct pp_vec3 p)
+{
+    return pp_vec_dot(frame->axes.y, pp_vec_sub(p, frame->point));
 }
 
 /* An opening and its obstructions as seen from the point. */
@@ -89,10 +96,10 @@ static struct pp_elevation_part through_rectangle(const struct pp_opening *openi
     for (int k = 0; k < 2; k++) {
         struct pp_vec3 a = in_frame(frame, outlines[k]->vertices[0]);
         struct pp_vec3 b = in_frame(frame, outlines[k]->vertices[2]);
-        seen.left = fmax(seen.left, fmin(a.x, b.x) / a.y);
-        seen.right = fmin(seen.right, fmax(a.x, b.x) / a.y);
-        seen.low = fmax(seen.low, fmin(a.z, b.z) / a.y);
-        seen.high = fmin(seen.high, fmax(a.z, b.z) / a.y);
+        seen.left = pp_larger(seen.left, pp_smaller(a.x, b.x) / a.y);
+        seen.right = pp_smaller(seen.right, pp_larger(a.x, b.x) / a.y);
+        seen.low = pp_larger(seen.low, pp_smaller(a.z, b.z) / a.y);
+        seen.high = pp_smaller(seen.high, pp_larger(a.z, b.z) / a.y);
     }
     return seen;
 }
@@ -251,8 +258,7 @@ static bool reaches_outside(const struct pp_polygon *outline,
 {
     bool is_near = false;
     for (int i = 0; i < outline->count; i++) {
-        double y = pp_vec_dot(drawing->frame.axes.y,
-                              pp_vec_sub(outline->vertices[i], drawing->frame.point));
+        double y = distance_of(&drawing->frame, outline->vertices[i]);
         if (y > drawing->glass_m)
             return true;
         is_near = is_near || y < drawing->glass_m;
@@ -378,8 +384,8 @@ enum pp_status pp_elevation_init(struct pp_elevation *elevation,
                   {opening->along, pp_vec_scale(opening->inner.normal, -1.0),
                    opening->up}},
     };
-    drawing.face_m = in_frame(&drawing.frame, opening->inner.vertices[0]).y;
-    drawing.glass_m = in_frame(&drawing.frame, opening->outer.vertices[0]).y;
+    drawing.face_m = distance_of(&drawing.frame, opening->inner.vertices[0]);
+    drawing.glass_m = distance_of(&drawing.frame, opening->outer.vertices[0]);
     if (drawing.face_m < 1e-9)
         return PP_OK;
 

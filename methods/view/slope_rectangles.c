@@ -14,10 +14,10 @@ double pp_slope_rectangles_slope(const struct pp_opening *opening)
     return atan2(hypot(out.x, out.y), -out.z);
 }
 
-double pp_slope_rectangles_altitude(double b, double slope_rad)
+double pp_slope_rectangles_altitude(double b, struct pp_angle slope)
 {
-    double up = b * sin(slope_rad) + cos(slope_rad);
-    double forward = sin(slope_rad) - b * cos(slope_rad);
+    double up = b * slope.sine + slope.cosine;
+    double forward = slope.sine - b * slope.cosine;
     return fmax(atan2(up, forward), 0.0);
 }
 
@@ -67,8 +67,9 @@ static struct pp_slope_rectangle obstruction_rectangle(
     const struct pp_area_moments *extent, double slope)
 {
     double height = extent->area / (extent->right - extent->left);
-    bool behind = pp_slope_rectangles_altitude(extent->low, slope)
-                      + pp_slope_rectangles_altitude(extent->high, slope)
+    const struct pp_angle at = pp_angle_of(slope);
+    bool behind = pp_slope_rectangles_altitude(extent->low, at)
+                      + pp_slope_rectangles_altitude(extent->high, at)
                   > PP_PI;
     double low = behind ? extent->low : extent->high - height;
     return (struct pp_slope_rectangle){
@@ -99,9 +100,10 @@ static enum pp_status extent_of(struct pp_area_moments *extent,
     return status;
 }
 
-struct pp_vec3 pp_slope_rectangles_along(const struct pp_opening *opening)
+struct pp_vec3 pp_slope_rectangles_along(const struct pp_opening *opening,
+                                         double slope_rad)
 {
-    return section_axes(opening, pp_slope_rectangles_slope(opening)).along;
+    return section_axes(opening, slope_rad).along;
 }
 
 /* The rectangles of the drawing's parts, the whole first. */

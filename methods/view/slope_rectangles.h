@@ -12,6 +12,7 @@
 #ifndef PP_METHODS_VIEW_SLOPE_RECTANGLES_H
 #define PP_METHODS_VIEW_SLOPE_RECTANGLES_H
 
+#include "model/geometry/angle.h"
 #include "model/light/outside_light.h"
 #include "model/room/world.h"
 
@@ -34,12 +35,13 @@ struct pp_slope_rectangles {
  * down. */
 double pp_slope_rectangles_slope(const struct pp_opening *opening);
 
-/* The direction of x. */
-struct pp_vec3 pp_slope_rectangles_along(const struct pp_opening *opening);
+/* The direction of x of an opening of that slope. */
+struct pp_vec3 pp_slope_rectangles_along(const struct pp_opening *opening,
+                                         double slope_rad);
 
 /* Altitude (rad) in section of an edge at b, over pi/2 where the plane leans over the
  * point; 0 below the horizon. */
-double pp_slope_rectangles_altitude(double b, double slope_rad);
+double pp_slope_rectangles_altitude(double b, struct pp_angle slope);
 
 /* As seen from the point. On success *rectangles is to be cleared. */
 enum pp_status pp_slope_rectangles_init(struct pp_slope_rectangles *rectangles,

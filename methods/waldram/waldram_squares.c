@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "model/base/array.h"
+#include "model/geometry/larger.h"
 
 enum { DEEPEST = 12 }; /* halvings of one straight edge */
 
@@ -158,20 +159,14 @@ enum pp_status pp_waldram_squares_outline(struct pp_region *outline,
     return PP_OK;
 }
 
-/* Without the calls of fmin and fmax: this stands in the innermost loop. */
-static double within(double x, double low, double high)
-{
-    return x < low ? low : x > high ? high : x;
-}
-
 /* The mean height of an edge from y0 to y1 over a square's foot, within the square. */
 static double mean_within(double y0, double y1, double height)
 {
     double low = y0 < y1 ? y0 : y1, high = y0 < y1 ? y1 : y0;
-    double from = within(low, 0.0, height), to = within(high, 0.0, height);
+    double from = pp_within(low, 0.0, height), to = pp_within(high, 0.0, height);
     if (!(to > from))
         return from;
-    return ((to - from) * (from + to) / 2.0 + fmax(high - height, 0.0) * height)
+    return ((to - from) * (from + to) / 2.0 + pp_larger(high - height, 0.0) * height)
            / (high - low);
 }
 
@@ -188,7 +183,7 @@ static void add_below(struct square_field *field, int column, const double *p,
                       const double *q)
 {
     double left = column * field->width, right = (column + 1) * field->width;
-    double from = within(p[0], left, right), to = within(q[0], left, right);
+    double from = pp_within(p[0], left, right), to = pp_within(q[0], left, right);
     if (from == to)
         return;
     double rise = q[1] - p[1], run = q[0] - p[0], height = field->height;
@@ -204,18 +199,28 @@ static void add_below(struct square_field *field, int column, const double *p,
             (from - to) * mean_within(y0 - row * height, y1 - row * height, height);
 }
 
+/* The column over which x is; without the call of floor. */
+static int column_of(const struct square_field *field, double x)
+{
+    double columns = x / field->width;
+    int whole = (int)columns;
+    return whole - (columns < whole);
+}
+
 /* Adds the area of a ring to the squares: by Green's theorem the sum of what lies below
  * its edges. */
 static void add_ring(struct square_field *field, const struct pp_ring *ring)
 {
+    int end = field->first + field->columns;
+    int from = ring->count > 0 ? column_of(field, ring->xy[0][0]) : 0;
     for (int i = 0; i < ring->count; i++) {
         const double *p = ring->xy[i], *q = ring->xy[i + 1 < ring->count ? i + 1 : 0];
-        int first = (int)floor(fmin(p[0], q[0]) / field->width);
-        int last = (int)floor(fmax(p[0], q[0]) / field->width);
-        int end = field->first + field->columns;
+        int to = column_of(field, q[0]);
+        int first = from < to ? from : to, last = from < to ? to : from;
         for (int k = first > field->first ? first : field->first; k <= last && k < end;
              k++)
             add_below(field, k, p, q);
+        from = to;
     }
 }
 
@@ -254,8 +259,9 @@ enum pp_status pp_waldram_squares_count_outline(struct pp_waldram_count *count,
     field.rows = (int)ceil(pp_waldram_scale_y(waldram, PP_PI / 2.0) / field.height);
     for (int r = 0; r < outline->count; r++)
         for (int i = 0; i < outline->rings[r].count; i++) {
-            low = fmin(low, outline->rings[r].xy[i][0]);
-            high = fmax(high, outline->rings[r].xy[i][0]);
+            double x = outline->rings[r].xy[i][0];
+            low = x < low ? x : low;
+            high = x > high ? x : high;
         }
 
     if (low < high) { /* else nothing is visible */

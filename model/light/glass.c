@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "model/geometry/larger.h"
+
 /* Light polarised across the plane of incidence and along it: worked out side by side,
  * by the compiler's own vectors. */
 typedef double polarised __attribute__((vector_size(16)));
@@ -60,10 +62,10 @@ void pp_glass_optics(const struct pp_glass *glass, double cos_incidence,
         *reflectance = 1.0; /* grazing: the limit, which the formula has as 0/0 */
     } else {
         double t, r;
-        clear_stack(glass, fmin(cos_incidence, 1.0), &t, &r);
+        clear_stack(glass, pp_smaller(cos_incidence, 1.0), &t, &r);
         *transmittance = glass->scale * t;
         /* A glazing clearer than its stack can't reflect all that the stack does. */
-        *reflectance = fmin(r, 1.0 - glass->scale * t);
+        *reflectance = pp_smaller(r, 1.0 - glass->scale * t);
     }
 }
 

@@ -58,55 +58,51 @@ static const char *fault_of(enum pp_operation_kind kind, double result, double l
 double pp_expression_value(const struct pp_expression *expression, const double *values,
                            struct pp_expression_fault *fault)
 {
-    double stack[PP_EXPRESSION_OPERATIONS_MOST];
-    int top = 0; /* number of values on the stack */
+    /* A stack of which the topmost value is `last`. */
+    double below[PP_EXPRESSION_OPERATIONS_MOST + 1], last = NAN, *top = below;
     if (fault)
         *fault = (struct pp_expression_fault){NULL, 0};
-    for (int i = 0; i < expression->count; i++) {
-        const struct pp_operation *operation = &expression->list[i];
+    const struct pp_operation *end = expression->list + expression->count;
+    for (const struct pp_operation *operation = expression->list; operation < end;
+         operation++) {
         enum pp_operation_kind kind = operation->kind;
-        double last = top > 0 ? stack[top - 1] : NAN;
-        double *first = top > 1 ? &stack[top - 2] : stack;
+        double divisor = last;
         switch (kind) {
         case PP_DO_NUMBER:
-            stack[top++] = operation->number;
+            *top++ = last;
+            last = operation->number;
             continue;
         case PP_DO_NAME:
-            stack[top++] = values[operation->name];
+            *top++ = last;
+            last = values[operation->name];
             continue;
         case PP_DO_PLUS:
-            *first += last;
-            top--;
+            last = *--top + last;
             break;
         case PP_DO_MINUS:
-            *first -= last;
-            top--;
+            last = *--top - last;
             break;
         case PP_DO_TIMES:
-            *first *= last;
-            top--;
+            last = *--top * last;
             break;
         case PP_DO_OVER:
-            *first /= last;
-            top--;
+            last = *--top / last;
             break;
         case PP_DO_POWER:
-            *first = pow(*first, last);
-            top--;
+            last = pow(*--top, last);
             break;
         case PP_DO_NEGATIVE:
-            stack[top - 1] = -last;
+            last = -last;
             break;
         default:
+            *top = last;
             top -= operation->count - 1;
-            stack[top - 1] =
-                pp_expression_value_call(kind, &stack[top - 1], operation->count);
+            last = pp_expression_value_call(kind, top, operation->count);
         }
-        if (fault && !fault->what
-            && (kind == PP_DO_OVER || !isfinite(stack[top - 1]))) {
-            fault->what = fault_of(kind, stack[top - 1], last);
+        if (fault && !fault->what && (kind == PP_DO_OVER || !isfinite(last))) {
+            fault->what = fault_of(kind, last, divisor);
             fault->column = operation->column;
         }
     }
-    return top > 0 ? stack[top - 1] : NAN;
+    return last;
 }

@@ -10,19 +10,22 @@
 
 #include "model/base/text.h"
 
-/* One of 64 marks, by the first two letters of a symbol. */
-static uint64_t mark_of(const char *symbol)
+/* Which of the sheet's places a symbol has, by its first two letters. */
+static int place_of(const char *symbol)
 {
-    return UINT64_C(1) << ((symbol[0] + 9 * symbol[1]) & 63);
+    return (symbol[0] + 9 * symbol[1]) & (PP_WORKSHEET_PLACES - 1);
 }
 
-/* The figure of that name; NULL: there is none. The program's own symbols, of one spelling,
- * mostly stand at one place in memory. */
-static const struct pp_worksheet_figure *find_symbol(const struct pp_worksheet *sheet,
-                                                     const char *symbol)
+/* The figure of that name, which has that place; NULL: there is none. The program's own
+ * symbols, of one spelling, mostly stand at one place in memory. */
+static const struct pp_worksheet_figure *find_at(const struct pp_worksheet *sheet,
+                                                 int place, const char *symbol)
 {
-    if (!(sheet->marks & mark_of(symbol)))
+    int latest = sheet->latest[place];
+    if (latest == 0)
         return NULL;
+    if (sheet->list[latest - 1].symbol == symbol)
+        return &sheet->list[latest - 1];
     for (int i = sheet->count - 1; i >= 0; i--)
         if (sheet->list[i].symbol == symbol)
             return &sheet->list[i];
@@ -32,16 +35,23 @@ static const struct pp_worksheet_figure *find_symbol(const struct pp_worksheet *
     return NULL;
 }
 
+static const struct pp_worksheet_figure *find_symbol(const struct pp_worksheet *sheet,
+                                                     const char *symbol)
+{
+    return find_at(sheet, place_of(symbol), symbol);
+}
+
 static void enter(struct pp_worksheet *sheet, const char *symbol, double printed)
 {
     if (!symbol[0])
         return;
     /* A figure that is put down anew takes the place of the last of its name. */
-    const struct pp_worksheet_figure *last = find_symbol(sheet, symbol);
+    int place = place_of(symbol);
+    const struct pp_worksheet_figure *last = find_at(sheet, place, symbol);
     int at = last ? (int)(last - sheet->list) : sheet->count;
     assert(at < PP_WORKSHEET_MOST);
     sheet->list[at] = (struct pp_worksheet_figure){symbol, sheet->part, printed};
-    sheet->marks |= mark_of(symbol);
+    sheet->latest[place] = (unsigned char)(at + 1);
     sheet->count += at == sheet->count;
 }
 

@@ -9,13 +9,12 @@
 #define PP_MODEL_RESULTS_WORKSHEET_H
 
 #include <stdbool.h>
-#include <stdint.h>
 
 #include "model/results/expression_value.h"
 #include "model/results/formula.h"
 #include "model/results/steps.h"
 
-enum { PP_WORKSHEET_MOST = 40 };
+enum { PP_WORKSHEET_MOST = 40, PP_WORKSHEET_PLACES = 64 };
 
 /* Zero it, and set what is known, to begin with. */
 struct pp_worksheet {
@@ -27,7 +26,9 @@ struct pp_worksheet {
     bool varied; /* has a reader's variant been worked out? */
     int part;    /* number behind the symbols that are put down now; 0: none */
     int count;
-    uint64_t marks; /* of the symbols: one of another mark is not there */
+    /* Of each place that symbols have by their letters, the latest figure, counted from 1; 0:
+     * none, so that no symbol of that place is there. */
+    unsigned char latest[PP_WORKSHEET_PLACES];
     struct pp_worksheet_figure {
         const char *symbol; /* not owned */
         int part;

@@ -138,10 +138,11 @@ static void lines_of_factors_stand_where_the_formula_puts_them(void **state)
         for (int i = 3; i < scale->line_count; i += 5)
             for (int k = 4; k < scale->lines[i].count - 4; k += 3) {
                 double average = k * PP_PROTRACTOR_LINE_STEP_RAD;
-                double theta = scale->turned_down
-                                   ? scale->lines[i].jamb_rad[k]
-                                   : pp_protractor_scale_theta(
-                                       average, scale->lines[i].jamb_rad[k]);
+                double theta =
+                    scale->turned_down
+                        ? scale->lines[i].jamb_rad[k]
+                        : pp_protractor_scale_theta(
+                            cos(average), pp_angle_of(scale->lines[i].jamb_rad[k]));
                 assert_near(pp_protractor_scale_auxiliary(&protractor, average, theta),
                             0.02 * (i + 1), 1e-6);
             }

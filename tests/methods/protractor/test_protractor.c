@@ -349,7 +349,8 @@ static void worked_use_step_by_step(void **state)
         for (int k = 0; k < 2; k++)
             cf[k] = pp_protractor_scale_auxiliary(
                 &two, (2 + k) * 10.0 * PP_RAD,
-                pp_protractor_scale_theta((2 + k) * 10.0 * PP_RAD, jamb[i]));
+                pp_protractor_scale_theta(cos((2 + k) * 10.0 * PP_RAD),
+                                          pp_angle_of(jamb[i])));
         double t = average / (10.0 * PP_RAD) - 2.0;
         assert_near(step_of(&steps, "auxiliary scale", i), cf[0] + t * (cf[1] - cf[0]),
                     1e-7);
