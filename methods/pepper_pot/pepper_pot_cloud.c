@@ -34,7 +34,7 @@ static struct frame frame_of(struct pp_vec3 normal, const struct pp_window_axes 
 }
 
 /* The unit vector of an azimuth, square to the normal. */
-static struct pp_vec3 aside(const struct frame *frame, double psi)
+static struct pp_vec3 aside_at(const struct frame *frame, double psi)
 {
     struct pp_vec3 u = pp_vec_scale(frame->first, cos(psi));
     return pp_vec_along(u, sin(psi), frame->second);
@@ -47,10 +47,16 @@ static struct pp_vec3 direction(const struct frame *frame, struct pp_angle theta
     return pp_vec_along(u, theta.sine, aside);
 }
 
+/* A cell's azimuth, and its part of the cosine of incidence. */
+struct cell_side {
+    struct pp_vec3 aside;
+    double out;
+};
+
 /* Adds up the light of a ring's cells, to up_to the end of each. Rings are as wide in angle;
  * each has its sines times cosines as a whole, which is exact for an even sky. */
 static void fill_ring(double up_to[CELLS + 1], int ring,
-                      const struct pp_vec3 asides[CELLS], const struct pp_sky *sky,
+                      const struct cell_side sides[CELLS], const struct pp_sky *sky,
                       const struct pp_glass_curve *losses, struct pp_vec3 out,
                       const struct frame *frame)
 {
@@ -58,15 +64,17 @@ static void fill_ring(double up_to[CELLS + 1], int ring,
     double middle = (ring + 0.5) * d_theta;
     double weight = sin(2.0 * middle) * sin(d_theta) / 2.0 * d_psi;
     struct pp_angle theta = pp_angle_of(middle);
-    double light[CELLS];
+    double light[CELLS], ahead = theta.cosine * pp_vec_dot(frame->normal, out);
     int asked = frame->is_mirror ? CELLS / 2 : CELLS;
     for (int k = 0; k < asked; k++) {
-        struct pp_vec3 u = direction(frame, theta, asides[k]);
-        double cosine = pp_smaller(pp_vec_dot(u, out), 1.0);
-        light[k] = u.z > 0.0 && cosine > 0.0
-                       ? pp_sky_luminance(sky, u) * weight
-                             * pp_glass_curve_transmittance(losses, cosine)
-                       : 0.0;
+        double cosine = ahead + theta.sine * sides[k].out;
+        light[k] = 0.0;
+        if (!(cosine > 0.0))
+            continue;
+        struct pp_vec3 u = direction(frame, theta, sides[k].aside);
+        if (u.z > 0.0)
+            light[k] = pp_sky_luminance(sky, u) * weight
+                       * pp_glass_curve_transmittance(losses, pp_smaller(cosine, 1.0));
     }
     for (int k = asked; k < CELLS; k++)
         light[k] = light[CELLS - 1 - k];
@@ -108,7 +116,7 @@ static void place_dot(struct pp_pepper_pot_cloud *cloud, double ring,
     double whole, s = modf((cloud->count + 0.5) * golden, &whole);
     double theta = ring / RINGS * PP_PI / 2.0;
     double psi = place_of(up_to, CELLS, s * up_to[CELLS]) / CELLS * 2.0 * PP_PI;
-    struct pp_vec3 u = direction(frame, pp_angle_of(theta), aside(frame, psi));
+    struct pp_vec3 u = direction(frame, pp_angle_of(theta), aside_at(frame, psi));
     double out = fmax(pp_vec_dot(u, axes->out), least_cosine);
     dot[0] = pp_vec_dot(u, axes->along) / out;
     dot[1] = pp_vec_dot(u, axes->up) / out;
@@ -123,14 +131,16 @@ static enum pp_status place_dots(struct pp_pepper_pot_cloud *cloud,
                                  struct pp_error *err)
 {
     double up_to[CELLS + 1];
-    struct pp_vec3 asides[CELLS];
+    struct cell_side sides[CELLS];
     struct pp_glass_curve losses;
     int room = 0;
     pp_glass_curve_init(&losses, glass);
-    for (int k = 0; k < CELLS; k++)
-        asides[k] = aside(frame, (k + 0.5) * d_psi);
+    for (int k = 0; k < CELLS; k++) {
+        struct pp_vec3 aside = aside_at(frame, (k + 0.5) * d_psi);
+        sides[k] = (struct cell_side){aside, pp_vec_dot(aside, axes->out)};
+    }
     for (int i = 0; i < RINGS; i++) {
-        fill_ring(up_to, i, asides, sky, &losses, axes->out, frame);
+        fill_ring(up_to, i, sides, sky, &losses, axes->out, frame);
         double before = cloud->whole;
         cloud->whole += up_to[CELLS];
         int count = (int)fmax(ceil(cloud->whole / worth - 0.5), 0.0);

@@ -12,6 +12,10 @@
 
 enum { DEEPEST = 12 }; /* halvings of one straight edge */
 
+/* In squares, how far the middle of a chord may be from that of its edge before the triangle
+ * is added; a quarter of it changes the sums of overlays by 1e-4 of themselves at most. */
+static const double NEAR = 0.008;
+
 /* In widths of a square. */
 static const double PLUMB = 1e-9;
 
@@ -82,7 +86,7 @@ static void add_edge(struct droop_polyline *line, const struct mapping *mapping,
         add_point(line, to.x, to.y);
         return;
     }
-    if (depth < DEEPEST && (fabs(run) > 4.0 || dx * dx + dy * dy > 0.002 * 0.002)) {
+    if (depth < DEEPEST && (fabs(run) > 4.0 || dx * dx + dy * dy > NEAR * NEAR)) {
         add_edge(line, mapping, a, from, middle, half, depth + 1);
         add_edge(line, mapping, middle, half, b, to, depth + 1);
         return;

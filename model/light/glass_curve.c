@@ -8,19 +8,36 @@
 
 enum { POINTS = 4 };
 
+/* The sum of cubics times values. */
+static void add_up(double *sum, const pp_glass_cubic cubics[POINTS],
+                   const double values[POINTS])
+{
+    for (int k = 0; k < POINTS; k++)
+        sum[k] = cubics[0][k] * values[0];
+    for (int i = 1; i < POINTS; i++)
+        for (int k = 0; k < POINTS; k++)
+            sum[k] += cubics[i][k] * values[i];
+}
+
 void pp_glass_curve_init(struct pp_glass_curve *curve, const struct pp_glass *glass)
 {
     curve->glass = *glass;
     double at[POINTS], through[POINTS], back[POINTS];
+    pp_glass_cubic one_at[POINTS]; /* 1 at one of the points, 0 at the others */
     for (int i = 0; i < POINTS; i++)
         at[i] = 0.5 - 0.5 * cos((2 * i + 1) * PP_PI / (2.0 * POINTS));
+    for (int i = 0; i < POINTS; i++) {
+        double values[POINTS] = {0.0};
+        values[i] = 1.0;
+        pp_polynomial_through(one_at[i], at, values, POINTS);
+    }
     for (int step = 0; step < PP_GLASS_CURVE_STEPS; step++) {
         for (int i = 0; i < POINTS; i++) {
             double cosine = (step + at[i]) / PP_GLASS_CURVE_STEPS;
             pp_glass_optics(glass, cosine, &through[i], &back[i]);
         }
-        pp_polynomial_through(curve->transmittance[step], at, through, POINTS);
-        pp_polynomial_through(curve->reflectance[step], at, back, POINTS);
+        add_up(curve->transmittance[step], one_at, through);
+        add_up(curve->reflectance[step], one_at, back);
     }
 }
 

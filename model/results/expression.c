@@ -113,7 +113,8 @@ static struct term number(struct parser *parser)
     const char *start = parser->at;
     char digits[PP_EXPRESSION_MOST + 1];
     int length = (int)strspn(start, "0123456789.");
-    snprintf(digits, sizeof digits, "%.*s", length, start);
+    memcpy(digits, start, (size_t)length);
+    digits[length] = '\0';
     double value;
     if (!pp_text_parse_number(digits, &value))
         return fail(parser, start, "this is no number; expected one such as 0.85");

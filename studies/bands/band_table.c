@@ -65,17 +65,28 @@ static bool is_record(const struct row *row)
     return strcmp(row->place, "span") != 0;
 }
 
-static void add_condition(struct pp_band_regime *regime, const char *feature,
+/* The next condition of a regime; that of a row before in its place has mostly the same
+ * feature. */
+static void add_condition(struct pp_band_regime *regime,
+                          const struct pp_band_regime *before, const char *name,
                           double from, double to)
 {
-    if (!pp_text_is_same(feature, "-"))
-        regime->conditions[regime->condition_count++] = (struct pp_band_condition){
-            pp_band_features_find(feature), isnan(from) ? -INFINITY : from,
-            isnan(to) ? INFINITY : to};
+    if (pp_text_is_same(name, "-"))
+        return;
+    int place = regime->condition_count++;
+    int feature =
+        place < before->condition_count ? before->conditions[place].feature : -1;
+    if (feature < 0 || !pp_text_is_same(pp_band_features_name(feature), name))
+        feature = pp_band_features_find(name);
+    regime->conditions[place] = (struct pp_band_condition){
+        feature, isnan(from) ? -INFINITY : from, isnan(to) ? INFINITY : to};
 }
 
-static struct pp_band_record record_of(const struct row *row)
+/* `before` is the record of another row. */
+static struct pp_band_record record_of(const struct row *row,
+                                       const struct pp_band_record *before)
 {
+    const struct pp_band_regime *other = &before->entry.regime;
     struct pp_band_record record = {
         .place = strcmp(row->place, pp_band_figures_places[PP_BAND_AVERAGE]) == 0
                      ? PP_BAND_AVERAGE
@@ -91,11 +102,11 @@ static struct pp_band_record record_of(const struct row *row)
         if (strcmp(row->component, pp_band_features_components[i]) == 0)
             record.component = (enum pp_component)i;
     struct pp_band_regime *regime = &record.entry.regime;
-    add_condition(regime, row->feature1, row->from1, row->to1);
-    add_condition(regime, row->feature2, row->from2, row->to2);
-    add_condition(regime, row->feature3, row->from3, row->to3);
-    add_condition(regime, row->feature4, row->from4, row->to4);
-    add_condition(regime, row->feature5, row->from5, row->to5);
+    add_condition(regime, other, row->feature1, row->from1, row->to1);
+    add_condition(regime, other, row->feature2, row->from2, row->to2);
+    add_condition(regime, other, row->feature3, row->from3, row->to3);
+    add_condition(regime, other, row->feature4, row->from4, row->to4);
+    add_condition(regime, other, row->feature5, row->from5, row->to5);
     return record;
 }
 
@@ -104,7 +115,8 @@ bool pp_band_table_at(struct pp_band_record *record, const struct pp_band_table 
 {
     for (int i = 0; i < table->count; i++)
         if (is_record(&table->rows[i]) && index-- == 0) {
-            *record = record_of(&table->rows[i]);
+            static const struct pp_band_record none;
+            *record = record_of(&table->rows[i], &none);
             return true;
         }
     return false;
@@ -144,8 +156,9 @@ void pp_band_table_find(struct pp_band_regimes *regimes,
     while (i < index->count && !is_of(&rows[index->first[i]], component, column))
         i++;
     int first = i < index->count ? index->first[i] : end;
+    struct pp_band_record record = {0};
     for (int k = first; k < end && is_of(&rows[k], component, column); k++) {
-        const struct pp_band_record record = record_of(&rows[k]);
+        record = record_of(&rows[k], &record);
         int *count = &regimes->count[record.place];
         if (*count < PP_BAND_REGIMES)
             regimes->records[record.place][(*count)++] = record;
