@@ -124,13 +124,13 @@ const struct pp_formula pp_protractor_read_less = {
     .quantities = of_reflected,
     .fixed = true};
 
+/* `section` is of the slope. */
 static void read_rectangle(struct pp_protractor_reading *reading,
                            const struct pp_protractor_dial *dial, double slope,
-                           const struct pp_slope_rectangle *at)
+                           struct pp_angle section, const struct pp_slope_rectangle *at)
 {
     const double b[2] = {at->low, at->high}, x[2] = {at->left, at->right};
     bool turned_down = !is_upright(slope);
-    const struct pp_angle section = pp_angle_of(slope);
     for (int i = 0; i < 2; i++) {
         reading->edge_rad[i] = pp_slope_rectangles_altitude(b[i], section);
         reading->share[i] = pp_protractor_dial_share(dial, reading->edge_rad[i]);
@@ -169,16 +169,18 @@ static enum pp_status read_upright(struct pp_protractor_readings *readings,
                                    const struct pp_opening *opening,
                                    struct pp_vec3 point, struct pp_error *err)
 {
+    const struct pp_angle upright = pp_angle_of(PP_PI / 2.0);
     struct pp_elevation elevation;
     enum pp_status status = pp_elevation_init(&elevation, world, opening, point, err);
     if (status != PP_OK)
         return status;
-    readings->list = calloc((size_t)elevation.count + 1, sizeof *readings->list);
+    readings->list = malloc(((size_t)elevation.count + 1) * sizeof *readings->list);
     if (!readings->list)
         status = pp_fail_memory(err);
     for (int i = 0; i < elevation.count && status == PP_OK; i++) {
         const struct pp_elevation_part *part = &elevation.parts[i];
         struct pp_protractor_reading *reading = &readings->list[readings->count++];
+        *reading = (struct pp_protractor_reading){0};
         reading->hidden = !isnan(part->reflectance);
         reading->factor =
             reading->hidden
@@ -188,7 +190,7 @@ static enum pp_status read_upright(struct pp_protractor_readings *readings,
                                               .right = part->right,
                                               .low = part->low,
                                               .high = part->high};
-        read_rectangle(reading, dial, PP_PI / 2.0, &at);
+        read_rectangle(reading, dial, PP_PI / 2.0, upright, &at);
     }
     pp_elevation_clear(&elevation);
     return status;
@@ -201,6 +203,7 @@ static enum pp_status read_sloping(struct pp_protractor_readings *readings,
                                    const struct pp_slope_rectangles *rectangles,
                                    struct pp_error *err)
 {
+    const struct pp_angle section = pp_angle_of(rectangles->slope_rad);
     readings->list = calloc((size_t)rectangles->count + 1, sizeof *readings->list);
     if (!readings->list)
         return pp_fail_memory(err);
@@ -209,7 +212,7 @@ static enum pp_status read_sloping(struct pp_protractor_readings *readings,
         struct pp_protractor_reading *reading = &readings->list[readings->count++];
         reading->hidden = at->hidden;
         reading->factor = at->factor;
-        read_rectangle(reading, dial, rectangles->slope_rad, at);
+        read_rectangle(reading, dial, rectangles->slope_rad, section, at);
         readings->less_hidden = readings->less_hidden || at->hidden;
     }
     return PP_OK;

@@ -98,17 +98,16 @@ static const char *refuses(const struct pp_world *world,
                : NULL;
 }
 
-/* Transmittance at the middle of a square; `out` is the glass's direction in the diagram's
- * axes. */
+/* Transmittance at the middle of a row's square in the column at an azimuth; `out` is the
+ * glass's direction in the diagram's axes. */
 static double transmittance_at(const struct overlay *overlay,
                                const struct pp_glass *glass, struct pp_vec3 out,
-                               const struct pp_waldram_square *square)
+                               struct pp_angle azimuth, int row)
 {
-    double azimuth = (square->column + 0.5) * overlay->width;
-    int row = square->row < overlay->rows ? square->row : overlay->rows - 1;
-    const struct pp_angle *altitude = &overlay->altitudes[row];
-    struct pp_vec3 u = pp_vec(altitude->cosine * sin(azimuth),
-                              altitude->cosine * cos(azimuth), altitude->sine);
+    const struct pp_angle *altitude =
+        &overlay->altitudes[row < overlay->rows ? row : overlay->rows - 1];
+    struct pp_vec3 u = pp_vec(altitude->cosine * azimuth.sine,
+                              altitude->cosine * azimuth.cosine, altitude->sine);
     double cosine = fmin(pp_vec_dot(u, out), 1.0);
     return cosine > 0.0 ? pp_glass_transmittance(glass, cosine) : 0.0;
 }
@@ -123,9 +122,14 @@ static double mean_transmittance(const struct overlay *overlay,
     double sum = 0.0;
     if (glass->panes == 0 || !(count->squares > 0.0))
         return 1.0;
-    for (int i = 0; i < count->count; i++)
-        sum += count->list[i].estimated
-               * transmittance_at(overlay, glass, out, &count->list[i]);
+    struct pp_angle azimuth = {0.0, 1.0};
+    for (int i = 0; i < count->count; i++) { /* column by column */
+        const struct pp_waldram_square *square = &count->list[i];
+        if (i == 0 || square->column != square[-1].column)
+            azimuth = pp_angle_of((square->column + 0.5) * overlay->width);
+        sum += square->estimated
+               * transmittance_at(overlay, glass, out, azimuth, square->row);
+    }
     return sum / count->squares;
 }
 
