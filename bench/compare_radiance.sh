@@ -90,7 +90,8 @@ common='-ab 5 -ad 1024 -as 256 -aa 0.1 -ar 256'
 # apart.
 fine_cache='-ab 8 -ad 1024 -as 256 -aa 0.1 -ar 100000'
 limit=90        # seconds that a run of rtrace may take, but for the reference
-seeds='1 2 3 4' # of ours, whose errors are taken together
+seeds='1 2 3 4' # of ours, whose errors and times are taken together
+fine_seeds='101 102 103 104 105 106 107 108' # of our reference
 
 # ---- running ----
 
@@ -134,18 +135,29 @@ rays() {
     factors "$scratch/irradiance" "$to"
 }
 
-# off FOUND ...: the root of the mean square of the relative error, in per cent. The product of the
-# differences from two independent references, one of each program, has neither's noise.
-# Then the same against each alone, with its noise.
+# reference: ours, one a line: the mean of the fine runs, and the square of its standard error by
+# how far they are apart; prints the seconds.
+reference() {
+    for seed in $fine_seeds; do
+        traced "$scratch/fine.$seed" 0.2% "$seed" "$scratch/few.xml"
+    done | awk '{ sum += $1 } END { print sum }'
+    paste -d' ' "$scratch"/fine.* | awk '
+        { sum = squares = 0
+          for (i = 1; i <= NF; i++) sum += $i / NF
+          for (i = 1; i <= NF; i++) squares += ($i - sum) ^ 2
+          print sum, squares / (NF - 1) / NF }' >"$scratch/ours"
+}
+
+# off FOUND ...: the root of the mean square of the relative error, in per cent: against our
+# reference, whose own noise is taken off; then against rtrace's with its noise.
 off() {
     for found; do
         awk -v every="$every" 'NR % every == 1 || every == 1' "$found" |
             paste -d' ' - "$scratch/ours" "$scratch/theirs"
     done | awk '
-        { both += ($1 - $2) * ($1 - $3) / ($2 * $3)
-          ours += ($1 / $2 - 1) ^ 2; theirs += ($1 / $3 - 1) ^ 2 }
-        END { printf "%.3f %.3f %.3f\n", 100 * sqrt(both > 0 ? both / NR : 0),
-            100 * sqrt(ours / NR), 100 * sqrt(theirs / NR) }'
+        { ours += (($1 - $2) ^ 2 - $3) / $2 ^ 2; theirs += ($1 / $4 - 1) ^ 2 }
+        END { printf "%.3f %.3f\n", 100 * sqrt(ours > 0 ? ours / NR : 0),
+            100 * sqrt(theirs / NR) }'
 }
 
 # row WHOSE WORDS SECONDS FOUND ...: a line of the table, and of the list of runs.
@@ -153,8 +165,8 @@ row() {
     whose=$1 words=$2 taken=$3
     shift 3
     errors=$(off "$@")
-    # shellcheck disable=SC2086 # three numbers
-    printf '| %s | %.2f | %s | %s | %s |\n' "$words" "$taken" $errors
+    # shellcheck disable=SC2086 # two numbers
+    printf '| %s | %.2f | %s | %s |\n' "$words" "$taken" $errors
     echo "$whose $taken $errors" >>"$scratch/runs"
 }
 
@@ -174,24 +186,28 @@ compare() {
     awk -v every="$every" 'NR % every == 1 || every == 1' "$all" >"$scratch/few.pts"
     number=$(awk 'END { print NR }' "$scratch/few.pts")
 
-    ours_s=$(traced "$scratch/ours" 0.2% 7919 "$scratch/few.xml")
+    ours_s=$(reference)
     theirs_s=$(limit=600 && rays "$scratch/theirs" "$scratch/few.pts" $paths -ad "$fine")
     apart=$(paste -d' ' "$scratch/ours" "$scratch/theirs" |
-        awk '{ d = $1 / $2 - 1; s += d; q += d * d }
-            END { printf "%+.2f %% in the mean, %.2f %% RMS", 100 * s / NR, 100 * sqrt(q / NR) }')
+        awk '{ d = $1 / $3 - 1; s += d; q += d * d; own += $2 / $1 ^ 2 }
+            END { printf "%+.2f ± %.2f %% in the mean, %.2f %% RMS, of which ours has %.2f %%",
+                100 * s / NR, 100 * sqrt((q - s * s / NR) / (NR - 1) / NR), 100 * sqrt(q / NR),
+                100 * sqrt(own / NR) }')
 
     printf '\n### %s: %d points\n\n' "$(sed -n 's/.*<room [^>]*name="\([^"]*\)".*/\1/p' \
         "$scratch/room.xml")$([ "$scene" = triangles ] && echo ', 100,000 triangles')" "$count"
-    printf 'References at %d of the points: `df --simulate --error 0.2%%` (%.1f s) and `rtrace %s -ad %d`\n' \
-        "$number" "$ours_s" "$paths" "$fine"
-    printf '(%.1f s); they differ by %s. Error: RMS, relative, per cent.\n\n' "$theirs_s" "$apart"
-    echo '| run | processor s | error | against ours alone | against rtrace alone |'
-    echo '| --- | ---: | ---: | ---: | ---: |'
+    printf 'References at %d of the points: the mean of eight runs of `df --simulate --error 0.2%%`\n' \
+        "$number"
+    printf '(%.1f s) and `rtrace %s -ad %d` (%.1f s);\nthey differ by %s. ' \
+        "$ours_s" "$paths" "$fine" "$theirs_s" "$apart"
+    printf 'Error: RMS, relative, per cent;\nagainst ours its own noise is taken off.\n\n'
+    echo '| run | processor s | error | against rtrace |'
+    echo '| --- | ---: | ---: | ---: |'
     for error in 1% 0.4%; do
         for seed in $seeds; do
             traced "$scratch/found.$seed" "$error" "$seed" "$scratch/room.xml"
-        done | sort -n | sed 1q >"$scratch/taken"
-        row "ours $error" "\`df --simulate --error $error\`, the fastest of four" \
+        done | awk '{ sum += $1 } END { print sum / NR }' >"$scratch/taken"
+        row "ours $error" "\`df --simulate --error $error\`, the mean of four" \
             "$(cat "$scratch/taken")" "$scratch"/found.[1-4]
     done
     # shellcheck disable=SC2086 # options are several words
@@ -199,7 +215,7 @@ compare() {
         "$fine_cache"; do
         taken=$(rays "$scratch/found" "$all" $options)
         if [ "$taken" = 0.000 ]; then
-            printf '| `rtrace %s` | not done after %d s | | | |\n' "$options" "$limit"
+            printf '| `rtrace %s` | not done after %d s | | |\n' "$options" "$limit"
             continue
         fi
         case $options in *'-aa 0 '*) kind=paths ;; *) kind=cache ;; esac
@@ -231,8 +247,8 @@ ratios() {
                 if (own > 0)
                     printf "At an error of %g %%: %.3g s and, by rtrace at its best (%s), %.3g s: %.0f times.\n",
                         target, own, best < 0 ? "none" : from, best, best / own
-                else # the noise of both references is larger than it
-                    printf "At an error of %g %%: our error is below what the references tell.\n", target
+                else # the noise of the reference is larger than it
+                    printf "At an error of %g %%: our error is below what the reference tells.\n", target
             }
         }' "$scratch/runs"
 }

@@ -77,11 +77,12 @@ settings in common use, and at ones that suit the scene: `-ar` is in terms of th
 which is that of its ground, so that 256 keeps records metres apart.
 
 The error is that of the points' daylight factors: the root of the mean square of (found -
-true)/true. What is true is taken from two references, one of each program at very fine settings:
-the product of the differences from both has neither's noise in its mean, and neither is judge
-alone; each alone stands beside it. Below some tenths of a per cent what is left of their noise
-shows. Equal errors are had by the law of unbiased estimates, time times the square of the error;
-a run through the cache is biased, so that it counts as it is, where its error is no larger.
+true)/true. What is true is the mean of eight fine runs of `df --simulate`, whose own noise, by how
+far they are apart, is taken off. That all of ours might be off together is asked of a fine run of
+`rtrace`: how far both references are apart in the mean stands above each table with its standard
+error, and the error against that run, with its noise, beside the other. Equal errors are had by
+the law of unbiased estimates, time times the square of the error; a run through the cache is
+biased, so that it counts as it is, where its error is no larger.
 END
 # shellcheck disable=SC2086 # several words, or none: all scenes
 sh "$here/compare_radiance.sh" "$program" ${SCENES:-}
