@@ -25,11 +25,11 @@
 
 enum { GLAZED_90, GLAZED_0, GLAZED_30, GLAZED_60, BARE, DIALS };
 
-/* The protractors that the room's openings need. */
+/* The protractors that the room's openings need, and by opening the one that serves; NULL:
+ * none does. */
 struct dial_set {
     struct pp_protractor_dial *dials[DIALS];
-    const struct pp_protractor_dial
-        *of[]; /* each opening; NULL: there is none for it */
+    const struct pp_protractor_dial *of[];
 };
 
 static void destroy_tools(void *tools)
