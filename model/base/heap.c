@@ -19,18 +19,25 @@ void pp_heap_keep(void)
 #endif
 }
 
-/* A block as large stands where the next ones are going to. */
-void pp_heap_expect(size_t size)
+void pp_heap_fill(void *block, size_t size)
 {
 #ifdef MADV_POPULATE_WRITE
     size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    size_t before = page - (uintptr_t)block % page;
+    if (size >= before + page)
+        madvise((char *)block + before, (size - before) / page * page,
+                MADV_POPULATE_WRITE);
+#else
+    (void)block, (void)size;
+#endif
+}
+
+/* A block as large stands where the next ones are going to. */
+void pp_heap_expect(size_t size)
+{
     size = size < LARGEST_ARRAY / 2 ? size : LARGEST_ARRAY / 2;
     char *block = malloc(size);
-    size_t before = page - (uintptr_t)block % page;
-    if (block && size > before)
-        madvise(block + before, (size - before) / page * page, MADV_POPULATE_WRITE);
+    if (block)
+        pp_heap_fill(block, size);
     free(block);
-#else
-    (void)size;
-#endif
 }

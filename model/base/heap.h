@@ -17,4 +17,7 @@ void pp_heap_keep(void);
  * up to two megabytes. Where it can't, nothing happens. */
 void pp_heap_expect(size_t size);
 
+/* The same for the block itself, of any size, whose every byte is going to be written. */
+void pp_heap_fill(void *block, size_t size);
+
 #endif

@@ -13,6 +13,7 @@
 
 #include "model/base/array.h"
 #include "model/base/clock.h"
+#include "model/base/heap.h"
 #include "simulate/cache/cache_parts.h"
 #include "simulate/cache/cache_smooth.h"
 #include "simulate/sampling/hash.h"
@@ -20,7 +21,8 @@
 
 enum {
     CHUNK = 1 << 16,
-    RAY_CHUNK = 1 << 12, /* rays that are followed before their requests are kept */
+    RAY_CHUNK = 1 << 12,  /* rays that are followed before their requests are kept */
+    MOST_AHEAD = 1 << 20, /* requests that have room before their rays are followed */
     /* At most, that look for the surfaces which light the requests; surfaces that they
      * miss have their light by paths. */
     EXPANSION_RAYS = 8192,
@@ -38,16 +40,19 @@ static const double FIRST_GUESS = 1.0 / 32.0;
 
 /* ---- requests ---- */
 
-static enum pp_status request(struct pp_cache_layer *layer,
-                              const struct pp_cache_place *place, struct pp_error *err)
+/* Room for `count` more requests. */
+static enum pp_status reserve(struct pp_cache_layer *layer, int count,
+                              struct pp_error *err)
 {
-    enum pp_status status =
-        pp_array_reserve(&layer->requests, &layer->request_capacity,
-                         layer->request_count + 1, sizeof *layer->requests, err);
-    if (status == PP_OK)
-        layer->requests[layer->request_count++] =
-            (struct pp_cache_request){.place = *place};
-    return status;
+    return pp_array_reserve(&layer->requests, &layer->request_capacity,
+                            layer->request_count + count, sizeof *layer->requests, err);
+}
+
+/* Appends a request, for which there is room. */
+static void append(struct pp_cache_layer *layer, const struct pp_cache_place *place)
+{
+    layer->requests[layer->request_count++] =
+        (struct pp_cache_request){.place = *place};
 }
 
 /* Requests that have been met are forgotten when others come. */
@@ -145,9 +150,13 @@ static enum pp_status request_along(struct pp_irradiance_cache *cache,
                                     pp_cache_ray *ray_of, const void *list,
                                     size_t count, int depth, struct pp_error *err)
 {
-    enum pp_status status = PP_OK;
     struct pp_cache_layer *layer = &cache->layers[depth];
     int before = layer->request_count;
+    /* Most rays ask once. */
+    enum pp_status status =
+        reserve(layer, count < MOST_AHEAD ? (int)count : MOST_AHEAD, err);
+    if (status != PP_OK)
+        return status;
     struct ray_requests *rays_requests = malloc(RAY_CHUNK * sizeof *rays_requests);
     if (!rays_requests)
         return pp_fail_memory(err);
@@ -155,9 +164,16 @@ static enum pp_status request_along(struct pp_irradiance_cache *cache,
         int n = count - first < RAY_CHUNK ? (int)(count - first) : RAY_CHUNK;
         struct request_rays chunk = {cache, ray_of, list, first, depth, rays_requests};
         pp_crew_run_small(cache->crew, 0, n, trace_one, &chunk);
+        int wanted = 0;
         for (int i = 0; i < n; i++)
-            for (int k = 0; status == PP_OK && k < rays_requests[i].count; k++)
-                status = request(layer, &rays_requests[i].places[k], err);
+            wanted += rays_requests[i].count;
+        status = reserve(layer, wanted, err);
+        if (status == PP_OK)
+            pp_heap_fill(layer->requests + layer->request_count,
+                         (size_t)wanted * sizeof *layer->requests);
+        for (int i = 0; i < n && status == PP_OK; i++)
+            for (int k = 0; k < rays_requests[i].count; k++)
+                append(layer, &rays_requests[i].places[k]);
     }
     free(rays_requests);
     if (status == PP_OK)
@@ -183,7 +199,10 @@ enum pp_status pp_cache_grow_request_point(struct pp_irradiance_cache *cache,
     if (cache->options.bounces == 0)
         return PP_OK;
     forget(cache);
-    return request(&cache->layers[0], &place, err);
+    enum pp_status status = reserve(&cache->layers[0], 1, err);
+    if (status == PP_OK)
+        append(&cache->layers[0], &place);
+    return status;
 }
 
 /* Requests whose hemispheres are looked over, by rays about them in turn. */
@@ -347,13 +366,12 @@ struct batch_records {
     struct pp_irradiance_cache *cache;
     int depth;
     const struct pp_cache_request *const *chosen;
-    struct pp_cache_hemisphere_cell *cells;
+    struct pp_cache_hemisphere_cell *cells; /* of a hemisphere for each member */
     struct pp_cache_entry *entries;
 };
 
 static bool compute_one(void *data, int member, int i)
 {
-    (void)member;
     const struct batch_records *records = data;
     struct pp_irradiance_cache *cache = records->cache;
     int depth = records->depth;
@@ -363,10 +381,10 @@ static bool compute_one(void *data, int member, int i)
     struct pp_ambient ambient = {ask_from_record, &from};
     struct pp_radiance_state state = state_of(cache, seed_of(cache, place, depth));
     state.ambient = &ambient;
-    pp_cache_record_compute(
-        settings, &state, place,
-        records->cells + (size_t)i * (size_t)settings->side * (size_t)settings->side,
-        &records->entries[i]);
+    size_t cells = (size_t)settings->side * (size_t)settings->side;
+    pp_cache_record_compute(settings, &state, place,
+                            records->cells + (size_t)member * cells,
+                            &records->entries[i]);
     records->entries[i].is.depth = depth;
     return true;
 }
@@ -382,7 +400,7 @@ static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
         return PP_OK;
     size_t side = (size_t)layer->settings.side;
     struct pp_cache_hemisphere_cell *cells =
-        malloc(PP_CACHE_BATCH * side * side * sizeof *cells);
+        malloc((size_t)pp_crew_size(cache->crew) * side * side * sizeof *cells);
     struct pp_cache_entry *entries = calloc(PP_CACHE_BATCH, sizeof *entries);
     enum pp_status status = cells && entries ? PP_OK : pp_fail_memory(err);
     struct batch_records records = {cache, depth, chosen, cells, entries};
