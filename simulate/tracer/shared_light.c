@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "model/base/array.h"
+#include "model/base/heap.h"
 #include "simulate/sampling/hash.h"
 
 enum {
@@ -140,8 +141,11 @@ enum pp_status pp_shared_light_extend(struct pp_shared_lights *lights, int stage
         lights->sets[lights->set_count] = (struct shared_set){.list = NULL};
     for (int i = 0; status == PP_OK && i < count; i++) {
         struct shared_set *set = &lights->sets[i];
+        int more = (int)wanted[i] - set->count;
         status = pp_array_reserve(&set->list, &set->capacity, (int)wanted[i],
                                   sizeof *set->list, err);
+        if (status == PP_OK && more > 0)
+            pp_heap_fill(set->list + set->count, (size_t)more * sizeof *set->list);
     }
     if (status != PP_OK)
         return status;
