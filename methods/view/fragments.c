@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "model/base/array.h"
+#include "model/geometry/larger.h"
 
 static void measure(struct pp_fragment *fragment)
 {
@@ -13,8 +14,8 @@ static void measure(struct pp_fragment *fragment)
         double low = fragment->xy[0][axis], high = low;
         for (int i = 1; i < fragment->count; i++) {
             double at = fragment->xy[i][axis];
-            low = at < low ? at : low;
-            high = at > high ? at : high;
+            low = pp_smaller(at, low);
+            high = pp_larger(at, high);
         }
         fragment->low[axis] = low;
         fragment->high[axis] = high;
@@ -85,8 +86,8 @@ void pp_fragments_close_ring(struct pp_fragment_ring *ring, double (*xy)[2], int
     for (int axis = 0; axis < 2; axis++) {
         double low = xy[0][axis], high = low;
         for (int i = 1; i < count; i++) {
-            low = xy[i][axis] < low ? xy[i][axis] : low;
-            high = xy[i][axis] > high ? xy[i][axis] : high;
+            low = pp_smaller(xy[i][axis], low);
+            high = pp_larger(xy[i][axis], high);
         }
         ring->low[axis] = low;
         ring->high[axis] = high;

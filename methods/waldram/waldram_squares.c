@@ -166,7 +166,7 @@ enum pp_status pp_waldram_squares_outline(struct pp_region *outline,
 /* The mean height of an edge from y0 to y1 over a square's foot, within the square. */
 static double mean_within(double y0, double y1, double height)
 {
-    double low = y0 < y1 ? y0 : y1, high = y0 < y1 ? y1 : y0;
+    double low = pp_smaller(y0, y1), high = pp_larger(y0, y1);
     double from = pp_within(low, 0.0, height), to = pp_within(high, 0.0, height);
     if (!(to > from))
         return from;
@@ -193,7 +193,7 @@ static void add_below(struct square_field *field, int column, const double *p,
     double rise = q[1] - p[1], run = q[0] - p[0], height = field->height;
     double y0 = p[1] + (from - p[0]) / run * rise;
     double y1 = p[1] + (to - p[0]) / run * rise;
-    double top = y0 > y1 ? y0 : y1, bottom = y0 > y1 ? y1 : y0;
+    double top = pp_larger(y0, y1), bottom = pp_smaller(y0, y1);
     double *parts = field->parts + (column - field->first) * field->rows;
     int row = 0;
     for (; row < field->rows && bottom - row * height >= height; row++)
@@ -264,8 +264,8 @@ enum pp_status pp_waldram_squares_count_outline(struct pp_waldram_count *count,
     for (int r = 0; r < outline->count; r++)
         for (int i = 0; i < outline->rings[r].count; i++) {
             double x = outline->rings[r].xy[i][0];
-            low = x < low ? x : low;
-            high = x > high ? x : high;
+            low = pp_smaller(x, low);
+            high = pp_larger(x, high);
         }
 
     if (low < high) { /* else nothing is visible */
