@@ -123,6 +123,7 @@ static void find_shares(struct pp_openings_shares *shares,
     shares->mouths = viewer->mouths;
     for (int i = 0; i < choice->scene->pane_count; i++)
         shares->of[i] = importance_of(choice, i);
+    pp_choose_raise(shares->of, choice->scene->pane_count);
 }
 
 int pp_openings_choose(const struct pp_light_scene *scene,
@@ -136,7 +137,8 @@ int pp_openings_choose(const struct pp_light_scene *scene,
     }
     struct pane_choice choice = {scene, viewer};
     if (scene->pane_count > PP_OPENINGS_KEPT)
-        return pp_choose(importance_of, &choice, scene->pane_count, u, probability);
+        return pp_choose(importance_of, &choice, scene->pane_count, PP_CHOOSE_EVENLY, u,
+                         probability);
     find_shares(shares, &choice);
     return pp_choose_weighted(shares->of, scene->pane_count, u, probability);
 }

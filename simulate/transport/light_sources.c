@@ -206,7 +206,7 @@ static struct pp_rgb sample_connections(struct pp_radiance_state *state,
     pp_sobol_sequence_draw(&state->sequence, state->index,
                            pp_path_vertex_branch(vertex, 0), 1, &u);
     struct connections connections = {state->scene, shading, group.first};
-    int chosen = pp_choose(importance_of, &connections, group.end - group.first, u,
+    int chosen = pp_choose(importance_of, &connections, group.end - group.first, 0.0, u,
                            &probability);
     if (chosen < 0)
         return sum;

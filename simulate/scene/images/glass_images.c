@@ -206,6 +206,7 @@ static void look_from(const struct pp_light_scene *scene, struct pp_glass_view *
         view->kept[i].image = 0;
     for (int i = 0; i < scene->glass_image_count; i++)
         view->share[i] = share_of(scene, view, brightness, i);
+    pp_choose_raise(view->share, scene->glass_image_count);
 }
 
 /* Of an image that is in sight. */
