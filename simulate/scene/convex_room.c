@@ -30,6 +30,7 @@ struct pp_convex_room {
     struct convex_plane *planes;
     int plane_count;
     int *panes; /* by plane */
+    struct pp_vec3 middle;
 };
 
 bool pp_convex_room_is(const struct pp_world *world)
@@ -82,6 +83,17 @@ static bool has_plane_twice(const struct pp_world *world)
     return false;
 }
 
+static struct pp_vec3 middle_of(const struct pp_light_scene *scene)
+{
+    const struct pp_world *world = scene->world;
+    struct pp_vec3 sum = {0.0, 0.0, 0.0};
+    int count = 0;
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++, count++)
+            sum = pp_vec_add(sum, world->surfaces[i].outline.vertices[k]);
+    return pp_vec_sub(pp_vec_scale(sum, 1.0 / count), scene->centre);
+}
+
 enum pp_status pp_convex_room_create(struct pp_convex_room **result,
                                      const struct pp_light_scene *scene,
                                      struct pp_error *err)
@@ -94,6 +106,7 @@ enum pp_status pp_convex_room_create(struct pp_convex_room **result,
     if (!room)
         return pp_fail_memory(err);
     room->plane_count = world->face_count;
+    room->middle = middle_of(scene);
     room->planes = calloc((size_t)world->face_count, sizeof *room->planes);
     room->panes = calloc((size_t)scene->pane_count + 1, sizeof *room->panes);
     if (!room->planes || !room->panes) {
@@ -136,6 +149,15 @@ bool pp_convex_room_encloses(const struct pp_convex_room *room, struct pp_vec3 p
             return false;
     }
     return true;
+}
+
+struct pp_light_ray pp_convex_room_sight(const struct pp_convex_room *room,
+                                         struct pp_vec3 point)
+{
+    struct pp_vec3 to = pp_vec_sub(point, room->middle);
+    return (struct pp_light_ray){.from = room->middle,
+                                 .to = pp_vec_scale(to, 1.0 / pp_vec_length(to)),
+                                 .space = PP_INDOORS};
 }
 
 static bool in_triangle(const struct pp_vec3 t[3], struct pp_vec3 normal,

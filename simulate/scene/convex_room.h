@@ -48,6 +48,11 @@ void pp_convex_room_destroy(struct pp_convex_room *room); /* NULL is allowed */
 /* Is the point in the room, and not in a niche? */
 bool pp_convex_room_encloses(const struct pp_convex_room *room, struct pp_vec3 point);
 
+/* The ray that looks from the middle of the room, where all of it is seen, at a point of its
+ * surfaces. */
+struct pp_light_ray pp_convex_room_sight(const struct pp_convex_room *room,
+                                         struct pp_vec3 point);
+
 /* The plane that a ray comes to first, by its index, and how far off; -1: none, or the
  * ray starts outside, or in a niche or near its mouth. */
 struct pp_convex_nearest {

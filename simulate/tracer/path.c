@@ -168,15 +168,17 @@ void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
     }
 }
 
-/* G where the ray has come, if that is a surface and wants to be gathered. */
+/* G where the ray has come, if that is a surface and wants to be gathered; what `cells` leave
+ * of it. */
 static double gathered(struct pp_path_state *state, const struct pp_light_ray *ray,
-                       const struct pp_convex_nearest *nearest)
+                       const struct pp_convex_nearest *nearest, bool cells)
 {
     struct pp_light_hit met;
     if (pp_radiance_state_meet_by(&state->light, ray, nearest, &met) != PP_MEETS_PART
         || pp_path_is_brought(state, ray->from, &met))
         return 0.0;
-    return pp_path_guess(state, &met);
+    double guess = pp_path_guess(state, &met);
+    return cells ? pp_gather_cells_left(state->cells, ray, &met, guess) : guess;
 }
 
 /* The paths of a run of indices; state->light.index is the first of them. */
@@ -194,7 +196,7 @@ static void gather_run(struct pp_path_state *state, const struct pp_start *start
     for (int i = 0; i < count; i++, state->light.index++) {
         struct pp_light_ray ray =
             start_ray(state, start, start->position, pp_vec(to.x[i], to.y[i], to.z[i]));
-        *sum += gathered(state, &ray, known ? &nearest[i] : NULL);
+        *sum += gathered(state, &ray, known ? &nearest[i] : NULL, state->cells != NULL);
     }
 }
 
@@ -210,10 +212,18 @@ void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
             continue;
         }
         struct pp_light_ray ray = lobe_ray(state, start);
-        *sum += gathered(state, &ray, NULL);
+        *sum += gathered(state, &ray, NULL, state->cells && !start->anywhere);
         state->light.index++;
     }
     state->light.index = end;
+}
+
+double pp_path_gather_cells(const struct pp_path_state *state,
+                            const struct pp_start *start)
+{
+    return state->cells && !start->anywhere ? pp_gather_cells_taken(
+               state->cells, state->net, start->position, start->normal)
+                                            : 0.0;
 }
 
 double pp_path_shared(const struct pp_path_state *state, const struct pp_start *start,

@@ -10,13 +10,15 @@
  *
  *     direct      light that comes in by an opening straight to the point, by
  *                 next-event estimation
- *     gather      the mean of G over the cosine lobe of the point
+ *     gather      the mean of G over the cosine lobe of the point, in a convex room by
+ *                 cells (gather_cells.h) but for what they leave
  *     correction  the mean of B - G over that lobe, with
  *
  *                     B - G = (M - G) + rho (E + K G) + rho K (B - G)              (2)
  *
  *                 followed along a path: at each surface met the first two terms of
- *                 (2) by several directions, then on by one of these
+ *                 (2) by several directions, K G by cells too, then on by one of
+ *                 these
  *
  * Their sum is unbiased whatever G; a good G leaves a correction of little variance.
  * That is the noise of the samples at each surface, and grows with the light there. So
@@ -49,6 +51,7 @@
 #define PP_SIMULATE_TRACER_PATH_H
 
 #include "simulate/scene/images/glass_images.h"
+#include "simulate/tracer/gather_cells.h"
 #include "simulate/tracer/radiosity.h"
 #include "simulate/tracer/shared_density.h"
 #include "simulate/transport/irradiance.h"
@@ -67,6 +70,8 @@ struct pp_path_state {
         *radiosity; /* the control variate; not owned; NULL: none */
     const struct pp_niche_light *niches; /* by it; not owned; NULL: none are aimed at */
     const struct pp_shared_density *shared; /* not owned; NULL: nothing is shared */
+    const struct pp_gather_cells *cells;    /* not owned; NULL: rays gather all */
+    const double *net;         /* of the cells, in this randomisation; not owned */
     bool glass;                /* are openings sampled by their images in glass? */
     struct pp_glass_view view; /* of these, from the last point */
 };
@@ -104,6 +109,11 @@ void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
                     uint32_t end, double *sum);
 void pp_path_correction(struct pp_path_state *state, const struct pp_start *start,
                         uint32_t end, double *sum);
+
+/* What cells gather beside the paths, in a randomisation: 0 where there are none, or a path
+ * starts anywhere. */
+double pp_path_gather_cells(const struct pp_path_state *state,
+                            const struct pp_start *start);
 
 /* By one of the points that receivers share; where state->shared is not NULL the mean of
  * these is a part of the correction. */

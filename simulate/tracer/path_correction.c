@@ -9,12 +9,12 @@
 enum {
     /* Directions from each surface met, where the control variate leaves a small
      * difference of two large numbers. Measured in two rooms: half and twice as many
-     * lose 10 to 40 % of the efficiency, one of each two thirds. */
+     * lose 10 to 40 % of the efficiency, one of each two thirds; by the cells of a convex
+     * room, which leave the lobe little, up to 10 %. */
     OPENINGS = 4,
     LOBES = 8,
-    SHARED_LOBES = 16, /* where points are shared: in a convex room rays cost less */
-    FIRST_LOBES = 4,   /* from the point itself, where nothing is shared */
-    MOST_LOBES = SHARED_LOBES, /* as all of these a power of two, PP_RUN_MOST or less */
+    FIRST_LOBES = 4,    /* from the point itself, where nothing is shared */
+    MOST_LOBES = LOBES, /* as all of these a power of two, PP_RUN_MOST or less */
     /* A path ends here where nothing ever absorbs: in an enclosure that reflects all.
      * With a reflectance of 0.99 one path in 10^70 comes so far. */
     MOST_BOUNCES = 1 << 14
@@ -45,6 +45,7 @@ struct path_fan {
     uint32_t lobes;        /* how many */
     double throughput;     /* of all */
     bool gathers; /* is G wanted of those, too, that come to a surface at once? */
+    bool cells;   /* is it gathered by cells as well? */
     bool glass;   /* are openings sampled from there by their images in glass? */
 };
 
@@ -139,6 +140,18 @@ static struct path_arm choose(const struct path_arm *arms, int count, double u)
     return arm;
 }
 
+/* What the fan gathers by its own rays of G where the arm has come to. */
+static double gathered(const struct pp_path_state *state, const struct path_fan *fan,
+                       const struct path_arm *arm, double guess)
+{
+    if (!arm->at_once)
+        return guess;
+    if (!fan->gathers || pp_path_is_brought(state, fan->from, &arm->met))
+        return 0.0;
+    return fan->cells ? pp_gather_cells_left(state->cells, &arm->ray, &arm->met, guess)
+                      : guess;
+}
+
 /* K G by the arms of the fan, the rays from `first` on, each of which comes to a surface or
  * ends; one of them goes on as *arm with the throughput of all. False if none does. */
 static bool spread(struct pp_path_state *state, const struct path_fan *fan,
@@ -161,10 +174,9 @@ static bool spread(struct pp_path_state *state, const struct path_fan *fan,
                         pp_path_vertex_branch(vertex, PP_DRAWS), sum)
             || !(next->throughput > 0.0))
             continue;
-        next->importance = next->throughput * pp_path_guess(state, &next->met);
-        if (!next->at_once
-            || (fan->gathers && !pp_path_is_brought(state, fan->from, &next->met)))
-            *sum += next->importance;
+        double guess = pp_path_guess(state, &next->met);
+        next->importance = next->throughput * guess;
+        *sum += next->throughput * gathered(state, fan, next, guess);
         count++;
     }
     light->index = index;
@@ -183,16 +195,21 @@ static bool bounce(struct pp_path_state *state, struct path_arm *arm, int vertex
                    uint32_t openings, uint32_t lobes, double *sum)
 {
     const struct pp_light_part *part = &state->light.scene->parts[arm->met.part];
-    struct path_fan fan = {.from =
-                               pp_path_vertex_drawn_back(arm->met.point, arm->ray.to),
-                           .frame = {part->a, part->b, arm->met.normal},
-                           .lobes = lobes,
-                           .throughput = arm->throughput,
-                           .gathers = true};
+    struct path_fan fan = {
+        .from = pp_path_vertex_drawn_back(arm->met.point, arm->ray.to),
+        .frame = {part->a, part->b, arm->met.normal},
+        .lobes = lobes,
+        .throughput = arm->throughput,
+        .gathers = true,
+        .cells = state->cells && pp_gather_cells_are_on(state->cells, arm->met.part)};
     struct fan_rays rays;
     struct pp_irradiance e =
         pp_path_by_openings(state, fan.from, fan.frame.z, vertex, openings);
     *sum += arm->throughput * pp_irradiance_sum(&e).g;
+    if (fan.cells)
+        *sum +=
+            arm->throughput
+            * pp_gather_cells_taken(state->cells, state->net, fan.from, fan.frame.z);
     draw_rays(state, &fan, vertex, 1, &rays);
     return spread(state, &fan, &rays, 0, vertex, arm, sum);
 }
@@ -221,7 +238,7 @@ static bool step(struct pp_path_state *state, struct path_arm *arm, int vertex,
 {
     const struct pp_material *material =
         &state->light.scene->materials[arm->met.material];
-    uint32_t lobes = !state->radiosity ? 1 : state->shared ? SHARED_LOBES : LOBES;
+    uint32_t lobes = state->radiosity ? LOBES : 1;
     uint32_t openings = state->radiosity ? OPENINGS : 1;
     *sum += arm->throughput
             * (PP_PI * material->radiance.g - pp_path_guess(state, &arm->met));

@@ -26,7 +26,6 @@ struct density_patch {
 struct pp_shared_density {
     const struct pp_light_scene *scene;   /* not owned */
     const struct pp_radiosity *radiosity; /* not owned */
-    struct pp_vec3 middle; /* a point in the room, from which all is seen */
     struct density_patch *patches;
     double *values; /* p by patch, 1/m2 */
     double *below;  /* by patch: the probability of those before it */
@@ -110,17 +109,6 @@ static int patch_of(const struct pp_shared_density *density, double u)
     return low;
 }
 
-static struct pp_vec3 middle_of(const struct pp_light_scene *scene)
-{
-    const struct pp_world *world = scene->world;
-    struct pp_vec3 sum = {0.0, 0.0, 0.0};
-    int count = 0;
-    for (int i = 0; i < world->face_count; i++)
-        for (int k = 0; k < world->surfaces[i].outline.count; k++, count++)
-            sum = pp_vec_add(sum, world->surfaces[i].outline.vertices[k]);
-    return pp_vec_sub(pp_vec_scale(sum, 1.0 / count), scene->centre);
-}
-
 enum pp_status pp_shared_density_create(struct pp_shared_density **result,
                                         const struct pp_light_scene *scene,
                                         const struct pp_radiosity *radiosity,
@@ -134,7 +122,6 @@ enum pp_status pp_shared_density_create(struct pp_shared_density **result,
         return pp_fail_memory(err);
     density->scene = scene;
     density->radiosity = radiosity;
-    density->middle = middle_of(scene);
     size_t count = (size_t)radiosity->count;
     density->patches = calloc(count, sizeof *density->patches);
     density->values = calloc(count, sizeof *density->values);
@@ -163,14 +150,11 @@ struct pp_shared_place pp_shared_density_draw(const struct pp_shared_density *de
                                               const double u[3])
 {
     int patch = patch_of(density, u[0]);
-    struct pp_vec3 to =
-        pp_vec_sub(point_of(density->scene, &density->patches[patch], u[1], u[2]),
-                   density->middle);
+    struct pp_vec3 point =
+        point_of(density->scene, &density->patches[patch], u[1], u[2]);
     return (struct pp_shared_place){
         .part = density->patches[patch].part,
-        .sight = {.from = density->middle,
-                  .to = pp_vec_scale(to, 1.0 / pp_vec_length(to)),
-                  .space = PP_INDOORS},
+        .sight = pp_convex_room_sight(density->scene->convex, point),
         .per_density = 1.0 / (PP_PI * density->values[patch])};
 }
 

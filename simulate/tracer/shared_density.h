@@ -27,9 +27,10 @@
 #include "model/base/error.h"
 #include "simulate/tracer/radiosity.h"
 
-/* The greatest weight c in (1). Measured: from 12 to 50 the work to an error changes by
- * less than a tenth, beyond it grows. */
-#define PP_SHARED_DENSITY_MOST_WEIGHT 25.0
+/* The greatest weight c in (1). Measured: from 6 to 25 the work to an error changes by less
+ * than a tenth; but of 6,000 points in random rooms 0.08, 0.2 and 0.6 % end with more than
+ * twice the standard error asked for by 6, 12 and 25. */
+#define PP_SHARED_DENSITY_MOST_WEIGHT 6.0
 
 /* A point y with its light. */
 struct pp_shared_light {

@@ -20,6 +20,7 @@ enum {
 struct shared_set {
     struct pp_shared_light *list;
     int count, capacity;
+    double *net; /* of the path's cells; NULL: none, or not wanted yet */
     long rays, leaks;
 };
 
@@ -54,6 +55,7 @@ static void forget(struct pp_shared_lights *lights)
         lights->rays += lights->sets[i].rays;
         lights->leaks += lights->sets[i].leaks;
         free(lights->sets[i].list);
+        free(lights->sets[i].net);
     }
     lights->set_count = 0;
 }
@@ -93,6 +95,15 @@ static int block_of(int i)
     return i < FIRST_BLOCK ? 0 : block;
 }
 
+static void draw_net(struct pp_path_state *state, const struct pp_sobol *sobol,
+                     uint64_t seed, double *net)
+{
+    double u[2];
+    pp_sobol_sequence_init(&state->light.sequence, sobol, pp_hash(seed, UINT64_MAX));
+    pp_sobol_sequence_draw(&state->light.sequence, 0, 0, 2, u);
+    pp_gather_cells_draw(state->cells, &state->light, u, net);
+}
+
 /* What the members of a crew share: how many points each set is to have. */
 struct extension {
     const struct pp_shared_lights *lights;
@@ -110,6 +121,9 @@ static bool extend(void *data, int member, int set)
     uint64_t seed = pp_hash(pp_hash(lights->seed, (uint64_t)lights->stage),
                             (uint64_t)(lights->first + set));
     int begun = -1;
+    if (shared->count == 0 && shared->net)
+        draw_net(&state, lights->sobol, seed, shared->net);
+    state.net = shared->net;
     for (int i = shared->count; i < count; i++) {
         int block = block_of(i), others = block < MOST_OTHERS ? block : MOST_OTHERS;
         if (block != begun)
@@ -125,6 +139,16 @@ static bool extend(void *data, int member, int set)
     shared->rays += state.light.rays;
     shared->leaks += state.light.leaks;
     return true;
+}
+
+static enum pp_status reserve_net(struct shared_set *set,
+                                  const struct pp_gather_cells *cells,
+                                  struct pp_error *err)
+{
+    if (!cells || set->net)
+        return PP_OK;
+    set->net = malloc(pp_gather_cells_size(cells) * sizeof *set->net);
+    return set->net ? PP_OK : pp_fail_memory(err);
 }
 
 enum pp_status pp_shared_light_extend(struct pp_shared_lights *lights, int stage,
@@ -145,6 +169,8 @@ enum pp_status pp_shared_light_extend(struct pp_shared_lights *lights, int stage
         status = pp_array_reserve(&set->list, &set->capacity, (int)wanted[i],
                                   sizeof *set->list, err);
         if (status == PP_OK && more > 0)
+            status = reserve_net(set, lights->path.cells, err);
+        if (status == PP_OK && more > 0)
             pp_heap_fill(set->list + set->count, (size_t)more * sizeof *set->list);
     }
     if (status != PP_OK)
@@ -158,6 +184,12 @@ const struct pp_shared_light *pp_shared_light_list(
     const struct pp_shared_lights *lights, int randomisation)
 {
     return lights->sets[randomisation - lights->first].list;
+}
+
+const double *pp_shared_light_net(const struct pp_shared_lights *lights,
+                                  int randomisation)
+{
+    return lights->sets[randomisation - lights->first].net;
 }
 
 void pp_shared_light_work(const struct pp_shared_lights *lights, long long *rays,

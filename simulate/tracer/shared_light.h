@@ -18,8 +18,8 @@
 
 struct pp_shared_lights;
 
-/* For paths like this one, whose scene, light, radiosity and density (path->shared, not
- * NULL) must live as long, and sobol too. On success *lights is the caller's. */
+/* For paths like this one, whose scene, light, radiosity, cells and density (path->shared,
+ * not NULL) must live as long, and sobol too. On success *lights is the caller's. */
 enum pp_status pp_shared_light_create(struct pp_shared_lights **lights,
                                       const struct pp_path_state *path,
                                       const struct pp_sobol *sobol, uint64_t seed,
@@ -35,6 +35,11 @@ enum pp_status pp_shared_light_extend(struct pp_shared_lights *lights, int stage
 /* The points of one of these randomisations. */
 const struct pp_shared_light *pp_shared_light_list(
     const struct pp_shared_lights *lights, int randomisation);
+
+/* The net of the path's cells (gather_cells.h) in one of these randomisations; NULL where
+ * the path has none, or no points were wanted. */
+const double *pp_shared_light_net(const struct pp_shared_lights *lights,
+                                  int randomisation);
 
 /* Rays traced for points so far, and leaks among them. */
 void pp_shared_light_work(const struct pp_shared_lights *lights, long long *rays,

@@ -19,17 +19,23 @@
 /* The estimators, and the sums of their paths; those of direct light are by component,
  * PP_SC to PP_IRC. */
 enum { DIRECT, GATHER, CORRECTION, SHARED, ESTIMATORS };
-enum { SUM_DIRECT = 0, SUM_GATHER = 3, SUM_CORRECTION = 4, SUM_SHARED = 5 };
+enum {
+    SUM_DIRECT = 0,
+    SUM_GATHER = 3,
+    SUM_CORRECTION = 4,
+    SUM_SHARED = 5,
+    SUM_CELLS = 6 /* what cells gather, no sum over paths */
+};
 
 /* Points that receivers share in one randomisation: as many as leave about this over the
  * square of the error that is wanted, measured in rooms of several depths, and no fewer than
  * these, since what a few leave takes more randomisations: with 8 a grid at 3 % took 1.8
  * times the work of one at 1 %. */
 enum { LEAST_SHARED = 64, MOST_SHARED = 1 << 12 };
-static const double SHARED_VARIANCE = 0.0065;
+static const double SHARED_VARIANCE = 0.0033;
 
 /* What one of them costs a receiver, in rays: a connection, and its share of the point's
- * own 25 rays as if some 25 receivers had it. However many there are, their number is not
+ * own 15 rays as if some 15 receivers had it. However many there are, their number is not
  * looked at: it would be another value. A third or twice as much changes the work by about
  * a tenth for 8, 17 and 384. */
 static const double SHARED_COST = 1.0;
@@ -50,7 +56,8 @@ struct pp_tracer {
     const struct pp_environment *environment;
     struct pp_radiosity *radiosity;
     struct pp_shared_density *density; /* NULL: each point's correction is its own */
-    struct pp_shared_lights *shared;   /* NULL there too */
+    struct pp_gather_cells *cells;     /* NULL there too, */
+    struct pp_shared_lights *shared;   /* and this */
     struct pp_sobol sobol;
     struct traced_point *points; /* the receivers, then the average if it is wanted */
     int point_count, receiver_count;
@@ -68,6 +75,7 @@ static void begin(const void *client, void *state)
     *path = pp_path_state(tracer->scene, tracer->environment, tracer->radiosity);
     path->light.every_ray = tracer->every_ray;
     path->shared = tracer->density;
+    path->cells = tracer->cells;
     path->glass = path->glass && !tracer->direct;
 }
 
@@ -117,13 +125,19 @@ static void follow(const void *client, void *state, const struct pp_path_range *
     double *sums = randomisation->sums;
     long rays = path->light.rays, leaks = path->light.leaks;
     path->light.sequence = range->sequence;
-    path->shared = tracer->points[range->point].shares ? tracer->density : NULL;
+    bool shares = tracer->points[range->point].shares;
+    path->shared = shares ? tracer->density : NULL;
+    path->cells = shares ? tracer->cells : NULL;
+    path->net =
+        shares ? pp_shared_light_net(tracer->shared, range->randomisation) : NULL;
     if (range->estimator == SHARED) {
         sums[SUM_SHARED] += shared_of(tracer, path, range);
         return;
     }
     struct pp_light direct = {{sums[PP_SC], sums[PP_ERC], sums[PP_IRC]}};
     path->light.index = range->first;
+    if (range->estimator == GATHER && range->first == 0)
+        sums[SUM_CELLS] = pp_path_gather_cells(path, start);
     if (range->estimator == GATHER)
         pp_path_gather(path, start, range->end, &sums[SUM_GATHER]);
     else if (range->estimator == CORRECTION)
@@ -148,7 +162,7 @@ static double part_of(const void *client, int point,
     case DIRECT:
         return (sums[PP_SC] + sums[PP_ERC] + D * sums[PP_IRC]) / n;
     case GATHER:
-        return D * sums[SUM_GATHER] / n;
+        return D * (sums[SUM_GATHER] / n + sums[SUM_CELLS]);
     case CORRECTION:
         return D * sums[SUM_CORRECTION] / n;
     default:
@@ -258,7 +272,8 @@ static struct pp_sampler sharing(double error)
     shared.estimators = ESTIMATORS;
     shared.fall[SHARED] = 1.05;
     shared.pilot = (struct pp_counts){{4, 8, 2, 8}};
-    shared.least = (struct pp_counts){{4, 8, 4, 8}};
+    /* With 8 shared points a single one may make most of a point's error. */
+    shared.least = (struct pp_counts){{4, 8, 4, 16}};
     /* Half as many take a fifth off a grid at 1 %, with standard errors as true. Where the
      * correction is a point's own, twice as many values would be a third less sure. */
     shared.pilot_randomisations = 16;
@@ -307,6 +322,9 @@ static enum pp_status share(struct pp_tracer *tracer, uint64_t seed,
 {
     enum pp_status status = pp_shared_density_create(&tracer->density, tracer->scene,
                                                      tracer->radiosity, err);
+    if (status == PP_OK && tracer->density)
+        status = pp_gather_cells_create(&tracer->cells, tracer->scene,
+                                        tracer->radiosity, err);
     if (status != PP_OK || !tracer->density)
         return status;
     struct pp_path_state path;
@@ -375,6 +393,7 @@ void pp_tracer_destroy(struct pp_tracer *tracer)
     free(tracer->points);
     pp_shared_light_destroy(tracer->shared);
     pp_shared_density_destroy(tracer->density);
+    pp_gather_cells_destroy(tracer->cells);
     pp_radiosity_destroy(tracer->radiosity);
     free(tracer);
 }
