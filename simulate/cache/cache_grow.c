@@ -21,6 +21,7 @@
 
 enum {
     CHUNK = 1 << 16,
+    LOOK = 1 << 10,       /* open requests that are looked at before a batch is taken */
     RAY_CHUNK = 1 << 12,  /* rays that are followed before their requests are kept */
     MOST_AHEAD = 1 << 20, /* requests that have room before their rays are followed */
     /* At most, that look for the surfaces which light the requests; surfaces that they
@@ -303,7 +304,7 @@ static bool is_open(const struct pp_irradiance_cache *cache,
     return true;
 }
 
-/* The requests of a chunk, which the crew's members look at. */
+/* The requests of a chunk, or the open ones, which the crew's members look at. */
 struct look {
     const struct pp_irradiance_cache *cache;
     struct pp_cache_layer *layer;
@@ -315,6 +316,11 @@ static bool look_at(void *data, int member, int i)
     const struct look *look = data;
     is_open(look->cache, look->layer, &look->layer->requests[look->layer->next + i]);
     return true;
+}
+
+static bool look_at_open(void *data, int member, int i)
+{
+    return look_at(data, member, ((const struct look *)data)->layer->open[i]);
 }
 
 /* Lists the open requests of the chunk, in their order. */
@@ -341,15 +347,20 @@ static bool stands_apart(const struct pp_cache_request *request,
 }
 
 /* The first open requests that stand apart. Those that are covered by now leave the
- * list; no more of it is looked at than a batch needs. */
+ * list; hardly more of it is looked at than a batch needs. */
 static int choose(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer,
                   const struct pp_cache_request *chosen[])
 {
-    int count = 0, kept = 0, i = 0;
+    struct look look = {cache, layer};
+    int count = 0, kept = 0, i = 0, looked = 0;
     for (; i < layer->open_count && count < PP_CACHE_BATCH; i++) {
-        struct pp_cache_request *request =
+        if (i == looked) {
+            int end = i + LOOK < layer->open_count ? i + LOOK : layer->open_count;
+            looked = pp_crew_run_small(cache->crew, i, end, look_at_open, &look);
+        }
+        const struct pp_cache_request *request =
             &layer->requests[layer->next + layer->open[i]];
-        if (!is_open(cache, layer, request))
+        if (request->guess_m < 0.0f)
             continue;
         if (stands_apart(request, chosen, count))
             chosen[count++] = request;
@@ -448,7 +459,7 @@ static enum pp_status step(struct pp_irradiance_cache *cache, struct pp_error *e
     if (layer->next < layer->request_count)
         return PP_OK;
     if (!layer->again)
-        return pp_cache_smooth_layer(layer, err);
+        return pp_cache_smooth_layer(layer, cache->crew, err);
     /* Neighbours have limited each other: is every request still covered? Each gets a
      * record of its own at last, so that this comes to an end. */
     layer->again = false;

@@ -133,19 +133,37 @@ static void smooth(struct fit *fit, struct pp_cache_entry *entry)
     entry->value = pp_rgb(fmax(x[0][0], 0.0), fmax(x[1][0], 0.0), fmax(x[2][0], 0.0));
 }
 
-enum pp_status pp_cache_smooth_layer(struct pp_cache_layer *layer, struct pp_error *err)
+/* Records that the crew's members fit: each reads what the others say as they are. */
+struct fitting {
+    struct pp_cache_layer *layer;
+    int *met; /* of a fit, by member */
+};
+
+static bool fit_one(void *data, int member, int i)
 {
-    int *met = malloc(((size_t)layer->entry_count + 1) * sizeof *met);
-    if (!met)
+    const struct fitting *fitting = data;
+    struct pp_cache_layer *layer = fitting->layer;
+    struct pp_cache_entry *entry = &layer->entries[i];
+    struct fit fit = {.layer = layer,
+                      .entry = entry,
+                      .number = i,
+                      .met =
+                          fitting->met + (size_t)member * (size_t)layer->entry_count};
+    if (entry->is.radii_m[0] > 0.0 && pp_rgb_luminance(entry->is.value) > 0.0)
+        smooth(&fit, entry);
+    return true;
+}
+
+enum pp_status pp_cache_smooth_layer(struct pp_cache_layer *layer, struct pp_crew *crew,
+                                     struct pp_error *err)
+{
+    size_t count = (size_t)layer->entry_count * (size_t)pp_crew_size(crew);
+    struct fitting fitting = {layer, malloc((count + 1) * sizeof *fitting.met)};
+    if (!fitting.met)
         return pp_fail_memory(err);
-    for (int i = 0; i < layer->entry_count; i++)
-        met[i] = -1;
-    for (int i = 0; i < layer->entry_count; i++) {
-        struct pp_cache_entry *entry = &layer->entries[i];
-        struct fit fit = {.layer = layer, .entry = entry, .number = i, .met = met};
-        if (entry->is.radii_m[0] > 0.0 && pp_rgb_luminance(entry->is.value) > 0.0)
-            smooth(&fit, entry);
-    }
-    free(met);
+    for (size_t i = 0; i < count; i++)
+        fitting.met[i] = -1;
+    pp_crew_run_small(crew, 0, layer->entry_count, fit_one, &fitting);
+    free(fitting.met);
     return PP_OK;
 }
