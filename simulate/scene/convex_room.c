@@ -29,8 +29,8 @@ struct convex_plane {
 struct pp_convex_room {
     struct convex_plane *planes;
     int plane_count;
-    int *panes; /* by plane */
-    struct pp_vec3 middle;
+    int *panes;            /* by plane */
+    struct pp_vec3 middle; /* of all vertices: from there all of the room is seen */
 };
 
 bool pp_convex_room_is(const struct pp_world *world)

@@ -14,8 +14,7 @@
 static const double RAYS_WEIGHED = 32.0;
 enum { PATCHES_ALONG = 2 };
 
-/* The share of a face's area by which its cells may be larger, for rounding, where they fill
- * it. */
+/* Cells that are no larger than this many times their face fill it, but for rounding. */
 static const double FILLED = 1.0 + 1e-9;
 
 /* Of a net: coordinates, and G above its level; each an array of as many numbers as there are
