@@ -123,7 +123,6 @@ static void find_shares(struct pp_openings_shares *shares,
     shares->mouths = viewer->mouths;
     for (int i = 0; i < choice->scene->pane_count; i++)
         shares->of[i] = importance_of(choice, i);
-    pp_choose_raise(shares->of, choice->scene->pane_count);
 }
 
 int pp_openings_choose(const struct pp_light_scene *scene,
@@ -140,7 +139,7 @@ int pp_openings_choose(const struct pp_light_scene *scene,
         return pp_choose(importance_of, &choice, scene->pane_count, PP_CHOOSE_EVENLY, u,
                          probability);
     find_shares(shares, &choice);
-    return pp_choose_weighted(shares->of, scene->pane_count, u, probability);
+    return pp_choose_guessed(shares->of, scene->pane_count, u, probability);
 }
 
 double pp_openings_angular_size(const struct pp_pane *pane, struct pp_vec3 from)

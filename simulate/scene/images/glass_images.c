@@ -206,7 +206,6 @@ static void look_from(const struct pp_light_scene *scene, struct pp_glass_view *
         view->kept[i].image = 0;
     for (int i = 0; i < scene->glass_image_count; i++)
         view->share[i] = share_of(scene, view, brightness, i);
-    pp_choose_raise(view->share, scene->glass_image_count);
 }
 
 /* Of an image that is in sight. */
@@ -237,7 +236,7 @@ int pp_glass_images_sample(const struct pp_light_scene *scene,
         look_from(scene, view, point, normal, brightness);
     double probability;
     int chosen =
-        pp_choose_weighted(view->share, scene->glass_image_count, u[2], &probability);
+        pp_choose_guessed(view->share, scene->glass_image_count, u[2], &probability);
     if (chosen < 0)
         return chosen;
     struct pp_glass_sight *sight = sight_of(scene, view, brightness, chosen);

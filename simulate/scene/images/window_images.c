@@ -103,8 +103,7 @@ int pp_window_images_choose(const struct pp_light_scene *scene,
     *probability = 1.0;
     if (scene->window_image_count == 1)
         return importance[0] > 0.0 ? 0 : -1;
-    pp_choose_raise(importance, scene->window_image_count);
-    return pp_choose_weighted(importance, scene->window_image_count, u, probability);
+    return pp_choose_guessed(importance, scene->window_image_count, u, probability);
 }
 
 bool pp_window_images_sample(const struct pp_light_scene *scene, int index,
