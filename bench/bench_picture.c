@@ -260,8 +260,8 @@ int main(void)
     coarse.supersamples = 128;
     deep_room(SAMPLES, pp_irradiance_cache_defaults(), THREADS, true);
     threads_of_picture();
-    deep_room(SAMPLES / 4, coarse, THREADS,
-              true); /* wanted: 1.5 s at 2 % on two idle cores */
+    /* wanted: 1.5 s at 2 % on two idle cores */
+    deep_room(SAMPLES / 4, coarse, THREADS, true);
     polished_rooms();
     return 0;
 }

@@ -290,18 +290,15 @@ static uint64_t seed_of(const struct pp_irradiance_cache *cache,
     return pp_hash_vec(pp_hash_vec(seed, place->point), place->normal);
 }
 
-/* Is the request covered by no record? Then sets the radius expected there, too. */
-static bool is_open(const struct pp_irradiance_cache *cache,
-                    const struct pp_cache_layer *layer,
-                    struct pp_cache_request *request)
+/* The radius expected where a request is; below 0: records cover it. */
+static double guess_of(const struct pp_irradiance_cache *cache,
+                       const struct pp_cache_layer *layer,
+                       const struct pp_cache_place *place)
 {
-    if (pp_cache_layer_covers(layer, &request->place)) {
-        request->guess_m = -1.0f;
-        return false;
-    }
-    double guess = pp_cache_layer_guess(layer, &request->place);
-    request->guess_m = (float)(guess > 0.0 ? guess : FIRST_GUESS * cache->size_m);
-    return true;
+    if (pp_cache_layer_covers(layer, place))
+        return -1.0;
+    double guess = pp_cache_layer_guess(layer, place);
+    return guess > 0.0 ? guess : FIRST_GUESS * cache->size_m;
 }
 
 /* The requests of a chunk, or the open ones, which the crew's members look at. */
@@ -314,13 +311,15 @@ static bool look_at(void *data, int member, int i)
 {
     (void)member;
     const struct look *look = data;
-    is_open(look->cache, look->layer, &look->layer->requests[look->layer->next + i]);
+    struct pp_cache_request *request = &look->layer->requests[look->layer->next + i];
+    request->guess_m = (float)guess_of(look->cache, look->layer, &request->place);
     return true;
 }
 
 static bool look_at_open(void *data, int member, int i)
 {
-    return look_at(data, member, ((const struct look *)data)->layer->open[i]);
+    const struct look *look = data;
+    return look_at(data, member, look->layer->open[i]);
 }
 
 /* Lists the open requests of the chunk, in their order. */

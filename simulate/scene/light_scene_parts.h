@@ -114,6 +114,14 @@ static inline struct pp_light_part pp_light_scene_parts_of(int tag,
                                   .reflector = {-1, -1}};
 }
 
+/* The point of a plane part's plane that lies so far along its a and b. */
+static inline struct pp_vec3 pp_light_scene_parts_point(
+    const struct pp_light_part *part, double a, double b)
+{
+    struct pp_vec3 foot = pp_vec_scale(part->normal, part->offset_m);
+    return pp_vec_along(pp_vec_along(foot, a, part->a), b, part->b);
+}
+
 /* Where a ray runs that leaves a hit, on the side that was met or through the part. */
 static inline enum pp_space pp_light_scene_parts_space(
     const struct pp_light_scene *scene, const struct pp_light_hit *hit, bool through)

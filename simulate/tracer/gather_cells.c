@@ -137,16 +137,14 @@ static void draw_face(const struct pp_gather_cells *cells,
 {
     const struct cell_face *face = &cells->faces[number];
     const struct pp_light_part *part = &cells->scene->parts[number];
-    struct pp_vec3 foot = pp_vec_scale(part->normal, part->offset_m);
     for (int i = 0; i < face->columns * face->rows; i++) {
         int column = i % face->columns, row = i / face->columns;
         bool mirrored = (column + row) % 2 == 1;
         double s = mirrored ? 1.0 - u[0] : u[0], t = mirrored ? 1.0 - u[1] : u[1];
         double a = face->a0 + (column + s) * face->width_m;
         double b = face->b0 + (row + t) * face->height_m;
-        struct pp_light_hit hit = {
-            .point = pp_vec_along(pp_vec_along(foot, a, part->a), b, part->b),
-            .part = number};
+        struct pp_light_hit hit = {.point = pp_light_scene_parts_point(part, a, b),
+                                   .part = number};
         double *at = &net[face->first + i];
         at[X * cells->lanes] = hit.point.x;
         at[Y * cells->lanes] = hit.point.y;

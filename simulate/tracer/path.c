@@ -221,9 +221,10 @@ void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
 double pp_path_gather_cells(const struct pp_path_state *state,
                             const struct pp_start *start)
 {
-    return state->cells && !start->anywhere ? pp_gather_cells_taken(
-               state->cells, state->net, start->position, start->normal)
-                                            : 0.0;
+    if (!state->cells || start->anywhere)
+        return 0.0;
+    return pp_gather_cells_taken(state->cells, state->net, start->position,
+                                 start->normal);
 }
 
 double pp_path_shared(const struct pp_path_state *state, const struct pp_start *start,

@@ -9,8 +9,9 @@
 enum {
     /* Directions from each surface met, where the control variate leaves a small
      * difference of two large numbers. Measured in two rooms: half and twice as many
-     * lose 10 to 40 % of the efficiency, one of each two thirds; by the cells of a convex
-     * room, which leave the lobe little, up to 10 %. */
+     * lose 10 to 40 % of the efficiency, one of each two thirds. Where cells leave the lobe
+     * little, half and twice as many of its rays lose up to 10 %, twice as many to openings
+     * a fifth. */
     OPENINGS = 4,
     LOBES = 8,
     FIRST_LOBES = 4,    /* from the point itself, where nothing is shared */

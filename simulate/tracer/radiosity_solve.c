@@ -127,10 +127,7 @@ static void place_patches(struct radiosity_patch *patches,
                 patch->back = side == 1;
                 patch->in_figure =
                     in_polygon(&world->surfaces[i].outline, part, scene->centre, a, b);
-                patch->point = pp_vec_along(
-                    pp_vec_along(pp_vec_scale(part->normal, part->offset_m), a,
-                                 part->a),
-                    b, part->b);
+                patch->point = pp_light_scene_parts_point(part, a, b);
             }
         }
 }

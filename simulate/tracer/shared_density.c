@@ -51,10 +51,9 @@ static void place_patches(struct pp_shared_density *density)
 static struct pp_vec3 point_of(const struct pp_light_scene *scene,
                                const struct density_patch *patch, double u, double v)
 {
-    const struct pp_light_part *part = &scene->parts[patch->part];
-    struct pp_vec3 foot = pp_vec_scale(part->normal, part->offset_m);
-    return pp_vec_along(pp_vec_along(foot, patch->a + u * patch->width_m, part->a),
-                        patch->b + v * patch->height_m, part->b);
+    return pp_light_scene_parts_point(&scene->parts[patch->part],
+                                      patch->a + u * patch->width_m,
+                                      patch->b + v * patch->height_m);
 }
 
 bool pp_shared_density_serves(const struct pp_shared_density *density,

@@ -136,14 +136,15 @@ static void follow(const void *client, void *state, const struct pp_path_range *
     }
     struct pp_light direct = {{sums[PP_SC], sums[PP_ERC], sums[PP_IRC]}};
     path->light.index = range->first;
-    if (range->estimator == GATHER && range->first == 0)
-        sums[SUM_CELLS] = pp_path_gather_cells(path, start);
-    if (range->estimator == GATHER)
+    if (range->estimator == GATHER) {
+        if (range->first == 0)
+            sums[SUM_CELLS] = pp_path_gather_cells(path, start);
         pp_path_gather(path, start, range->end, &sums[SUM_GATHER]);
-    else if (range->estimator == CORRECTION)
+    } else if (range->estimator == CORRECTION) {
         pp_path_correction(path, start, range->end, &sums[SUM_CORRECTION]);
-    else
+    } else {
         pp_path_direct(path, start, range->end, &direct);
+    }
     for (int i = PP_SC; i <= PP_IRC; i++)
         sums[SUM_DIRECT + i] = direct.part[i];
     randomisation->rays[range->estimator] += path->light.rays - rays;
