@@ -5,11 +5,8 @@
 #include <stdlib.h>
 
 #include "simulate/elements/form_factor.h"
-#include "simulate/scene/light_scene_parts.h"
 #include "simulate/tracer/path.h"
-#include "simulate/tracer/radiosity_solve.h"
-#include "tests/lib/room_of.h"
-#include "tests/lib/traced.h"
+#include "tests/lib/guessed_room.h"
 
 /* No rectangles but the walls; two openings in one of these. */
 #define TRAPEZIUM                                                                      \
@@ -18,37 +15,9 @@
     "<window wall='1' left='0.4' sill='0.9' width='1.1' height='1.2'/>"                \
     "<window wall='1' left='2.2' sill='0.5' width='0.9' height='1.9'/></room>"
 
-struct guessed_room {
-    struct pp_outside_light light;
-    struct pp_world *world;
-    struct pp_light_scene *scene;
-    struct pp_environment *environment;
-    struct pp_sobol sobol;
-    struct pp_radiosity *guess;
-};
-
-static void init(struct guessed_room *room, const char *xml)
-{
-    room->world = pp_test_lit_world(&room->light, xml);
-    room->scene = pp_test_matt_scene(room->world);
-    room->environment = pp_test_light_on(room->scene, &room->light);
-    pp_sobol_init(&room->sobol);
-    assert_non_null(room->scene->convex);
-    assert_int_equal(pp_radiosity_solve(&room->guess, room->scene, room->environment,
-                                        &room->sobol, 3, 1, NULL),
-                     PP_OK);
-}
-
-static void clear(struct guessed_room *room)
-{
-    pp_radiosity_destroy(room->guess);
-    pp_environment_destroy(room->environment);
-    pp_light_scene_destroy(room->scene);
-    pp_world_destroy(room->world);
-}
-
 /* The guess: so much on the face, and on all others. */
-static void guess(struct guessed_room *room, int face, double there, double elsewhere)
+static void guess(struct pp_test_guessed_room *room, int face, double there,
+                  double elsewhere)
 {
     for (int i = 0; i < room->world->face_count; i++) {
         const struct pp_radiosity_grid *grid = &room->guess->grids[i][0];
@@ -57,8 +26,17 @@ static void guess(struct guessed_room *room, int face, double there, double else
     }
 }
 
+/* The face whose normal, into the room, is that one. */
+static int face_with(const struct pp_test_guessed_room *room, struct pp_vec3 normal)
+{
+    int face = 0;
+    while (pp_vec_dot(room->world->surfaces[face].outline.normal, normal) < 0.99)
+        face++;
+    return face;
+}
+
 /* The form factor to the face's surface, its openings apart. */
-static double face_factor(const struct guessed_room *room, int face,
+static double face_factor(const struct pp_test_guessed_room *room, int face,
                           const struct pp_start *start)
 {
     const struct pp_polygon *outline = &room->world->surfaces[face].outline;
@@ -85,13 +63,14 @@ struct gathered {
 };
 
 /* By 32 nets, and 256 rays beside each. */
-static struct gathered gather(const struct guessed_room *room,
+static struct gathered gather(const struct pp_test_guessed_room *room,
                               const struct pp_start *start)
 {
     enum { NETS = 32, RAYS = 256 };
     struct pp_gather_cells *cells;
     struct gathered found = {0.0, 0.0, 0.0};
     double squares = 0.0;
+    assert_non_null(room->scene->convex);
     assert_int_equal(pp_gather_cells_create(&cells, room->scene, room->guess, NULL),
                      PP_OK);
     double *net = malloc(pp_gather_cells_size(cells) * sizeof *net);
@@ -118,8 +97,8 @@ static struct gathered gather(const struct guessed_room *room,
     return found;
 }
 
-static struct pp_start start_at(const struct guessed_room *room, struct pp_vec3 point,
-                                struct pp_vec3 normal)
+static struct pp_start start_at(const struct pp_test_guessed_room *room,
+                                struct pp_vec3 point, struct pp_vec3 normal)
 {
     return (struct pp_start){.position = pp_vec_sub(point, room->scene->centre),
                              .normal = normal};
@@ -136,8 +115,8 @@ static void a_face_is_gathered_by_its_form_factor(void **state)
               {{0.01, 4.9, 0.8}, {0.0, 0.0, 1.0}},
               {{0.02, 6.97, 0.0}, {0.0, 0.0, 1.0}},
               {{1.1, 5.9, 1.9}, {0.48, -0.64, -0.6}}};
-    struct guessed_room room;
-    init(&room, TRAPEZIUM);
+    struct pp_test_guessed_room room;
+    pp_test_guessed_room_init(&room, TRAPEZIUM);
     for (int face = 0; face < room.world->face_count; face++)
         for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
             struct pp_start start = start_at(&room, at[i].point, at[i].normal);
@@ -147,7 +126,7 @@ static void a_face_is_gathered_by_its_form_factor(void **state)
                         4.0 * found.error + 1e-6);
             assert_near(found.error, 0.0, 3e-3);
         }
-    clear(&room);
+    pp_test_guessed_room_clear(&room);
 }
 
 /* Over the centre of a floor of 4 x 4 m, 2 m below the ceiling: four corners, each
@@ -155,33 +134,32 @@ static void a_face_is_gathered_by_its_form_factor(void **state)
 static void a_ceiling_is_gathered_by_hand(void **state)
 {
     (void)state;
-    struct guessed_room room;
-    init(&room, "<room version='1'><plan width='4' depth='4' height='2.7'/></room>");
+    struct pp_test_guessed_room room;
+    pp_test_guessed_room_init(
+        &room, "<room version='1'><plan width='4' depth='4' height='2.7'/></room>");
     struct pp_start start =
         start_at(&room, pp_vec(2.0, 2.0, 0.7), pp_vec(0.0, 0.0, 1.0));
-    int ceiling = 0;
-    while (room.world->surfaces[ceiling].outline.normal.z > -0.5)
-        ceiling++;
-    guess(&room, ceiling, 3.0, 1.0);
+    guess(&room, face_with(&room, pp_vec(0.0, 0.0, -1.0)), 3.0, 1.0);
     struct gathered found = gather(&room, &start);
     assert_near(found.value, 1.0 + 2.0 * 0.554126, 4.0 * found.error + 2e-6);
     assert_near(found.error, 0.0, 2e-3);
-    clear(&room);
+    pp_test_guessed_room_clear(&room);
 }
 
 /* What is as bright everywhere is gathered by the lobe without noise. */
 static void an_even_guess_is_left_to_the_lobe(void **state)
 {
     (void)state;
-    struct guessed_room room;
-    init(&room, "<room version='1'><plan width='4' depth='4' height='2.7'/></room>");
+    struct pp_test_guessed_room room;
+    pp_test_guessed_room_init(
+        &room, "<room version='1'><plan width='4' depth='4' height='2.7'/></room>");
     struct pp_start start =
         start_at(&room, pp_vec(0.3, 2.0, 0.7), pp_vec(0.6, 0.0, 0.8));
     guess(&room, 0, 0.7, 0.7);
     struct gathered found = gather(&room, &start);
     assert_near(found.value, 0.7, 1e-12);
     assert_near(found.by_cells, 0.0, 0.0);
-    clear(&room);
+    pp_test_guessed_room_clear(&room);
 }
 
 /* From the back of a room the cells gather what the wall at the window gives off; a wall a
@@ -189,22 +167,17 @@ static void an_even_guess_is_left_to_the_lobe(void **state)
 static void cells_gather_from_far(void **state)
 {
     (void)state;
-    struct guessed_room room;
-    init(&room, TRAPEZIUM);
+    struct pp_test_guessed_room room;
+    pp_test_guessed_room_init(&room, TRAPEZIUM);
     struct pp_start start =
         start_at(&room, pp_vec(0.01, 6.5, 0.8), pp_vec(0.0, 0.0, 1.0));
-    int south = 0, west = 0;
-    while (room.world->surfaces[south].outline.normal.y < 0.99)
-        south++;
-    while (room.world->surfaces[west].outline.normal.x < 0.99)
-        west++;
-    guess(&room, south, 1.0, 0.0);
+    guess(&room, face_with(&room, pp_vec(0.0, 1.0, 0.0)), 1.0, 0.0);
     struct gathered far = gather(&room, &start);
     assert_true(far.by_cells > 0.9 * far.value);
-    guess(&room, west, 1.0, 0.0);
+    guess(&room, face_with(&room, pp_vec(1.0, 0.0, 0.0)), 1.0, 0.0);
     struct gathered near = gather(&room, &start);
     assert_true(near.by_cells < 0.3 * near.value);
-    clear(&room);
+    pp_test_guessed_room_clear(&room);
 }
 
 int main(void)

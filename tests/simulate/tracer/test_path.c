@@ -4,10 +4,7 @@
 
 #include <math.h>
 
-#include "simulate/scene/light_scene_parts.h"
-#include "simulate/tracer/radiosity_solve.h"
-#include "tests/lib/room_of.h"
-#include "tests/lib/traced.h"
+#include "tests/lib/guessed_room.h"
 
 /* Most of its light comes by way of the wall beside the window and the sides of its
  * niche; the point lies at the back. */
@@ -17,40 +14,12 @@
     "<window wall='south' left='0.6' sill='0.7' width='1.3' height='1.4' "             \
     "reveal='0.25'/><point x='2.9' y='8.2' z='0.85'/></room>"
 
-struct guessed_room {
-    struct pp_outside_light light;
-    struct pp_world *world;
-    struct pp_light_scene *scene;
-    struct pp_environment *environment;
-    struct pp_sobol sobol;
-    struct pp_radiosity *guess;
-};
-
-static void init(struct guessed_room *room)
-{
-    room->world = pp_test_lit_world(&room->light, ROOM);
-    room->scene = pp_test_matt_scene(room->world);
-    room->environment = pp_test_light_on(room->scene, &room->light);
-    pp_sobol_init(&room->sobol);
-    assert_int_equal(pp_radiosity_solve(&room->guess, room->scene, room->environment,
-                                        &room->sobol, 3, 1, NULL),
-                     PP_OK);
-}
-
-static void clear(struct guessed_room *room)
-{
-    pp_radiosity_destroy(room->guess);
-    pp_environment_destroy(room->environment);
-    pp_light_scene_destroy(room->scene);
-    pp_world_destroy(room->world);
-}
-
-static struct pp_path_state state_of(const struct guessed_room *room)
+static struct pp_path_state state_of(const struct pp_test_guessed_room *room)
 {
     return pp_path_state(room->scene, room->environment, room->guess);
 }
 
-static struct pp_start start_of(const struct guessed_room *room)
+static struct pp_start start_of(const struct pp_test_guessed_room *room)
 {
     const struct pp_receiver *receiver = &room->world->receivers[0];
     return (struct pp_start){.position =
@@ -66,8 +35,8 @@ struct found_light {
     double mean, deviation;
 };
 
-static struct found_light reflected(const struct guessed_room *room, uint32_t paths,
-                                    bool niches)
+static struct found_light reflected(const struct pp_test_guessed_room *room,
+                                    uint32_t paths, bool niches)
 {
     struct pp_path_state state = state_of(room);
     assert_non_null(state.niches);
@@ -101,8 +70,8 @@ static void light_does_not_depend_on_the_guess(void **state)
 {
     (void)state;
     static const double wrong[] = {0.3, 2.9, 0.0, 1.0, 0.1};
-    struct guessed_room room;
-    init(&room);
+    struct pp_test_guessed_room room;
+    pp_test_guessed_room_init(&room, ROOM);
     struct found_light right = reflected(&room, 512, true);
     for (int i = 0; i < room.guess->count; i++)
         room.guess->values[i] *= wrong[i * 7 / 3 % 5];
@@ -115,7 +84,7 @@ static void light_does_not_depend_on_the_guess(void **state)
     other = reflected(&room, 512, true);
     both = hypot(right.deviation, other.deviation) / sqrt(NETS);
     assert_near(other.mean, right.mean, 3.0 * both);
-    clear(&room);
+    pp_test_guessed_room_clear(&room);
 }
 
 /* Of several directions a path goes on by one where the guess has light: 64 paths have a
@@ -123,11 +92,11 @@ static void light_does_not_depend_on_the_guess(void **state)
 static void paths_go_to_where_there_is_light(void **state)
 {
     (void)state;
-    struct guessed_room room;
-    init(&room);
+    struct pp_test_guessed_room room;
+    pp_test_guessed_room_init(&room, ROOM);
     struct found_light found = reflected(&room, 64, true);
     assert_near(found.deviation / found.mean, 0.0, 0.06);
-    clear(&room);
+    pp_test_guessed_room_clear(&room);
 }
 
 /* Next-event estimation of the mouth has the light of the niche's sides, and rays that come
@@ -136,14 +105,14 @@ static void paths_go_to_where_there_is_light(void **state)
 static void aiming_at_the_mouth_finds_the_sides_of_the_niche(void **state)
 {
     (void)state;
-    struct guessed_room room;
-    init(&room);
+    struct pp_test_guessed_room room;
+    pp_test_guessed_room_init(&room, ROOM);
     struct found_light aimed = reflected(&room, 512, true);
     struct found_light by_rays = reflected(&room, 512, false);
     double both = hypot(aimed.deviation, by_rays.deviation) / sqrt(NETS);
     assert_near(aimed.mean, by_rays.mean, 3.0 * both);
     assert_near(aimed.deviation / by_rays.deviation, 0.0, 0.6);
-    clear(&room);
+    pp_test_guessed_room_clear(&room);
 }
 
 /* The sums of all three estimators by the paths up to `end`, in steps of `step`. */
@@ -157,7 +126,7 @@ static uint32_t nearer(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-static struct path_sums sums_of(const struct guessed_room *room, uint32_t end,
+static struct path_sums sums_of(const struct pp_test_guessed_room *room, uint32_t end,
                                 uint32_t step)
 {
     struct pp_path_state state = state_of(room);
@@ -180,8 +149,8 @@ static struct path_sums sums_of(const struct guessed_room *room, uint32_t end,
 static void paths_in_runs_are_those_one_by_one(void **state)
 {
     (void)state;
-    struct guessed_room room;
-    init(&room);
+    struct pp_test_guessed_room room;
+    pp_test_guessed_room_init(&room, ROOM);
     struct path_sums one_by_one = sums_of(&room, 117, 1);
     assert_true(one_by_one.direct.part[PP_IRC] > 0.0 && one_by_one.gathered > 0.0);
     assert_true(one_by_one.correction != 0.0);
@@ -190,7 +159,7 @@ static void paths_in_runs_are_those_one_by_one(void **state)
         struct path_sums sums = sums_of(&room, 117, steps[i]);
         assert_memory_equal(&sums, &one_by_one, sizeof sums);
     }
-    clear(&room);
+    pp_test_guessed_room_clear(&room);
 }
 
 int main(void)

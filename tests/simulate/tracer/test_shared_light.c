@@ -7,11 +7,8 @@
 
 #include "model/results/common_error.h"
 #include "simulate/sampling/lobe.h"
-#include "simulate/scene/light_scene_parts.h"
-#include "simulate/tracer/radiosity_solve.h"
 #include "simulate/tracer/tracer.h"
-#include "tests/lib/room_of.h"
-#include "tests/lib/traced.h"
+#include "tests/lib/guessed_room.h"
 #include "tests/lib/watched.h"
 
 #define ROOM                                                                           \
@@ -24,43 +21,28 @@
 
 /* A room and what its receivers share. */
 struct shared_room {
-    struct pp_outside_light light;
-    struct pp_world *world;
-    struct pp_light_scene *scene;
-    struct pp_environment *environment;
-    struct pp_sobol sobol;
-    struct pp_radiosity *radiosity;
+    struct pp_test_guessed_room of;
     struct pp_shared_density *density;
     struct pp_shared_lights *lights;
 };
 
 static void init(struct shared_room *room, const char *xml)
 {
-    room->world = pp_test_lit_world(&room->light, xml);
-    room->scene = pp_test_matt_scene(room->world);
-    room->environment = pp_test_light_on(room->scene, &room->light);
-    pp_sobol_init(&room->sobol);
-    assert_int_equal(pp_radiosity_solve(&room->radiosity, room->scene,
-                                        room->environment, &room->sobol, 3, 1, NULL),
-                     PP_OK);
+    struct pp_test_guessed_room *of = &room->of;
+    pp_test_guessed_room_init(of, xml);
     assert_int_equal(
-        pp_shared_density_create(&room->density, room->scene, room->radiosity, NULL),
-        PP_OK);
-    struct pp_path_state path =
-        pp_path_state(room->scene, room->environment, room->radiosity);
+        pp_shared_density_create(&room->density, of->scene, of->guess, NULL), PP_OK);
+    struct pp_path_state path = pp_path_state(of->scene, of->environment, of->guess);
     path.shared = room->density;
-    assert_int_equal(
-        pp_shared_light_create(&room->lights, &path, &room->sobol, 4, NULL), PP_OK);
+    assert_int_equal(pp_shared_light_create(&room->lights, &path, &of->sobol, 4, NULL),
+                     PP_OK);
 }
 
 static void clear(struct shared_room *room)
 {
     pp_shared_light_destroy(room->lights);
     pp_shared_density_destroy(room->density);
-    pp_radiosity_destroy(room->radiosity);
-    pp_environment_destroy(room->environment);
-    pp_light_scene_destroy(room->scene);
-    pp_world_destroy(room->world);
+    pp_test_guessed_room_clear(&room->of);
 }
 
 /* By a crew of so many threads. */
@@ -96,7 +78,7 @@ static void shared_and_left_light_are_the_whole_lobe(void **state)
               {{1.1, 0.7, 1.7}, {0.6, 0.0, -0.8}, 0.0},
               {{0.01, 2.9, 0.8}, {0.0, 0.0, 1.0}, 0.4}};
     for (int p = 0; p < 3; p++) {
-        struct pp_vec3 from = pp_vec_sub(at[p].point, room.scene->centre);
+        struct pp_vec3 from = pp_vec_sub(at[p].point, room.of.scene->centre);
         double shared = 0.0, squares = 0.0;
         for (int i = 0; i < SETS; i++) {
             const struct pp_shared_light *list = pp_shared_light_list(room.lights, i);
@@ -110,8 +92,8 @@ static void shared_and_left_light_are_the_whole_lobe(void **state)
             squares += mean * mean / SETS;
         }
         struct pp_path_state path =
-            pp_path_state(room.scene, room.environment, room.radiosity);
-        pp_sobol_sequence_init(&path.light.sequence, &room.sobol, 11);
+            pp_path_state(room.of.scene, room.of.environment, room.of.guess);
+        pp_sobol_sequence_init(&path.light.sequence, &room.of.sobol, 11);
         double left = 0.0;
         struct pp_vec3 a, b;
         pp_lobe_frame(at[p].normal, &a, &b);
@@ -122,7 +104,7 @@ static void shared_and_left_light_are_the_whole_lobe(void **state)
                 from, at[p].normal,
                 pp_lobe_sample_in_frame(a, b, at[p].normal, u[0], u[1]), PP_INDOORS};
             struct pp_light_hit hit = {.part = -1};
-            assert_int_equal(pp_light_scene_meet(room.scene, &ray, &hit),
+            assert_int_equal(pp_light_scene_meet(room.of.scene, &ray, &hit),
                              PP_MEETS_PART);
             left += pp_shared_density_left(room.density, &ray, &hit) / RAYS;
         }
@@ -215,9 +197,9 @@ static void not_all_is_seen_from_a_niche(void **state)
     struct pp_vec3 in = pp_vec(2.0, 0.1, 1.2), out = pp_vec(2.0, -0.1, 1.2);
     assert_non_null(room.density);
     assert_true(
-        pp_shared_density_serves(room.density, pp_vec_sub(in, room.scene->centre)));
+        pp_shared_density_serves(room.density, pp_vec_sub(in, room.of.scene->centre)));
     assert_false(
-        pp_shared_density_serves(room.density, pp_vec_sub(out, room.scene->centre)));
+        pp_shared_density_serves(room.density, pp_vec_sub(out, room.of.scene->centre)));
     clear(&room);
 }
 
@@ -285,7 +267,7 @@ static struct sum_errors errors_of_sum(struct shared_room *room,
         struct pp_tracer_options options = {
             .error = 0.03, .seed = (uint64_t)seed, .threads = 1};
         struct pp_tracer *tracer;
-        assert_int_equal(pp_tracer_create(&tracer, room->scene, room->environment,
+        assert_int_equal(pp_tracer_create(&tracer, room->of.scene, room->of.environment,
                                           points, count, &options, NULL),
                          PP_OK);
         while (!pp_tracer_done(tracer))
