@@ -420,7 +420,7 @@ static void lists_name_what_there_is(void **state)
     assert_int_equal(pp_version(), PP_VERSION_NUMBER);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_hand_figure_is_the_integral_over_the_window),
@@ -437,5 +437,5 @@ int main(void)
         cmocka_unit_test(the_room_file_with_the_window_found_reaches_the_target),
         cmocka_unit_test(lists_name_what_there_is),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

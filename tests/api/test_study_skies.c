@@ -132,12 +132,12 @@ static void a_sky_that_is_not_one_leaves_all_as_it_was(void **state)
     close_room(&opened);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(skies_share_a_scene),
         cmocka_unit_test(points_and_engines_share_it_too),
         cmocka_unit_test(a_sky_that_is_not_one_leaves_all_as_it_was),
     };
-    return cmocka_run_group_tests_name("study_skies", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

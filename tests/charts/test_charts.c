@@ -500,7 +500,7 @@ static void every_kind_of_chart_has_a_name_and_a_summary(void **state)
     assert_null(pp_chart_kind_find("pie"));
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_section_names_room_sky_methods_scale_and_notes),
@@ -520,5 +520,5 @@ int main(void)
         cmocka_unit_test(per_cent_have_the_digits_that_their_size_calls_for),
         cmocka_unit_test(every_kind_of_chart_has_a_name_and_a_summary),
     };
-    return cmocka_run_group_tests_name("charts", tests, 0, 0);
+    add_tests(tests, NULL, NULL);
 }

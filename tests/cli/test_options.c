@@ -263,7 +263,7 @@ static void a_simulation_without_an_end_stops_at_one_per_cent(void **state)
     assert_near(options.study.error, 0.0, 0.0);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_value_stands_behind_an_equals_sign_or_is_the_next_word),
@@ -280,5 +280,5 @@ int main(void)
         cmocka_unit_test(a_simulation_without_an_end_stops_at_one_per_cent),
         cmocka_unit_test(limits_of_the_simulation_need_a_simulation),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -81,7 +81,7 @@ static void the_line_never_fills_the_terminal(void **state)
         }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_line_says_how_far_and_how_long),
@@ -89,5 +89,5 @@ int main(void)
         cmocka_unit_test(a_narrow_terminal_has_a_shorter_line),
         cmocka_unit_test(the_line_never_fills_the_terminal),
     };
-    return cmocka_run_group_tests_name("progress", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -91,8 +91,8 @@ wrong_guests() {
 # its archive, which holds no object of a source that is gone. File names are unique, so
 # that an object's tells its folder.
 symbols_of() {
-    $NM -A -g "$2" ".libs/lib$1.a" 2>/dev/null |
-        sed -n 's/^[^:]*:\([^:]*\)\.o:.* \([^ ]*\)$/\1 \2/p' | sed 's/^lib[a-z]*_la-//' |
+    $NM -A -g "$2" "lib$1.a" 2>/dev/null |
+        sed -n 's/^[^:]*:\([^:]*\)\.o:.* \([^ ]*\)$/\1 \2/p' |
         awk 'NR == FNR { path[$1] = $2; next } { print path[$1], $2 }' "$scratch/stems" -
 }
 
@@ -159,7 +159,7 @@ only_in() {
 # their relocation lie in .data.rel.ro and are not meant.
 writable_data() {
     for folder in $library; do
-        $NM -A -f sysv ".libs/lib$folder.a" 2>/dev/null |
+        $NM -A -f sysv "lib$folder.a" 2>/dev/null |
             sed -n "s|^[^:]*:|$folder/|; s|:|\||p" | awk -F'|' '
                 { section = $NF; gsub(/ /, "", section); gsub(/ /, "", $2) }
                 section ~ /^\.?(data|bss|tdata|tbss|\*COM\*)/ &&
@@ -186,7 +186,7 @@ check "ray queries are made in simulate/scene" only_in simulate/scene embree
 check "charts alone draw" only_in charts 'cairo|<pango'
 check "JSON is written in reports" only_in reports json
 
-if $NM .libs/libmodel.a 2>/dev/null | grep -Eq '__(asan|ubsan|gcov|llvm_profile)'; then
+if $NM libmodel.a 2>/dev/null | grep -Eq '__(asan|ubsan|gcov|llvm_profile)'; then
     skip "file-scope data is constant" "the build is instrumented, and that keeps data"
 else
     check "file-scope data is constant" nothing "$(writable_data)"

@@ -117,9 +117,8 @@ wrong_guards() {
 # object tells its source, since names are unique.
 sed -n 's|\(.*/\)\([^/]*\)\.c$|\2 \1\2.c|p' "$scratch/program" >"$scratch/stems"
 for folder in $program; do
-    $NM -A -g --defined-only ".libs/lib$folder.a" 2>/dev/null
+    $NM -A -g --defined-only "lib$folder.a" 2>/dev/null
 done | sed -n 's/^[^:]*:\([^:]*\)\.o:[^ ]* T \([^_ ][^ ]*\)$/\1 \2/p' |
-    sed 's/^lib[a-z]*_la-//' |
     awk 'NR == FNR { path[$1] = $2; next } $1 in path { print path[$1], $2 }' \
         "$scratch/stems" - >"$scratch/functions"
 

@@ -1,15 +1,11 @@
-/* near.h - cmocka with the headers that it needs, and assertions about numbers. */
+/* near.h - cmocka, the list of a file's tests, and assertions about numbers. */
 #ifndef PP_TESTS_LIB_NEAR_H
 #define PP_TESTS_LIB_NEAR_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
+#include "tests/lib/test_file.h"
 
-#include <cmocka.h>
 #include <math.h>
+#include <string.h>
 
 #define assert_near(value, expected, tolerance)                                        \
     do {                                                                               \

@@ -22,7 +22,8 @@ $make all >mutant.log 2>&1 || {
     exit 2
 }
 names() { echo "show: ; @echo \$($1)" | $make -f Makefile -f - show; }
-programs=$(names check_PROGRAMS | tr ' ' '\n' | sort)
+# A C test is a file; a folder's program runs it. test_wrong_rooms is a program of its own.
+programs=$(cd "$source" && find tests -name 'test_*.c' ! -path 'tests/lib/*' | sed 's/\.c$//' | sort)
 scripts=$(names dist_check_SCRIPTS | tr ' ' '\n' | grep -v '^tests/house/')
 export srcdir="$source"
 
@@ -41,22 +42,35 @@ near() {
     done
 }
 
+# program_of TEST: what has to be built for it.
+program_of() {
+    case $1 in
+    *.sh) echo pepperpot ;;
+    */test_wrong_rooms) echo "$1" ;;
+    *) echo "$1" | sed 's|^tests/\([^/]*\)/.*|tests/\1/\1_tests|' ;;
+    esac
+}
+
 # fails TEST: it fails, or does not end.
 fails() {
     case $1 in
     *.sh) run="sh $source/$1" ;;
-    *) run="sh $source/tests/lib/run.sh ./$1" ;;
+    */test_wrong_rooms) run="sh $source/tests/lib/run.sh ./$1" ;;
+    *) run="sh $source/tests/lib/run.sh ./$(program_of "$1") --filter ${1##*/}" ;;
     esac
     ! timeout 600 $run >mutant.log 2>&1 || grep -q '^not ok' mutant.log
 }
+
+# once WORD ...: each once, in the order in which it first comes.
+once() { printf '%s\n' "$@" | awk 'NF && !seen[$0]++'; }
 
 # made TEST ...: builds what they need.
 made() {
     needed=
     for test in "$@"; do
-        needed="$needed $(echo "$test" | sed 's/.*\.sh$/pepperpot/')"
+        needed="$needed $(program_of "$test")"
     done
-    $make $needed >mutant.log 2>&1
+    $make $(once $needed) >mutant.log 2>&1
 }
 
 # seen_by TEST ...: which of the tests fails first; "" where none does.
@@ -84,9 +98,6 @@ try() {
         fi
     done
 }
-
-# once WORD ...: each once, in the order in which it first comes.
-once() { printf '%s\n' "$@" | awk 'NF && !seen[$0]++'; }
 
 done=0 survivors=0 wrong=0
 : >mutant.tried

@@ -68,7 +68,7 @@ static void a_figure_for_a_bare_hole_gets_all_of_glass_frame_and_dirt(void **sta
     assert_near(pp_allowance_factor(PP_ALLOWS_NOTHING, &opening), 0.7 * 0.9, 1e-15);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_figure_that_contains_all_needs_nothing),
@@ -79,5 +79,5 @@ int main(void)
             glass_of_the_reflected_component_is_085_for_clear_and_1_for_none),
         cmocka_unit_test(a_figure_for_a_bare_hole_gets_all_of_glass_frame_and_dirt),
     };
-    return cmocka_run_group_tests_name("allowance", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -171,7 +171,7 @@ static void other_skies_are_refused_and_by_the_older_form_slopes(void **state)
         pp_method_average_df_lynes.refuses(&box.world, &box.light, rooflight, NULL));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(worked_room_has_2_5163_per_cent),
@@ -184,5 +184,5 @@ int main(void)
         cmocka_unit_test(sloping_glass_sees_180_degrees_less_its_slope),
         cmocka_unit_test(other_skies_are_refused_and_by_the_older_form_slopes),
     };
-    return cmocka_run_group_tests_name("average daylight factor", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -306,7 +306,7 @@ static void a_window_seen_from_its_own_plane_gives_nothing(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(areas_without_glass_are_exact),
@@ -318,5 +318,5 @@ int main(void)
         cmocka_unit_test(what_the_diagrams_do_not_hold_is_refused),
         cmocka_unit_test(a_window_seen_from_its_own_plane_gives_nothing),
     };
-    return cmocka_run_group_tests_name("drawing_board", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

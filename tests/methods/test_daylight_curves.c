@@ -232,7 +232,7 @@ static void levels_asked_for_are_the_levels_drawn(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_sky_line_lies_where_the_head_meets_a_far_skyline),
@@ -244,5 +244,5 @@ int main(void)
         cmocka_unit_test(no_more_than_a_fifth_of_the_plane_has_no_line),
         cmocka_unit_test(levels_asked_for_are_the_levels_drawn),
     };
-    return cmocka_run_group_tests_name("daylight_curves", tests, 0, 0);
+    add_tests(tests, NULL, NULL);
 }

@@ -543,7 +543,7 @@ static void every_method_is_found_by_its_name(void **state)
     assert_null(pp_method_find("traced"));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(columns_by_default_in_the_order_of_the_results),
@@ -565,5 +565,5 @@ int main(void)
         cmocka_unit_test(figures_have_no_steps_unless_asked_for),
         cmocka_unit_test(every_method_is_found_by_its_name),
     };
-    return cmocka_run_group_tests_name("evaluate", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -102,11 +102,11 @@ static void scales_of_a_protractor_are_the_sums_of_its_density(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_window_by_four_ways),
         cmocka_unit_test(scales_of_a_protractor_are_the_sums_of_its_density),
     };
-    return cmocka_run_group_tests_name("gradation", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -312,7 +312,7 @@ static void text_shows_the_traced_value_and_how_far_a_method_is_from_it(void **s
     free(text);
 }
 
-int main(void)
+TEST_FILE
 {
 #define TEST(f) cmocka_unit_test_setup_teardown(f, set_up, tear_down)
     const struct CMUnitTest tests[] = {
@@ -325,5 +325,5 @@ int main(void)
         TEST(text_keeps_to_the_width_and_to_visible_characters),
         TEST(text_shows_the_traced_value_and_how_far_a_method_is_from_it),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

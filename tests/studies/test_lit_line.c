@@ -133,7 +133,7 @@ static void a_sum_of_rooms_has_what_is_known_of_each(void **state)
     assert_near(sum.loss.equivalent_m2, 0.5 * 4.0 + 5.0 + 1.5, 1e-12);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_no_sky_line_lies_where_head_and_house_are_in_line),
@@ -142,5 +142,5 @@ int main(void)
         cmocka_unit_test(a_sum_of_rooms_has_what_is_known_of_each),
         cmocka_unit_test(no_plane_and_no_window_are_no_lit_area),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

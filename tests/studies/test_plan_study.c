@@ -99,12 +99,12 @@ static void nothing_is_drawn_within_furniture(void **state)
     pp_test_compared_clear(&room);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_open_plane_has_holes_where_something_stands_through_it),
         cmocka_unit_test(where_nothing_is_open_it_is_the_plane),
         cmocka_unit_test(nothing_is_drawn_within_furniture),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -42,11 +42,11 @@ static void a_point_without_a_value_leaves_the_plane_without_figures(void **stat
     assert_false(column.has_plane);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(figures_of_four_points_are_as_worked_by_hand),
         cmocka_unit_test(a_point_without_a_value_leaves_the_plane_without_figures),
     };
-    return cmocka_run_group_tests_name("plane_figures", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -104,7 +104,7 @@ static void every_kind_has_its_measured_band(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_shallow_room_under_open_sky_is_relied_on),
@@ -116,5 +116,5 @@ int main(void)
         cmocka_unit_test(a_method_that_does_not_answer_is_not_named_for_its_table),
         cmocka_unit_test(every_kind_has_its_measured_band),
     };
-    return cmocka_run_group_tests_name("reliability", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -32,11 +32,11 @@ static void points_lie_square_to_the_largest_window_at_most_a_quarter_metre_apar
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(
             points_lie_square_to_the_largest_window_at_most_a_quarter_metre_apart),
     };
-    return cmocka_run_group_tests_name("section_line", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

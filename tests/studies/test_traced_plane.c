@@ -122,11 +122,11 @@ static void only_errors_of_their_own_are_evened_out(void **state)
     clear(&room);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(between_points_the_edge_of_the_sky_is_followed),
         cmocka_unit_test(only_errors_of_their_own_are_evened_out),
     };
-    return cmocka_run_group_tests_name("traced_plane", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

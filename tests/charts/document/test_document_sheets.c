@@ -248,7 +248,7 @@ static void pictures_go_two_on_a_sheet_at_true_scale(void **state)
     free(svg);
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_table_over_sheets_repeats_its_head_and_has_every_row_once),
@@ -258,5 +258,5 @@ int main(void)
             what_is_too_long_is_broken_or_cut_and_never_lost_off_the_sheet),
         cmocka_unit_test(pictures_go_two_on_a_sheet_at_true_scale),
     };
-    return cmocka_run_group_tests_name("document_sheets", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

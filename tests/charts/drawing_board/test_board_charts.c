@@ -647,7 +647,7 @@ static void dots_for_any_sky_and_slope_sum_up_to_their_method(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dots_for_any_sky_and_slope_sum_up_to_their_method),
@@ -667,5 +667,5 @@ int main(void)
         cmocka_unit_test(a_window_that_is_not_seen_has_no_squares_and_no_dots),
         cmocka_unit_test(what_the_diagrams_do_not_hold_is_refused_with_why),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -158,12 +158,12 @@ static void what_the_table_does_not_hold_is_refused(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_reading_stands_between_its_cells_in_proportion),
         cmocka_unit_test(the_readings_come_to_what_the_method_gives),
         cmocka_unit_test(what_the_table_does_not_hold_is_refused),
     };
-    return cmocka_run_group_tests_name("BRS table on paper", tests, 0, 0);
+    add_tests(tests, NULL, NULL);
 }

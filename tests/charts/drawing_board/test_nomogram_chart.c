@@ -362,7 +362,7 @@ static void rooms_that_a_nomogram_is_not_made_for(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(marks_stand_where_the_formula_puts_them),
@@ -370,5 +370,5 @@ int main(void)
         cmocka_unit_test(sum_of_a_room_is_that_of_the_method),
         cmocka_unit_test(rooms_that_a_nomogram_is_not_made_for),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

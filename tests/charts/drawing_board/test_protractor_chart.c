@@ -234,7 +234,7 @@ static void a_point_that_sees_no_opening_has_no_worked_chart(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(marks_stand_where_the_formula_puts_them),
@@ -243,5 +243,5 @@ int main(void)
         cmocka_unit_test(a_worked_chart_is_drawn_of_windows_and_rooflights),
         cmocka_unit_test(a_point_that_sees_no_opening_has_no_worked_chart),
     };
-    return cmocka_run_group_tests_name("protractor_chart", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -327,7 +327,7 @@ static void every_edge_and_opening_is_drawn_to_scale(void **state)
         }
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(panels_are_their_faces_to_scale_seen_from_inside),
@@ -338,5 +338,5 @@ int main(void)
         cmocka_unit_test(
             doors_and_dados_are_drawn_to_scale_without_the_edges_of_their_wall),
     };
-    return cmocka_run_group_tests_name("model nets", tests, 0, 0);
+    add_tests(tests, NULL, NULL);
 }

@@ -128,12 +128,12 @@ static void a_section_cuts_a_door_and_a_dado(void **state)
     free(without.list);
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_door_opens_its_wall_in_a_plan),
         cmocka_unit_test(a_dado_is_not_in_a_plan),
         cmocka_unit_test(a_section_cuts_a_door_and_a_dado),
     };
-    return cmocka_run_group_tests_name("doors and dados drawn", tests, 0, 0);
+    add_tests(tests, NULL, NULL);
 }

@@ -458,7 +458,7 @@ static void a_pdf_lists_its_contents(void **state)
     pp_canvas_destroy(canvas);
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(svg_is_in_millimetres_and_a_rule_is_100_mm_long),
@@ -478,5 +478,5 @@ int main(void)
         cmocka_unit_test(a_drawing_to_be_placed_is_no_file),
         cmocka_unit_test(a_pdf_lists_its_contents),
     };
-    return cmocka_run_group_tests_name("canvas", tests, 0, 0);
+    add_tests(tests, NULL, NULL);
 }

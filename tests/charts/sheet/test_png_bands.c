@@ -103,11 +103,11 @@ static void a_blank_sheet_is_a_small_file(void **state)
     pp_bytes_clear(&png);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_bands_have_the_pixels_of_the_whole),
         cmocka_unit_test(a_blank_sheet_is_a_small_file),
     };
-    return cmocka_run_group_tests_name("png_bands", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

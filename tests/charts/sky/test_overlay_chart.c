@@ -168,12 +168,12 @@ static void a_circle_larger_than_the_sheet_is_refused(void **state)
     pp_canvas_destroy(canvas);
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(dots_stand_where_the_lens_draws_their_directions),
         cmocka_unit_test(sun_paths_pass_through_known_directions),
         cmocka_unit_test(a_circle_larger_than_the_sheet_is_refused),
     };
-    return cmocka_run_group_tests_name("overlays", tests, 0, 0);
+    add_tests(tests, NULL, NULL);
 }

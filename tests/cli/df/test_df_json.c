@@ -297,7 +297,7 @@ static void a_terminated_run_of_a_building_keeps_all_its_rooms(void **state)
     interrupt(SIGTERM, 4, "building.xml");
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_deep_room_has_every_name_of_the_contract),
@@ -306,5 +306,5 @@ int main(void)
         cmocka_unit_test(an_interrupted_run_gives_what_there_is_so_far),
         cmocka_unit_test(a_terminated_run_of_a_building_keeps_all_its_rooms),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

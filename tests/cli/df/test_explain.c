@@ -400,7 +400,7 @@ static void intervals_hold_all_that_rounding_allows(void **state)
     assert_false(formula_evaluate(&value, "1 / (y + 1)", &figures, message));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(formulae_are_read_as_people_read_them),
@@ -409,5 +409,5 @@ int main(void)
         cmocka_unit_test(printed_formulae_recompute_from_printed_figures),
         cmocka_unit_test(those_of_odd_rooms_do_so_too),
     };
-    return cmocka_run_group_tests_name("explain", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

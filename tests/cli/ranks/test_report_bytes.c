@@ -118,7 +118,7 @@ static void columns_of_another_room_are_refused(void **state)
     pp_report_clear(&got);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_arrive_to_the_bit_and_sentences_whole),
@@ -126,5 +126,5 @@ int main(void)
         cmocka_unit_test(bytes_that_are_cut_short_are_refused),
         cmocka_unit_test(columns_of_another_room_are_refused),
     };
-    return cmocka_run_group_tests_name("report_bytes", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

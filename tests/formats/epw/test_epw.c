@@ -496,7 +496,7 @@ static void a_file_that_is_not_there_is_named(void **state)
     pp_mistakes_clear(&mistakes);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_record_has_its_place_time_and_values),
@@ -519,5 +519,5 @@ int main(void)
         cmocka_unit_test(mistakes_are_said_up_to_some),
         cmocka_unit_test(a_file_that_is_not_there_is_named),
     };
-    return cmocka_run_group_tests_name("epw", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -108,12 +108,12 @@ static void elements_are_found_by_their_names(void **state)
     pp_gbxml_document_clear(&document);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_file_has_the_encoding_that_it_names),
         cmocka_unit_test(what_is_no_gbxml_is_refused_in_words),
         cmocka_unit_test(elements_are_found_by_their_names),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -508,7 +508,7 @@ static void broken_files_do_no_harm(void **state)
     free(file.text);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(box_has_the_light_of_the_same_room_by_hand),
@@ -521,5 +521,5 @@ int main(void)
         cmocka_unit_test(others_are_refused_with_a_reason),
         cmocka_unit_test(broken_files_do_no_harm),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -168,7 +168,7 @@ static void ground_at_the_foot_of_a_wall_is_half_as_light(void **state)
                 0.37, 0.002);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_ground_reaches_far_beyond_what_stands_on_it),
@@ -177,5 +177,5 @@ int main(void)
         cmocka_unit_test(ground_higher_than_the_floor_stays_out_of_the_room),
         cmocka_unit_test(ground_at_the_foot_of_a_wall_is_half_as_light),
     };
-    return cmocka_run_group_tests_name("rad_ground", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -565,7 +565,7 @@ static void a_file_that_is_cut_off_or_binary_ends_well(void **state)
     assert_non_null(strstr(err.message, "room.rad:1: a character of code"));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_shape_is_what_it_says),
@@ -582,5 +582,5 @@ int main(void)
         cmocka_unit_test(what_is_not_understood_is_refused_by_its_line),
         cmocka_unit_test(a_file_that_is_cut_off_or_binary_ends_well),
     };
-    return cmocka_run_group_tests_name("rad_read", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -482,7 +482,7 @@ static void what_is_not_our_own_function_is_refused(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_example_comes_back_as_it_was),
@@ -497,5 +497,5 @@ int main(void)
         cmocka_unit_test(numbers_come_back_to_the_bit),
         cmocka_unit_test(what_is_not_our_own_function_is_refused),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

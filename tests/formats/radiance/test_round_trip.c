@@ -8,10 +8,10 @@ static void every_example_is_as_light_when_it_comes_back(void **state)
     pp_test_examples_beside(0.03);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_example_is_as_light_when_it_comes_back),
     };
-    return cmocka_run_group_tests_name("round_trip", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -110,12 +110,12 @@ static void a_space_that_is_spent_has_no_more_areas(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(areas_are_those_of_the_beam),
         cmocka_unit_test(means_are_of_an_opening_a_view_and_a_glass),
         cmocka_unit_test(a_space_that_is_spent_has_no_more_areas),
     };
-    return cmocka_run_group_tests_name("beams", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -166,7 +166,7 @@ static void the_function_can_end_it(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_constant_and_a_polynomial_come_out),
@@ -176,5 +176,5 @@ int main(void)
         cmocka_unit_test(the_numbers_are_the_same_with_any_number_of_threads),
         cmocka_unit_test(the_function_can_end_it),
     };
-    return cmocka_run_group_tests_name("plane average", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

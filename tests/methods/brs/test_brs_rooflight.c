@@ -248,7 +248,7 @@ static void other_slopes_and_diffusing_panes_are_refused(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cells_are_the_sum_over_the_glass),
@@ -260,5 +260,5 @@ int main(void)
         cmocka_unit_test(a_room_of_windows_has_the_average_of_their_table),
         cmocka_unit_test(other_slopes_and_diffusing_panes_are_refused),
     };
-    return cmocka_run_group_tests_name("brs-table-rooflight", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

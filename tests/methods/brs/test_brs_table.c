@@ -525,7 +525,7 @@ static void another_wall_s_facade_hides_as_a_screen(void **state)
     assert_true(parts[0].sky < parts[2].sky - 0.01);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_printed_cell_is_read_as_printed),
@@ -550,5 +550,5 @@ int main(void)
         cmocka_unit_test(more_window_never_gives_less),
         cmocka_unit_test(what_the_table_does_not_hold_is_refused),
     };
-    return cmocka_run_group_tests_name("BRS table", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -118,7 +118,7 @@ static void a_rooflight_under_a_block_and_a_diffusing_one(void **state)
                      5000, 8e-4);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_unobstructed_window_and_its_reveal),
@@ -127,5 +127,5 @@ int main(void)
         cmocka_unit_test(an_l_shaped_room),
         cmocka_unit_test(a_rooflight_under_a_block_and_a_diffusing_one),
     };
-    return cmocka_run_group_tests_name("beam average", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

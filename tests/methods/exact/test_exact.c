@@ -199,7 +199,7 @@ static void what_a_facade_hides_counts_as_facade(void **state)
     pp_world_destroy(open);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_design_window_keeps_its_digits_in_a_room),
@@ -211,5 +211,5 @@ int main(void)
         cmocka_unit_test(a_facade_hides_the_sky_as_a_reveal_to_its_face),
         cmocka_unit_test(what_a_facade_hides_counts_as_facade),
     };
-    return cmocka_run_group_tests_name("exact", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

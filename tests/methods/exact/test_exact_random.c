@@ -359,10 +359,10 @@ static void exact_agrees_with_a_sum_over_meridians(void **state)
     assert_true(dealt < 10 * SCENES);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(exact_agrees_with_a_sum_over_meridians),
     };
-    return cmocka_run_group_tests_name("exact_random", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -162,7 +162,7 @@ static void sky_between_two_things_is_seen(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_endless_edge_sinks_with_the_cosine_of_the_bearing),
@@ -170,5 +170,5 @@ int main(void)
         cmocka_unit_test(a_screen_of_triangles_is_one_screen),
         cmocka_unit_test(sky_between_two_things_is_seen),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

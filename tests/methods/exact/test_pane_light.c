@@ -481,7 +481,7 @@ static void a_sky_table_is_for_its_own_plane(void **state)
     destroy_lighting(lighting);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(edges_give_the_light_through_glass_to_1e9_of_the_open_sky),
@@ -494,5 +494,5 @@ int main(void)
         cmocka_unit_test(windows_side_by_side_add_up),
         cmocka_unit_test(a_sky_table_is_for_its_own_plane),
     };
-    return cmocka_run_group_tests_name("pane_light", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -270,7 +270,7 @@ static void near_its_plane_a_window_is_all_or_nothing(void **state)
     assert_near(before.omega, PP_PI, 1e-5);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_endless_ceiling_shows_the_whole_sky),
@@ -287,5 +287,5 @@ int main(void)
         cmocka_unit_test(a_corner_at_the_zenith_is_like_any_other),
         cmocka_unit_test(near_its_plane_a_window_is_all_or_nothing),
     };
-    return cmocka_run_group_tests_name("solid_angle", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

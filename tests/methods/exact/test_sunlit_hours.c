@@ -288,7 +288,7 @@ static void caps_change_no_hour(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_equinox_has_twelve_hours_everywhere),
@@ -301,5 +301,5 @@ int main(void)
         cmocka_unit_test(a_year_is_what_counting_makes_of_it),
         cmocka_unit_test(caps_change_no_hour),
     };
-    return cmocka_run_group_tests_name("sunlit hours", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -152,7 +152,7 @@ static void errors_are_those_of_the_theory(void **state)
     assert_near(rms(state, IRC_ATLAS, AVERAGE), 0.173, 0.05);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(by_position_the_dark_quarter_has_half_the_error_of_averages),
@@ -161,5 +161,5 @@ int main(void)
         cmocka_unit_test(corrected_averages_are_nearer_to_the_traced_ones),
         cmocka_unit_test(errors_are_those_of_the_theory),
     };
-    return cmocka_run_group_tests(tests, read_errors, NULL);
+    add_tests(tests, read_errors, NULL);
 }

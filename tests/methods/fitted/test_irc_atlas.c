@@ -327,7 +327,7 @@ static void a_point_behind_the_windows_wall_counts_as_in_it(void **state)
     assert_near(place.w_r, 3.7, 1e-12);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(worked_room_is_as_on_paper),
@@ -347,5 +347,5 @@ int main(void)
         cmocka_unit_test(what_was_not_fitted_is_refused),
         cmocka_unit_test(a_point_behind_the_windows_wall_counts_as_in_it),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -269,7 +269,7 @@ static void clear_skies_are_read_by_their_ratio(void **state)
     done();
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sum_is_as_worked_by_hand),
@@ -282,5 +282,5 @@ int main(void)
         cmocka_unit_test(what_the_tables_do_not_hold_is_refused),
         cmocka_unit_test(clear_skies_are_read_by_their_ratio),
     };
-    return cmocka_run_group_tests_name("lumen", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -268,7 +268,7 @@ static void top_table_is_what_the_cavity_gives(void **state)
     pp_lumen_table_destroy(table);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(faces_of_a_cube_have_the_printed_form_factors),
@@ -284,5 +284,5 @@ int main(void)
         cmocka_unit_test(light_from_above_has_its_limits),
         cmocka_unit_test(top_table_is_what_the_cavity_gives),
     };
-    return cmocka_run_group_tests_name("lumen_room", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -237,7 +237,7 @@ static void damaged_tables_do_no_harm(void **state)
     free(text);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(plain_table_is_read),
@@ -250,5 +250,5 @@ int main(void)
         cmocka_unit_test(too_long_axes_are_refused),
         cmocka_unit_test(damaged_tables_do_no_harm),
     };
-    return cmocka_run_group_tests_name("lumen_table", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -414,7 +414,7 @@ static void others_are_refused_with_a_reason(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(straight_edge_does_the_sum_worked_by_hand),
@@ -432,5 +432,5 @@ int main(void)
         cmocka_unit_test(ratios_off_the_scale_are_shifted_by_tens),
         cmocka_unit_test(others_are_refused_with_a_reason),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -203,7 +203,7 @@ static void other_skies_and_senseless_dots_are_refused(void **state)
     pp_pepper_pot_dots_destroy(pot);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_boundless_window_holds_all_dots),
@@ -213,5 +213,5 @@ int main(void)
         cmocka_unit_test(the_fine_chart_has_ten_dots_for_one),
         cmocka_unit_test(other_skies_and_senseless_dots_are_refused),
     };
-    return cmocka_run_group_tests_name("pepper_pot_dots", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

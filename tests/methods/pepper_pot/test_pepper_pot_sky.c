@@ -163,12 +163,12 @@ static void rooms_under_a_clear_sky_are_near_to_exact(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(counts_are_unbiased_and_close),
         cmocka_unit_test(boundless_openings_hold_all_dots),
         cmocka_unit_test(rooms_under_a_clear_sky_are_near_to_exact),
     };
-    return cmocka_run_group_tests_name("pepper-pot-sky", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

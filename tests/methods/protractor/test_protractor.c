@@ -657,7 +657,7 @@ static void what_no_protractor_is_made_for_is_refused(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_endless_window_has_the_reading_of_the_primary_scale),
@@ -676,5 +676,5 @@ int main(void)
         cmocka_unit_test(glass_is_counted_once),
         cmocka_unit_test(what_no_protractor_is_made_for_is_refused),
     };
-    return cmocka_run_group_tests_name("protractor", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

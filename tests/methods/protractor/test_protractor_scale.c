@@ -154,7 +154,7 @@ static void there_are_ten_and_no_more(void **state)
     assert_int_equal(pp_protractor_scale_published(&protractor, 0, &err), PP_BAD_INPUT);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(primary_scales_of_vertical_windows),
@@ -165,5 +165,5 @@ int main(void)
         cmocka_unit_test(a_reading_leads_back_to_its_angle),
         cmocka_unit_test(there_are_ten_and_no_more),
     };
-    return cmocka_run_group_tests_name("protractor_scale", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -48,10 +48,10 @@ static void a_triangle_is_read_as_the_rectangle_of_its_area(void **state)
         expected, 1e-9);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_triangle_is_read_as_the_rectangle_of_its_area),
     };
-    return cmocka_run_group_tests_name("protractor_shapes", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -177,7 +177,7 @@ static void points_that_face_up_and_other_skies_are_refused(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(straight_ahead_reads_what_a_skyline_hides),
@@ -187,5 +187,5 @@ int main(void)
         cmocka_unit_test(what_lies_behind_the_receiver_does_not_count),
         cmocka_unit_test(points_that_face_up_and_other_skies_are_refused),
     };
-    return cmocka_run_group_tests_name("protractor-upright", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -178,7 +178,7 @@ static void other_skies_slopes_and_receivers_are_refused(void **state)
         strstr(pp_method_bre.refuses_room(&box.world, &box.light, NULL), "by itself"));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(worked_room_has_1_3289_per_cent),
@@ -191,5 +191,5 @@ int main(void)
         cmocka_unit_test(a_narrow_block_counts_less_and_two_count_more_than_one),
         cmocka_unit_test(other_skies_slopes_and_receivers_are_refused),
     };
-    return cmocka_run_group_tests_name("bre", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

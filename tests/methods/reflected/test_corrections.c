@@ -263,7 +263,7 @@ static void dirt_and_curtains_count_once_in_the_traced_components(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dirt_goes_by_place_work_and_slope),
@@ -275,5 +275,5 @@ int main(void)
         cmocka_unit_test(decorations_bear_on_the_traced_reflected_component_only),
         cmocka_unit_test(dirt_and_curtains_count_once_in_the_traced_components),
     };
-    return cmocka_run_group_tests_name("corrections", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

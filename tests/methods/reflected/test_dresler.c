@@ -107,7 +107,7 @@ static void rooflights_are_refused(void **state)
         pp_method_dresler.refuses(&box.world, &box.light, box.openings, NULL));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(window_is_light_followed_from_part_to_part),
@@ -116,5 +116,5 @@ int main(void)
         cmocka_unit_test(section_is_the_plan_of_the_room),
         cmocka_unit_test(rooflights_are_refused),
     };
-    return cmocka_run_group_tests_name("dresler", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -220,7 +220,7 @@ static void diffusing_panes_are_covered_where_level(void **state)
         pp_method_efficiency.refuses(&box.world, &box.light, box.openings, NULL));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(light_on_the_window_is_vsc_and_15_per_cent_of_what_is_hidden),
@@ -232,5 +232,5 @@ int main(void)
         cmocka_unit_test(glass_below_the_plane_is_left_out),
         cmocka_unit_test(diffusing_panes_are_covered_where_level),
     };
-    return cmocka_run_group_tests_name("efficiency", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

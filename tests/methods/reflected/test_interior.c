@@ -124,7 +124,7 @@ static void area_below_a_cut_through_a_comb(void **state)
     assert_near(pp_interior_area_below(&comb, 7.0), 10.0, 0.0);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(worked_room_as_on_paper),
@@ -134,5 +134,5 @@ int main(void)
         cmocka_unit_test(a_room_of_one_colour_is_that_colour_in_every_part),
         cmocka_unit_test(area_below_a_cut_through_a_comb),
     };
-    return cmocka_run_group_tests_name("inside", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

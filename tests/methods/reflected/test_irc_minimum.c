@@ -243,7 +243,7 @@ static void minimum_is_for_points_and_no_average(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(formula_over_its_ratio_is_near_every_printed_cell),
@@ -257,5 +257,5 @@ int main(void)
         cmocka_unit_test(windows_share_one_reading_of_the_table),
         cmocka_unit_test(minimum_is_for_points_and_no_average),
     };
-    return cmocka_run_group_tests_name("minimum component", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

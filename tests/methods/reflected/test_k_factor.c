@@ -80,7 +80,7 @@ static void glass_that_slopes_is_refused(void **state)
     assert_non_null(pp_method_k_factor.refuses(&box.world, &box.light, pane, NULL));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rooflight_without_a_well_has_a_K_of_85_per_cent),
@@ -88,5 +88,5 @@ int main(void)
         cmocka_unit_test(window_is_by_the_bre_formula),
         cmocka_unit_test(glass_that_slopes_is_refused),
     };
-    return cmocka_run_group_tests_name("k-factor", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

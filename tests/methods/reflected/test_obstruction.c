@@ -151,7 +151,7 @@ static void of_several_skylines_the_highest_counts(void **state)
     assert_near(angle_rad, 35.0 * PP_RAD, 0.0);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_reveal_does_not_move_the_skyline),
@@ -161,5 +161,5 @@ int main(void)
         cmocka_unit_test(level_glass_counts_the_share_of_the_sky_that_is_hidden),
         cmocka_unit_test(of_several_skylines_the_highest_counts),
     };
-    return cmocka_run_group_tests_name("obstruction angle", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -151,7 +151,7 @@ static void rooms_with_light_of_their_own_are_refused(void **state)
     assert_non_null(pp_method_sphere.refuses_room(&box.world, &box.light, NULL));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(clear_window_is_the_published_equation_15),
@@ -163,5 +163,5 @@ int main(void)
         cmocka_unit_test(sloping_glass_has_the_skys_exact_share_and_its_ground),
         cmocka_unit_test(rooms_with_light_of_their_own_are_refused),
     };
-    return cmocka_run_group_tests_name("sphere", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -149,7 +149,7 @@ static void a_room_that_keeps_all_its_light_is_refused(void **state)
     assert_non_null(pp_method_split_flux.refuses(&box.world, &box.light, window, NULL));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(worked_room_has_1_2962_per_cent),
@@ -163,5 +163,5 @@ int main(void)
         cmocka_unit_test(brighter_surfaces_and_ground_give_more),
         cmocka_unit_test(a_room_that_keeps_all_its_light_is_refused),
     };
-    return cmocka_run_group_tests_name("split flux", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

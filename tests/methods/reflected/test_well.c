@@ -197,7 +197,7 @@ static void foot_sees_the_plane_by_its_configuration_factor(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(black_cube_lets_its_form_factor_through),
@@ -208,5 +208,5 @@ int main(void)
         cmocka_unit_test(sides_are_no_part_of_the_room),
         cmocka_unit_test(foot_sees_the_plane_by_its_configuration_factor),
     };
-    return cmocka_run_group_tests_name("well", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

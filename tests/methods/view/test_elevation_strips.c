@@ -174,7 +174,7 @@ static void what_counts_as_covered_is_seen_nowhere(void **state)
     assert_true(hidden > ROUNDS * COUNT / 10);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_place_shows_the_nearest_obstruction),
@@ -182,5 +182,5 @@ int main(void)
         cmocka_unit_test(what_stands_behind_a_wall_makes_no_parts),
         cmocka_unit_test(what_counts_as_covered_is_seen_nowhere),
     };
-    return cmocka_run_group_tests_name("elevation_strips", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

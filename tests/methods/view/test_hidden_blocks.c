@@ -141,11 +141,11 @@ static void the_order_of_the_blocks_in_the_file_changes_no_figure(void **state)
     free(backward);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(blocks_behind_a_higher_house_change_no_figure),
         cmocka_unit_test(the_order_of_the_blocks_in_the_file_changes_no_figure),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

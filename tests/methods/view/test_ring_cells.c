@@ -149,12 +149,12 @@ static void rings_that_halves_do_not_part_stay_together(void **state)
     free(leaves);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_leaves_leave_open_is_the_same_without_cells),
         cmocka_unit_test(each_leaf_has_in_front_what_it_has_without_cells),
         cmocka_unit_test(rings_that_halves_do_not_part_stay_together),
     };
-    return cmocka_run_group_tests_name("ring_cells", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -535,7 +535,7 @@ static void hidden_sky_counts_by_the_reflectance_or_by_half_of_it(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(walls_of_an_l_shaped_room_hide_its_windows),
@@ -556,5 +556,5 @@ int main(void)
         cmocka_unit_test(a_pane_lit_unevenly_is_the_sum_of_its_pieces),
         cmocka_unit_test(an_uneven_pane_is_the_same_prepared_and_roughly),
     };
-    return cmocka_run_group_tests_name("visible", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

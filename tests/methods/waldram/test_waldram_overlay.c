@@ -101,11 +101,11 @@ static void diffusing_panes_and_skies_with_azimuth_are_refused(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(squares_under_the_overlay_are_exact_and_unbiased),
         cmocka_unit_test(diffusing_panes_and_skies_with_azimuth_are_refused),
     };
-    return cmocka_run_group_tests_name("waldram-overlay", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -153,7 +153,7 @@ static void a_sky_that_changes_with_azimuth_is_refused(void **state)
     assert_non_null(strstr(err.message, "iso-12"));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_whole_diagram_is_half_the_sky),
@@ -165,5 +165,5 @@ int main(void)
         cmocka_unit_test(losses_of_glass_are_right_straight_ahead),
         cmocka_unit_test(a_sky_that_changes_with_azimuth_is_refused),
     };
-    return cmocka_run_group_tests_name("waldram_scale", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

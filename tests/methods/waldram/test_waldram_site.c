@@ -202,7 +202,7 @@ static void areas_of_2000_sites_are_their_vertical_sky_component(void **state)
     assert_true(spread_of(&marks) < 0.014);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_whole_diagram_is_the_open_skys_vertical_component),
@@ -210,5 +210,5 @@ int main(void)
         cmocka_unit_test(ordinates_of_measured_skies_are_tabulated_alike),
         cmocka_unit_test(areas_of_2000_sites_are_their_vertical_sky_component),
     };
-    return cmocka_run_group_tests_name("waldram_site", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

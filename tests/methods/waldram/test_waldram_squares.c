@@ -155,7 +155,7 @@ static void nothing_is_counted_where_nothing_is_seen(void **state)
     assert_near(below.squares, 0.0, 0.0);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(parts_of_squares_add_up_to_the_exact_area),
@@ -163,5 +163,5 @@ int main(void)
         cmocka_unit_test(a_rooflight_overhead_is_counted_all_round),
         cmocka_unit_test(nothing_is_counted_where_nothing_is_seen),
     };
-    return cmocka_run_group_tests_name("waldram_squares", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -40,11 +40,11 @@ static void texts_are_copies_with_an_end(void **state)
     pp_arena_clear(&arena);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pieces_lie_apart_and_fit_any_type),
         cmocka_unit_test(texts_are_copies_with_an_end),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

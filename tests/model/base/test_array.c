@@ -51,12 +51,12 @@ static void more_than_there_can_be_is_refused_and_the_list_stays(void **state)
     assert_int_equal(pp_array_append(&list, INT_MAX, 1, &err), PP_SYSTEM);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(items_stay_while_a_list_grows),
         cmocka_unit_test(items_stay_where_no_capacity_is_kept),
         cmocka_unit_test(more_than_there_can_be_is_refused_and_the_list_stays),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -173,7 +173,7 @@ static void without_a_number_it_has_the_processors(void **state)
     pp_crew_destroy(NULL);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_index_is_done_once),
@@ -183,5 +183,5 @@ int main(void)
         cmocka_unit_test(a_crew_works_again_and_again),
         cmocka_unit_test(without_a_number_it_has_the_processors),
     };
-    return cmocka_run_group_tests_name("crew", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

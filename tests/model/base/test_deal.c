@@ -312,7 +312,7 @@ static void an_error_on_any_rank_is_rank_0_s(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(threads_give_the_bytes_of_a_plain_loop),
@@ -325,5 +325,5 @@ int main(void)
         cmocka_unit_test(a_rank_that_dies_costs_nothing_but_time),
         cmocka_unit_test(an_error_on_any_rank_is_rank_0_s),
     };
-    return cmocka_run_group_tests_name("deal", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

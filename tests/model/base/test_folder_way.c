@@ -102,7 +102,7 @@ static void every_way_can_be_walked(void **state)
         }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ways_lead_up_to_what_is_common_and_down),
@@ -110,5 +110,5 @@ int main(void)
         cmocka_unit_test(a_folder_that_is_not_there_changes_nothing),
         cmocka_unit_test(every_way_can_be_walked),
     };
-    return cmocka_run_group_tests_name("ways between folders", tests, make, clear);
+    add_tests(tests, make, clear);
 }

@@ -54,12 +54,12 @@ static void no_more_than_a_bounded_number_is_kept(void **state)
     pp_mistakes_clear(&mistakes);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_same_text_on_a_line_is_noted_once),
         cmocka_unit_test(sorting_keeps_the_order_within_a_line),
         cmocka_unit_test(no_more_than_a_bounded_number_is_kept),
     };
-    return cmocka_run_group_tests_name("mistakes", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,6 @@
 /* Text put together piece by piece, and names that were mistyped. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "model/base/text.h"
+#include "tests/lib/near.h"
 
 static void pieces_follow_one_another(void **state)
 {
@@ -78,7 +72,7 @@ static void an_unknown_name_is_answered_with_the_nearest_or_with_all(void **stat
     assert_string_equal(text, "no loss; did you mean \"frame\"?");
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pieces_follow_one_another),
@@ -86,5 +80,5 @@ int main(void)
         cmocka_unit_test(names_are_listed_as_in_a_sentence),
         cmocka_unit_test(an_unknown_name_is_answered_with_the_nearest_or_with_all),
     };
-    return cmocka_run_group_tests_name("text", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -80,7 +80,7 @@ static void a_box_leaves_what_is_in_it(void **state)
                    of_corner);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_triangles_centroid_is_the_mean_of_its_corners),
@@ -88,5 +88,5 @@ int main(void)
         cmocka_unit_test(above_the_horizon_the_upper_part_is_left),
         cmocka_unit_test(a_box_leaves_what_is_in_it),
     };
-    return cmocka_run_group_tests_name("area_moments", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

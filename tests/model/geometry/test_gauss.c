@@ -42,11 +42,11 @@ static void nodes_ascend_and_are_symmetrical(void **state)
     assert_near(weights[2], 5.0 / 9.0, 1e-15);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(powers_are_integrated_exactly_up_to_the_degree),
         cmocka_unit_test(nodes_ascend_and_are_symmetrical),
     };
-    return cmocka_run_group_tests_name("gauss", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -223,7 +223,7 @@ static void polygons_cross_only_where_both_go_on(void **state)
     pp_polygon_clear(&plate);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(axes_are_right_handed_and_along_is_level),
@@ -234,5 +234,5 @@ int main(void)
         cmocka_unit_test(on_an_edge_is_said_within_the_tolerance),
         cmocka_unit_test(polygons_cross_only_where_both_go_on),
     };
-    return cmocka_run_group_tests_name("polygon", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -300,7 +300,7 @@ static void a_convex_ring_of_four_is_cut_by_delaunay_s_diagonal(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_convex_ring_of_four_is_cut_by_delaunay_s_diagonal),
@@ -315,5 +315,5 @@ int main(void)
         cmocka_unit_test(the_union_of_nothing_is_empty),
         cmocka_unit_test(inside_its_edge_an_l_is_a_smaller_l),
     };
-    return cmocka_run_group_tests_name("region", tests, set_up, tear_down);
+    add_tests(tests, set_up, tear_down);
 }

@@ -148,7 +148,7 @@ static void level_planes_by_the_sky_below_a_plane_and_an_altitude(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(zenith_over_horizontal_illuminance),
@@ -158,5 +158,5 @@ int main(void)
         cmocka_unit_test(a_skyline_and_its_light_are_each_others_inverse),
         cmocka_unit_test(level_planes_by_the_sky_below_a_plane_and_an_altitude),
     };
-    return cmocka_run_group_tests_name("graded_sky", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -144,7 +144,7 @@ static void materials_are_alike_only_in_all_that_they_are(void **state)
     assert_false(pp_surface_materials_same(&is, &was));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_finish_is_a_material_of_its_reflectance),
@@ -155,5 +155,5 @@ int main(void)
         cmocka_unit_test(materials_are_alike_only_in_all_that_they_are),
         cmocka_unit_test(skies_have_the_radiances_that_gensky_means),
     };
-    return cmocka_run_group_tests_name("material", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

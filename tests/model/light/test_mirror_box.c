@@ -81,7 +81,7 @@ static void the_box_is_darker_towards_the_horizon_and_needs_more_correction(
     assert_true(pp_mirror_box_correction(&box, 30.0 * PP_RAD) < 1.0);
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(perfect_mirrors_make_a_uniform_sky),
@@ -89,5 +89,5 @@ int main(void)
         cmocka_unit_test(
             the_box_is_darker_towards_the_horizon_and_needs_more_correction),
     };
-    return cmocka_run_group_tests_name("mirror box", tests, 0, 0);
+    add_tests(tests, NULL, NULL);
 }

@@ -103,7 +103,7 @@ static void skylines_take_nothing_of_the_open_ground(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(even_skies_give_pi_times_their_radiance),
@@ -111,5 +111,5 @@ int main(void)
         cmocka_unit_test(a_bright_cap_stands_before_the_sky),
         cmocka_unit_test(skylines_take_nothing_of_the_open_ground),
     };
-    return cmocka_run_group_tests_name("scene_horizontal", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

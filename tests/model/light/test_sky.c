@@ -142,7 +142,7 @@ static void a_faded_sky_is_half_ground_at_the_horizon(void **state)
     assert_true(pp_sky_on_plane(&sky, wall) < 0.99 * pp_sky_on_plane(&overcast, wall));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(open_sky_gives_the_horizontal_plane_its_all),
@@ -155,5 +155,5 @@ int main(void)
         cmocka_unit_test(a_sky_that_is_not_one_is_refused),
         cmocka_unit_test(a_faded_sky_is_half_ground_at_the_horizon),
     };
-    return cmocka_run_group_tests_name("sky", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -83,12 +83,12 @@ static void cells_lie_side_by_side_down_to_the_horizon(void **state)
     free(cells);
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(cells_of_an_overcast_sky_are_equal_in_closed_form),
         cmocka_unit_test(cells_of_a_clear_sky_are_equal_by_quadrature),
         cmocka_unit_test(cells_lie_side_by_side_down_to_the_horizon),
     };
-    return cmocka_run_group_tests_name("cells of a sky", tests, 0, 0);
+    add_tests(tests, NULL, NULL);
 }

@@ -109,7 +109,7 @@ static void an_hour_is_fifteen_degrees(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(it_agrees_with_a_far_longer_series),
@@ -119,5 +119,5 @@ int main(void)
         cmocka_unit_test(noon_runs_before_and_behind_the_clock),
         cmocka_unit_test(an_hour_is_fifteen_degrees),
     };
-    return cmocka_run_group_tests_name("sun", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

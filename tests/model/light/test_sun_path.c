@@ -66,7 +66,7 @@ static void the_path_is_the_almanacs_at_other_latitudes(void **state)
         }
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(
@@ -76,5 +76,5 @@ int main(void)
         cmocka_unit_test(declinations_are_those_of_the_seasons),
         cmocka_unit_test(the_path_is_the_almanacs_at_other_latitudes),
     };
-    return cmocka_run_group_tests_name("sun paths", tests, 0, 0);
+    add_tests(tests, NULL, NULL);
 }

@@ -181,7 +181,7 @@ static void a_file_may_break_off_anywhere(void **state)
         }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(outlines_of_obj_keep_their_area),
@@ -191,5 +191,5 @@ int main(void)
         cmocka_unit_test(wrong_files_are_refused_by_line),
         cmocka_unit_test(a_file_may_break_off_anywhere),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -175,7 +175,7 @@ static void a_view_that_shows_nothing_is_refused(void **state)
                      PP_BAD_INPUT);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_right_of_a_picture_is_the_right_of_who_looks),
@@ -185,5 +185,5 @@ int main(void)
         cmocka_unit_test(a_view_that_shows_nothing_is_refused),
         cmocka_unit_test(a_narrow_fisheye_keeps_to_its_angle),
     };
-    return cmocka_run_group_tests_name("camera", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

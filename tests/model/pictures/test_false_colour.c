@@ -322,7 +322,7 @@ static void smoothing_keeps_noise_from_tearing_lines(void **state)
     pp_picture_clear(&picture);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(colours_grow_lighter_all_the_way),
@@ -336,5 +336,5 @@ int main(void)
         cmocka_unit_test(pixels_of_two_surfaces_draw_no_line),
         cmocka_unit_test(smoothing_keeps_noise_from_tearing_lines),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

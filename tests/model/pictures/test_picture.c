@@ -300,7 +300,7 @@ static void a_full_disk_is_said(void **state)
     pp_picture_clear(&picture);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_pixel_keeps_to_half_a_per_cent_of_its_brightest_channel),
@@ -313,5 +313,5 @@ int main(void)
         cmocka_unit_test(float_maps_are_numbers_from_the_bottom_up),
         cmocka_unit_test(a_full_disk_is_said),
     };
-    return cmocka_run_group_tests_name("picture", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -245,7 +245,7 @@ static void a_picture_of_one_brightness_is_a_middle_grey(void **state)
     pp_picture_clear(&picture);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_eye_in_bright_light_sees_a_difference_of_five_per_cent),
@@ -260,5 +260,5 @@ int main(void)
         cmocka_unit_test(little_contrast_is_not_stretched),
         cmocka_unit_test(a_picture_of_one_brightness_is_a_middle_grey),
     };
-    return cmocka_run_group_tests_name("tone", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -289,7 +289,7 @@ static void a_worksheet_works_out_what_it_prints(void **state)
     pp_steps_clear(&steps);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sums_come_to_what_they_do_on_paper),
@@ -301,5 +301,5 @@ int main(void)
         cmocka_unit_test(published_formulae_are_sound),
         cmocka_unit_test(a_worksheet_works_out_what_it_prints),
     };
-    return cmocka_run_group_tests_name("expressions", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -59,12 +59,12 @@ static void the_ground_lies_below_points_without_a_room(void **state)
     assert_near(pp_ground_level(&world), 0.2, 0.0);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_ground_is_where_the_site_has_it),
         cmocka_unit_test(the_ground_is_dug_away_before_the_lowest_window),
         cmocka_unit_test(the_ground_lies_below_points_without_a_room),
     };
-    return cmocka_run_group_tests_name("ground_level", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

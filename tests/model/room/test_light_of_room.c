@@ -99,7 +99,7 @@ static void a_sky_that_cannot_be_is_refused(void **state)
     assert_int_equal(pp_room_light(&light, &room, &err), PP_OK);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(without_a_word_it_is_overcast_over_a_ground_of_a_fifth),
@@ -107,5 +107,5 @@ int main(void)
         cmocka_unit_test(rooms_that_differ_in_light_have_one_world),
         cmocka_unit_test(a_sky_that_cannot_be_is_refused),
     };
-    return cmocka_run_group_tests_name("light_of_room", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -99,7 +99,7 @@ static void beside_an_inner_corner_a_wall_ends(void **state)
     pp_room_destroy(room);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(walls_with_windows_go_on_to_all_sides),
@@ -107,5 +107,5 @@ int main(void)
         cmocka_unit_test(above_a_rooflight_there_is_no_house),
         cmocka_unit_test(beside_an_inner_corner_a_wall_ends),
     };
-    return cmocka_run_group_tests_name("room_facades", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -162,7 +162,7 @@ static void a_file_that_moves_finds_its_meshes(void **state)
     free(moved);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(without_edits_the_text_is_the_file_s),
@@ -176,5 +176,5 @@ int main(void)
         cmocka_unit_test(an_element_is_given_by_itself),
         cmocka_unit_test(a_file_that_moves_finds_its_meshes),
     };
-    return cmocka_run_group_tests_name("room_text", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

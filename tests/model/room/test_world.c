@@ -331,7 +331,7 @@ static void faces_have_the_finishes_inside_and_bare_walls_outside(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(left_is_seen_from_outside),
@@ -346,5 +346,5 @@ int main(void)
         cmocka_unit_test(a_skyline_is_seen_from_the_middle_of_its_wall_s_windows),
         cmocka_unit_test(faces_have_the_finishes_inside_and_bare_walls_outside),
     };
-    return cmocka_run_group_tests_name("world", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

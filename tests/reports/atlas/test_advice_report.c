@@ -158,7 +158,7 @@ static void json_has_low_middle_and_high_of_each_ratio(void **state)
     json_object_put(object);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_told_by_where_they_are),
@@ -167,5 +167,5 @@ int main(void)
         cmocka_unit_test(where_there_is_none_it_says_why),
         cmocka_unit_test(json_has_low_middle_and_high_of_each_ratio),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

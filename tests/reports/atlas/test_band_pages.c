@@ -109,11 +109,11 @@ static void daylight_factors_come_first(void **state)
     assert_true(df > 0 && df < sky && sky < others);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_regime_is_a_row_with_the_figure_s_bias),
         cmocka_unit_test(daylight_factors_come_first),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -127,7 +127,7 @@ static void every_text_is_told_once(void **state)
     pp_document_clear(&document);
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_said_stands_in_its_order),
@@ -135,5 +135,5 @@ int main(void)
             a_table_without_headings_has_no_head_and_short_rows_are_filled),
         cmocka_unit_test(every_text_is_told_once),
     };
-    return cmocka_run_group_tests_name("document_html", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -55,12 +55,12 @@ static void a_cell_that_is_too_short_keeps_its_end(void **state)
     assert_int_equal(text[4], ' ');
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_decimals_are_those_of_printf),
         cmocka_unit_test(what_lies_halfway_is_rounded_by_all_of_its_digits),
         cmocka_unit_test(a_cell_that_is_too_short_keeps_its_end),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -180,7 +180,7 @@ static void keys_that_would_become_the_same_are_left_whole(void **state)
     pp_table_clear(&table);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(columns_stand_side_by_side_while_the_line_lasts),
@@ -190,5 +190,5 @@ int main(void)
         cmocka_unit_test(keys_are_shortened_in_the_middle_until_the_table_fits),
         cmocka_unit_test(keys_that_would_become_the_same_are_left_whole),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

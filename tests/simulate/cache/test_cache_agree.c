@@ -159,7 +159,7 @@ static void where_light_changes_quickly_neighbours_have_no_say(void **state)
     clear(&layer);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_plane_of_light_stays_what_it_is),
@@ -167,5 +167,5 @@ int main(void)
         cmocka_unit_test(what_sees_something_else_stands_alone),
         cmocka_unit_test(where_light_changes_quickly_neighbours_have_no_say),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

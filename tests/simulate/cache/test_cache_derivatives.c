@@ -314,7 +314,7 @@ static void an_ellipse_is_short_where_curvature_is_great(void **state)
     assert_near(radii[1], 3.7, 1e-12);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_edge_changes_as_its_closed_form_does),
@@ -324,5 +324,5 @@ int main(void)
         cmocka_unit_test(beside_a_record_the_error_is_of_second_order),
         cmocka_unit_test(an_ellipse_is_short_where_curvature_is_great),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

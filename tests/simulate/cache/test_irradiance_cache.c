@@ -644,7 +644,7 @@ static void options_that_make_no_sense_are_refused(void **state)
     pp_light_scene_destroy(scene);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_furnace_after_so_many_bounces),
@@ -661,5 +661,5 @@ int main(void)
         cmocka_unit_test(bounces_are_counted_from_the_point_on),
         cmocka_unit_test(options_that_make_no_sense_are_refused),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

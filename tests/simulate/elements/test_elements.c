@@ -398,7 +398,7 @@ static void threads_change_nothing_to_the_bit(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_closed_room_is_dark),
@@ -413,5 +413,5 @@ int main(void)
         cmocka_unit_test(a_dado_and_a_door_painted_as_the_wall_change_nothing),
         cmocka_unit_test(threads_change_nothing_to_the_bit),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

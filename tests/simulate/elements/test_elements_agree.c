@@ -95,7 +95,7 @@ static void behind_a_skyline_under_a_clear_sky(void **state)
                     "<skyline wall='east' angle='15'/>" POINTS);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(behind_deep_reveals_and_an_overhang),
@@ -105,5 +105,5 @@ int main(void)
         cmocka_unit_test(at_the_foot_of_a_court),
         cmocka_unit_test(behind_a_skyline_under_a_clear_sky),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

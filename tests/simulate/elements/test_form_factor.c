@@ -75,12 +75,12 @@ static void the_sides_of_a_box_are_all_there_is(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rectangles_overhead_are_as_in_the_textbook),
         cmocka_unit_test(what_is_below_the_horizon_is_cut_off),
         cmocka_unit_test(the_sides_of_a_box_are_all_there_is),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -98,12 +98,12 @@ static void a_ray_through_a_shared_edge_does_not_slip_through(void **state)
     pp_ray_tree_destroy(tree);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_first_of_many_is_found),
         cmocka_unit_test(an_empty_tree_is_met_by_nothing),
         cmocka_unit_test(a_ray_through_a_shared_edge_does_not_slip_through),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -349,7 +349,7 @@ static void what_points_share_is_ready_when_they_are_followed(void **state)
     pp_planner_destroy(planner);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_standard_error_is_students),
@@ -362,5 +362,5 @@ int main(void)
         cmocka_unit_test(a_restart_forgets_the_points),
         cmocka_unit_test(what_points_share_is_ready_when_they_are_followed),
     };
-    return cmocka_run_group_tests_name("planner", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -510,7 +510,7 @@ static void receivers_deep_in_a_room_go_wrong_together(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_closed_room_is_dark_for_certain),
@@ -531,5 +531,5 @@ int main(void)
         cmocka_unit_test(receivers_do_not_change_each_other),
         cmocka_unit_test(receivers_deep_in_a_room_go_wrong_together),
     };
-    return cmocka_run_group_tests_name("photons", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

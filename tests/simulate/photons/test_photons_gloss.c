@@ -74,11 +74,11 @@ static void boards_tiles_and_metal_have_gloss_and_colour(void **state)
                  "</room>");
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mirror_opposite_sends_the_window_back),
         cmocka_unit_test(boards_tiles_and_metal_have_gloss_and_colour),
     };
-    return cmocka_run_group_tests_name("photons_gloss", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

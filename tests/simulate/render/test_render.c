@@ -655,7 +655,7 @@ static void what_makes_no_picture_is_refused(void **state)
     clear(&scene);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_uniform_sky_through_glass_is_dimmed_by_it),
@@ -674,5 +674,5 @@ int main(void)
         cmocka_unit_test(a_checkpoint_is_taken_whole_or_not_at_all),
         cmocka_unit_test(what_makes_no_picture_is_refused),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -243,7 +243,7 @@ static void a_gloss_is_a_mirror_where_both_roughnesses_vanish(void **state)
     assert_near(drawn(gloss, towards(30.0, 70.0), 128).all, 1.0, 0.003);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_gloss_gives_back_all_that_it_gets_at_any_angle),
@@ -256,5 +256,5 @@ int main(void)
         cmocka_unit_test(densities_are_those_of_the_directions_drawn),
         cmocka_unit_test(a_gloss_is_a_mirror_where_both_roughnesses_vanish),
     };
-    return cmocka_run_group_tests_name("gloss", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -223,7 +223,7 @@ static void a_window_is_seen_from_its_own_side_only(void **state)
                                             pp_vec(0.0, 1.0, 0.0)));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rectangle_has_its_solid_angle_from_anywhere),
@@ -233,5 +233,5 @@ int main(void)
         cmocka_unit_test(the_guess_makes_a_few_directions_enough),
         cmocka_unit_test(a_window_is_seen_from_its_own_side_only),
     };
-    return cmocka_run_group_tests_name("sample_opening", tests, make_sobol, NULL);
+    add_tests(tests, make_sobol, NULL);
 }

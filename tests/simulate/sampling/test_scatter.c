@@ -128,7 +128,7 @@ static void translucent_panels_share_light_out_as_radiance_does(void **state)
                     pp_scatter_gloss_brdf(&lobes, above).g / trans.gloss.g, 1e-12);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_gloss_lies_along_its_grain),
@@ -136,5 +136,5 @@ int main(void)
         cmocka_unit_test(glass_shares_light_out_as_its_law_says),
         cmocka_unit_test(translucent_panels_share_light_out_as_radiance_does),
     };
-    return cmocka_run_group_tests_name("scatter", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -234,7 +234,7 @@ static void lobe_is_cosine_weighted_about_its_normal(void **state)
     assert_near(askew, 0.0, 1e-4);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_elementary_box_is_hit_once),
@@ -249,5 +249,5 @@ int main(void)
         cmocka_unit_test(small_sine_and_cosine_are_the_library_s),
         cmocka_unit_test(lobe_is_cosine_weighted_about_its_normal),
     };
-    return cmocka_run_group_tests_name("sobol", tests, make_sobol, NULL);
+    add_tests(tests, make_sobol, NULL);
 }

@@ -300,7 +300,7 @@ static void a_ray_from_outside_is_left_to_the_kernels(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rays_meet_what_the_kernels_say),
@@ -311,5 +311,5 @@ int main(void)
         cmocka_unit_test(a_room_with_a_corner_or_a_table_is_left_to_the_kernels),
         cmocka_unit_test(a_ray_from_outside_is_left_to_the_kernels),
     };
-    return cmocka_run_group_tests_name("convex_room", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

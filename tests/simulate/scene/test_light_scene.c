@@ -396,7 +396,7 @@ static void glass_is_its_law_with_and_without_a_curve(void **state)
     pp_light_scene_destroy(scene);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sphere_is_met_where_it_is_from_outside_and_from_inside),
@@ -412,5 +412,5 @@ int main(void)
         cmocka_unit_test(the_hash_hangs_on_all_that_light_meets),
         cmocka_unit_test(glass_is_its_law_with_and_without_a_curve),
     };
-    return cmocka_run_group_tests_name("light_scene", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -38,11 +38,11 @@ static void no_triangles_stop_no_ray(void **state)
     pp_rays_destroy(NULL);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_nearer_of_two_is_met_from_either_side),
         cmocka_unit_test(no_triangles_stop_no_ray),
     };
-    return cmocka_run_group_tests_name("rays", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -69,12 +69,12 @@ static void a_cones_points_are_even(void **state)
     assert_near(pp_round_area(&cone), M_PI * 1.1 * hypot(1.5, 0.7), 1e-12);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_spheres_points_are_even_about_any_axis),
         cmocka_unit_test(a_rings_points_are_even),
         cmocka_unit_test(a_cones_points_are_even),
     };
-    return cmocka_run_group_tests_name("round", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

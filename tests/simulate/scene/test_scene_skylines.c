@@ -68,12 +68,12 @@ static void a_far_face_hides_directions(void **state)
     assert_int_equal(pp_scene_skylines_far(&horizon, pp_vec(0.0, 0.995, 0.0998)), -1);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_face_is_met_between_the_ground_and_its_head),
         cmocka_unit_test(a_face_has_two_sides),
         cmocka_unit_test(a_far_face_hides_directions),
     };
-    return cmocka_run_group_tests_name("scene_skylines", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -79,12 +79,12 @@ static void where_none_comes_there_is_none(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(components_are_those_of_the_whole),
         cmocka_unit_test(the_error_is_over_the_sum),
         cmocka_unit_test(where_none_comes_there_is_none),
     };
-    return cmocka_run_group_tests_name("direct light", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -180,7 +180,7 @@ static void cells_gather_from_far(void **state)
     pp_test_guessed_room_clear(&room);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_face_is_gathered_by_its_form_factor),
@@ -188,5 +188,5 @@ int main(void)
         cmocka_unit_test(an_even_guess_is_left_to_the_lobe),
         cmocka_unit_test(cells_gather_from_far),
     };
-    return cmocka_run_group_tests_name("gather_cells", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

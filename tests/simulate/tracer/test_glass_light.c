@@ -257,7 +257,7 @@ static void windows_in_one_plane_have_no_images(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(black_room_reflects_one_window_in_the_glass_of_the_other),
@@ -266,5 +266,5 @@ int main(void)
         cmocka_unit_test(pairs_are_of_glass_and_those_that_have_most_of_each_other),
         cmocka_unit_test(windows_in_one_plane_have_no_images),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -235,7 +235,7 @@ static void a_shadow_ray_ends_at_the_ground(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_open_field_reflects_its_share_of_the_whole_sky),
@@ -247,5 +247,5 @@ int main(void)
         cmocka_unit_test(there_is_no_ground_in_a_basement),
         cmocka_unit_test(a_shadow_ray_ends_at_the_ground),
     };
-    return cmocka_run_group_tests_name("ground", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -162,7 +162,7 @@ static void paths_in_runs_are_those_one_by_one(void **state)
     pp_test_guessed_room_clear(&room);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(light_does_not_depend_on_the_guess),
@@ -170,5 +170,5 @@ int main(void)
         cmocka_unit_test(aiming_at_the_mouth_finds_the_sides_of_the_niche),
         cmocka_unit_test(paths_in_runs_are_those_one_by_one),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

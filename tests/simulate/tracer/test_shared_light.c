@@ -337,7 +337,7 @@ static void near_points_have_more_in_common_than_all(void **state)
     clear(&room);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shared_and_left_light_are_the_whole_lobe),
@@ -349,5 +349,5 @@ int main(void)
         cmocka_unit_test(what_points_have_in_common_is_known),
         cmocka_unit_test(near_points_have_more_in_common_than_all),
     };
-    return cmocka_run_group_tests_name("shared_light", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -154,12 +154,12 @@ static void scene_and_light_have_a_number_each(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_hundred_skies_are_traced_on_one_scene),
         cmocka_unit_test(so_is_coloured_light),
         cmocka_unit_test(scene_and_light_have_a_number_each),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -634,7 +634,7 @@ static void a_horizontal_reflector_lights_what_faces_it(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_closed_room_is_dark_for_certain),
@@ -662,5 +662,5 @@ int main(void)
         cmocka_unit_test(light_by_way_of_a_block_is_not_a_lottery),
         cmocka_unit_test(a_horizontal_reflector_lights_what_faces_it),
     };
-    return cmocka_run_group_tests_name("tracer", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -317,7 +317,7 @@ static void nothing_to_trace_is_done_at_once(void **state)
     pp_light_scene_destroy(scene);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sky_components_of_40_rooms_lie_within_their_errors),
@@ -334,5 +334,5 @@ int main(void)
         cmocka_unit_test(options_out_of_range_are_refused),
         cmocka_unit_test(nothing_to_trace_is_done_at_once),
     };
-    return cmocka_run_group_tests_name("tracer_errors", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -193,7 +193,7 @@ static void what_mirrors_may_hide_is_known(void **state)
     pp_light_scene_destroy(glow);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mirror_gives_as_much_as_a_lamp_behind_it),
@@ -202,5 +202,5 @@ int main(void)
         cmocka_unit_test(mirrors_show_the_same_lamp_aimed_at_and_found),
         cmocka_unit_test(what_mirrors_may_hide_is_known),
     };
-    return cmocka_run_group_tests_name("radiance: mirrors", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

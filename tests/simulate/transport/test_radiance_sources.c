@@ -296,7 +296,7 @@ static void the_sun_gives_its_solid_angle(void **state)
     assert_lit(lit_by(shape, up, false, 2048), expected, 5e-3);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(
@@ -312,5 +312,5 @@ int main(void)
         cmocka_unit_test(a_cone_shines_the_same_aimed_at_and_found),
         cmocka_unit_test(the_sun_gives_its_solid_angle),
     };
-    return cmocka_run_group_tests_name("radiance: sources", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

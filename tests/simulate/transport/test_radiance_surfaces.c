@@ -301,7 +301,7 @@ static void inter_reflection_may_be_had_from_elsewhere(void **state)
     pp_light_scene_destroy(made);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_closed_white_box_neither_gains_nor_loses_light),
@@ -314,5 +314,5 @@ int main(void)
         cmocka_unit_test(bounces_can_be_limited),
         cmocka_unit_test(inter_reflection_may_be_had_from_elsewhere),
     };
-    return cmocka_run_group_tests_name("radiance: surfaces", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -456,7 +456,7 @@ static void the_store_does_not_depend_on_threads(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_deep_room_has_the_tracers_daylight_factors),
@@ -474,5 +474,5 @@ int main(void)
         cmocka_unit_test(things_at_the_window_are_not_stored),
         cmocka_unit_test(the_store_does_not_depend_on_threads),
     };
-    return cmocka_run_group_tests_name("room_light", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -71,10 +71,10 @@ static void another_order_gives_each_sensor_the_same_bytes(void **state)
     pp_light_scene_destroy(scene);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(another_order_gives_each_sensor_the_same_bytes),
     };
-    return cmocka_run_group_tests_name("sensors", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

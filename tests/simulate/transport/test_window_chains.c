@@ -43,10 +43,10 @@ static void light_through_three_windows_counts_once(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(light_through_three_windows_counts_once),
     };
-    return cmocka_run_group_tests_name("window_chains", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

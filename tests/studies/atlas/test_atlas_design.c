@@ -120,7 +120,7 @@ static void points_lie_on_the_plane_away_from_walls(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_room_depends_on_its_index_alone),
@@ -129,5 +129,5 @@ int main(void)
         cmocka_unit_test(the_sweep_has_every_kind_of_room),
         cmocka_unit_test(points_lie_on_the_plane_away_from_walls),
     };
-    return cmocka_run_group_tests(tests, set_up, NULL);
+    add_tests(tests, set_up, NULL);
 }

@@ -153,7 +153,7 @@ static void a_method_that_is_not_there_is_named(void **state)
     pp_atlas_table_clear(&table);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(quantiles_are_those_of_ranked_ratios),
@@ -164,5 +164,5 @@ int main(void)
             truth_that_is_not_known_is_left_out_and_few_rooms_give_no_median),
         cmocka_unit_test(a_method_that_is_not_there_is_named),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

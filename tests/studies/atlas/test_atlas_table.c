@@ -84,12 +84,12 @@ static void what_is_no_number_is_named_with_its_line(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_stand_under_their_names_and_an_empty_one_is_none),
         cmocka_unit_test(a_room_that_is_still_being_written_is_left_out),
         cmocka_unit_test(what_is_no_number_is_named_with_its_line),
     };
-    return cmocka_run_group_tests_name("atlas_table", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -123,7 +123,7 @@ static void a_room_without_openings_has_no_features(void **state)
         assert_true(isnan(f[i]));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_side_lit_room_has_the_features_of_its_drawing),
@@ -133,5 +133,5 @@ int main(void)
         cmocka_unit_test(glass_below_the_plane_counts_by_its_area),
         cmocka_unit_test(a_room_without_openings_has_no_features),
     };
-    return cmocka_run_group_tests_name("room_features", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -172,7 +172,7 @@ static void a_small_figure_has_a_band_of_so_much_more_or_less(void **state)
     assert_near(pp_band_regime_ratio(0.015, 0.05, 0.02), 0.5, 1e-15);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_kinds_of_rooms_are_told_apart_with_the_band_of_each),
@@ -182,5 +182,5 @@ int main(void)
         cmocka_unit_test(a_room_counts_once_however_many_points_it_has),
         cmocka_unit_test(a_small_figure_has_a_band_of_so_much_more_or_less),
     };
-    return cmocka_run_group_tests_name("band_tree", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

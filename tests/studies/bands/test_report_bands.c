@@ -230,7 +230,7 @@ static void advice_is_the_method_of_the_narrowest_band(void **state)
     clear(&m);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_band_is_the_table_s_quantiles_on_the_figure),
@@ -240,5 +240,5 @@ int main(void)
         cmocka_unit_test(a_dado_like_its_wall_leaves_the_bands),
         cmocka_unit_test(advice_is_the_method_of_the_narrowest_band),
     };
-    return cmocka_run_group_tests_name("report_bands", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

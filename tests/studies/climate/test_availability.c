@@ -323,7 +323,7 @@ static void a_dark_room_has_its_chart(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_per_cent_and_300_lx_need_15000),
@@ -334,5 +334,5 @@ int main(void)
         cmocka_unit_test(any_sheet_holds_it_and_its_bytes_are_the_same_again),
         cmocka_unit_test(a_dark_room_has_its_chart),
     };
-    return cmocka_run_group_tests_name("availability", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -491,7 +491,7 @@ static void known_files_give_what_numpy_gives(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_efficacy_is_that_of_its_table),
@@ -511,5 +511,5 @@ int main(void)
         cmocka_unit_test(known_files_give_what_numpy_gives),
         cmocka_unit_test(the_median_is_that_of_the_brighter_half_of_the_year),
     };
-    return cmocka_run_group_tests_name("diffuse_light", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -114,12 +114,12 @@ static void probable_hours_are_possible_ones_times_their_share(void **state)
     assert_near(year_of("west", (const double(*)[24])share).all, 0.0, 1e-7);
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_day_in_three_is_a_third),
         cmocka_unit_test(the_clocks_morning_is_the_suns),
         cmocka_unit_test(probable_hours_are_possible_ones_times_their_share),
     };
-    return cmocka_run_group_tests_name("sunshine", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -245,7 +245,7 @@ static void a_preset_stands_for_its_words(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(without_reflections_the_sky_component_is_left),
@@ -264,5 +264,5 @@ int main(void)
         cmocka_unit_test(a_switch_that_is_none_is_refused_with_what_was_expected),
         cmocka_unit_test(a_preset_stands_for_its_words),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

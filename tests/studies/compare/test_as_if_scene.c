@@ -114,7 +114,7 @@ static void what_is_among_the_shapes_stays(void **state)
     pp_scene_description_clear(&description);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(channels_are_summed_up_as_the_other_program_does),
@@ -122,5 +122,5 @@ int main(void)
         cmocka_unit_test(glass_is_what_it_is_taken_for),
         cmocka_unit_test(what_is_among_the_shapes_stays),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

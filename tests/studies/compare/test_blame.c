@@ -259,7 +259,7 @@ static void shares_sum_up_to_what_all_do(void **state)
     assert_near(shares[0], 0.27, 1e-15);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(noise_alone_has_no_cause),
@@ -274,5 +274,5 @@ int main(void)
         cmocka_unit_test(shares_are_averages_over_orders),
         cmocka_unit_test(shares_sum_up_to_what_all_do),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

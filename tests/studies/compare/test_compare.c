@@ -143,7 +143,7 @@ static void words_of_all_suspects_are_switches(void **state)
     assert_true(count <= PP_SUSPECTS_MOST);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_same_room_has_nothing_to_explain),
@@ -153,5 +153,5 @@ int main(void)
         cmocka_unit_test(only_what_the_room_has_is_suspected),
         cmocka_unit_test(words_of_all_suspects_are_switches),
     };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    add_tests(tests, set_up, tear_down);
 }

@@ -659,7 +659,7 @@ static void every_verdict_was_held_against_another_route(void **state)
     assert_int_equal(verdicts_held, said);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(vertical_sky_components_agree),
@@ -673,5 +673,5 @@ int main(void)
         cmocka_unit_test(hours_of_exposure_agree),
         cmocka_unit_test(every_verdict_was_held_against_another_route),
     };
-    return cmocka_run_group_tests(tests, load, unload);
+    add_tests(tests, load, unload);
 }

@@ -100,7 +100,7 @@ static void far_from_all_of_them_nothing_is_said(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(capitals_have_their_own_illuminance),
@@ -110,5 +110,5 @@ int main(void)
         cmocka_unit_test(far_from_all_of_them_nothing_is_said),
         cmocka_unit_test(a_capital_speaks_for_a_thousand_kilometres),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -626,7 +626,7 @@ static void every_criterion_has_a_name_of_its_own(void **state)
     assert_int_equal(count, 16);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_vertical_sky_is_that_of_the_skyline),
@@ -655,5 +655,5 @@ int main(void)
         cmocka_unit_test(slopes_are_told_apart_at_15_and_75_degrees),
         cmocka_unit_test(a_fifth_lost_is_the_limit),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -22,11 +22,11 @@ static void the_shorter_side_counts_in_long_rooms(void **state)
     assert_true(pp_en17037_grid_spacing(3.7, 7.3) > 0.5 * 2.495491 + 0.5);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_spacing_grows_slower_than_the_room),
         cmocka_unit_test(the_shorter_side_counts_in_long_rooms),
     };
-    return cmocka_run_group_tests_name("en17037_grid", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

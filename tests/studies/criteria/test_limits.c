@@ -51,11 +51,11 @@ static void obstructions_may_rise_to_25_degrees(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(dwellings_ask_for_one_to_two_per_cent),
         cmocka_unit_test(obstructions_may_rise_to_25_degrees),
     };
-    return cmocka_run_group_tests_name("limits", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

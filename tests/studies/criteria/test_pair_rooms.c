@@ -66,11 +66,11 @@ static void another_room_is_not_the_room_before(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(windows_are_paired_by_their_place),
         cmocka_unit_test(another_room_is_not_the_room_before),
     };
-    return cmocka_run_group_tests_name("pair_rooms", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -218,7 +218,7 @@ static void a_share_in_common_adds_to_the_levels_error(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(computed_points_are_counted),
@@ -232,5 +232,5 @@ int main(void)
         cmocka_unit_test(points_that_go_wrong_together_are_as_one),
         cmocka_unit_test(a_share_in_common_adds_to_the_levels_error),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -138,7 +138,7 @@ static void the_default_view_keeps_clear_of_walls(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_default_view_stands_back_and_sees_the_window),
@@ -146,5 +146,5 @@ int main(void)
         cmocka_unit_test(the_default_view_does_not_look_round_a_corner),
         cmocka_unit_test(the_default_view_keeps_clear_of_walls),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -254,7 +254,7 @@ static void what_goes_and_what_comes_is_told_apart(void **state)
     clear_made(&made);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(contours_lie_where_the_house_opposite_leaves_their_component),
@@ -263,5 +263,5 @@ int main(void)
         cmocka_unit_test(elevations_go_round_from_north),
         cmocka_unit_test(what_goes_and_what_comes_is_told_apart),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -146,7 +146,7 @@ static void a_building_s_garden_is_that_of_one_of_its_rooms(void **state)
     pp_building_destroy(building);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(behind_an_east_west_wall_the_equinox_shadow_stands_still),
@@ -154,5 +154,5 @@ int main(void)
         cmocka_unit_test(a_garden_keeps_half_its_sun_or_most_of_what_it_had),
         cmocka_unit_test(a_building_s_garden_is_that_of_one_of_its_rooms),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

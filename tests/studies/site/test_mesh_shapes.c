@@ -207,7 +207,7 @@ static void a_fold_over_itself_is_a_line(void **state)
     pp_site_sheet_clear(&sheet);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_box_of_triangles_is_a_roof_of_four_corners),
@@ -216,5 +216,5 @@ int main(void)
         cmocka_unit_test(a_court_is_a_ring_and_a_screen_a_line),
         cmocka_unit_test(a_fold_over_itself_is_a_line),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -222,7 +222,7 @@ static void where_a_neighbour_takes_it_no_height_will_do(void **state)
     pp_building_destroy(building);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_endless_terrace_may_rise_to_the_altitude_that_leaves_0_8),
@@ -233,5 +233,5 @@ int main(void)
         cmocka_unit_test(behind_the_house_it_may_be_any_height),
         cmocka_unit_test(where_a_neighbour_takes_it_no_height_will_do),
     };
-    return cmocka_run_group_tests_name("block_height", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -118,7 +118,7 @@ static void a_criterion_that_there_is_not_is_refused(void **state)
     assert_int_equal(pp_criterion_margin_check("average,uk-annex", &err), PP_BAD_INPUT);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_third_of_the_window_wanted_is_a_third),
@@ -127,5 +127,5 @@ int main(void)
         cmocka_unit_test(what_has_no_bound_has_no_margin),
         cmocka_unit_test(a_criterion_that_there_is_not_is_refused),
     };
-    return cmocka_run_group_tests_name("criterion_margin", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -192,7 +192,7 @@ static void a_room_without_openings_has_nothing_to_gain(void **state)
     assert_int_equal(gains.count, 0);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_gain_is_that_of_the_changed_file),
@@ -202,5 +202,5 @@ int main(void)
         cmocka_unit_test(where_bre_says_nothing_split_flux_does),
         cmocka_unit_test(a_room_without_openings_has_nothing_to_gain),
     };
-    return cmocka_run_group_tests_name("gains", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -222,7 +222,7 @@ static void where_a_neighbour_takes_it_nothing_may_stand(void **state)
     pp_building_destroy(building);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(over_an_endless_strip_it_is_as_high_as_a_block_may_be),
@@ -233,5 +233,5 @@ int main(void)
         cmocka_unit_test(behind_the_house_it_is_as_high_as_may_be),
         cmocka_unit_test(where_a_neighbour_takes_it_nothing_may_stand),
     };
-    return cmocka_run_group_tests_name("plot_envelope", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -633,7 +633,7 @@ static void a_method_that_does_not_speak_of_the_room_says_why(void **state)
     pp_building_destroy(building);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_width_is_the_area_wanted_over_the_height),
@@ -657,5 +657,5 @@ int main(void)
         cmocka_unit_test(counting_methods_have_the_smallest_window_that_is_not_below),
         cmocka_unit_test(a_method_that_does_not_speak_of_the_room_says_why),
     };
-    return cmocka_run_group_tests_name("size", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -51,10 +51,10 @@ static void rooms_count_by_their_points_dark_ones_as_bright_ones(void **state)
     free(list);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rooms_count_by_their_points_dark_ones_as_bright_ones),
     };
-    return cmocka_run_group_tests_name("comparison", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

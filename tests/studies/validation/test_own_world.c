@@ -425,7 +425,7 @@ static void a_facade_is_cleared_away_with_all_that_stands_outside(void **state)
     clear(&c);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(assumption_and_formula_make_the_whole),
@@ -443,5 +443,5 @@ int main(void)
         cmocka_unit_test(a_facade_is_cleared_away_with_all_that_stands_outside),
         cmocka_unit_test(what_the_rooms_own_walls_hide_is_not_hidden_twice),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

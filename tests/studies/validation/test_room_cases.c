@@ -200,7 +200,7 @@ static void a_share_is_of_the_limit_on_its_side(void **state)
     assert_near(pp_known_case_share(&one), 1.0, 1e-12);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(three_standard_errors_widen_a_band),
@@ -209,5 +209,5 @@ int main(void)
         cmocka_unit_test(another_program_may_differ_by_chance_or_one_per_cent),
         cmocka_unit_test(a_share_is_of_the_limit_on_its_side),
     };
-    return cmocka_run_group_tests_name("room_cases", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

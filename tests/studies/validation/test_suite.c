@@ -117,7 +117,7 @@ static void suites_are_found_by_name(void **state)
     assert_null(pp_suite_find("no-such"));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(closed_forms_are_met),
@@ -127,5 +127,5 @@ int main(void)
         cmocka_unit_test(chance_excuses_traced_cases_alone),
         cmocka_unit_test(suites_are_found_by_name),
     };
-    return cmocka_run_group_tests_name("suite", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

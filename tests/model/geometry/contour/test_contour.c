@@ -415,7 +415,7 @@ static void a_level_that_leaves_triangles_and_comes_back_is_followed(void **stat
     pp_region_clear(&region);
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(level_of_a_dome_is_a_circle_that_is_closed_and_turns_left),
@@ -430,5 +430,5 @@ int main(void)
         cmocka_unit_test(no_function_value_is_asked_for_twice_as_often_as_needed),
         cmocka_unit_test(a_failure_of_the_function_is_handed_on),
     };
-    return cmocka_run_group_tests_name("contour", tests, 0, 0);
+    add_tests(tests, NULL, NULL);
 }

@@ -187,7 +187,7 @@ static void no_point_lies_behind_a_dado(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_door_stands_where_a_window_would),
@@ -199,5 +199,5 @@ int main(void)
         cmocka_unit_test(a_dado_of_full_height_is_the_walls_finish),
         cmocka_unit_test(no_point_lies_behind_a_dado),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -375,7 +375,7 @@ static void random_prisms_close_and_hold_their_points(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_envelope_of_a_plan_s_faces_is_the_plan),
@@ -387,5 +387,5 @@ int main(void)
         cmocka_unit_test(outer_sides_reflect_a_fifth),
         cmocka_unit_test(random_prisms_close_and_hold_their_points),
     };
-    return cmocka_run_group_tests_name("envelope", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -168,7 +168,7 @@ static void grids_leave_out_what_stands_in_a_room(void **state)
     pp_world_destroy(bare);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(furniture_is_a_box_without_what_stands_on_the_floor),
@@ -178,5 +178,5 @@ int main(void)
         cmocka_unit_test(no_light_is_measured_within_what_stands_in_a_room),
         cmocka_unit_test(grids_leave_out_what_stands_in_a_room),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

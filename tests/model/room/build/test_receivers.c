@@ -237,7 +237,7 @@ static void a_place_is_refused_for_what_is_there(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_grid_has_the_cells_that_the_plan_divides_into),
@@ -249,5 +249,5 @@ int main(void)
         cmocka_unit_test(a_point_may_have_its_own_height_and_face_any_way),
         cmocka_unit_test(a_place_is_refused_for_what_is_there),
     };
-    return cmocka_run_group_tests_name("receivers", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -281,7 +281,7 @@ static void far_too_many_parts_are_refused_at_once(void **state)
     free(xml);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_mistakes_are_found_at_once),
@@ -296,5 +296,5 @@ int main(void)
         cmocka_unit_test(faces_meet_in_their_edges_only),
         cmocka_unit_test(far_too_many_parts_are_refused_at_once),
     };
-    return cmocka_run_group_tests_name("sense", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -109,7 +109,7 @@ static void a_view_is_that_of_all_faces_held_before_it(void **state)
     assert_true(seen > 100);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_hides_the_windows_of_an_empty_box),
@@ -117,5 +117,5 @@ int main(void)
         cmocka_unit_test(a_wing_hides_on_the_side_on_which_it_lies),
         cmocka_unit_test(a_view_is_that_of_all_faces_held_before_it),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -231,7 +231,7 @@ static void a_roof_hides_sky_up_to_its_ridge(void **state)
     assert_true(gable < flat - 1e-3);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_placed_room_has_the_site_in_its_own_axes),
@@ -244,5 +244,5 @@ int main(void)
         cmocka_unit_test(a_rectangular_footprint_is_a_box),
         cmocka_unit_test(a_roof_hides_sky_up_to_its_ridge),
     };
-    return cmocka_run_group_tests_name("building_site", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

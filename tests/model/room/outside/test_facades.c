@@ -219,7 +219,7 @@ static void a_room_without_surroundings_keeps_its_facade(void **state)
     pp_world_destroy(cleared);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sheet_is_its_rectangle_less_the_openings),
@@ -229,5 +229,5 @@ int main(void)
         cmocka_unit_test(a_block_may_stand_in_the_sheet),
         cmocka_unit_test(a_room_without_surroundings_keeps_its_facade),
     };
-    return cmocka_run_group_tests_name("facades", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

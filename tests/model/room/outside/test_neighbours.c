@@ -344,7 +344,7 @@ static void a_boundary_through_the_building_has_no_mirror_image(void **state)
     }
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_balcony_above_is_four_plates),
@@ -358,5 +358,5 @@ int main(void)
         cmocka_unit_test(panes_are_areas_of_their_own_reflectance),
         cmocka_unit_test(a_rooms_own_block_shades_the_others_in_its_state),
     };
-    return cmocka_run_group_tests_name("neighbours", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -121,7 +121,7 @@ static void it_moves_with_its_window(void **state)
     pp_mistakes_clear(&mistakes);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_overhang_begins_at_the_glass),
@@ -131,5 +131,5 @@ int main(void)
         cmocka_unit_test(a_shelf_goes_on_in_the_room),
         cmocka_unit_test(it_moves_with_its_window),
     };
-    return cmocka_run_group_tests_name("shades", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

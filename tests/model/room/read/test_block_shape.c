@@ -81,7 +81,7 @@ static void a_flat_roof_is_nothing_more(void **state)
                      0);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_gable_roof_is_a_prism),
@@ -89,5 +89,5 @@ int main(void)
         cmocka_unit_test(a_hip_roof_is_a_prism_and_a_pyramid),
         cmocka_unit_test(a_flat_roof_is_nothing_more),
     };
-    return cmocka_run_group_tests_name("block_shape", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

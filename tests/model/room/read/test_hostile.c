@@ -352,7 +352,7 @@ static void what_is_no_file_is_said_to_be_none(void **state)
     pp_mistakes_clear(&mistakes);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bulk_takes_no_more_than_its_share),
@@ -365,5 +365,5 @@ int main(void)
         cmocka_unit_test(what_is_no_file_is_said_to_be_none),
         cmocka_unit_test(memory_stays_bounded),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

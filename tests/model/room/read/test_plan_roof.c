@@ -122,12 +122,12 @@ static void a_window_lies_in_a_slope_by_left_and_sill(void **state)
     pp_world_destroy(world);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_roof_has_the_volume_of_its_prism),
         cmocka_unit_test(walls_and_slopes_are_named_by_the_way_they_look),
         cmocka_unit_test(a_window_lies_in_a_slope_by_left_and_sill),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

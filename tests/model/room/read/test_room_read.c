@@ -296,7 +296,7 @@ static void another_sky_can_be_put_in(void **state)
     pp_building_destroy(b);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_contract_s_own_room),
@@ -306,5 +306,5 @@ int main(void)
         cmocka_unit_test(a_building_s_site_and_sky_are_its_rooms_defaults),
         cmocka_unit_test(another_sky_can_be_put_in),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

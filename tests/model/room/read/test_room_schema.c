@@ -179,7 +179,7 @@ static void every_attribute_says_what_it_expects(void **state)
     assert_true(seen > 200);
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(schema_and_reader_know_the_same_names),
@@ -187,5 +187,5 @@ int main(void)
         cmocka_unit_test(schema_and_reader_take_the_examples),
         cmocka_unit_test(every_attribute_says_what_it_expects),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -181,7 +181,7 @@ static void finishes_are_in_order_of_their_words(void **state)
     assert_non_null(pp_finishes_find("oak-floor"));
 }
 
-int main(void)
+TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_are_read_to_the_last_bit),
@@ -193,5 +193,5 @@ int main(void)
         cmocka_unit_test(glazings_let_through_what_their_table_says),
         cmocka_unit_test(finishes_are_in_order_of_their_words),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

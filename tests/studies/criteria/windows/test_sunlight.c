@@ -215,7 +215,7 @@ static void windows_add_up_only_what_is_not_the_same_sun(void **state)
                 south, 1e-9);
 }
 
-int main(void)
+TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_open_south_wall_has_the_textbooks_hours),
@@ -227,5 +227,5 @@ int main(void)
         cmocka_unit_test(on_the_equinox_jambs_cut_the_sun),
         cmocka_unit_test(windows_add_up_only_what_is_not_the_same_sun),
     };
-    return cmocka_run_group_tests_name("sunlight", tests, NULL, NULL);
+    add_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,61 @@
+#!/bin/sh
+# build_fuzzers.sh SOURCE ... - builds the libFuzzer targets tests/fuzz/fuzz_*.c with the given
+# sources of the program, and a corpus of seeds for each, in tests/fuzz/built of the build
+# folder. `make fuzz` calls it; FLAGS, LIBS, FUZZ_CC and srcdir come from there.
+set -eu
+built=tests/fuzz/built
+flags="-g -O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all $FLAGS"
+mkdir -p "$built/objects"
+
+# Objects, by all processors; file names are unique.
+for file in "$@"; do
+    case $file in *.c) printf '%s\n' "$file" ;; esac
+done | FLAGS=$flags xargs -P "$(getconf _NPROCESSORS_ONLN)" -I FILE sh -c '
+    object=$0/objects/$(basename "$1" .c).o
+    [ "$object" -nt "$srcdir/$1" ] || exec $FUZZ_CC $FLAGS -c -o "$object" "$srcdir/$1"
+' "$built" FILE
+
+# corpus NAME: its folder.
+corpus() {
+    mkdir -p "$built/corpus-$1"
+    echo "$built/corpus-$1"
+}
+
+rooms=$(corpus room)
+cp "$srcdir"/examples/*.xml "$rooms"
+./tests/model/room/read/test_wrong_rooms --write-all "$rooms"
+cp "$srcdir"/tests/formats/epw/*.epw "$(corpus epw)"
+scenes=$(corpus rad)
+cp "$srcdir"/tests/formats/radiance/*.rad "$scenes"
+printf '%s\n' 'void plastic g 0 0 5 .5 .5 .5 0 0' \
+    '!genbox g b 1 1 1 -r .1 | xform -a 9 -t 1 0 0 -i 2 | xform -I -m g -a 9 -ry 9' \
+    '!xform -a 9 -t 1 0 0 a b' '!gensky 6 21 12 +s | xform -a 3 -rz 9 | xform -a 3' \
+    '!xform -a 9 -t 1 0 0 a' '!xform -n b -I a | xform -a 2' \
+    'g polygon p 0 0 9 0 0 0 1 0 0 0 1 0' >"$scenes/nested"
+meshes=$(corpus mesh)
+printf '%s\n' 'ov 0 0 0' 'v 1 0 0' 'v 1 1 0' 'v 0 1 2' 'f 1 2 3 4' 'f -3//1 -2/1 -1/1/1' \
+    >"$meshes/faces.obj"
+printf '%s\n' 'd  0' SECTION 2 HEADER 9 '$INSUNITS' 70 4 0 ENDSEC 0 SECTION 2 ENTITIES \
+    0 3DFACE 10 0 20 0 30 0 11 1 21 0 31 0 12 1 22 1 32 0 13 0 23 1 33 0 \
+    0 LWPOLYLINE 90 3 70 1 39 3 10 0 20 0 10 1 20 0 10 1 20 1 0 ENDSEC 0 EOF \
+    >"$meshes/face.dxf"
+{
+    head -c 48 /dev/zero
+    printf '\1\1\1\1'
+    head -c 4903 /dev/zero
+    printf '\1'
+} >"$(corpus checkpoint)/all-tiles-done"
+
+for source in "$srcdir"/tests/fuzz/fuzz_*.c; do
+    name=$(basename "$source" .c)
+    kind=${name#fuzz_}
+    seeds=$(corpus "$kind")
+    wrap=
+    # The scene reader opens files that a scene names: the fuzzer replaces them.
+    [ "$kind" != rad ] || wrap=-Wl,--wrap=pp_read_file
+    # shellcheck disable=SC2086 # words
+    $FUZZ_CC $flags -fsanitize=fuzzer $wrap -o "$built/$name" "$source" "$built"/objects/*.o $LIBS
+    words=
+    [ ! -f "$srcdir/tests/fuzz/$name.dict" ] || words="-dict=$srcdir/tests/fuzz/$name.dict"
+    echo "run it: $built/$name -max_total_time=600 -max_len=24000 $words $seeds"
+done

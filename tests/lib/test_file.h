@@ -1,0 +1,34 @@
+/* test_file.h - the tests of one file, which a folder's test program runs with those of its
+ * other files. In place of main() a file ends with
+ *
+ *     TEST_FILE
+ *     {
+ *         const struct CMUnitTest tests[] = {cmocka_unit_test(a_fact), ...};
+ *         add_tests(tests, NULL, NULL);
+ *     }
+ *
+ * add_tests also takes a set-up and a tear-down for all of them. test_main.c has main().
+ */
+#ifndef PP_TESTS_LIB_TEST_FILE_H
+#define PP_TESTS_LIB_TEST_FILE_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+/* Runs before main(), so that main() finds the tests. */
+#define TEST_FILE                                                                      \
+    static void list_tests(void) __attribute__((constructor));                         \
+    static void list_tests(void)
+
+#define add_tests(tests, set_up, tear_down)                                            \
+    test_file_add(__FILE__, tests, sizeof(tests) / sizeof *(tests), set_up, tear_down)
+
+/* Copies the tests. `path` is the source file; it is not copied. */
+void test_file_add(const char *path, const struct CMUnitTest *tests, size_t count,
+                   CMFixtureFunction set_up, CMFixtureFunction tear_down);
+
+#endif
