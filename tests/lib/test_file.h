@@ -7,13 +7,16 @@
  *         add_tests(tests, NULL, NULL);
  *     }
  *
- * add_tests also takes a set-up and a tear-down for all of them. test_main.c has main().
+ * add_tests also takes a set-up and a tear-down for all of them. add_long_tests is the same
+ * for tests that take too long for every build: they run with --full alone, in
+ * `make check-long`. test_main.c has main().
  */
 #ifndef PP_TESTS_LIB_TEST_FILE_H
 #define PP_TESTS_LIB_TEST_FILE_H
 
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -27,8 +30,17 @@
 #define add_tests(tests, set_up, tear_down)                                            \
     test_file_add(__FILE__, tests, sizeof(tests) / sizeof *(tests), set_up, tear_down)
 
+#define add_long_tests(tests, set_up, tear_down)                                       \
+    test_file_add_long(__FILE__, tests, sizeof(tests) / sizeof *(tests), set_up,       \
+                       tear_down)
+
+/* True if the program was started with --full. */
+bool test_file_full_size(void);
+
 /* Copies the tests. `path` is the source file; it is not copied. */
 void test_file_add(const char *path, const struct CMUnitTest *tests, size_t count,
                    CMFixtureFunction set_up, CMFixtureFunction tear_down);
+void test_file_add_long(const char *path, const struct CMUnitTest *tests, size_t count,
+                        CMFixtureFunction set_up, CMFixtureFunction tear_down);
 
 #endif

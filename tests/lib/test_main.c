@@ -1,10 +1,11 @@
 /* test_main.c - main() of the test programs.
  *
- *     PROGRAM [--list] [--filter NAME]
+ *     PROGRAM [--list] [--full] [--filter NAME]
  *
  * runs every test, or those whose name or file matches NAME, a pattern of the shell:
- * `--filter test_sobol`, `--filter '*horizon*'`. --list prints them and runs none. Exit
- * status: 0 all passed, 1 some failed, 2 the command line is wrong or NAME matches nothing.
+ * `--filter test_sobol`, `--filter '*horizon*'`. --full adds the long tests and runs the
+ * others at full size (test_size.h). --list prints the tests and runs none. Exit status: 0
+ * all passed, 1 some failed, 2 the command line is wrong or NAME matches nothing.
  */
 #include "tests/lib/test_file.h"
 
@@ -21,14 +22,22 @@ struct test_file {
     struct CMUnitTest *tests;
     size_t count;
     CMFixtureFunction set_up, tear_down;
+    bool is_long;
 };
 
 static struct test_file files[MAX_FILES];
 static struct CMUnitTest tests_of_all[MAX_TESTS];
 static size_t file_count, test_count;
+static bool full_size;
 
-void test_file_add(const char *path, const struct CMUnitTest *tests, size_t count,
-                   CMFixtureFunction set_up, CMFixtureFunction tear_down)
+bool test_file_full_size(void)
+{
+    return full_size;
+}
+
+static struct test_file *add(const char *path, const struct CMUnitTest *tests,
+                             size_t count, CMFixtureFunction set_up,
+                             CMFixtureFunction tear_down)
 {
     if (file_count == MAX_FILES || count > MAX_TESTS - test_count) {
         fprintf(stderr, "%s: too many tests for test_main.c\n", path);
@@ -43,12 +52,27 @@ void test_file_add(const char *path, const struct CMUnitTest *tests, size_t coun
     file->set_up = set_up;
     file->tear_down = tear_down;
     test_count += count;
+    return file;
+}
+
+void test_file_add(const char *path, const struct CMUnitTest *tests, size_t count,
+                   CMFixtureFunction set_up, CMFixtureFunction tear_down)
+{
+    add(path, tests, count, set_up, tear_down);
+}
+
+void test_file_add_long(const char *path, const struct CMUnitTest *tests, size_t count,
+                        CMFixtureFunction set_up, CMFixtureFunction tear_down)
+{
+    add(path, tests, count, set_up, tear_down)->is_long = true;
 }
 
 /* Keeps the tests of a file that match. */
 static void filter_tests(struct test_file *file, const char *pattern)
 {
     size_t kept = 0;
+    if (file->is_long && !full_size)
+        file->count = 0;
     bool all = !pattern || fnmatch(pattern, file->name, 0) == 0;
     for (size_t i = 0; i < file->count; i++)
         if (all || fnmatch(pattern, file->tests[i].name, 0) == 0)
@@ -69,10 +93,12 @@ int main(int argc, char **argv)
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--list") == 0) {
             list = true;
+        } else if (strcmp(argv[i], "--full") == 0) {
+            full_size = true;
         } else if (strcmp(argv[i], "--filter") == 0 && i + 1 < argc) {
             pattern = argv[++i];
         } else {
-            fprintf(stderr, "usage: %s [--list] [--filter NAME]\n", argv[0]);
+            fprintf(stderr, "usage: %s [--list] [--full] [--filter NAME]\n", argv[0]);
             return 2;
         }
     }

@@ -8,11 +8,9 @@
 #include "model/geometry/convex_parts.h"
 #include "tests/lib/dice.h"
 #include "tests/lib/meridians.h"
-#include "tests/lib/watched.h"
+#include "tests/lib/test_size.h"
 
-#ifndef SCENES
-#define SCENES (PP_WATCHED ? 200 : 1000)
-#endif
+#define SCENES PP_SIZED(10000, 1000, 100)
 
 /* ---- a scene: one opening in a face, anything round it ---- */
 

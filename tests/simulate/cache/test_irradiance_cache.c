@@ -13,7 +13,7 @@
 #include "tests/lib/sampled_light.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
-#include "tests/lib/watched.h"
+#include "tests/lib/test_size.h"
 
 /* A closed box of 2.3 x 3.1 x 1.7 m whose walls reflect 0.5 and glow. */
 static struct pp_light_scene *furnace(void)
@@ -504,7 +504,8 @@ static void a_record_that_is_unsure_gets_more_rays(void **state)
 static void a_dark_hemispheres_mean_is_that_of_paths(void **state)
 {
     (void)state;
-    enum { SEEDS = PP_WATCHED ? 36 : 900, SIDE = 16 };
+    enum { SIDE = 16 };
+    const uint64_t seeds = PP_SIZED(900, 900, 36);
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(
         &light, "<room version='1'><plan width='3' depth='9' height='2.7'/>"
@@ -523,14 +524,14 @@ static void a_dark_hemispheres_mean_is_that_of_paths(void **state)
                                            .environment = environment,
                                            .options = pp_cached_points_light()};
     double sum = 0.0, square = 0.0;
-    for (uint64_t seed = 0; seed < SEEDS; seed++) {
+    for (uint64_t seed = 0; seed < seeds; seed++) {
         pp_sobol_sequence_init(&path_state.sequence, &sobol, pp_hash(seed, 7));
         pp_cache_hemisphere_sample(&h, &path_state, &place, 0);
-        sum += h.irradiance.g / SEEDS;
-        square += h.irradiance.g * h.irradiance.g / SEEDS;
+        sum += h.irradiance.g / (double)seeds;
+        square += h.irradiance.g * h.irradiance.g / (double)seeds;
     }
-    double error = sqrt((square - sum * sum) / SEEDS);
-    assert_true(error < 0.09 / sqrt(SEEDS) * sum);
+    double error = sqrt((square - sum * sum) / (double)seeds);
+    assert_true(error < 0.09 / sqrt((double)seeds) * sum);
     assert_near(sum, 0.002700, 2.5 * error);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);

@@ -408,10 +408,13 @@ TEST_FILE
         cmocka_unit_test(an_integrating_sphere_is_even),
         cmocka_unit_test(a_corridor_solves_its_integral_equation),
         cmocka_unit_test(sky_components_keep_the_error_that_is_stated),
-        cmocka_unit_test(
-            as_near_a_pane_as_may_be_its_sky_keeps_the_error_that_is_stated),
-        cmocka_unit_test(a_dado_and_a_door_painted_as_the_wall_change_nothing),
         cmocka_unit_test(threads_change_nothing_to_the_bit),
     };
     add_tests(tests, NULL, NULL);
+    const struct CMUnitTest long_tests[] = {
+        cmocka_unit_test(
+            as_near_a_pane_as_may_be_its_sky_keeps_the_error_that_is_stated),
+        cmocka_unit_test(a_dado_and_a_door_painted_as_the_wall_change_nothing),
+    };
+    add_long_tests(long_tests, NULL, NULL);
 }

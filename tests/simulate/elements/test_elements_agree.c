@@ -3,7 +3,7 @@
  * court. */
 #include "tests/lib/elements_of.h"
 #include "tests/lib/room_of.h"
-#include "tests/lib/watched.h"
+#include "tests/lib/test_size.h"
 
 /* Daylight factors and their average are no farther apart than the stated error, 2 % at the
  * most, and three standard errors; components than 0.5 % of the daylight factor more. */
@@ -13,7 +13,7 @@ static void both_agree(const char *xml)
     struct pp_world *world = pp_test_lit_world(&light, xml);
     int count = world->receiver_count;
     struct pp_tracer_options paths = {
-        .error = PP_WATCHED ? 0.02 : 0.004, .seed = 3, .average = true};
+        .error = PP_SIZED(0.004, 0.01, 0.02), .seed = 3, .average = true};
     struct pp_elements_options options = {.error = 0.0};
     struct pp_reading(*traced)[4] =
         pp_test_trace(world, &light, world->receivers, count, &paths, NULL);
@@ -98,12 +98,15 @@ static void behind_a_skyline_under_a_clear_sky(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(behind_deep_reveals_and_an_overhang),
         cmocka_unit_test(before_a_dark_dado_and_a_bright_door),
-        cmocka_unit_test(past_a_partition),
         cmocka_unit_test(through_a_pane_that_scatters),
-        cmocka_unit_test(at_the_foot_of_a_court),
         cmocka_unit_test(behind_a_skyline_under_a_clear_sky),
     };
     add_tests(tests, NULL, NULL);
+    const struct CMUnitTest long_tests[] = {
+        cmocka_unit_test(behind_deep_reveals_and_an_overhang),
+        cmocka_unit_test(past_a_partition),
+        cmocka_unit_test(at_the_foot_of_a_court),
+    };
+    add_long_tests(long_tests, NULL, NULL);
 }

@@ -461,8 +461,6 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_deep_room_has_the_tracers_daylight_factors),
         cmocka_unit_test(so_has_one_with_things_close_outside),
-        cmocka_unit_test(so_has_one_with_a_wall_right_before_its_window),
-        cmocka_unit_test(so_has_one_with_all_that_there_is),
         cmocka_unit_test(sky_and_outside_are_told_apart),
         cmocka_unit_test(windows_aimed_at_save_time_not_light),
         cmocka_unit_test(polished_planes_send_on_the_same_light_aimed_at_and_found),
@@ -475,4 +473,9 @@ TEST_FILE
         cmocka_unit_test(the_store_does_not_depend_on_threads),
     };
     add_tests(tests, NULL, NULL);
+    const struct CMUnitTest long_tests[] = {
+        cmocka_unit_test(so_has_one_with_a_wall_right_before_its_window),
+        cmocka_unit_test(so_has_one_with_all_that_there_is),
+    };
+    add_long_tests(long_tests, NULL, NULL);
 }

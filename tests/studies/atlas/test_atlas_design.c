@@ -5,6 +5,7 @@
 
 #include "studies/atlas/atlas_drawn.h"
 #include "tests/lib/near.h"
+#include "tests/lib/test_size.h"
 
 enum { ROOMS = 128 };
 
@@ -46,7 +47,7 @@ static void a_room_depends_on_its_index_alone(void **state)
 static void every_room_makes_sense(void **state)
 {
     (void)state;
-    for (int i = 0; i < ROOMS; i++) {
+    for (int i = 0; i < PP_SIZED(ROOMS, ROOMS / 4, ROOMS / 8); i++) {
         struct pp_atlas_drawn drawn;
         struct pp_error err = {0};
         const struct pp_atlas_trace none = {0};

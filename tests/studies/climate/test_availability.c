@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "tests/lib/room_of.h"
+#include "tests/lib/test_size.h"
 
 #include "charts/availability_chart.h"
 #include "studies/climate/availability.h"
@@ -275,7 +276,7 @@ static void any_sheet_holds_it_and_its_bytes_are_the_same_again(void **state)
         assert_int_equal(
             pp_availability_fill(&sheet, &question, with_room ? &report : NULL, NULL),
             PP_OK);
-        for (int i = 0; i < 24; i++) {
+        for (int i = 0; i < PP_SIZED(24, 6, 3); i++) {
             size_t first, second;
             enum pp_chart_format format = (enum pp_chart_format)(i % 3);
             enum pp_paper paper = (enum pp_paper)(i / 3 % 4);

@@ -14,7 +14,7 @@
 #include "model/room/room_parts.h"
 #include "model/room/read/xml.h"
 #include "tests/lib/near.h"
-#include "tests/lib/watched.h"
+#include "tests/lib/test_size.h"
 
 #define PLAN "<plan width='4.2' depth='5.3' height='2.7'/>"
 

@@ -1,0 +1,28 @@
+/* test_size.h - the size of tests that take many cases or many paths.
+ *
+ * `make check` runs them at gate size; `make check-long` runs the test programs with --full.
+ * A build with AddressSanitizer takes up to ten times as long for the same and has the
+ * smallest size: a memory error shows in the first case as well as in the last. Tolerances
+ * follow the size.
+ */
+#ifndef PP_TESTS_LIB_TEST_SIZE_H
+#define PP_TESTS_LIB_TEST_SIZE_H
+
+#include "tests/lib/test_file.h"
+
+#if defined __SANITIZE_ADDRESS__
+#define PP_WATCHED 1
+#elif defined __has_feature
+#if __has_feature(address_sanitizer)
+#define PP_WATCHED 1
+#endif
+#endif
+#ifndef PP_WATCHED
+#define PP_WATCHED 0
+#endif
+
+/* One of three numbers, by size. */
+#define PP_SIZED(full, gate, watched)                                                  \
+    (test_file_full_size() ? (full) : PP_WATCHED ? (watched) : (gate))
+
+#endif
