@@ -60,7 +60,7 @@ void pp_component_steps_add(struct pp_steps *steps, const struct pp_method *meth
     int count = components_of(components, method, &read, steps, first);
     for (int i = 0; i < count; i++)
         if (!pp_steps_find(steps, first, own_symbols[components[i]]))
-            pp_steps_add_named(steps, PP_UNIT_SHARE,
+            pp_steps_add_named(steps, PP_UNIT_DAYLIGHT_FACTOR,
                                pp_component_steps_figure(&read, components[i]),
                                own_symbols[components[i]], "%s, as read",
                                pp_component_steps_names[components[i]]);
@@ -77,7 +77,7 @@ void pp_component_steps_add(struct pp_steps *steps, const struct pp_method *meth
         snprintf(symbol, sizeof symbol, single ? "%s" : "%s_%d",
                  pp_component_steps_symbols[components[i]], index + 1);
         snprintf(formula, sizeof formula, "%s%s", own_symbols[components[i]], product);
-        pp_steps_add_worked(steps, PP_UNIT_SHARE,
+        pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR,
                             pp_component_steps_figure(corrected, components[i]), symbol,
                             formula, "%s", pp_component_steps_names[components[i]]);
     }

@@ -33,15 +33,17 @@ enum pp_speaks_for {
                      * has no average by such a method */
 };
 
-/* What a method gives: of one opening or, after the corrections, of all. */
+/* The components that a method gives, of one opening or, after the corrections, of all.
+ * They are fractions of the open-sky horizontal illuminance: 0.02, never 2. The texts of
+ * the method's formulae have the same figures in per cent (results/formula.h). */
 struct pp_amounts {
     double sky;      /* of PP_GIVES_DIRECT */
     double external; /* of PP_GIVES_DIRECT */
     double value;    /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
 };
 
-/* The components of one opening, before the corrections for glass, frame and dirt. A
- * method that records its steps names the last step of each component "sc", "erc",
+/* The components of one opening (fractions), before the corrections for glass, frame and
+ * dirt. A method that records its steps names the last step of each component "sc", "erc",
  * "irc" or "df", which later formulae refer to; for a method that does not,
  * methods/evaluate.c adds a step of that name. pp_steps.line tells which opening the
  * steps belong to. */

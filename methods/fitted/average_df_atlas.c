@@ -35,7 +35,7 @@ static const struct pp_formula_quantity quantities[] = {
     PP_FITTED_LIGHT_QUANTITIES,
     PP_FITTED_OPENING_REVEAL,
     PP_FITTED_OPENING_LOW,
-    {"E", PP_UNIT_SHARE, "on the opening's outside in all"},
+    {"E", PP_UNIT_DAYLIGHT_FACTOR, "on the opening's outside in all"},
     {"k_r", PP_UNIT_NUMBER, "correction for the reveal, the floor and the ground"},
     {0},
 };
@@ -43,7 +43,7 @@ static const struct pp_formula_quantity quantities[] = {
 static const struct pp_formula outside = {
     .symbol = "E",
     .sum = "V + E_b + E_g",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .what = "on the opening's outside in all",
     .quantities = quantities,
 };
@@ -62,7 +62,7 @@ static const struct pp_formula correction = {
 static const struct pp_formula average = {
     .symbol = "df",
     .sum = PP_FITTED_DF " T W (1 - n + n rho_f) M 2 E k_r / (A (1 - R^2))",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
     .what = "average daylight factor over the working plane",
     .quantities = quantities,
