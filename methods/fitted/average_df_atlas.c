@@ -86,7 +86,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     struct pp_interior all = pp_interior_all(world);
     struct pp_interior floor = pp_interior_role(world, PP_FLOOR);
     int line = opening->line;
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "T",
+    pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
                      "opening on line %d: diffuse transmittance", line);
     pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);
     pp_fitted_opening_put_low(sheet, world, opening);
@@ -94,7 +94,7 @@ static enum pp_status evaluate(const struct pp_world *world,
                      "area of the floor");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, floor.reflectance, "rho_f",
                      "its reflectance");
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->maintenance, "M",
+    pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M",
                      "opening on line %d: maintenance", line);
     pp_interior_put(sheet, &all);
     pp_fitted_light_put(sheet, tools, world, opening);

@@ -95,7 +95,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     struct pp_worksheet *sheet = &part->sheet;
     struct pp_interior all = pp_interior_all(world);
     pp_allowance_net_glass(sheet, &pp_allowance_glass_Ag, opening);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "tau",
+    pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "tau",
                      "opening on line %d: diffuse transmittance", opening->line);
     pp_fitted_light_put(sheet, tools, world, opening);
     pp_interior_put(sheet, &all);

@@ -277,12 +277,10 @@ static void put_glass(struct pp_worksheet *sheet, const struct pp_opening *openi
 {
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2, "A",
                      "opening on line %d: area", opening->line);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->frame_factor, "B",
-                     "glass over opening area");
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "T",
+    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B", "glass over opening area");
+    pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
                      "diffuse transmittance of its glass");
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->maintenance, "M",
-                     "light loss by dirt");
+    pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M", "light loss by dirt");
 }
 
 /* The coefficient at a share of the depth; the average for NAN. */

@@ -185,7 +185,7 @@ static void put_glass(struct pp_worksheet *sheet, const struct pp_world *world,
 {
     int line = opening->line;
     double low_m2 = pp_interior_area_below(&opening->inner, world->working_plane_m);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "T",
+    pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
                      "opening on line %d: diffuse transmittance", line);
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2 - low_m2, "a",
                      low_m2 > 0.0
@@ -193,7 +193,7 @@ static void put_glass(struct pp_worksheet *sheet, const struct pp_world *world,
                            "below is left out"
                          : "opening on line %d: area",
                      line);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->frame_factor, "B",
+    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B",
                      "opening on line %d: frame factor", line);
     if (pp_well_is(opening))
         pp_well_put(sheet, world, light, opening);
@@ -325,7 +325,7 @@ static enum pp_status evaluate(const struct pp_world *world,
         return status;
     double height_m = pp_room_zones_put(sheet, world);
     put_efficiencies(sheet, world, light, opening, height_m);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->maintenance, "M",
+    pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M",
                      "opening on line %d: maintenance", opening->line);
     part->value =
         pp_worksheet_work(sheet, is_level(opening) ? &average_level : &average,

@@ -143,13 +143,9 @@ enum pp_status pp_entering_light(struct pp_worksheet *sheet,
     if (status != PP_OK)
         return status;
     pp_allowance_net_glass(sheet, &pp_allowance_glass_Ag, opening);
-    double tau = opening->glass.diffuse;
-    if (opening->glass.panes == 0)
-        pp_worksheet_put(sheet, PP_UNIT_NUMBER, tau, "tau",
-                         "opening on line %d: diffuse transmittance, no glass", line);
-    else
-        pp_worksheet_put(sheet, PP_UNIT_NUMBER, tau, "tau",
-                         "opening on line %d: diffuse transmittance", line);
+    pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "tau",
+                     "opening on line %d: diffuse transmittance%s", line,
+                     opening->glass.panes == 0 ? ", no glass" : "");
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, alpha_rad, "alpha",
                      "opening on line %d: angle of the obstruction", line);
     if (pp_well_is(opening))
