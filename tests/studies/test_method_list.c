@@ -17,6 +17,9 @@
 enum { AT_FRONT, IN_DEPTH, UPRIGHT, POINTS, AVERAGE = POINTS, PLACES };
 enum { METHODS_MOST = 100 };
 
+static const char *const places[PLACES] = {"the front", "the depth",
+                                           "the upright point", "the average"};
+
 static const double most = 5.0;
 
 /* A fraction of the open sky. A smaller component is within the noise of the simulation and
@@ -130,9 +133,9 @@ static int compare_column(const struct pp_column *column, const struct answers *
         bool good = traced < dark ? hand < most * dark
                                   : hand > traced / most && hand < traced * most;
         if (!good)
-            fail_msg("%s of %s at place %d of %s: %.4f %%; simulated: %.4f %%",
-                     names[column->component], column->name, i, room, 100.0 * hand,
-                     100.0 * traced);
+            fail_msg("%s of %s at %s of %s: %.4f %%; simulated: %.4f %%",
+                     names[column->component], column->name, places[i], room,
+                     100.0 * hand, 100.0 * traced);
         compared += traced >= dark;
     }
     return compared;
