@@ -74,7 +74,6 @@ const char *pp_mistakes_text(const struct pp_mistakes *mistakes, int index);
 
 /* What one file holds: one room, or a building of several. */
 struct pp_building;
-struct pp_room;
 
 /* Reads a room file; path "-" is standard input. Whatever is wrong with the file's form
  * or values goes to mistakes (PP_BAD_INPUT); a file that can't be read at all is

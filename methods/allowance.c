@@ -1,8 +1,12 @@
 /* allowance.c - the corrections of an opening as factors, as steps and in words. */
 #include "methods/allowance.h"
-#include "model/base/text.h"
 
+#include <assert.h>
+#include <stdarg.h>
 #include <stdio.h>
+
+#include "methods/method.h"
+#include "model/base/text.h"
 
 /* G: diffuse transmittance over that of clear single glass. */
 static double glass_type(const struct pp_glass *glass)
@@ -49,8 +53,8 @@ double pp_allowance_net_glass(struct pp_worksheet *sheet,
     }
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, a, "a", "opening on line %d: area",
                      line);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, B, "B", "opening on line %d: frame factor",
-                     line);
+    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B",
+                     "opening on line %d: frame factor", line);
     return pp_worksheet_work(sheet, formula, "opening on line %d: net area of glass",
                              line);
 }
@@ -116,11 +120,52 @@ double pp_allowance_factor(unsigned allowances, const struct pp_opening *opening
     return factor;
 }
 
-void pp_allowance_steps(struct pp_steps *steps, unsigned allowances,
-                        const struct pp_opening *opening, char *product, size_t room)
+double pp_allowance_decorations(const struct pp_method *method,
+                                const struct pp_world *world)
+{
+    return method->gives == PP_GIVES_INTERNAL ? world->decorations : 1.0;
+}
+
+double pp_allowance_of(const struct pp_method *method, const struct pp_world *world,
+                       const struct pp_opening *opening)
+{
+    return pp_allowance_factor(method->allowances, opening)
+           * pp_allowance_decorations(method, world);
+}
+
+/* Of a correction that formulae contain. */
+static double value_in_formula(enum pp_allowance correction,
+                               const struct pp_opening *opening)
+{
+    if (correction == PP_ALLOWS_OWN_GLASS)
+        return opening->glass.diffuse;
+    if (correction == PP_ALLOWS_FRAME)
+        return opening->frame_factor;
+    assert(correction == PP_ALLOWS_DIRT);
+    return opening->maintenance;
+}
+
+void pp_allowance_put(struct pp_worksheet *sheet, enum pp_allowance correction,
+                      const struct pp_opening *opening, const char *symbol,
+                      const char *what, ...)
+{
+    va_list args;
+    va_start(args, what);
+    pp_worksheet_put_v(sheet, PP_UNIT_NUMBER, value_in_formula(correction, opening),
+                       symbol, what, args);
+    va_end(args);
+}
+
+void pp_allowance_steps(struct pp_steps *steps, const struct pp_method *method,
+                        const struct pp_world *world, const struct pp_opening *opening,
+                        char *product, size_t room)
 {
     struct correction list[CORRECTIONS_MOST];
-    int count = correct(list, allowances, opening);
+    int count = correct(list, method->allowances, opening);
+    double D = pp_allowance_decorations(method, world);
+    if (D != 1.0)
+        list[count++] =
+            (struct correction){"D", "decorations: what their deterioration leaves", D};
     product[0] = '\0';
     for (int i = 0; i < count; i++) {
         pp_steps_add_named(steps, PP_UNIT_NUMBER, list[i].value, list[i].symbol, "%s",

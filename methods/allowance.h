@@ -1,8 +1,8 @@
-/* allowance.h - the corrections for glass, frame, dirt and curtains.
+/* allowance.h - the corrections for glass, frame, dirt, curtains and decorations.
  *
  * Published figures differ in the corrections that they already contain. A method
- * declares those; the remaining ones of an opening are applied here, so that none is
- * counted twice:
+ * declares those (pp_method.allowances), and pp_allowance_of is the product of the others,
+ * so that none is counted twice:
  *
  *     DF = ((SC + ERC) M G B + IRC M G D) K                                  [BRE310]
  *
@@ -13,8 +13,14 @@
  *   D   deterioration of decorations
  *
  * Formulae with the net glass area W have B in W already (PP_ALLOWS_FRAME). D belongs
- * to the room and not to an opening: methods/evaluate.c applies it to the internally
- * reflected component.
+ * to the room and not to an opening, and to the internally reflected component only.
+ *
+ * This file alone reads an opening's frame factor, maintenance and curtains for methods.
+ * Points and the average of a report (methods/method_run.c), the plane of a direct method
+ * (direct_plane.c) and the sheets of diagrams multiply a method's figures by
+ * pp_allowance_of; a formula that contains a correction has it on its worksheet by
+ * pp_allowance_put. The simulations have the same corrections of an opening from
+ * model/room/surface_materials.h.
  */
 #ifndef PP_METHODS_ALLOWANCE_H
 #define PP_METHODS_ALLOWANCE_H
@@ -23,6 +29,8 @@
 
 #include "model/results/worksheet.h"
 #include "model/room/world.h"
+
+struct pp_method; /* methods/method.h */
 
 /* Diffuse transmittance of clear single glass in the formulae of the internally
  * reflected component [BRE310]. */
@@ -45,10 +53,29 @@ enum pp_allowance {
  * glass (PP_ALLOWS_NO_GLASS). */
 double pp_allowance_factor(unsigned allowances, const struct pp_opening *opening);
 
-/* Records those corrections as steps, one by one, and writes their symbols to `product`
+/* D: what the deterioration of decorations leaves of the method's figures; 1 for a method
+ * that gives another component than the internally reflected one. */
+double pp_allowance_decorations(const struct pp_method *method,
+                                const struct pp_world *world);
+
+/* All corrections that the method's figures for an opening of that world lack, D among
+ * them: the figures are to be multiplied by it. */
+double pp_allowance_of(const struct pp_method *method, const struct pp_world *world,
+                       const struct pp_opening *opening);
+
+/* Puts a correction that a formula contains on its worksheet, under its symbol in print and
+ * with the step's words as pp_worksheet_put has them: the diffuse transmittance of the
+ * opening's own glass (PP_ALLOWS_OWN_GLASS), the frame factor (PP_ALLOWS_FRAME), or what
+ * dirt leaves (PP_ALLOWS_DIRT). */
+void pp_allowance_put(struct pp_worksheet *sheet, enum pp_allowance correction,
+                      const struct pp_opening *opening, const char *symbol,
+                      const char *what, ...) __attribute__((format(printf, 5, 6)));
+
+/* Records the same corrections as steps, one by one, and writes their symbols to `product`
  * as further factors of a formula: " M G B", or nothing. */
-void pp_allowance_steps(struct pp_steps *steps, unsigned allowances,
-                        const struct pp_opening *opening, char *product, size_t room);
+void pp_allowance_steps(struct pp_steps *steps, const struct pp_method *method,
+                        const struct pp_world *world, const struct pp_opening *opening,
+                        char *product, size_t room);
 
 /* The allowances in words: "clear single glass and the frame", "nothing of glass, frame
  * or dirt". */

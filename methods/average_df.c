@@ -80,7 +80,7 @@ static const struct pp_formula_quantity of_lynes[] = {QUANTITIES, {0}};
 static const struct pp_formula average = {
     .symbol = "df",
     .sum = "T W theta M / (A (1 - R^2))",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "CL84",
     .what = "average daylight factor over the working plane",
     .quantities = of_average,
@@ -89,7 +89,7 @@ static const struct pp_formula average = {
 static const struct pp_formula average_of_surfaces = {
     .symbol = "df",
     .sum = "T W theta / (2 A (1 - R))",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "LYNES79",
     .what = "average daylight factor over all surfaces",
     .quantities = of_lynes,
@@ -130,7 +130,7 @@ static void put_low_glass(struct pp_worksheet *sheet, const struct pp_world *wor
         sheet, PP_UNIT_NUMBER, pp_interior_role(world, PP_FLOOR).reflectance, "rho_f",
         practice == LEFT_OUT ? "reflectance of the floor; that part is left out"
                              : "reflectance of the floor, by which that part counts");
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->frame_factor, "B",
+    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B",
                      "opening on line %d: frame factor", line);
     pp_worksheet_work(sheet, practice == LEFT_OUT ? &glass_above : &glass_that_counts,
                       "opening on line %d: net area of glass that counts", line);
@@ -144,7 +144,7 @@ static void put_well(struct pp_worksheet *sheet, const struct pp_world *world,
     int line = opening->line;
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2, "a",
                      "opening on line %d: area", line);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->frame_factor, "B",
+    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B",
                      "opening on line %d: frame factor", line);
     pp_well_put(sheet, world, light, opening);
     pp_worksheet_work(sheet, &glass_behind_well,
@@ -161,7 +161,7 @@ static enum pp_status put_terms(struct pp_worksheet *sheet,
     struct pp_interior all = pp_interior_all(world);
     double low_m2 = pp_interior_area_below(&opening->inner, world->working_plane_m);
     int line = opening->line;
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "T",
+    pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
                      "opening on line %d: diffuse transmittance", line);
     if (pp_well_is(opening))
         put_well(sheet, world, light, opening);
@@ -185,7 +185,7 @@ static enum pp_status work_newer_form(const struct pp_world *world,
         put_terms(&part->sheet, world, light, opening, practice, err);
     if (status != PP_OK)
         return status;
-    pp_worksheet_put(&part->sheet, PP_UNIT_NUMBER, opening->maintenance, "M",
+    pp_allowance_put(&part->sheet, PP_ALLOWS_DIRT, opening, "M",
                      "opening on line %d: maintenance", opening->line);
     part->value =
         pp_worksheet_work(&part->sheet, &average,

@@ -52,7 +52,7 @@ static int components_of(enum pp_component list[2], const struct pp_method *meth
 void pp_component_steps_add(struct pp_steps *steps, const struct pp_method *method,
                             const struct pp_world *world, int index,
                             const struct pp_part *part,
-                            const struct pp_amounts *corrected, double D, int first)
+                            const struct pp_amounts *corrected, int first)
 {
     const struct pp_opening *opening = &world->openings[index];
     enum pp_component components[2];
@@ -60,24 +60,19 @@ void pp_component_steps_add(struct pp_steps *steps, const struct pp_method *meth
     int count = components_of(components, method, &read, steps, first);
     for (int i = 0; i < count; i++)
         if (!pp_steps_find(steps, first, own_symbols[components[i]]))
-            pp_steps_add_named(steps, PP_UNIT_SHARE,
+            pp_steps_add_named(steps, PP_UNIT_DAYLIGHT_FACTOR,
                                pp_component_steps_figure(&read, components[i]),
                                own_symbols[components[i]], "%s, as read",
                                pp_component_steps_names[components[i]]);
     char product[64];
-    pp_allowance_steps(steps, method->allowances, opening, product, sizeof product);
-    if (D != 1.0) {
-        pp_steps_add_named(steps, PP_UNIT_NUMBER, D, "D",
-                           "decorations: what their deterioration leaves");
-        strncat(product, " D", sizeof product - strlen(product) - 1);
-    }
+    pp_allowance_steps(steps, method, world, opening, product, sizeof product);
     for (int i = 0; i < count; i++) {
         char symbol[16], formula[96];
         bool single = world->opening_count == 1;
         snprintf(symbol, sizeof symbol, single ? "%s" : "%s_%d",
                  pp_component_steps_symbols[components[i]], index + 1);
         snprintf(formula, sizeof formula, "%s%s", own_symbols[components[i]], product);
-        pp_steps_add_worked(steps, PP_UNIT_SHARE,
+        pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR,
                             pp_component_steps_figure(corrected, components[i]), symbol,
                             formula, "%s", pp_component_steps_names[components[i]]);
     }

@@ -21,7 +21,7 @@ double pp_component_steps_figure(const struct pp_amounts *amounts,
 void pp_component_steps_add(struct pp_steps *steps, const struct pp_method *method,
                             const struct pp_world *world, int index,
                             const struct pp_part *part,
-                            const struct pp_amounts *corrected, double D, int first);
+                            const struct pp_amounts *corrected, int first);
 
 /* Records the sums over the openings, where there is not just one. */
 void pp_component_steps_add_sums(struct pp_steps *steps, const struct pp_method *method,

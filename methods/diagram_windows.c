@@ -69,7 +69,7 @@ enum pp_status pp_diagram_windows_begin(struct pp_board_window *window,
                                         struct pp_vec3 point, struct pp_error *err)
 {
     window->line = opening->line;
-    window->allowance = pp_allowance_factor(method->allowances, opening);
+    window->allowance = pp_allowance_of(method, world, opening);
     enum pp_status status =
         pp_window_drawing_init(drawing, world, light, opening, point, err);
     if (status != PP_OK)

@@ -171,7 +171,7 @@ enum pp_status pp_direct_plane_at(const struct pp_direct_plane *plane, double x,
                              method->name, opening->line, part.why);
         if (status != PP_OK)
             return status;
-        double allowance = pp_allowance_factor(method->allowances, opening);
+        double allowance = pp_allowance_of(method, world, opening);
         *sky += part.sky * allowance;
         *external += part.external * allowance;
     }

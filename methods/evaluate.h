@@ -1,10 +1,10 @@
 /* evaluate.h - evaluates the hand methods for a room: sums over openings, corrections,
  * pairs of methods, averages.
  *
- * A method gives the components of one opening (method.h). Here each method is called
- * for each opening and each receiver, the corrections for glass, frame and dirt that
- * its figures lack are applied (methods/allowance.h), the openings are added up, and
- * pairs of methods become daylight factors:
+ * A method gives the components of one opening (method.h). Here each method is run for
+ * each receiver: method_run.h calls it for each opening, applies the corrections for
+ * glass, frame and dirt that its figures lack (allowance.h), and adds the openings up.
+ * Pairs of methods become daylight factors (pair.h):
  *
  *     df(A+B) = sc(A) + erc(A) + irc(B)
  *

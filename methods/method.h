@@ -1,8 +1,8 @@
 /* method.h - what every hand method is, and the list of them.
  *
- * A method gives the components of one opening, as its source has them. The sum over
- * openings and the corrections for glass, frame and dirt (methods/allowance.h) are the
- * same for all methods and are made in methods/evaluate.c. A method is asked of a world
+ * A method gives the components of one opening, as its source has them. The corrections
+ * for glass, frame and dirt (methods/allowance.h) and the sum over openings are the same
+ * for all methods and are made in methods/method_run.c. A method is asked of a world
  * and of the light from outside beside it (light/outside_light.h), which `prepare` and
  * what follows it are given the same. A new method is one file with one struct
  * pp_method, declared at the end of this header and entered in the list in method.c.
@@ -33,17 +33,19 @@ enum pp_speaks_for {
                      * has no average by such a method */
 };
 
-/* What a method gives: of one opening or, after the corrections, of all. */
+/* The components that a method gives, of one opening or, after the corrections, of all.
+ * They are fractions of the open-sky horizontal illuminance: 0.02, never 2. The texts of
+ * the method's formulae have the same figures in per cent (results/formula.h). */
 struct pp_amounts {
     double sky;      /* of PP_GIVES_DIRECT */
     double external; /* of PP_GIVES_DIRECT */
     double value;    /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
 };
 
-/* The components of one opening, before the corrections for glass, frame and dirt. A
- * method that records its steps names the last step of each component "sc", "erc",
+/* The components of one opening (fractions), before the corrections for glass, frame and
+ * dirt. A method that records its steps names the last step of each component "sc", "erc",
  * "irc" or "df", which later formulae refer to; for a method that does not,
- * methods/evaluate.c adds a step of that name. pp_steps.line tells which opening the
+ * methods/component_steps.c adds a step of that name. pp_steps.line tells which opening the
  * steps belong to. */
 struct pp_part {
     double sky;      /* of PP_GIVES_DIRECT */

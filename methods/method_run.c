@@ -11,13 +11,6 @@
 #include "methods/average/opening_averages.h"
 #include "methods/average/plane_average.h"
 
-/* D applies to the internally reflected component. A method that gives the daylight
- * factor as a whole has no such part, and gets no D. */
-static double decorations_of(const struct pp_method_run *run)
-{
-    return run->method->gives == PP_GIVES_INTERNAL ? run->world->decorations : 1.0;
-}
-
 enum pp_status pp_method_run_init(struct pp_method_run *run,
                                   const struct pp_method *method,
                                   const struct pp_variant *variant,
@@ -43,8 +36,7 @@ enum pp_status pp_method_run_init(struct pp_method_run *run,
         return pp_fail_memory(err);
     }
     for (int i = 0; i < world->opening_count; i++)
-        run->factors[i] = pp_allowance_factor(method->allowances, world->openings + i)
-                          * decorations_of(run);
+        run->factors[i] = pp_allowance_of(method, world, world->openings + i);
     bool refused =
         method->refuses_room && method->refuses_room(world, run->light, NULL);
     if (method->prepare && !refused)
@@ -119,8 +111,7 @@ static enum pp_status add_openings(const struct pp_method_run *run,
         const struct pp_amounts own =
             add_part(&answer->amounts, &part, run->factors[i]);
         if (answer->steps)
-            pp_component_steps_add(answer->steps, method, world, i, &part, &own,
-                                   decorations_of(run), first);
+            pp_component_steps_add(answer->steps, method, world, i, &part, &own, first);
     }
     /* A point may see nothing of the openings; a room has all of them. */
     if (run->varied && !used && method->speaks_for != PP_FOR_POINT

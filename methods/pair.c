@@ -18,7 +18,7 @@ static struct pp_reading pair_of(struct pp_reading sc, struct pp_reading erc,
 static void add_column_step(struct pp_steps *steps, const struct pp_column *column,
                             int point)
 {
-    pp_steps_add_named(steps, PP_UNIT_SHARE, column->points[point].value,
+    pp_steps_add_named(steps, PP_UNIT_DAYLIGHT_FACTOR, column->points[point].value,
                        pp_component_steps_symbols[column->component], "%s by %s",
                        pp_component_steps_names[column->component], column->name);
 }
@@ -45,7 +45,7 @@ enum pp_status pp_pair_add(struct pp_report *report, const char *direct,
         add_column_step(steps, sc, i);
         add_column_step(steps, erc, i);
         add_column_step(steps, irc, i);
-        pp_steps_add_worked(steps, PP_UNIT_SHARE, df->points[i].value,
+        pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR, df->points[i].value,
                             pp_component_steps_symbols[PP_DF], "SC + ERC + IRC", "%s",
                             pp_component_steps_names[PP_DF]);
         if (!steps || steps->failed)

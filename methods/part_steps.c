@@ -90,8 +90,8 @@ void pp_part_steps_component(struct pp_part_steps *terms, bool hidden, double sh
                              const char *formula, const char *what)
 {
     count(terms, hidden, share);
-    pp_part_steps_figure(terms, PP_UNIT_SHARE, share, hidden ? "erc" : "sc", formula,
-                         what);
+    pp_part_steps_figure(terms, PP_UNIT_DAYLIGHT_FACTOR, share, hidden ? "erc" : "sc",
+                         formula, what);
 }
 
 void pp_part_steps_end(struct pp_part_steps *terms)
@@ -105,8 +105,8 @@ void pp_part_steps_end(struct pp_part_steps *terms)
         pp_steps_add_sum(terms->steps, terms->first, terms->number, "sc",
                          "sky component");
     if (terms->sky < 0.0)
-        pp_steps_add_worked(terms->steps, PP_UNIT_SHARE, 0.0, "sc", "max(sc, 0)",
-                            "less than nothing is nothing");
+        pp_steps_add_worked(terms->steps, PP_UNIT_DAYLIGHT_FACTOR, 0.0, "sc",
+                            "max(sc, 0)", "less than nothing is nothing");
     if (terms->hidden_count > 0 && !single)
         pp_steps_add_sum(terms->steps, terms->first, terms->number, "erc",
                          "externally reflected component");

@@ -21,9 +21,12 @@
 static bool add_step(struct json_object *object, const struct pp_calculation_step *step)
 {
     static const char *const units[] = {
-        [PP_UNIT_SHARE] = "%",     [PP_UNIT_NUMBER] = "",
-        [PP_UNIT_COUNT] = "count", [PP_UNIT_ANGLE] = "degrees",
-        [PP_UNIT_METRE] = "m",     [PP_UNIT_SQUARE_METRE] = "m2",
+        [PP_UNIT_DAYLIGHT_FACTOR] = "%",
+        [PP_UNIT_NUMBER] = "",
+        [PP_UNIT_COUNT] = "count",
+        [PP_UNIT_ANGLE] = "degrees",
+        [PP_UNIT_METRE] = "m",
+        [PP_UNIT_SQUARE_METRE] = "m2",
         [PP_UNIT_LUX] = "lx",
     };
     return pp_json_text(object, "step", step->what)

@@ -7,8 +7,12 @@
 #include "reports/parts/print.h"
 
 static const char *const units[] = {
-    [PP_UNIT_SHARE] = "%",   [PP_UNIT_NUMBER] = "-", [PP_UNIT_COUNT] = "-",
-    [PP_UNIT_ANGLE] = "deg", [PP_UNIT_METRE] = "m",  [PP_UNIT_SQUARE_METRE] = "m2",
+    [PP_UNIT_DAYLIGHT_FACTOR] = "%",
+    [PP_UNIT_NUMBER] = "-",
+    [PP_UNIT_COUNT] = "-",
+    [PP_UNIT_ANGLE] = "deg",
+    [PP_UNIT_METRE] = "m",
+    [PP_UNIT_SQUARE_METRE] = "m2",
     [PP_UNIT_LUX] = "lx",
 };
 

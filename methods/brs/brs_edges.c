@@ -74,20 +74,21 @@ void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double asid
 
 #define BRS(left, right, what_of, quantities_of, is_fixed)                             \
     {                                                                                  \
-        .symbol = left, .sum = right, .unit = PP_UNIT_SHARE, .source = "HLG58",        \
-        .what = what_of, .quantities = quantities_of, .fixed = is_fixed                \
+        .symbol = left, .sum = right, .unit = PP_UNIT_DAYLIGHT_FACTOR,                 \
+        .source = "HLG58", .what = what_of, .quantities = quantities_of,               \
+        .fixed = is_fixed                                                              \
     }
 
 static const struct pp_formula_quantity of_upper[] = {
     {"h", PP_UNIT_NUMBER, "upper edge over distance"},
-    {"T_hl", PP_UNIT_SHARE, "table there, to the left jamb"},
-    {"T_hr", PP_UNIT_SHARE, "table there, to the right jamb"},
+    {"T_hl", PP_UNIT_DAYLIGHT_FACTOR, "table there, to the left jamb"},
+    {"T_hr", PP_UNIT_DAYLIGHT_FACTOR, "table there, to the right jamb"},
     {0},
 };
 static const struct pp_formula_quantity of_lower[] = {
     {"s", PP_UNIT_NUMBER, "lower edge over distance"},
-    {"T_sl", PP_UNIT_SHARE, "table there, to the left jamb"},
-    {"T_sr", PP_UNIT_SHARE, "table there, to the right jamb"},
+    {"T_sl", PP_UNIT_DAYLIGHT_FACTOR, "table there, to the left jamb"},
+    {"T_sr", PP_UNIT_DAYLIGHT_FACTOR, "table there, to the right jamb"},
     {0},
 };
 
@@ -105,12 +106,12 @@ const struct pp_formula pp_brs_edges_lower[3] = {
     BRS("S", "T_sr - T_sl", to_the_right, of_lower, true)};
 
 static const struct pp_formula_quantity of_rectangle[] = {
-    {"H", PP_UNIT_SHARE, "sum at the upper edge"},
-    {"S", PP_UNIT_SHARE, "sum at the lower edge; 0 where the table begins"},
+    {"H", PP_UNIT_DAYLIGHT_FACTOR, "sum at the upper edge"},
+    {"S", PP_UNIT_DAYLIGHT_FACTOR, "sum at the lower edge; 0 where the table begins"},
     {0},
 };
 static const struct pp_formula_quantity of_hidden[] = {
-    {"e", PP_UNIT_SHARE, "equivalent sky component of the obstruction"},
+    {"e", PP_UNIT_DAYLIGHT_FACTOR, "equivalent sky component of the obstruction"},
     {"f", PP_UNIT_NUMBER, "luminance factor of the obstruction"},
     {0},
 };
@@ -156,10 +157,11 @@ static void work_edge(struct pp_worksheet *sheet, const struct edge *edge,
     bool both = at->left < 0.0 && at->right > 0.0;
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, up, edge->height, "%s over distance, %s",
                      edge->what, measure);
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_brs_edges_read(table, up, left),
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, pp_brs_edges_read(table, up, left),
                      edge->left, "table at that %s and w/d %.3f", measure, left);
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_brs_edges_read(table, up, right),
-                     edge->right, "table at that %s and w/d %.3f", measure, right);
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
+                     pp_brs_edges_read(table, up, right), edge->right,
+                     "table at that %s and w/d %.3f", measure, right);
     pp_worksheet_work(sheet,
                       &edge->sums[both              ? 0
                                   : at->right > 0.0 ? 2
@@ -192,7 +194,7 @@ void pp_brs_edges_work(struct pp_part_steps *terms, struct pp_part *sum,
     if (at->low != 0.0)
         work_edge(sheet, &lower, table, fabs(at->low), at, measure);
     else
-        pp_worksheet_know(sheet, PP_UNIT_SHARE, 0.0, "S");
+        pp_worksheet_know(sheet, PP_UNIT_DAYLIGHT_FACTOR, 0.0, "S");
     if (!at->hidden) {
         sum->sky += pp_part_steps_work(terms, false, sum_of(at), in_words);
         return;

@@ -92,7 +92,7 @@ static enum pp_status fill_window(struct pp_brs_sheet *sheet,
         .line = opening->line,
         .distance_m = pp_vec_dot(pp_vec_sub(point, opening->inner.vertices[0]),
                                  opening->inner.normal),
-        .allowance = pp_allowance_factor(PP_ALLOWS_CLEAR_GLASS, opening)};
+        .allowance = pp_allowance_of(&pp_method_brs_table, world, opening)};
     enum pp_status status = pp_elevation_init(&elevation, world, opening, point, err);
     if (status != PP_OK)
         return status;

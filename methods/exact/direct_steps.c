@@ -44,7 +44,7 @@ static struct sum_text add_sky_terms(struct pp_part_steps *terms,
     struct sum_text sum = closed_form(sky);
     if (!figures->glazed || !(bare > 0.0))
         return sum;
-    pp_part_steps_figure(terms, PP_UNIT_SHARE, bare, "s", sum.text,
+    pp_part_steps_figure(terms, PP_UNIT_DAYLIGHT_FACTOR, bare, "s", sum.text,
                          "that sky without glass, in closed form");
     pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->above / bare, "t",
                        "mean transmittance over it, by quadrature");
@@ -62,7 +62,7 @@ static void add_sky_steps(struct pp_part_steps *terms,
                                 : "sky component, an integral, by quadrature");
     if (figures->below == 0.0)
         return;
-    pp_part_steps_read(terms, PP_UNIT_SHARE, figures->below, "c",
+    pp_part_steps_read(terms, PP_UNIT_DAYLIGHT_FACTOR, figures->below, "c",
                        "ground that is seen, for a reflectance of 1");
     pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->factor, "rho_g",
                        "reflectance of the ground");
@@ -75,18 +75,18 @@ static void add_hidden_steps(struct pp_part_steps *terms,
                              const struct pp_sky *sky)
 {
     struct sum_text formula = add_sky_terms(terms, figures, sky);
-    pp_part_steps_figure(terms, PP_UNIT_SHARE, figures->above, "e", formula.text,
-                         formula.text[0]
-                             ? "equivalent sky component of the obstruction"
-                             : "its equivalent sky component, by quadrature");
+    pp_part_steps_figure(
+        terms, PP_UNIT_DAYLIGHT_FACTOR, figures->above, "e", formula.text,
+        formula.text[0] ? "equivalent sky component of the obstruction"
+                        : "its equivalent sky component, by quadrature");
     bool below = figures->below != 0.0, own = figures->own != 0.0;
     if (below)
-        pp_part_steps_read(terms, PP_UNIT_SHARE, figures->below, "b",
+        pp_part_steps_read(terms, PP_UNIT_DAYLIGHT_FACTOR, figures->below, "b",
                            "hidden below the horizon, as bright as that");
     pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->factor, "f",
                        "luminance factor of the obstruction");
     if (own)
-        pp_part_steps_read(terms, PP_UNIT_SHARE, figures->own, "g",
+        pp_part_steps_read(terms, PP_UNIT_DAYLIGHT_FACTOR, figures->own, "g",
                            "what it gives off by itself");
     pp_part_steps_component(
         terms, true, figures->factor * (figures->above + figures->below) + figures->own,

@@ -99,16 +99,16 @@ static void add_even_pane_steps(struct pp_steps *steps,
     pp_steps_add_named(steps, PP_UNIT_NUMBER, c, "c",
                        "configuration factor of what is seen of the diffusing pane");
     pp_steps_add_named(steps, PP_UNIT_NUMBER, tau, "tau", "its transmittance");
-    pp_steps_add_named(steps, PP_UNIT_SHARE, outside->sky, "E_s",
+    pp_steps_add_named(steps, PP_UNIT_DAYLIGHT_FACTOR, outside->sky, "E_s",
                        "illuminance of its outside, from the sky");
-    pp_steps_add_worked(steps, PP_UNIT_SHARE, tau * outside->sky * c, "sc", "tau E_s c",
-                        "sky component");
+    pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR, tau * outside->sky * c, "sc",
+                        "tau E_s c", "sky component");
     if (outside->external == 0.0)
         return;
-    pp_steps_add_named(steps, PP_UNIT_SHARE, outside->external, "E_e",
+    pp_steps_add_named(steps, PP_UNIT_DAYLIGHT_FACTOR, outside->external, "E_e",
                        "the same, from the ground and what hides the sky");
-    pp_steps_add_worked(steps, PP_UNIT_SHARE, tau * outside->external * c, "erc",
-                        "tau E_e c", "externally reflected component");
+    pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR, tau * outside->external * c,
+                        "erc", "tau E_e c", "externally reflected component");
 }
 
 static enum pp_status from_even_pane(struct pp_direct *sum,

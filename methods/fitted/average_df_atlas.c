@@ -35,7 +35,7 @@ static const struct pp_formula_quantity quantities[] = {
     PP_FITTED_LIGHT_QUANTITIES,
     PP_FITTED_OPENING_REVEAL,
     PP_FITTED_OPENING_LOW,
-    {"E", PP_UNIT_SHARE, "on the opening's outside in all"},
+    {"E", PP_UNIT_DAYLIGHT_FACTOR, "on the opening's outside in all"},
     {"k_r", PP_UNIT_NUMBER, "correction for the reveal, the floor and the ground"},
     {0},
 };
@@ -43,7 +43,7 @@ static const struct pp_formula_quantity quantities[] = {
 static const struct pp_formula outside = {
     .symbol = "E",
     .sum = "V + E_b + E_g",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .what = "on the opening's outside in all",
     .quantities = quantities,
 };
@@ -62,7 +62,7 @@ static const struct pp_formula correction = {
 static const struct pp_formula average = {
     .symbol = "df",
     .sum = PP_FITTED_DF " T W (1 - n + n rho_f) M 2 E k_r / (A (1 - R^2))",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
     .what = "average daylight factor over the working plane",
     .quantities = quantities,
@@ -86,7 +86,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     struct pp_interior all = pp_interior_all(world);
     struct pp_interior floor = pp_interior_role(world, PP_FLOOR);
     int line = opening->line;
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "T",
+    pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
                      "opening on line %d: diffuse transmittance", line);
     pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);
     pp_fitted_opening_put_low(sheet, world, opening);
@@ -94,7 +94,7 @@ static enum pp_status evaluate(const struct pp_world *world,
                      "area of the floor");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, floor.reflectance, "rho_f",
                      "its reflectance");
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->maintenance, "M",
+    pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M",
                      "opening on line %d: maintenance", line);
     pp_interior_put(sheet, &all);
     pp_fitted_light_put(sheet, tools, world, opening);

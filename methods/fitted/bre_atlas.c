@@ -34,9 +34,10 @@ static const struct pp_formula_quantity quantities[] = {
     {"d_r", PP_UNIT_METRE, "depth of the room, square to the opening's wall"},
     {"h_r", PP_UNIT_METRE, "height of the room"},
     PP_FITTED_POSITION_QUANTITIES,
-    {"IRC_av", PP_UNIT_SHARE, "average internally reflected component, as printed"},
+    {"IRC_av", PP_UNIT_DAYLIGHT_FACTOR,
+     "average internally reflected component, as printed"},
     {"L", PP_UNIT_NUMBER, "light that enters, over that of the printed formula"},
-    {"irc_m", PP_UNIT_SHARE, "mean over the working plane"},
+    {"irc_m", PP_UNIT_DAYLIGHT_FACTOR, "mean over the working plane"},
     {0},
 };
 
@@ -54,7 +55,7 @@ static const struct pp_formula mean = {
     .symbol = "irc_m",
     .sum = "IRC_av L ((A_l / A_u)^" PP_FITTED_BRE_PARTS
            " (1 + h_r / d_r)^" PP_FITTED_BRE_SHALLOW ")^(1 - R)",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
     .what = "mean internally reflected component",
     .quantities = quantities,
@@ -63,7 +64,7 @@ static const struct pp_formula mean = {
 static const struct pp_formula at_point = {
     .symbol = "irc",
     .sum = "irc_m f_d f_s",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
     .what = "internally reflected component at the point",
     .quantities = quantities,

@@ -10,16 +10,17 @@
 #include "methods/refusals.h"
 
 static const struct pp_formula_quantity of_shade[] = {
-    {"V", PP_UNIT_SHARE, "on the opening's outside from the sky alone"},
-    {"C_b", PP_UNIT_SHARE, "on it from what stands outside, without its shade"},
-    {"C_g", PP_UNIT_SHARE, "on it from the ground that is seen, the same"},
+    {"V", PP_UNIT_DAYLIGHT_FACTOR, "on the opening's outside from the sky alone"},
+    {"C_b", PP_UNIT_DAYLIGHT_FACTOR,
+     "on it from what stands outside, without its shade"},
+    {"C_g", PP_UNIT_DAYLIGHT_FACTOR, "on it from the ground that is seen, the same"},
     {0},
 };
 
 const struct pp_formula pp_fitted_light_E_b = {
     .symbol = "E_b",
     .sum = "C_b max(V / 39.6, 0.003)^" PP_FITTED_SHADE,
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
     .what = "on the opening's outside from what stands outside",
     .quantities = of_shade,
@@ -28,7 +29,7 @@ const struct pp_formula pp_fitted_light_E_b = {
 const struct pp_formula pp_fitted_light_E_g = {
     .symbol = "E_g",
     .sum = "C_g max(V / 39.6, 0.003)^(" PP_FITTED_SHADE " / 2)",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
     .what = "on the opening's outside from the ground",
     .quantities = of_shade,
@@ -84,11 +85,11 @@ void pp_fitted_light_put(struct pp_worksheet *sheet, const void *tools,
     const struct pp_fitted_light *list = tools;
     struct pp_fitted_light on = list[opening - world->openings];
     int line = opening->line;
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, on.V, "V",
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, on.V, "V",
                      "opening on line %d: on its outside from the sky alone", line);
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, on.C_b, "C_b",
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, on.C_b, "C_b",
                      "on it from what stands outside, without its shade");
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, on.C_g, "C_g",
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, on.C_g, "C_g",
                      "on it from the ground that is seen, the same");
     pp_worksheet_work(sheet, &pp_fitted_light_E_b, "from what stands outside");
     pp_worksheet_work(sheet, &pp_fitted_light_E_g, "from the ground");

@@ -35,12 +35,14 @@ extern const struct pp_formula pp_fitted_light_E_b, pp_fitted_light_E_g;
 
 /* Rows of a formula's list of quantities. */
 #define PP_FITTED_LIGHT_QUANTITIES                                                     \
-    {"V", PP_UNIT_SHARE, "on the opening's outside from the sky alone"},               \
-        {"C_b", PP_UNIT_SHARE, "on it from what stands outside, without its shade"},   \
-        {"C_g", PP_UNIT_SHARE, "on it from the ground that is seen, the same"},        \
-        {"E_b", PP_UNIT_SHARE, "on it from what stands outside"},                      \
+    {"V", PP_UNIT_DAYLIGHT_FACTOR, "on the opening's outside from the sky alone"},     \
+        {"C_b", PP_UNIT_DAYLIGHT_FACTOR,                                               \
+         "on it from what stands outside, without its shade"},                         \
+        {"C_g", PP_UNIT_DAYLIGHT_FACTOR,                                               \
+         "on it from the ground that is seen, the same"},                              \
+        {"E_b", PP_UNIT_DAYLIGHT_FACTOR, "on it from what stands outside"},            \
     {                                                                                  \
-        "E_g", PP_UNIT_SHARE, "on it from the ground that is seen"                     \
+        "E_g", PP_UNIT_DAYLIGHT_FACTOR, "on it from the ground that is seen"           \
     }
 
 /* Of each opening of the world, in their order: a method's `prepare`; freed by free(). */

@@ -43,8 +43,8 @@ static const struct pp_formula_quantity quantities[] = {
     PP_FITTED_LIGHT_QUANTITIES,
     PP_FITTED_OPENING_REVEAL,
     PP_FITTED_POSITION_QUANTITIES,
-    {"L", PP_UNIT_SHARE, "light on the opening as it counts"},
-    {"irc_m", PP_UNIT_SHARE, "mean over the working plane"},
+    {"L", PP_UNIT_DAYLIGHT_FACTOR, "light on the opening as it counts"},
+    {"irc_m", PP_UNIT_DAYLIGHT_FACTOR, "mean over the working plane"},
     {0},
 };
 
@@ -53,7 +53,7 @@ const struct pp_formula pp_irc_atlas_light = {
     .sum = "((V + E_b) rho_l + E_g) sqrt(rho_u) "
            "((A_l / A_u)^" PP_FITTED_PARTS " exp(-" PP_FITTED_REVEAL
            " d (1 / w + 1 / h)))^(1 - R)",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
     .what = "light on the opening as it counts",
     .quantities = quantities,
@@ -62,7 +62,7 @@ const struct pp_formula pp_irc_atlas_light = {
 static const struct pp_formula mean = {
     .symbol = "irc_m",
     .sum = "tau Ag L / (A (1 - R))",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
     .what = "mean internally reflected component",
     .quantities = quantities,
@@ -71,7 +71,7 @@ static const struct pp_formula mean = {
 static const struct pp_formula at_point = {
     .symbol = "irc",
     .sum = "irc_m f_d f_s",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
     .what = "internally reflected component at the point",
     .quantities = quantities,
@@ -95,7 +95,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     struct pp_worksheet *sheet = &part->sheet;
     struct pp_interior all = pp_interior_all(world);
     pp_allowance_net_glass(sheet, &pp_allowance_glass_Ag, opening);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "tau",
+    pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "tau",
                      "opening on line %d: diffuse transmittance", opening->line);
     pp_fitted_light_put(sheet, tools, world, opening);
     pp_interior_put(sheet, &all);

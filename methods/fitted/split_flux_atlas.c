@@ -32,7 +32,7 @@ static const struct pp_formula_quantity quantities[] = {
     PP_FITTED_LIGHT_QUANTITIES,
     PP_FITTED_OPENING_LOW,
     PP_FITTED_POSITION_QUANTITIES,
-    {"irc_m", PP_UNIT_SHARE, "mean over the working plane"},
+    {"irc_m", PP_UNIT_DAYLIGHT_FACTOR, "mean over the working plane"},
     {0},
 };
 
@@ -40,7 +40,7 @@ static const struct pp_formula mean = {
     .symbol = "irc_m",
     .sum = "2 tau Ag / (A (1 - R^2)) (rho_u E_g + rho_u rho_l (V + E_b)) "
            "exp(-" PP_FITTED_FLUX_LOW " (1 - R) n)",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
     .what = "mean internally reflected component",
     .quantities = quantities,
@@ -49,7 +49,7 @@ static const struct pp_formula mean = {
 static const struct pp_formula at_point = {
     .symbol = "irc",
     .sum = "irc_m f_d f_s",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
     .what = "internally reflected component at the point",
     .quantities = quantities,
@@ -72,7 +72,7 @@ static enum pp_status evaluate(const struct pp_world *world,
     struct pp_worksheet *sheet = &part->sheet;
     struct pp_interior all = pp_interior_all(world);
     pp_allowance_net_glass(sheet, &pp_allowance_glass_Ag, opening);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "tau",
+    pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "tau",
                      "opening on line %d: diffuse transmittance", opening->line);
     pp_fitted_light_put(sheet, tools, world, opening);
     pp_interior_put(sheet, &all);

@@ -45,9 +45,9 @@ static const double free_below_rad = 1e-3;
     }
 #define OF_ENTERING                                                                    \
     {"tau", PP_UNIT_NUMBER, "transmittance in all"},                                   \
-        {"E_s", PP_UNIT_SHARE, "on the window from the sky"},                          \
+        {"E_s", PP_UNIT_DAYLIGHT_FACTOR, "on the window from the sky"},                \
         {"rho_g", PP_UNIT_NUMBER, "ground reflectance"},                               \
-        {"E_g", PP_UNIT_SHARE, "on the window from the ground"},                       \
+        {"E_g", PP_UNIT_DAYLIGHT_FACTOR, "on the window from the ground"},             \
         {"CU_s", PP_UNIT_NUMBER, "coefficient for the sky, by its table"},             \
     {                                                                                  \
         "CU_g", PP_UNIT_NUMBER, "coefficient for the ground, by its table"             \
@@ -76,7 +76,7 @@ static const struct pp_formula_quantity of_rooflight[] = {
     OF_ROOFLIGHT,
     {"tau", PP_UNIT_NUMBER, "transmittance in all"},
     {"RCR", PP_UNIT_NUMBER, "room cavity ratio"},
-    {"E_h", PP_UNIT_SHARE, "on the rooflight from the sky"},
+    {"E_h", PP_UNIT_DAYLIGHT_FACTOR, "on the rooflight from the sky"},
     {"CU", PP_UNIT_NUMBER, "coefficient, by its table"},
     {0}};
 
@@ -94,21 +94,23 @@ static const struct pp_formula share_of_band =
 static const struct pp_formula side_transmittance =
     IES("tau", "T R_a M", "transmittance in all, of a window", PP_UNIT_NUMBER,
         of_transmittance);
-static const struct pp_formula ground_light = IES(
-    "E_g", "100 rho_g / 2", "on the window from the ground", PP_UNIT_SHARE, of_ground);
+static const struct pp_formula ground_light =
+    IES("E_g", "100 rho_g / 2", "on the window from the ground",
+        PP_UNIT_DAYLIGHT_FACTOR, of_ground);
 static const struct pp_formula depth_in_heights =
     IES("", "D / H", "room depth over window height", PP_UNIT_NUMBER, of_window);
 static const struct pp_formula width_in_heights =
     IES("", "W / H", "room width over window height", PP_UNIT_NUMBER, of_window);
 static const struct pp_formula side =
     IES("df", "tau (E_s CU_s + E_g CU_g)", "daylight factor from a window",
-        PP_UNIT_SHARE, of_two);
+        PP_UNIT_DAYLIGHT_FACTOR, of_two);
 /* A ground of reflectance 0.2 gives the window 10 per cent. */
 static const struct pp_formula one_coefficient =
     IES("CU", "(E_s CU_s + 10 CU_g) / (E_s + 10)",
         "one coefficient, of a ground of 0.2", PP_UNIT_NUMBER, of_two);
-static const struct pp_formula side_by_one = IES(
-    "df", "tau (E_s + E_g) CU", "daylight factor from a window", PP_UNIT_SHARE, of_one);
+static const struct pp_formula side_by_one =
+    IES("df", "tau (E_s + E_g) CU", "daylight factor from a window",
+        PP_UNIT_DAYLIGHT_FACTOR, of_one);
 static const struct pp_formula top_transmittance = IES(
     "tau", "T N B M", "transmittance in all, of a rooflight", PP_UNIT_NUMBER, of_well);
 static const struct pp_formula cavity_ratio = {.symbol = "RCR",
@@ -120,7 +122,7 @@ static const struct pp_formula cavity_ratio = {.symbol = "RCR",
                                                .fixed = true};
 static const struct pp_formula top =
     IES("df", "tau A / (L W) E_h CU", "average daylight factor from a rooflight",
-        PP_UNIT_SHARE, of_rooflight);
+        PP_UNIT_DAYLIGHT_FACTOR, of_rooflight);
 
 static const struct pp_formula *const formulae[] = {
     &share_of_band,     &side_transmittance, &ground_light, &side,
@@ -275,12 +277,10 @@ static void put_glass(struct pp_worksheet *sheet, const struct pp_opening *openi
 {
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2, "A",
                      "opening on line %d: area", opening->line);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->frame_factor, "B",
-                     "glass over opening area");
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "T",
+    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B", "glass over opening area");
+    pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
                      "diffuse transmittance of its glass");
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->maintenance, "M",
-                     "light loss by dirt");
+    pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M", "light loss by dirt");
 }
 
 /* The coefficient at a share of the depth; the average for NAN. */
@@ -300,7 +300,8 @@ static void put_window(struct pp_worksheet *sheet, const struct reading *r,
     pp_worksheet_put(sheet, PP_UNIT_METRE, r->depth_m, "D", "room away from it");
     pp_worksheet_work(sheet, &share_of_band, "net glass over the band along the wall");
     pp_worksheet_work(sheet, &side_transmittance, "transmittance in all");
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, r->E_s, "E_s", "on the window from the sky");
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, r->E_s, "E_s",
+                     "on the window from the sky");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, r->rho_g, "rho_g", "ground reflectance");
     pp_worksheet_work(sheet, &ground_light, "on the window from the ground");
 }
@@ -343,7 +344,7 @@ static double rooflight_value(const struct reading *r, const struct pp_opening *
     pp_worksheet_note(sheet, PP_UNIT_NUMBER, r->walls, "mean reflectance of the walls");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, r->cu_top, "CU",
                      "coefficient, by its table");
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, r->E_h, "E_h",
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, r->E_h, "E_h",
                      "on the rooflight from the sky");
     return pp_worksheet_work(sheet, &top,
                              "average daylight factor from this rooflight");

@@ -70,20 +70,20 @@ static void add_steps(struct pp_worksheet *sheet, const struct pp_nomogram *nomo
                        "scale A, set to the ratio%s", shift);
     pp_steps_add_named(steps, PP_UNIT_NUMBER, value[PP_STEM_B], "B",
                        "scale B, set to the mean reflectance of all inside surfaces");
-    pp_steps_add_named(steps, PP_UNIT_SHARE, value[PP_STEM_C], "C",
+    pp_steps_add_named(steps, PP_UNIT_DAYLIGHT_FACTOR, value[PP_STEM_C], "C",
                        "scale C, read on the line from A to B: without obstruction");
     if (reading->used[1]) {
         pp_steps_add_named(steps, PP_UNIT_ANGLE, value[PP_STEM_D], "D",
                            "scale D, set to the altitude of the obstruction");
         pp_steps_add_named(
-            steps, PP_UNIT_SHARE, value[PP_STEM_E], "E",
+            steps, PP_UNIT_DAYLIGHT_FACTOR, value[PP_STEM_E], "E",
             "scale E, read on the line from C to D: with the obstruction");
     }
     snprintf(formula, sizeof formula, "%c %s %.0f", reading->used[1] ? 'E' : 'C',
              reading->tens > 0 ? "/" : "*", pow(10.0, abs(reading->tens)));
     if (reading->tens)
-        pp_steps_add_worked(steps, PP_UNIT_SHARE, reading->component, "IRC", formula,
-                            "and back");
+        pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR, reading->component, "IRC",
+                            formula, "and back");
 }
 
 static const struct pp_formula *const formulae[] = {&pp_nomogram_reading_ratio, NULL};

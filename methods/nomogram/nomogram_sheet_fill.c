@@ -185,8 +185,9 @@ static enum pp_status add_window(const struct room_on_sheet *room,
     enum pp_status status = read_window(&window.read, room, opening, err);
     if (status != PP_OK)
         return status;
-    sheet->component += sheet->decorations * window.allowance * window.read.component;
-    sheet->further += sheet->decorations * window.allowance * window.read.further;
+    double allowance = pp_allowance_of(room->method, room->world, opening);
+    sheet->component += allowance * window.read.component;
+    sheet->further += allowance * window.read.further;
     for (int i = 0; i < sheet->window_count; i++)
         if (same_lines(&sheet->windows[i], &window)) {
             sheet->windows[i].alike++;
@@ -240,7 +241,7 @@ enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
     enum pp_status status = pp_nomogram_sheet_fill_blank(sheet, kind, spacing, err);
     sheet->blank = false;
     sheet->name = world->name;
-    sheet->decorations = world->decorations;
+    sheet->decorations = pp_allowance_decorations(&pp_method_nomogram, world);
     sheet->component = 0.0;
     sheet->further = kind == PP_NOMOGRAM_MINIMUM || position ? 0.0 : NAN;
     if (status != PP_OK)

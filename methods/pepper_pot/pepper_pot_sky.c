@@ -92,7 +92,7 @@ static const char *refuses(const struct pp_world *world,
 static void count_dots(struct pp_part *part, const struct pp_pepper_pot_cloud *cloud,
                        const struct pp_window_drawing *drawing)
 {
-    pp_worksheet_put(&part->sheet, PP_UNIT_SHARE, PP_PEPPER_POT_WORTH, "w",
+    pp_worksheet_put(&part->sheet, PP_UNIT_DAYLIGHT_FACTOR, PP_PEPPER_POT_WORTH, "w",
                      "a dot of the diagram is worth");
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, drawing->count);
     for (int i = 0; i < drawing->count; i++) {

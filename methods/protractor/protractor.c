@@ -124,14 +124,14 @@ static void work_reading(struct pp_part_steps *terms, struct pp_part *sum,
     struct pp_worksheet *sheet = terms->sheet;
     bool hidden = reading->hidden;
     pp_part_steps_next(terms);
-    put_pair(sheet, reading->edge_rad[1], PP_UNIT_SHARE, reading->share[1], "p_u",
-             hidden ? "obstruction, upper edge: altitude"
-                    : "opening, upper edge: altitude",
-             "primary scale there");
-    put_pair(sheet, reading->edge_rad[0], PP_UNIT_SHARE, reading->share[0], "p_l",
-             hidden ? "obstruction, lower edge: altitude"
-                    : "opening, lower edge: altitude",
-             "primary scale there");
+    put_pair(
+        sheet, reading->edge_rad[1], PP_UNIT_DAYLIGHT_FACTOR, reading->share[1], "p_u",
+        hidden ? "obstruction, upper edge: altitude" : "opening, upper edge: altitude",
+        "primary scale there");
+    put_pair(
+        sheet, reading->edge_rad[0], PP_UNIT_DAYLIGHT_FACTOR, reading->share[0], "p_l",
+        hidden ? "obstruction, lower edge: altitude" : "opening, lower edge: altitude",
+        "primary scale there");
     pp_worksheet_work(sheet, &pp_protractor_read_initial,
                       "initial component, of an endless opening");
     pp_worksheet_note(sheet, PP_UNIT_ANGLE, reading->average_rad,

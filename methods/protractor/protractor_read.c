@@ -74,8 +74,8 @@ static bool is_upright(double slope)
 }
 
 static const struct pp_formula_quantity of_primary[] = {
-    {"p_u", PP_UNIT_SHARE, "primary scale at the upper edge's altitude"},
-    {"p_l", PP_UNIT_SHARE, "the same at the lower edge's"},
+    {"p_u", PP_UNIT_DAYLIGHT_FACTOR, "primary scale at the upper edge's altitude"},
+    {"p_l", PP_UNIT_DAYLIGHT_FACTOR, "the same at the lower edge's"},
     {0},
 };
 static const struct pp_formula_quantity of_auxiliary[] = {
@@ -84,12 +84,12 @@ static const struct pp_formula_quantity of_auxiliary[] = {
     {0},
 };
 static const struct pp_formula_quantity of_component[] = {
-    {"i", PP_UNIT_SHARE, "initial component, of an endless opening"},
+    {"i", PP_UNIT_DAYLIGHT_FACTOR, "initial component, of an endless opening"},
     {"K", PP_UNIT_NUMBER, "correction factor for the width"},
     {0},
 };
 static const struct pp_formula_quantity of_reflected[] = {
-    {"e", PP_UNIT_SHARE, "equivalent sky component of the obstruction"},
+    {"e", PP_UNIT_DAYLIGHT_FACTOR, "equivalent sky component of the obstruction"},
     {"f", PP_UNIT_NUMBER, "luminance factor of the obstruction"},
     {0},
 };
@@ -101,24 +101,25 @@ static const struct pp_formula_quantity of_reflected[] = {
     }
 
 const struct pp_formula pp_protractor_read_initial =
-    BRS("i", "p_u - p_l", PP_UNIT_SHARE, "initial component, of an endless opening",
-        of_primary);
+    BRS("i", "p_u - p_l", PP_UNIT_DAYLIGHT_FACTOR,
+        "initial component, of an endless opening", of_primary);
 const struct pp_formula pp_protractor_read_width = BRS(
     "K", "k_r - k_l", PP_UNIT_NUMBER, "correction factor for the width", of_auxiliary);
 const struct pp_formula pp_protractor_read_no_width =
     BRS("K", "max(k_r - k_l, 0)", PP_UNIT_NUMBER, "the same where the scale has none",
         of_auxiliary);
 const struct pp_formula pp_protractor_read_sc =
-    BRS("sc", "i K", PP_UNIT_SHARE, "sky component", of_component);
+    BRS("sc", "i K", PP_UNIT_DAYLIGHT_FACTOR, "sky component", of_component);
 const struct pp_formula pp_protractor_read_e =
-    BRS("e", "i K", PP_UNIT_SHARE, "equivalent sky component of the obstruction",
-        of_component);
+    BRS("e", "i K", PP_UNIT_DAYLIGHT_FACTOR,
+        "equivalent sky component of the obstruction", of_component);
 const struct pp_formula pp_protractor_read_erc =
-    BRS("erc", "f e", PP_UNIT_SHARE, "externally reflected component", of_reflected);
+    BRS("erc", "f e", PP_UNIT_DAYLIGHT_FACTOR, "externally reflected component",
+        of_reflected);
 const struct pp_formula pp_protractor_read_less = {
     .symbol = "sc",
     .sum = "-e",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "BRE309",
     .what = "what an obstruction before a sloping opening takes off the sky component",
     .quantities = of_reflected,

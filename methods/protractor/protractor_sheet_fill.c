@@ -231,7 +231,7 @@ enum pp_status pp_protractor_sheet_fill_room(struct pp_protractor_sheet *sheet,
     if (status == PP_OK) {
         sheet->others = world->opening_count - 1;
         sheet->allowance =
-            pp_allowance_factor(pp_method_protractor.allowances, sheet->opening);
+            pp_allowance_of(&pp_method_protractor, world, sheet->opening);
         pp_protractor_dial_init(dial, &protractor);
         bool upright = fabs(sheet->read.slope_rad - PP_PI / 2.0) < 1e-3;
         status = make_scale(&sheet->scale, dial, !upright, "clear single glass",

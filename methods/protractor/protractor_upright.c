@@ -37,10 +37,10 @@ struct upright_set {
 /* ---- the formulae ---- */
 
 static const struct pp_formula_quantity of_primary[] = {
-    {"p_u", PP_UNIT_SHARE, "primary scale straight ahead at the upper edge"},
-    {"p_l", PP_UNIT_SHARE, "the same at the lower edge"},
-    {"q_u", PP_UNIT_SHARE, "primary scale aside at the upper edge"},
-    {"q_l", PP_UNIT_SHARE, "the same at the lower edge"},
+    {"p_u", PP_UNIT_DAYLIGHT_FACTOR, "primary scale straight ahead at the upper edge"},
+    {"p_l", PP_UNIT_DAYLIGHT_FACTOR, "the same at the lower edge"},
+    {"q_u", PP_UNIT_DAYLIGHT_FACTOR, "primary scale aside at the upper edge"},
+    {"q_l", PP_UNIT_DAYLIGHT_FACTOR, "the same at the lower edge"},
     {0},
 };
 static const struct pp_formula_quantity of_auxiliary[] = {
@@ -51,15 +51,15 @@ static const struct pp_formula_quantity of_auxiliary[] = {
     {0},
 };
 static const struct pp_formula_quantity of_component[] = {
-    {"i", PP_UNIT_SHARE, "initial component straight ahead"},
+    {"i", PP_UNIT_DAYLIGHT_FACTOR, "initial component straight ahead"},
     {"K", PP_UNIT_NUMBER, "its correction for the width"},
-    {"j", PP_UNIT_SHARE, "initial component aside"},
+    {"j", PP_UNIT_DAYLIGHT_FACTOR, "initial component aside"},
     {"J", PP_UNIT_NUMBER, "its correction for the width"},
     {"psi", PP_UNIT_ANGLE, "the receiver from straight ahead, right is positive"},
     {0},
 };
 static const struct pp_formula_quantity of_reflected[] = {
-    {"e", PP_UNIT_SHARE, "equivalent component of the obstruction"},
+    {"e", PP_UNIT_DAYLIGHT_FACTOR, "equivalent component of the obstruction"},
     {"f", PP_UNIT_NUMBER, "luminance factor of the obstruction"},
     {0},
 };
@@ -69,23 +69,25 @@ static const struct pp_formula_quantity of_reflected[] = {
         .symbol = left, .sum = right, .unit = of, .source = "BRE309", .what = words,   \
         .quantities = list, .fixed = true                                              \
     }
-static const struct pp_formula initial_ahead = READ(
-    "i", "p_u - p_l", PP_UNIT_SHARE, "initial component straight ahead", of_primary);
-static const struct pp_formula initial_aside =
-    READ("j", "q_u - q_l", PP_UNIT_SHARE, "initial component aside", of_primary);
+static const struct pp_formula initial_ahead =
+    READ("i", "p_u - p_l", PP_UNIT_DAYLIGHT_FACTOR, "initial component straight ahead",
+         of_primary);
+static const struct pp_formula initial_aside = READ(
+    "j", "q_u - q_l", PP_UNIT_DAYLIGHT_FACTOR, "initial component aside", of_primary);
 static const struct pp_formula width_ahead = READ(
     "K", "k_r - k_l", PP_UNIT_NUMBER, "its correction for the width", of_auxiliary);
 static const struct pp_formula width_aside =
     READ("J", "m_r - m_l", PP_UNIT_NUMBER, "its correction for the width, aside",
          of_auxiliary);
 static const struct pp_formula sky_component =
-    READ("sc", "max(i K cos(psi) + j J sin(psi), 0)", PP_UNIT_SHARE, "sky component",
-         of_component);
+    READ("sc", "max(i K cos(psi) + j J sin(psi), 0)", PP_UNIT_DAYLIGHT_FACTOR,
+         "sky component", of_component);
 static const struct pp_formula equivalent =
-    READ("e", "max(i K cos(psi) + j J sin(psi), 0)", PP_UNIT_SHARE,
+    READ("e", "max(i K cos(psi) + j J sin(psi), 0)", PP_UNIT_DAYLIGHT_FACTOR,
          "equivalent sky component of the obstruction", of_component);
 static const struct pp_formula reflected =
-    READ("erc", "f e", PP_UNIT_SHARE, "externally reflected component", of_reflected);
+    READ("erc", "f e", PP_UNIT_DAYLIGHT_FACTOR, "externally reflected component",
+         of_reflected);
 
 static const struct pp_formula *const formulae[] = {
     &initial_ahead, &initial_aside, &width_ahead, &width_aside,
@@ -179,11 +181,12 @@ static void put_scales(struct pp_worksheet *sheet,
         if (dial->protractor.receiver == PP_PROTRACTOR_ASIDE)
             sides[i] = fabs(sides[i]);
     }
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_protractor_dial_share(dial, high),
-                     symbols->upper, "primary scale, %s, at the upper edge",
-                     symbols->what);
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_protractor_dial_share(dial, low),
-                     symbols->lower, "at the lower edge");
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
+                     pp_protractor_dial_share(dial, high), symbols->upper,
+                     "primary scale, %s, at the upper edge", symbols->what);
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
+                     pp_protractor_dial_share(dial, low), symbols->lower,
+                     "at the lower edge");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, sides[0], symbols->left,
                      "auxiliary scale, %s, at the left jamb", symbols->what);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, sides[1], symbols->right,

@@ -20,7 +20,7 @@
 #include "methods/refusals.h"
 
 static const struct pp_formula_quantity quantities[] = {
-    {"IRC_av", PP_UNIT_SHARE, "average internally reflected component"},
+    {"IRC_av", PP_UNIT_DAYLIGHT_FACTOR, "average internally reflected component"},
     {"R_w", PP_UNIT_NUMBER, "mean reflectance of the walls"},
     {"k", PP_UNIT_NUMBER, "average over minimum for such walls, from the table"},
     {0},
@@ -29,7 +29,7 @@ static const struct pp_formula_quantity quantities[] = {
 static const struct pp_formula minimum = {
     .symbol = "irc",
     .sum = "IRC_av / k",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "BRE310",
     .what = "minimum internally reflected component",
     .quantities = quantities,

@@ -51,7 +51,7 @@ static const struct pp_formula factor_for_obstruction = {
 };
 
 static const struct pp_formula_quantity of_minimum[] = {
-    {"T", PP_UNIT_SHARE,
+    {"T", PP_UNIT_DAYLIGHT_FACTOR,
      "minimum by glass over floor, floor and walls, from the table"},
     {"k_F", PP_UNIT_NUMBER, "factor for the size of the floor, from the table"},
     {"k_c", PP_UNIT_NUMBER, "factor for the ceiling, from the table"},
@@ -68,7 +68,7 @@ static const struct pp_formula_quantity of_minimum[] = {
 static const struct pp_formula minimum = {
     .symbol = "irc",
     .sum = "T k_F k_c k_o W / W_all",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "BRE310",
     .what = "minimum internally reflected component, the opening's share by its glass",
     .quantities = of_minimum,
@@ -116,7 +116,7 @@ static void put_reading(struct pp_worksheet *sheet,
                      "mean reflectance of the walls");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, entry->ceiling, "R_c",
                      "reflectance of the ceiling");
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, read.printed, "T",
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, read.printed, "T",
                      "minimum by p, R_f and R_w, from the table");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, read.floor_factor, "k_F",
                      "factor for the size of the floor, from the table");

@@ -10,7 +10,7 @@ static const struct pp_formula_quantity terms_of_average[] = {
 };
 
 #define AVERAGE                                                                        \
-    .sum = PP_BRE_TERMS_AVERAGE, .unit = PP_UNIT_SHARE, .source = "BRE310",            \
+    .sum = PP_BRE_TERMS_AVERAGE, .unit = PP_UNIT_DAYLIGHT_FACTOR, .source = "BRE310",  \
     .what = "average internally reflected component", .quantities = terms_of_average
 
 const struct pp_formula pp_bre_terms_irc = {.symbol = "irc", AVERAGE};
@@ -45,7 +45,7 @@ void pp_bre_terms_put_reflected(struct pp_worksheet *sheet,
                      "reflectance of ceiling and walls above, own wall left out");
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, terms->alpha_rad, "alpha",
                      "opening on line %d: angle of the obstruction", opening->line);
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, terms->C, "C",
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, terms->C, "C",
                      "factor of an obstruction of that angle, from the table");
 }
 

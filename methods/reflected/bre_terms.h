@@ -32,7 +32,8 @@
          "the same of ceiling and walls above it, its own wall left out"},             \
         {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},                  \
     {                                                                                  \
-        "C", PP_UNIT_SHARE, "factor of an obstruction of that angle, from the table"   \
+        "C", PP_UNIT_DAYLIGHT_FACTOR,                                                  \
+            "factor of an obstruction of that angle, from the table"                   \
     }
 
 extern const struct pp_formula pp_bre_terms_irc;    /* of `bre` */

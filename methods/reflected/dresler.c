@@ -70,14 +70,14 @@ static const struct pp_formula_quantity of_diffusing[] = {
 static const struct pp_formula clear = {
     .symbol = "irc",
     .sum = "tau Ag k_u / (S (1 - k_u k_l)) (C_g + k_l C)",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .what = "internally reflected component, clear glass",
     .quantities = of_clear,
 };
 static const struct pp_formula diffusing = {
     .symbol = "irc",
     .sum = "tau Ag k_u / (S (1 - k_u k_l)) (C_g + C) (u + (1 - u) k_l)",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .what = "internally reflected component, a diffusing pane",
     .quantities = of_diffusing,
 };

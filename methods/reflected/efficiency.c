@@ -54,7 +54,7 @@ static const struct pp_formula_quantity of_glass_of_well[] = {
     {0},
 };
 static const struct pp_formula_quantity of_E_o[] = {
-    {"C_hv", PP_UNIT_SHARE, "on glass of that slope from the open sky"},
+    {"C_hv", PP_UNIT_DAYLIGHT_FACTOR, "on glass of that slope from the open sky"},
     {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
     {0},
 };
@@ -72,20 +72,21 @@ static const struct pp_formula glass_of_well =
 static const struct pp_formula on_window = {
     .symbol = "E_o",
     .sum = "31.88 - 18.22 sin(alpha) + 7.73 cos(2 alpha)",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "DIN5034",
     .what = "on a vertical window from the sky and what stands before it",
     .quantities = of_E_o,
 };
 static const struct pp_formula on_sloping =
-    OWN("E_o", "C_hv (1 - 0.85 alpha / 90)", PP_UNIT_SHARE,
+    OWN("E_o", "C_hv (1 - 0.85 alpha / 90)", PP_UNIT_DAYLIGHT_FACTOR,
         "on other glass from the sky and what stands before it", of_E_o);
 
 /* ---- the efficiencies ---- */
 
 static const struct pp_formula_quantity of_sky[] = {
-    {"f", PP_UNIT_SHARE, "of the sky's light on the glass, on the plane straight"},
-    {"C_hv", PP_UNIT_SHARE, "on glass of that slope from the open sky"},
+    {"f", PP_UNIT_DAYLIGHT_FACTOR,
+     "of the sky's light on the glass, on the plane straight"},
+    {"C_hv", PP_UNIT_DAYLIGHT_FACTOR, "on glass of that slope from the open sky"},
     {0},
 };
 static const struct pp_formula_quantity of_diffuse[] = {
@@ -114,8 +115,9 @@ static const struct pp_formula_quantity of_average[] = {
     {"T", PP_UNIT_NUMBER, "diffuse transmittance of the glass"},
     {"Ag", PP_UNIT_SQUARE_METRE, "net area of glass"},
     {"S", PP_UNIT_SQUARE_METRE, "area of the working plane"},
-    {"E_o", PP_UNIT_SHARE, "on the glass from the sky and what stands before it"},
-    {"C_g", PP_UNIT_SHARE, "on the glass from the ground"},
+    {"E_o", PP_UNIT_DAYLIGHT_FACTOR,
+     "on the glass from the sky and what stands before it"},
+    {"C_g", PP_UNIT_DAYLIGHT_FACTOR, "on the glass from the ground"},
     {"eta", PP_UNIT_NUMBER, "efficiency for light from above"},
     {"eta_g", PP_UNIT_NUMBER, "efficiency for light of the ground"},
     {"M", PP_UNIT_NUMBER, "maintenance: what dirt leaves"},
@@ -142,7 +144,7 @@ static const struct pp_formula efficiency_of_ground =
 static const struct pp_formula average = {
     .symbol = "df",
     .sum = "T Ag (E_o eta + C_g eta_g) M / S",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "FRU28",
     .what = "average daylight factor over the working plane",
     .quantities = of_average,
@@ -150,7 +152,7 @@ static const struct pp_formula average = {
 static const struct pp_formula average_level = {
     .symbol = "df",
     .sum = "T Ag E_o eta M / S",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "FRU28",
     .what = "the same of level glass, which sees no ground",
     .quantities = of_average,
@@ -183,7 +185,7 @@ static void put_glass(struct pp_worksheet *sheet, const struct pp_world *world,
 {
     int line = opening->line;
     double low_m2 = pp_interior_area_below(&opening->inner, world->working_plane_m);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->glass.diffuse, "T",
+    pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
                      "opening on line %d: diffuse transmittance", line);
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2 - low_m2, "a",
                      low_m2 > 0.0
@@ -191,7 +193,7 @@ static void put_glass(struct pp_worksheet *sheet, const struct pp_world *world,
                            "below is left out"
                          : "opening on line %d: area",
                      line);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->frame_factor, "B",
+    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B",
                      "opening on line %d: frame factor", line);
     if (pp_well_is(opening))
         pp_well_put(sheet, world, light, opening);
@@ -217,12 +219,12 @@ static enum pp_status put_light(struct pp_worksheet *sheet,
                      "opening on line %d: slope of the glass", line);
     double C_hv =
         pp_sky_on_plane(&light->sky, pp_vec_scale(opening->inner.normal, -1.0));
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, C_hv, "C_hv",
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, C_hv, "C_hv",
                      "on glass of that slope from the open sky");
     pp_worksheet_work(sheet, vertical ? &on_window : &on_sloping,
                       "on the glass from the sky and what stands before it");
     if (is_level(opening)) {
-        pp_worksheet_know(sheet, PP_UNIT_SHARE, 0.0, "C_g");
+        pp_worksheet_know(sheet, PP_UNIT_DAYLIGHT_FACTOR, 0.0, "C_g");
         return PP_OK;
     }
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, light->ground_reflectance, "rho_g",
@@ -276,7 +278,7 @@ static void put_direct(struct pp_worksheet *sheet, const struct pp_world *world,
                          opening->line);
     else
         pp_worksheet_put(
-            sheet, PP_UNIT_SHARE,
+            sheet, PP_UNIT_DAYLIGHT_FACTOR,
             pp_point_factor_sky(middle, normal, &world->plane, z, &light->sky), "f",
             "opening on line %d: of the open sky's light on its middle, on the plane "
             "straight",
@@ -323,7 +325,7 @@ static enum pp_status evaluate(const struct pp_world *world,
         return status;
     double height_m = pp_room_zones_put(sheet, world);
     put_efficiencies(sheet, world, light, opening, height_m);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, opening->maintenance, "M",
+    pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M",
                      "opening on line %d: maintenance", opening->line);
     part->value =
         pp_worksheet_work(sheet, is_level(opening) ? &average_level : &average,

@@ -6,7 +6,7 @@
 #include "methods/refusals.h"
 
 static const struct pp_formula_quantity of_C[] = {
-    {"C_hv", PP_UNIT_SHARE, "on glass of that slope from the open sky"},
+    {"C_hv", PP_UNIT_DAYLIGHT_FACTOR, "on glass of that slope from the open sky"},
     {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
     {0},
 };
@@ -14,7 +14,7 @@ static const struct pp_formula_quantity of_C[] = {
 const struct pp_formula pp_entering_light_C = {
     .symbol = "C",
     .sum = "C_hv (1 - alpha / 90)",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "GEEBELEN",
     .what =
         "on the glass from above the horizon; vertical under the overcast sky: from "
@@ -23,7 +23,7 @@ const struct pp_formula pp_entering_light_C = {
 };
 
 static const struct pp_formula_quantity of_C_of_well[] = {
-    {"C_hv", PP_UNIT_SHARE, "on glass of that slope from the open sky"},
+    {"C_hv", PP_UNIT_DAYLIGHT_FACTOR, "on glass of that slope from the open sky"},
     {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
     PP_WELL_QUANTITIES,
     {0},
@@ -32,7 +32,7 @@ static const struct pp_formula_quantity of_C_of_well[] = {
 const struct pp_formula pp_entering_light_C_of_well = {
     .symbol = "C",
     .sum = "C_hv (1 - alpha / 90) N",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .what = "through the foot of a well from above the horizon",
     .quantities = of_C_of_well,
     .fixed = true,
@@ -47,7 +47,7 @@ static const struct pp_formula_quantity of_C_g[] = {
 const struct pp_formula pp_entering_light_C_g = {
     .symbol = "C_g",
     .sum = "100 rho_g (1 - cos(beta)) / 2",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "GEEBELEN",
     .what = "on the glass from the ground",
     .quantities = of_C_g,
@@ -63,7 +63,7 @@ static const struct pp_formula_quantity of_C_g_of_well[] = {
 const struct pp_formula pp_entering_light_C_g_of_well = {
     .symbol = "C_g",
     .sum = "100 rho_g (1 - cos(beta)) / 2 N",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .what = "through the foot of a well from the ground",
     .quantities = of_C_g_of_well,
     .fixed = true,
@@ -80,21 +80,21 @@ static const struct pp_formula_quantity of_E_w[] = {
 const struct pp_formula pp_entering_light_E_w = {
     .symbol = "E_w",
     .sum = "tau Ag (C + C_g) (1 - N_d / N) f / S",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .what = "on the working plane by light that the sides of a well reflected",
     .quantities = of_E_w,
 };
 
 static const struct pp_formula_quantity of_with_well[] = {
-    {"irc", PP_UNIT_SHARE, "by the formula of the room"},
-    {"E_w", PP_UNIT_SHARE, "from the sides of the well"},
+    {"irc", PP_UNIT_DAYLIGHT_FACTOR, "by the formula of the room"},
+    {"E_w", PP_UNIT_DAYLIGHT_FACTOR, "from the sides of the well"},
     {0},
 };
 
 const struct pp_formula pp_entering_light_with_well = {
     .symbol = "irc",
     .sum = "irc + E_w",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .what = "with what comes from the sides of a well",
     .quantities = of_with_well,
     .fixed = true,
@@ -114,13 +114,15 @@ static void put_C(struct pp_worksheet *sheet, const struct pp_outside_light *lig
 {
     bool vertical = pp_refusals_unless_vertical(opening) == NULL;
     if (vertical && light->sky.kind == PP_SKY_OVERCAST) {
-        pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_obstruction_factor(alpha_rad), "C",
+        pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
+                         pp_obstruction_factor(alpha_rad), "C",
                          "on the glass from above the horizon, from the table");
         return;
     }
     struct pp_vec3 outward = pp_vec_scale(opening->inner.normal, -1.0);
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, pp_sky_on_plane(&light->sky, outward),
-                     "C_hv", "on glass of that slope from the open sky");
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
+                     pp_sky_on_plane(&light->sky, outward), "C_hv",
+                     "on glass of that slope from the open sky");
     if (pp_well_is(opening))
         pp_worksheet_work(sheet, &pp_entering_light_C_of_well,
                           "through the foot of the well from above the horizon");
@@ -141,13 +143,9 @@ enum pp_status pp_entering_light(struct pp_worksheet *sheet,
     if (status != PP_OK)
         return status;
     pp_allowance_net_glass(sheet, &pp_allowance_glass_Ag, opening);
-    double tau = opening->glass.diffuse;
-    if (opening->glass.panes == 0)
-        pp_worksheet_put(sheet, PP_UNIT_NUMBER, tau, "tau",
-                         "opening on line %d: diffuse transmittance, no glass", line);
-    else
-        pp_worksheet_put(sheet, PP_UNIT_NUMBER, tau, "tau",
-                         "opening on line %d: diffuse transmittance", line);
+    pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "tau",
+                     "opening on line %d: diffuse transmittance%s", line,
+                     opening->glass.panes == 0 ? ", no glass" : "");
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, alpha_rad, "alpha",
                      "opening on line %d: angle of the obstruction", line);
     if (pp_well_is(opening))

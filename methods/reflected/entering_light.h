@@ -36,11 +36,11 @@
         {"Ag", PP_UNIT_SQUARE_METRE,                                                   \
          "net area of glass: opening area times frame factor"},                        \
         {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},                  \
-        {"C", PP_UNIT_SHARE, "on the glass from above the horizon"},                   \
+        {"C", PP_UNIT_DAYLIGHT_FACTOR, "on the glass from above the horizon"},         \
         {"rho_g", PP_UNIT_NUMBER, "reflectance of the ground"},                        \
         {"beta", PP_UNIT_ANGLE, "slope of the glass, 0 horizontal"},                   \
     {                                                                                  \
-        "C_g", PP_UNIT_SHARE, "on the glass from the ground"                           \
+        "C_g", PP_UNIT_DAYLIGHT_FACTOR, "on the glass from the ground"                 \
     }
 #define PP_ENTERING_LIGHT_SHARE_UP                                                     \
     {                                                                                  \

@@ -22,7 +22,7 @@
 #include "methods/refusals.h"
 
 static const struct pp_formula_quantity of_K[] = {
-    {"C", PP_UNIT_SHARE, "on the glass from the sky"},
+    {"C", PP_UNIT_DAYLIGHT_FACTOR, "on the glass from the sky"},
     PP_WELL_QUANTITIES,
     {0},
 };
@@ -30,14 +30,14 @@ static const struct pp_formula_quantity of_K[] = {
 static const struct pp_formula factor = {
     .symbol = "K",
     .sum = "0.85 C N",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .what = "mean daylight factor at the foot of the well, clear single glass",
     .quantities = of_K,
 };
 
 static const struct pp_formula_quantity of_rooflight[] = {
     {"W", PP_UNIT_SQUARE_METRE, "net area of glass"},
-    {"K", PP_UNIT_SHARE, "mean daylight factor at the foot of the well"},
+    {"K", PP_UNIT_DAYLIGHT_FACTOR, "mean daylight factor at the foot of the well"},
     {"R_fw", PP_UNIT_NUMBER, "mean reflectance of floor and walls"},
     PP_INTERIOR_QUANTITIES,
     {0},
@@ -46,7 +46,7 @@ static const struct pp_formula_quantity of_rooflight[] = {
 static const struct pp_formula rooflight = {
     .symbol = "irc",
     .sum = "W K R_fw / (A (1 - R))",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "TS93, algorithm 2.43",
     .what = "average internally reflected component, level rooflights",
     .quantities = of_rooflight,
@@ -54,7 +54,7 @@ static const struct pp_formula rooflight = {
 
 static const struct pp_formula_quantity of_E_w[] = {
     {"W", PP_UNIT_SQUARE_METRE, "net area of glass"},
-    {"K", PP_UNIT_SHARE, "mean daylight factor at the foot of the well"},
+    {"K", PP_UNIT_DAYLIGHT_FACTOR, "mean daylight factor at the foot of the well"},
     PP_WELL_QUANTITIES,
     {"f", PP_UNIT_NUMBER, "share of light from the foot that falls on the plane"},
     {"S", PP_UNIT_SQUARE_METRE, "area of the working plane"},
@@ -64,7 +64,7 @@ static const struct pp_formula_quantity of_E_w[] = {
 static const struct pp_formula well = {
     .symbol = "E_w",
     .sum = "W K (1 - N_d / N) f / S",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .what = "on the working plane by light that the sides of a well reflected",
     .quantities = of_E_w,
 };
@@ -101,7 +101,7 @@ static void put_K(struct pp_worksheet *sheet, const struct pp_world *world,
 {
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, alpha_rad, "alpha",
                      "opening on line %d: angle of the obstruction", opening->line);
-    pp_worksheet_put(sheet, PP_UNIT_SHARE, 1.0, "C_hv",
+    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, 1.0, "C_hv",
                      "on level glass from the open sky");
     pp_worksheet_work(sheet, &pp_entering_light_C, "on the glass from the sky");
     pp_well_put(sheet, world, light, opening);

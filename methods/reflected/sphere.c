@@ -32,7 +32,7 @@ static const struct pp_formula_quantity of_diffusing[] = {
 static const struct pp_formula clear = {
     .symbol = "irc",
     .sum = "tau Ag / (A (1 - R)) (rho_u C_g + rho_l C)",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "GEEBELEN, eq. 15",
     .what = "average internally reflected component, clear glass",
     .quantities = of_clear,
@@ -41,7 +41,7 @@ static const struct pp_formula clear = {
 static const struct pp_formula diffusing = {
     .symbol = "irc",
     .sum = "tau Ag / (A (1 - R)) (C_g + C) (u rho_u + (1 - u) rho_l)",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .what = "average internally reflected component, a diffusing pane",
     .quantities = of_diffusing,
 };

@@ -46,7 +46,7 @@ static const struct pp_formula_quantity of_diffusing[] = {
 static const struct pp_formula clear = {
     .symbol = "irc",
     .sum = "tau Ag / (1 - rho_u rho_l) (rho_u C_g / A_u + rho_u rho_l C / A_l)",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "GEEBELEN, eq. 9",
     .what = "average internally reflected component, clear glass",
     .quantities = of_clear,
@@ -57,7 +57,7 @@ static const struct pp_formula diffusing = {
     .sum =
         "tau Ag / (1 - rho_u rho_l) (C_g + C) (u rho_u / A_u + (1 - u) rho_u rho_l / "
         "A_l)",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "GEEBELEN, eq. 12",
     .what = "average internally reflected component, a diffusing pane",
     .quantities = of_diffusing,
@@ -66,7 +66,7 @@ static const struct pp_formula diffusing = {
 static const struct pp_formula one_part = {
     .symbol = "irc",
     .sum = "0",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .what = "average internally reflected component, all of the room above or below",
     .quantities = of_clear,
     .fixed = true,

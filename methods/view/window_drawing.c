@@ -134,12 +134,12 @@ void pp_window_drawing_clear(struct pp_window_drawing *drawing)
 
 static const struct pp_formula_quantity quantities[] = {
     {"n", PP_UNIT_COUNT, "squares or dots counted"},
-    {"w", PP_UNIT_SHARE, "what one of the diagram is worth"},
+    {"w", PP_UNIT_DAYLIGHT_FACTOR, "what one of the diagram is worth"},
     {0},
 };
 static const struct pp_formula_quantity of_hidden[] = {
     {"n", PP_UNIT_COUNT, "squares or dots counted"},
-    {"w", PP_UNIT_SHARE, "what one of the diagram is worth"},
+    {"w", PP_UNIT_DAYLIGHT_FACTOR, "what one of the diagram is worth"},
     {"f", PP_UNIT_NUMBER, "luminance factor of the obstruction"},
     {0},
 };
@@ -147,13 +147,13 @@ static const struct pp_formula_quantity of_hidden[] = {
 /* No variants: an average is an integral in the place of many counts. */
 const struct pp_formula pp_window_drawing_sc = {.symbol = "sc",
                                                 .sum = "n w",
-                                                .unit = PP_UNIT_SHARE,
+                                                .unit = PP_UNIT_DAYLIGHT_FACTOR,
                                                 .what = "sky component",
                                                 .quantities = quantities,
                                                 .fixed = true};
 const struct pp_formula pp_window_drawing_erc = {.symbol = "erc",
                                                  .sum = "f n w",
-                                                 .unit = PP_UNIT_SHARE,
+                                                 .unit = PP_UNIT_DAYLIGHT_FACTOR,
                                                  .what =
                                                      "externally reflected component",
                                                  .quantities = of_hidden,

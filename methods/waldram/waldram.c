@@ -85,7 +85,7 @@ static enum pp_status evaluate(const struct pp_world *world,
                                                    receiver->position, err);
     if (status != PP_OK)
         return status;
-    pp_worksheet_put(&part->sheet, PP_UNIT_SHARE, PP_WALDRAM_WORTH, "w",
+    pp_worksheet_put(&part->sheet, PP_UNIT_DAYLIGHT_FACTOR, PP_WALDRAM_WORTH, "w",
                      "a square of the diagram is worth");
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, drawing.count);
     for (int i = 0; i < drawing.count && status == PP_OK; i++) {

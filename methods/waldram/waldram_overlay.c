@@ -26,20 +26,20 @@
 static const struct pp_formula_quantity of_squares[] = {
     {"n", PP_UNIT_COUNT, "squares counted"},
     {"tau", PP_UNIT_NUMBER, "mean transmittance of the glass over them"},
-    {"w", PP_UNIT_SHARE, "what one of the diagram is worth"},
+    {"w", PP_UNIT_DAYLIGHT_FACTOR, "what one of the diagram is worth"},
     {"f", PP_UNIT_NUMBER, "luminance factor of the obstruction"},
     {0},
 };
 static const struct pp_formula sky_component = {.symbol = "sc",
                                                 .sum = "n tau w",
-                                                .unit = PP_UNIT_SHARE,
+                                                .unit = PP_UNIT_DAYLIGHT_FACTOR,
                                                 .what = "sky component",
                                                 .quantities = of_squares,
                                                 .fixed = true};
 static const struct pp_formula external_component = {
     .symbol = "erc",
     .sum = "f n tau w",
-    .unit = PP_UNIT_SHARE,
+    .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .what = "externally reflected component",
     .quantities = of_squares,
     .fixed = true};
@@ -162,7 +162,7 @@ static enum pp_status evaluate(const struct pp_world *world,
                                                    receiver->position, err);
     if (status != PP_OK)
         return status;
-    pp_worksheet_put(&part->sheet, PP_UNIT_SHARE, PP_WALDRAM_WORTH, "w",
+    pp_worksheet_put(&part->sheet, PP_UNIT_DAYLIGHT_FACTOR, PP_WALDRAM_WORTH, "w",
                      "a square of the diagram without glass is worth");
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, drawing.count);
     for (int i = 0; i < drawing.count; i++) {

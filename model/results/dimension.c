@@ -1,4 +1,4 @@
-/* dimension.c - powers of metre, degree and share, compared and multiplied. */
+/* dimension.c - powers of metre, degree and per cent, compared and multiplied. */
 #include "model/results/dimension.h"
 
 #include <math.h>
@@ -14,19 +14,19 @@ bool pp_dimension_alike(struct pp_dimension a, struct pp_dimension b)
 {
     return same(a.metres, b.metres)
            && (a.number || b.number
-               || (same(a.degrees, b.degrees) && same(a.shares, b.shares)));
+               || (same(a.degrees, b.degrees) && same(a.per_cent, b.per_cent)));
 }
 
 bool pp_dimension_is_ratio(struct pp_dimension d)
 {
     return same(d.metres, 0.0)
-           && (d.number || (same(d.degrees, 0.0) && same(d.shares, 0.0)));
+           && (d.number || (same(d.degrees, 0.0) && same(d.per_cent, 0.0)));
 }
 
 bool pp_dimension_is_angle(struct pp_dimension d)
 {
     return same(d.metres, 0.0)
-           && (d.number || (same(d.degrees, 1.0) && same(d.shares, 0.0)));
+           && (d.number || (same(d.degrees, 1.0) && same(d.per_cent, 0.0)));
 }
 
 struct pp_dimension pp_dimension_times(struct pp_dimension a, struct pp_dimension b,
@@ -34,13 +34,13 @@ struct pp_dimension pp_dimension_times(struct pp_dimension a, struct pp_dimensio
 {
     return (struct pp_dimension){a.metres + power * b.metres,
                                  a.degrees + power * b.degrees,
-                                 a.shares + power * b.shares, a.number || b.number};
+                                 a.per_cent + power * b.per_cent, a.number || b.number};
 }
 
 struct pp_dimension pp_dimension_raised(struct pp_dimension d, double power)
 {
-    return (struct pp_dimension){power * d.metres, power * d.degrees, power * d.shares,
-                                 d.number};
+    return (struct pp_dimension){power * d.metres, power * d.degrees,
+                                 power * d.per_cent, d.number};
 }
 
 void pp_dimension_describe(char text[96], struct pp_dimension d)
@@ -55,10 +55,10 @@ void pp_dimension_describe(char text[96], struct pp_dimension d)
     if (!d.number && !same(d.degrees, 0.0))
         pp_text_append(text, 96, "%san angle%s", text[0] ? " times " : "",
                        same(d.degrees, 1.0) ? " (degrees)" : " to some power");
-    if (!d.number && !same(d.shares, 0.0))
+    if (!d.number && !same(d.per_cent, 0.0))
         pp_text_append(text, 96, "%sper cent of the sky's light%s",
                        text[0] ? " times " : "",
-                       same(d.shares, 1.0) ? "" : " to some power");
+                       same(d.per_cent, 1.0) ? "" : " to some power");
     if (!text[0])
         pp_text_append(text, 96, d.number ? "a number" : "a ratio");
 }

@@ -1,5 +1,5 @@
 /* dimension.h - what kind of quantity a figure is: a length, an area, an angle, per cent
- * of the sky's light, a ratio.
+ * of the sky's light (a daylight factor), a ratio.
  *
  * A number fits degrees, per cent or neither, but no metres: 1 - alpha / 90 is good, A +
  * 3 of an area A is not.
@@ -9,10 +9,10 @@
 
 #include <stdbool.h>
 
-/* Powers of metres, degrees and shares (per cent of the open sky). */
+/* Powers of metres, degrees and per cent (of daylight factors). */
 struct pp_dimension {
-    double metres, degrees, shares;
-    bool number; /* degrees and shares are open: a number is a factor or the whole */
+    double metres, degrees, per_cent;
+    bool number; /* degrees and per cent are open: a number is a factor or the whole */
 };
 
 /* Can the two be added? */

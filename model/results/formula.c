@@ -8,9 +8,9 @@
 
 enum { QUANTITIES_MOST = 40 };
 
-/* The powers of metre, degree and share of each unit. */
+/* The powers of metre, degree and per cent of each unit. */
 static const struct pp_dimension dimensions[] = {
-    [PP_UNIT_SHARE] = {.shares = 1.0},
+    [PP_UNIT_DAYLIGHT_FACTOR] = {.per_cent = 1.0},
     [PP_UNIT_NUMBER] = {0},
     [PP_UNIT_COUNT] = {0},
     [PP_UNIT_ANGLE] = {.degrees = 1.0},

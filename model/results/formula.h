@@ -4,8 +4,11 @@
  *     const struct pp_formula bre = {
  *         .symbol = "irc", .sum = "0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)", ...};
  *
- * The sum is an expression (expression.h) in the units of print: per cent, degrees and
- * metres (steps.h). A reader's variant of a formula is another sum of its quantities.
+ * The sum is an expression (expression.h) in the units of print (steps.h): daylight
+ * factors in per cent, angles in degrees, lengths in metres. The values that go in and
+ * come out are in the program's units: fractions, radians, metres. A formula that comes
+ * to a fraction must therefore be multiplied by 100 in its text, or its result is 100
+ * times too low. A reader's variant of a formula is another sum of its quantities.
  */
 #ifndef PP_MODEL_RESULTS_FORMULA_H
 #define PP_MODEL_RESULTS_FORMULA_H
@@ -16,14 +19,14 @@
 
 /* A quantity that a formula, or a reader's variant of it, may name. */
 struct pp_formula_quantity {
-    const char *symbol; /* NULL ends a list */
-    enum pp_step_unit unit;
+    const char *symbol;     /* NULL ends a list */
+    enum pp_step_unit unit; /* in the text: of a daylight factor per cent */
     const char *what;
 };
 
 struct pp_formula {
     const char *symbol, *sum; /* left and right side */
-    enum pp_step_unit unit;   /* of the left side */
+    enum pp_step_unit unit;   /* of the left side; in the text as above */
     const char *source; /* key of docs/SOURCES.md and place in the work: "GEEBELEN,
                              * eq. 15"; NULL: the program's own convention */
     const char *what;   /* the left side in words */

@@ -18,7 +18,7 @@ static const struct printed_unit {
     int decimals;
     const char *plain, *utf8;
 } units[] = {
-    [PP_UNIT_SHARE] = {4, " %", " %"},
+    [PP_UNIT_DAYLIGHT_FACTOR] = {4, " %", " %"},
     [PP_UNIT_NUMBER] = {4, "", ""},
     [PP_UNIT_COUNT] = {4, "", ""},
     [PP_UNIT_ANGLE] = {2, " deg", "\xc2\xb0"},

@@ -12,7 +12,9 @@
 
 double pp_steps_printed_unit(enum pp_step_unit unit)
 {
-    return unit == PP_UNIT_SHARE ? 100.0 : unit == PP_UNIT_ANGLE ? 1.0 / PP_RAD : 1.0;
+    return unit == PP_UNIT_DAYLIGHT_FACTOR ? 100.0
+           : unit == PP_UNIT_ANGLE         ? 1.0 / PP_RAD
+                                           : 1.0;
 }
 
 /* One more step at the end of the list; NULL where there is no list or no memory. */
@@ -79,7 +81,7 @@ void pp_steps_add_sum(struct pp_steps *steps, int first, int count, const char *
         if (!term)
             continue;
         if (sizeof formula - strlen(formula) <= LONGEST_TERM) {
-            pp_steps_add_worked(steps, PP_UNIT_SHARE, sum, symbol, formula,
+            pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR, sum, symbol, formula,
                                 "%s, as far as here", what);
             snprintf(formula, sizeof formula, "%s", symbol);
             term = pp_steps_find(steps, first, name);
@@ -87,8 +89,8 @@ void pp_steps_add_sum(struct pp_steps *steps, int first, int count, const char *
         pp_text_append(formula, sizeof formula, "%s%s", formula[0] ? " + " : "", name);
         sum += term->value;
     }
-    pp_steps_add_worked(steps, PP_UNIT_SHARE, sum, symbol, formula[0] ? formula : "0",
-                        "%s", what);
+    pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR, sum, symbol,
+                        formula[0] ? formula : "0", "%s", what);
 }
 
 const struct pp_calculation_step *pp_steps_find(const struct pp_steps *steps, int first,

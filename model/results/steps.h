@@ -12,17 +12,23 @@
 #include <stdarg.h>
 #include <stdbool.h>
 
+/* A value is stored in the program's unit; printed, and in the texts of formulae, it is in
+ * the unit of print. The two differ for daylight factors and angles only: a formula for a
+ * daylight factor of 2 % has to come to 2, and the program stores 0.02. */
 enum pp_step_unit {
-    PP_UNIT_SHARE,  /* a fraction of the open-sky horizontal illuminance */
-    PP_UNIT_NUMBER, /* a ratio, a factor */
+    /* A daylight factor, a component of one, or another illuminance over the horizontal one
+     * of the open sky. Stored as a fraction; printed, and in formula texts, per cent. */
+    PP_UNIT_DAYLIGHT_FACTOR,
+    PP_UNIT_NUMBER, /* a ratio, a factor, a reflectance: a fraction in both */
     PP_UNIT_COUNT,  /* of squares or dots; need not be whole */
-    PP_UNIT_ANGLE,  /* radians */
+    PP_UNIT_ANGLE,  /* stored in radians; printed, and in formula texts, degrees */
     PP_UNIT_METRE,
     PP_UNIT_SQUARE_METRE,
     PP_UNIT_LUX,
 };
 
-/* What a value is multiplied by for print: 100 for per cent, 1/PP_RAD for degrees. */
+/* The unit of print over that of storage: 100 for daylight factors, 1/PP_RAD for angles,
+ * else 1. */
 double pp_steps_printed_unit(enum pp_step_unit unit);
 
 struct pp_calculation_step {
@@ -58,8 +64,9 @@ void pp_steps_add_v(struct pp_steps *steps, enum pp_step_unit unit, double value
                     const char *symbol, const char *formula, const char *what,
                     va_list args) __attribute__((format(printf, 6, 0)));
 
-/* Sets down a sum of shares: symbol = symbol_1 + symbol_2 + ..., on as many lines as it
- * takes, of the terms up to `count` that there are from step `first` on; 0 of none. */
+/* Sets down a sum of daylight factors: symbol = symbol_1 + symbol_2 + ..., on as many
+ * lines as it takes, of the terms up to `count` that there are from step `first` on; 0 of
+ * none. */
 void pp_steps_add_sum(struct pp_steps *steps, int first, int count, const char *symbol,
                       const char *what);
 

@@ -73,15 +73,22 @@ void pp_worksheet_know(struct pp_worksheet *sheet, enum pp_step_unit unit, doubl
 void pp_worksheet_put(struct pp_worksheet *sheet, enum pp_step_unit unit, double value,
                       const char *symbol, const char *what, ...)
 {
+    va_list args;
+    va_start(args, what);
+    pp_worksheet_put_v(sheet, unit, value, symbol, what, args);
+    va_end(args);
+}
+
+void pp_worksheet_put_v(struct pp_worksheet *sheet, enum pp_step_unit unit,
+                        double value, const char *symbol, const char *what,
+                        va_list args)
+{
     pp_worksheet_know(sheet, unit, value, symbol);
     if (!sheet->steps)
         return;
     char numbered[32];
     write_symbol(numbered, symbol, sheet->part);
-    va_list args;
-    va_start(args, what);
     pp_steps_add_v(sheet->steps, unit, value, numbered, "", what, args);
-    va_end(args);
 }
 
 void pp_worksheet_note(struct pp_worksheet *sheet, enum pp_step_unit unit, double value,

@@ -8,6 +8,7 @@
 #ifndef PP_MODEL_RESULTS_WORKSHEET_H
 #define PP_MODEL_RESULTS_WORKSHEET_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 
 #include "model/results/expression_value.h"
@@ -40,6 +41,9 @@ struct pp_worksheet {
 void pp_worksheet_put(struct pp_worksheet *sheet, enum pp_step_unit unit, double value,
                       const char *symbol, const char *what, ...)
     __attribute__((format(printf, 5, 6)));
+void pp_worksheet_put_v(struct pp_worksheet *sheet, enum pp_step_unit unit,
+                        double value, const char *symbol, const char *what,
+                        va_list args) __attribute__((format(printf, 5, 0)));
 
 /* Puts down a figure without a step: what a reader's variant may need and the published
  * formula leaves out. */

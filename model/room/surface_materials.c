@@ -69,14 +69,33 @@ struct pp_material pp_surface_materials_matt(const struct pp_world *world, int i
     return material;
 }
 
+/* M K: the share of the light that dirt and curtains leave. */
+static double clean_share(const struct pp_opening *opening)
+{
+    return opening->maintenance * opening->curtains;
+}
+
+double pp_surface_materials_pane_straight(const struct pp_opening *opening,
+                                          double cosine)
+{
+    return pp_glass_transmittance(&opening->glass, cosine) * opening->frame_factor
+           * clean_share(opening);
+}
+
+double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,
+                                          double cosine)
+{
+    return pp_glass_reflectance(&opening->glass, cosine) * opening->frame_factor;
+}
+
 struct pp_material pp_surface_materials_pane(const struct pp_world *world, int index,
                                              bool inside)
 {
     const struct pp_opening *opening = &world->openings[index];
     const struct pp_surface *face = &world->surfaces[opening->face];
-    struct pp_material material = pp_material_glazing(
-        &opening->glass, opening->frame_factor,
-        opening->maintenance * opening->curtains, inside ? face->front : face->back);
+    struct pp_material material =
+        pp_material_glazing(&opening->glass, opening->frame_factor,
+                            clean_share(opening), inside ? face->front : face->back);
     name(&material, "glazing", !inside);
     return material;
 }

@@ -18,10 +18,24 @@ struct pp_material pp_surface_materials_of(const struct pp_world *world, int sur
 struct pp_material pp_surface_materials_matt(const struct pp_world *world, int surface,
                                              bool front);
 
-/* The material of an opening's pane seen from inside or outside, with its frame, dirt
- * and curtains; named "glazing". */
+/* What an opening's pane lets through, with its frame, dirt and curtains:
+ *
+ *     straight(cosine) = tau(cosine) F M K         mirrored(cosine) = rho(cosine) F
+ *
+ *   F   share of the opening's area that is glass
+ *   M   maintenance: the share of the light that dirt leaves
+ *   K   the share that curtains leave
+ *
+ * All that simulates has it from here: the tracer, its cache, photons, pictures and the
+ * Radiance export as a material, seen from inside or outside and named "glazing";
+ * radiosity, which has no materials of scenes, as the two shares of the light at a cosine
+ * of incidence. Hand methods have theirs from methods/allowance.h. */
 struct pp_material pp_surface_materials_pane(const struct pp_world *world, int opening,
                                              bool inside);
+double pp_surface_materials_pane_straight(const struct pp_opening *opening,
+                                          double cosine);
+double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,
+                                          double cosine);
 
 /* All fields of a material, its name included: materials are the same where their keys
  * are the same to the byte. -0 counts as 0. */

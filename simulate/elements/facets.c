@@ -11,15 +11,12 @@
 
 double pp_facet_straight(const struct pp_facet *facet, double cosine)
 {
-    const struct pp_opening *opening = facet->opening;
-    return pp_glass_transmittance(&opening->glass, cosine) * opening->frame_factor
-           * opening->maintenance * opening->curtains;
+    return pp_surface_materials_pane_straight(facet->opening, cosine);
 }
 
 double pp_facet_mirrored(const struct pp_facet *facet, double cosine)
 {
-    return pp_glass_reflectance(&facet->opening->glass, cosine)
-           * facet->opening->frame_factor;
+    return pp_surface_materials_pane_mirrored(facet->opening, cosine);
 }
 
 /* ---- one facet ---- */

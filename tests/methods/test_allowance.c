@@ -1,6 +1,7 @@
 /* test_allowance.c - glass, frame and dirt, each counted once. */
 #include "methods/allowance.h"
 
+#include "methods/method.h"
 #include "tests/lib/near.h"
 
 static struct pp_opening opening_with(struct pp_glass glass)
@@ -68,6 +69,33 @@ static void a_figure_for_a_bare_hole_gets_all_of_glass_frame_and_dirt(void **sta
     assert_near(pp_allowance_factor(PP_ALLOWS_NOTHING, &opening), 0.7 * 0.9, 1e-15);
 }
 
+static void decorations_count_for_the_internally_reflected_component_only(void **state)
+{
+    (void)state;
+    const struct pp_world world = {.decorations = 0.8};
+    struct pp_opening opening = opening_with(pp_glass_clear_single());
+    struct pp_method method = {.allowances = all_bits & ~PP_ALLOWS_DIRT};
+    method.gives = PP_GIVES_INTERNAL;
+    assert_near(pp_allowance_of(&method, &world, &opening), 0.9 * 0.8, 1e-15);
+    method.gives = PP_GIVES_DIRECT;
+    assert_near(pp_allowance_of(&method, &world, &opening), 0.9, 1e-15);
+    method.gives = PP_GIVES_WHOLE;
+    assert_near(pp_allowance_of(&method, &world, &opening), 0.9, 1e-15);
+}
+
+static void a_formula_has_the_openings_own_figures(void **state)
+{
+    (void)state;
+    struct pp_opening opening = opening_with(pp_glass_of_normal(2, 1.52, 0.02, 0.61));
+    struct pp_worksheet sheet = {0};
+    pp_allowance_put(&sheet, PP_ALLOWS_OWN_GLASS, &opening, "T", "glass");
+    pp_allowance_put(&sheet, PP_ALLOWS_FRAME, &opening, "B", "frame");
+    pp_allowance_put(&sheet, PP_ALLOWS_DIRT, &opening, "M", "dirt");
+    assert_near(pp_worksheet_printed(&sheet, "T"), opening.glass.diffuse, 0.0);
+    assert_near(pp_worksheet_printed(&sheet, "B"), 0.7, 0.0);
+    assert_near(pp_worksheet_printed(&sheet, "M"), 0.9, 0.0);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -78,6 +106,8 @@ TEST_FILE
         cmocka_unit_test(
             glass_of_the_reflected_component_is_085_for_clear_and_1_for_none),
         cmocka_unit_test(a_figure_for_a_bare_hole_gets_all_of_glass_frame_and_dirt),
+        cmocka_unit_test(decorations_count_for_the_internally_reflected_component_only),
+        cmocka_unit_test(a_formula_has_the_openings_own_figures),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -81,6 +81,34 @@ static void a_frame_reflects_as_the_wall_of_its_side(void **state)
     pp_world_destroy(world);
 }
 
+/* The tracer has the pane as a material, radiosity as two shares. Curtains and dirt stop
+ * what passes, the frame what is mirrored, too. Tolerance: a few products of doubles. */
+static void radiosity_and_tracer_have_one_pane(void **state)
+{
+    (void)state;
+    struct pp_world *world =
+        pp_test_world("<room version='1'><plan width='4' depth='5' height='3'/>"
+                      "<window wall='south' left='1' sill='1' width='2' height='1' "
+                      "glazing='clear-double' frame-factor='0.73' maintenance='0.87' "
+                      "curtains='0.61'/></room>");
+    const struct pp_opening *opening = &world->openings[0];
+    struct pp_material pane = pp_surface_materials_pane(world, 0, true);
+    for (double cosine = 0.07; cosine < 1.0; cosine += 0.31) {
+        double tau = pp_glass_transmittance(&opening->glass, cosine);
+        double rho = pp_glass_reflectance(&opening->glass, cosine);
+        double straight = pp_surface_materials_pane_straight(opening, cosine);
+        double mirrored = pp_surface_materials_pane_mirrored(opening, cosine);
+        assert_near(straight, tau * 0.73 * 0.87 * 0.61, 1e-15);
+        assert_near(mirrored, rho * 0.73, 1e-15);
+        assert_near(pp_glass_transmittance(&pane.glass[1], cosine) * pane.clear_share
+                        * pane.dirt,
+                    straight, 1e-15);
+        assert_near(pp_glass_reflectance(&pane.glass[1], cosine) * pane.clear_share,
+                    mirrored, 1e-15);
+    }
+    pp_world_destroy(world);
+}
+
 /* Worked out beside the program, in another language, from the printed formulae. */
 static void skies_have_the_radiances_that_gensky_means(void **state)
 {
@@ -152,6 +180,7 @@ TEST_FILE
         cmocka_unit_test(hand_methods_see_gloss_as_reflectance_and_glass_as_a_tenth),
         cmocka_unit_test(a_diffusing_glazing_is_translucent),
         cmocka_unit_test(a_frame_reflects_as_the_wall_of_its_side),
+        cmocka_unit_test(radiosity_and_tracer_have_one_pane),
         cmocka_unit_test(materials_are_alike_only_in_all_that_they_are),
         cmocka_unit_test(skies_have_the_radiances_that_gensky_means),
     };

@@ -13,7 +13,7 @@
 
 static const struct pp_expression_name names[] = {
     {"W", {.metres = 2.0}},     {"A", {.metres = 2.0}},    {"h", {.metres = 1.0}},
-    {"R", {.metres = 0.0}},     {"R_fw", {.metres = 0.0}}, {"C", {.shares = 1.0}},
+    {"R", {.metres = 0.0}},     {"R_fw", {.metres = 0.0}}, {"C", {.per_cent = 1.0}},
     {"theta", {.degrees = 1.0}}};
 enum { NAMES = sizeof names / sizeof *names };
 static const double values[NAMES] = {2.6, 96.4, 1.7, 0.43, 0.31, 27.0, 38.0};
@@ -266,11 +266,11 @@ static void a_worksheet_works_out_what_it_prints(void **state)
     static const struct pp_formula_quantity quantities[] = {
         {"w", PP_UNIT_NUMBER, "share"},
         {"n", PP_UNIT_COUNT, "number"},
-        {"C", PP_UNIT_SHARE, "light"},
+        {"C", PP_UNIT_DAYLIGHT_FACTOR, "light"},
         {0}};
     static const struct pp_formula formula = {.symbol = "sc",
                                               .sum = "0.85 n C w",
-                                              .unit = PP_UNIT_SHARE,
+                                              .unit = PP_UNIT_DAYLIGHT_FACTOR,
                                               .what = "test",
                                               .quantities = quantities};
     struct pp_steps steps = {0};
@@ -279,7 +279,7 @@ static void a_worksheet_works_out_what_it_prints(void **state)
     for (int part = 1; part <= 2; part++) {
         sheet.part = part;
         pp_worksheet_put(&sheet, PP_UNIT_COUNT, part, "n", "a number");
-        pp_worksheet_put(&sheet, PP_UNIT_SHARE, 0.12, "C", "light");
+        pp_worksheet_put(&sheet, PP_UNIT_DAYLIGHT_FACTOR, 0.12, "C", "light");
         assert_near(pp_worksheet_work(&sheet, &formula, "by hand"), 0.102 * part,
                     1e-16);
     }
