@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/text.h"
+
 static bool starts(const char *bytes, size_t length, const char *with)
 {
     size_t count = strlen(with);
@@ -116,22 +118,13 @@ int pp_epw_lines_split(char *line, char *fields[], int most)
     }
 }
 
-/* Is the text UTF-8? Overlong forms and surrogates, which no place is named by, are
- * left to whoever prints it. */
 static bool is_utf8(const char *text)
 {
-    const unsigned char *p = (const unsigned char *)text;
-    while (*p) {
-        int more = *p < 0x80                 ? 0
-                   : *p >= 0xC2 && *p < 0xE0 ? 1
-                   : *p >= 0xE0 && *p < 0xF0 ? 2
-                   : *p >= 0xF0 && *p < 0xF5 ? 3
-                                             : -1;
-        if (more < 0)
+    while (*text) {
+        int bytes = pp_text_letter(text, 4, NULL);
+        if (bytes == 0)
             return false;
-        for (p++; more > 0; more--, p++)
-            if ((*p & 0xC0) != 0x80)
-                return false;
+        text += bytes;
     }
     return true;
 }

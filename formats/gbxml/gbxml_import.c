@@ -265,7 +265,7 @@ enum pp_status pp_gbxml_import(char **xml, size_t *length, const char *bytes,
                                struct pp_mistakes *notes, struct pp_error *err)
 {
     struct gbxml_work work = {.notes = notes, .file = file};
-    struct pp_gbxml_document document;
+    struct pp_xml document;
     *xml = NULL;
     enum pp_status status =
         pp_gbxml_document_parse(&document, bytes, byte_count, file, err);
@@ -287,6 +287,6 @@ enum pp_status pp_gbxml_import(char **xml, size_t *length, const char *bytes,
     free(work.rooms);
     free(work.xml);
     pp_gbxml_model_clear(&work.model);
-    pp_gbxml_document_clear(&document);
+    pp_xml_clear(&document);
     return status;
 }

@@ -17,7 +17,7 @@ struct gbxml_named;
 
 struct gbxml_reader {
     struct pp_gbxml_model *model;
-    const struct pp_gbxml_element *root;
+    const struct pp_xml_element *root;
     double metre; /* metres of a unit of the file's lengths */
     struct gbxml_named *named;
     int named_count;
@@ -51,10 +51,10 @@ static enum pp_status read_unit(struct gbxml_reader *r)
 /* ---- polygons ---- */
 
 static bool read_corner(const struct gbxml_reader *r,
-                        const struct pp_gbxml_element *point, struct pp_vec3 *corner)
+                        const struct pp_xml_element *point, struct pp_vec3 *corner)
 {
     double xyz[3];
-    const struct pp_gbxml_element *coordinate =
+    const struct pp_xml_element *coordinate =
         pp_gbxml_document_child(point, "Coordinate");
     for (int i = 0; i < 3; i++) {
         if (!coordinate || !pp_gbxml_document_number(coordinate, &xyz[i]))
@@ -69,11 +69,11 @@ static bool read_corner(const struct gbxml_reader *r,
 }
 
 /* Of a PolyLoop; false, and noted, where it is none. */
-static bool read_loop(struct gbxml_reader *r, const struct pp_gbxml_element *loop,
+static bool read_loop(struct gbxml_reader *r, const struct pp_xml_element *loop,
                       struct pp_gbxml_polygon *polygon)
 {
     *polygon = (struct pp_gbxml_polygon){0};
-    for (const struct pp_gbxml_element *point =
+    for (const struct pp_xml_element *point =
              pp_gbxml_document_child(loop, "CartesianPoint");
          point; point = pp_gbxml_document_next(point, "CartesianPoint")) {
         struct pp_vec3 corner;
@@ -97,10 +97,10 @@ static bool read_loop(struct gbxml_reader *r, const struct pp_gbxml_element *loo
     return false;
 }
 
-static bool read_outline(struct gbxml_reader *r, const struct pp_gbxml_element *element,
+static bool read_outline(struct gbxml_reader *r, const struct pp_xml_element *element,
                          struct pp_gbxml_polygon *polygon)
 {
-    const struct pp_gbxml_element *loop =
+    const struct pp_xml_element *loop =
         pp_gbxml_document_path(element, "PlanarGeometry/PolyLoop");
     if (loop)
         return read_loop(r, loop, polygon);
@@ -115,7 +115,7 @@ static bool read_outline(struct gbxml_reader *r, const struct pp_gbxml_element *
 /* A construction or window type by its id. */
 struct gbxml_named {
     const char *name, *id;
-    const struct pp_gbxml_element *element;
+    const struct pp_xml_element *element;
 };
 
 static int by_name(const void *a, const void *b)
@@ -130,7 +130,7 @@ static enum pp_status list_named(struct gbxml_reader *r)
 {
     static const char *const names[] = {"Construction", "WindowType"};
     for (int i = 0; i < 2; i++)
-        for (const struct pp_gbxml_element *at =
+        for (const struct pp_xml_element *at =
                  pp_gbxml_document_child(r->root, names[i]);
              at; at = pp_gbxml_document_next(at, names[i])) {
             const char *id = pp_gbxml_document_attribute(at, "id");
@@ -148,8 +148,8 @@ static enum pp_status list_named(struct gbxml_reader *r)
 }
 
 /* The one of that name and id; NULL: none. */
-static const struct pp_gbxml_element *find_by_id(const struct gbxml_reader *r,
-                                                 const char *name, const char *id)
+static const struct pp_xml_element *find_by_id(const struct gbxml_reader *r,
+                                               const char *name, const char *id)
 {
     const struct gbxml_named wanted = {name, id ? id : "", NULL};
     const struct gbxml_named *found =
@@ -161,10 +161,10 @@ static const struct pp_gbxml_element *find_by_id(const struct gbxml_reader *r,
 
 /* The share of that name and type ("IntVisible") in an element: fraction or per cent. NAN:
  * none, or none that is a share. */
-static double read_share(const struct pp_gbxml_element *element, const char *name,
+static double read_share(const struct pp_xml_element *element, const char *name,
                          const char *type)
 {
-    for (const struct pp_gbxml_element *at = pp_gbxml_document_child(element, name); at;
+    for (const struct pp_xml_element *at = pp_gbxml_document_child(element, name); at;
          at = pp_gbxml_document_next(at, name)) {
         const char *of = pp_gbxml_document_attribute(at, "type");
         const char *unit = pp_gbxml_document_attribute(at, "unit");
@@ -180,11 +180,11 @@ static double read_share(const struct pp_gbxml_element *element, const char *nam
 }
 
 static double read_transmittance(struct gbxml_reader *r,
-                                 const struct pp_gbxml_element *opening)
+                                 const struct pp_xml_element *opening)
 {
     static const char *const refs[] = {"windowTypeIdRef", "constructionIdRef"};
     static const char *const names[] = {"WindowType", "Construction"};
-    const struct pp_gbxml_element *found = NULL;
+    const struct pp_xml_element *found = NULL;
     for (int i = 0; i < 2 && !found; i++)
         found = find_by_id(r, names[i], pp_gbxml_document_attribute(opening, refs[i]));
     double share = read_share(found, "Transmittance", "Visible");
@@ -212,7 +212,7 @@ static bool is_one_of(const char *word, const char *const *words)
 
 static enum pp_status add_opening(struct gbxml_reader *r,
                                   struct pp_gbxml_surface *surface,
-                                  const struct pp_gbxml_element *element)
+                                  const struct pp_xml_element *element)
 {
     static const char *const glazed[] = {"FixedWindow",   "OperableWindow",
                                          "FixedSkylight", "OperableSkylight",
@@ -245,7 +245,7 @@ static enum pp_status add_opening(struct gbxml_reader *r,
 }
 
 static enum pp_status add_surface(struct gbxml_reader *r,
-                                  const struct pp_gbxml_element *element)
+                                  const struct pp_xml_element *element)
 {
     struct pp_gbxml_model *model = r->model;
     const char *type = pp_gbxml_document_attribute(element, "surfaceType");
@@ -258,12 +258,12 @@ static enum pp_status add_surface(struct gbxml_reader *r,
     if (!read_outline(r, element, &surface.outline))
         return PP_OK;
     int neighbours = 0;
-    for (const struct pp_gbxml_element *at =
+    for (const struct pp_xml_element *at =
              pp_gbxml_document_child(element, "AdjacentSpaceId");
          at && neighbours < PP_GBXML_NEIGHBOURS;
          at = pp_gbxml_document_next(at, "AdjacentSpaceId"))
         surface.spaces[neighbours++] = pp_gbxml_document_attribute(at, "spaceIdRef");
-    const struct pp_gbxml_element *construction = find_by_id(
+    const struct pp_xml_element *construction = find_by_id(
         r, "Construction", pp_gbxml_document_attribute(element, "constructionIdRef"));
     surface.reflectance = read_share(construction, "Reflectance", "IntVisible");
     enum pp_status status = pp_array_append(&model->surfaces, model->surface_count,
@@ -274,8 +274,7 @@ static enum pp_status add_surface(struct gbxml_reader *r,
     }
     struct pp_gbxml_surface *placed = &model->surfaces[model->surface_count++];
     *placed = surface;
-    for (const struct pp_gbxml_element *at =
-             pp_gbxml_document_child(element, "Opening");
+    for (const struct pp_xml_element *at = pp_gbxml_document_child(element, "Opening");
          at && status == PP_OK; at = pp_gbxml_document_next(at, "Opening"))
         status = add_opening(r, placed, at);
     return status;
@@ -284,13 +283,12 @@ static enum pp_status add_surface(struct gbxml_reader *r,
 /* ---- spaces ---- */
 
 static enum pp_status add_shell(struct gbxml_reader *r, struct pp_gbxml_space *space,
-                                const struct pp_gbxml_element *element)
+                                const struct pp_xml_element *element)
 {
     enum pp_status status = PP_OK;
-    const struct pp_gbxml_element *shell =
+    const struct pp_xml_element *shell =
         pp_gbxml_document_path(element, "ShellGeometry/ClosedShell");
-    for (const struct pp_gbxml_element *loop =
-             pp_gbxml_document_child(shell, "PolyLoop");
+    for (const struct pp_xml_element *loop = pp_gbxml_document_child(shell, "PolyLoop");
          loop && status == PP_OK; loop = pp_gbxml_document_next(loop, "PolyLoop")) {
         struct pp_gbxml_polygon polygon;
         if (!read_loop(r, loop, &polygon))
@@ -306,7 +304,7 @@ static enum pp_status add_shell(struct gbxml_reader *r, struct pp_gbxml_space *s
 }
 
 static enum pp_status add_space(struct gbxml_reader *r,
-                                const struct pp_gbxml_element *element)
+                                const struct pp_xml_element *element)
 {
     struct pp_gbxml_model *model = r->model;
     const char *id = pp_gbxml_document_attribute(element, "id");
@@ -330,7 +328,7 @@ static enum pp_status add_space(struct gbxml_reader *r,
         .id = id,
         .name = name && *name ? name : NULL,
         .type = pp_gbxml_document_attribute(element, "spaceType")};
-    const struct pp_gbxml_element *floor =
+    const struct pp_xml_element *floor =
         pp_gbxml_document_path(element, "PlanarGeometry/PolyLoop");
     if (floor)
         read_loop(r, floor, &space->floor);
@@ -339,12 +337,11 @@ static enum pp_status add_space(struct gbxml_reader *r,
 
 /* ---- the file ---- */
 
-static void read_location(struct gbxml_reader *r, const struct pp_gbxml_element *campus)
+static void read_location(struct gbxml_reader *r, const struct pp_xml_element *campus)
 {
     struct pp_gbxml_model *model = r->model;
-    const struct pp_gbxml_element *location =
-        pp_gbxml_document_child(campus, "Location");
-    const struct pp_gbxml_element *azimuth =
+    const struct pp_xml_element *location = pp_gbxml_document_child(campus, "Location");
+    const struct pp_xml_element *azimuth =
         pp_gbxml_document_child(location, "CADModelAzimuth");
     double value;
     model->latitude = model->longitude = NAN;
@@ -367,21 +364,21 @@ static void read_location(struct gbxml_reader *r, const struct pp_gbxml_element 
 }
 
 static enum pp_status read_campus(struct gbxml_reader *r,
-                                  const struct pp_gbxml_element *campus)
+                                  const struct pp_xml_element *campus)
 {
     enum pp_status status = PP_OK;
-    for (const struct pp_gbxml_element *building =
+    for (const struct pp_xml_element *building =
              pp_gbxml_document_child(campus, "Building");
          building; building = pp_gbxml_document_next(building, "Building")) {
         if (!r->model->name)
             r->model->name =
                 pp_gbxml_document_text(pp_gbxml_document_child(building, "Name"));
-        for (const struct pp_gbxml_element *space =
+        for (const struct pp_xml_element *space =
                  pp_gbxml_document_child(building, "Space");
              space && status == PP_OK; space = pp_gbxml_document_next(space, "Space"))
             status = add_space(r, space);
     }
-    for (const struct pp_gbxml_element *surface =
+    for (const struct pp_xml_element *surface =
              pp_gbxml_document_child(campus, "Surface");
          surface && status == PP_OK;
          surface = pp_gbxml_document_next(surface, "Surface"))
@@ -390,7 +387,7 @@ static enum pp_status read_campus(struct gbxml_reader *r,
 }
 
 enum pp_status pp_gbxml_read(struct pp_gbxml_model *model,
-                             const struct pp_gbxml_document *document, const char *file,
+                             const struct pp_xml *document, const char *file,
                              struct pp_mistakes *notes, struct pp_error *err)
 {
     struct gbxml_reader r = {.model = model,
@@ -400,7 +397,7 @@ enum pp_status pp_gbxml_read(struct pp_gbxml_model *model,
                              .err = err};
     *model = (struct pp_gbxml_model){.latitude = NAN, .longitude = NAN};
     enum pp_status status = read_unit(&r);
-    const struct pp_gbxml_element *campus = pp_gbxml_document_child(r.root, "Campus");
+    const struct pp_xml_element *campus = pp_gbxml_document_child(r.root, "Campus");
     if (status == PP_OK && !campus)
         status = pp_fail(err, PP_BAD_INPUT, "%s: it has no Campus", file);
     if (status == PP_OK)

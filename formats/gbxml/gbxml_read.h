@@ -10,7 +10,7 @@
  * understood and left out are noted by line. PP_BAD_INPUT where the file has no lengths or
  * no spaces. Even after a failure the model can be cleared. */
 enum pp_status pp_gbxml_read(struct pp_gbxml_model *model,
-                             const struct pp_gbxml_document *document, const char *file,
+                             const struct pp_xml *document, const char *file,
                              struct pp_mistakes *notes, struct pp_error *err);
 
 #endif

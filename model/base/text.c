@@ -164,10 +164,28 @@ static bool is_control(const char *p)
     return first < 0x20 || first == 0x7F || (first == 0xC2 && second < 0xA0);
 }
 
-const char *pp_text_local_name(const char *name)
+int pp_text_letter(const char *text, size_t left, int32_t *letter)
 {
-    const char *colon = strrchr(name, ':');
-    return colon ? colon + 1 : name;
+    static const int32_t least[] = {0, 0x80, 0x800, 0x10000};
+    const unsigned char *byte = (const unsigned char *)text;
+    int32_t number = byte[0];
+    int more = number < 0x80 ? 0 : number >= 0xF0 ? 3 : number >= 0xE0 ? 2 : 1;
+    if (more > 0) {
+        if (number < 0xC2 || number > 0xF4 || left <= (size_t)more)
+            return 0;
+        number &= 0x3F >> more;
+        for (int i = 1; i <= more; i++) {
+            if ((byte[i] & 0xC0) != 0x80)
+                return 0;
+            number = number << 6 | (byte[i] & 0x3F);
+        }
+        if (number < least[more] || number > 0x10FFFF
+            || (number >= 0xD800 && number <= 0xDFFF))
+            return 0;
+    }
+    if (letter)
+        *letter = number;
+    return more + 1;
 }
 
 bool pp_text_is_plain(const char *text)

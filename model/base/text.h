@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "model/base/error.h"
@@ -72,8 +73,10 @@ static inline bool pp_text_is_white(char c)
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/* An XML name without its prefix. */
-const char *pp_text_local_name(const char *name);
+/* The bytes, 1 to 4, of the UTF-8 letter that starts the `left` bytes at text (1 at
+ * least), and its number in *letter, which may be NULL; 0 where they start none: overlong
+ * forms, surrogates and numbers above U+10FFFF are none. Reads no byte behind a NUL. */
+int pp_text_letter(const char *text, size_t left, int32_t *letter);
 
 /* Has the text no control characters (which a terminal would obey)? */
 bool pp_text_is_plain(const char *text);

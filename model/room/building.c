@@ -9,7 +9,6 @@
 #include "model/base/read_file.h"
 #include "model/room/outside/building_site.h"
 #include "model/room/read/read_elements.h"
-#include "model/room/read/xml.h"
 #include "model/room/room_parts.h"
 
 static enum pp_status parse(struct pp_building **building, const char *bytes,
@@ -32,7 +31,8 @@ static enum pp_status parse(struct pp_building **building, const char *bytes,
     made->text_length = length;
 
     struct pp_xml xml;
-    enum pp_status status = pp_xml_parse(&xml, bytes, length, mistakes, err);
+    enum pp_status status =
+        pp_xml_parse(&xml, bytes, length, &pp_read_elements_format, mistakes, err);
     if (status == PP_OK)
         status = pp_read_elements(made, &xml, folder, mistakes, err);
     if (status == PP_OK)
@@ -78,7 +78,8 @@ enum pp_status pp_building_read(struct pp_building **building, const char *path,
     char *bytes;
     size_t length;
     *building = NULL;
-    enum pp_status status = pp_read_file(&bytes, &length, path, PP_XML_BYTES_MOST, err);
+    enum pp_status status =
+        pp_read_file(&bytes, &length, path, PP_READ_ELEMENTS_BYTES_MOST, err);
     char *folder = status == PP_OK ? folder_of(path) : NULL;
     if (status == PP_OK)
         status = folder ? parse(building, bytes, length, folder, mistakes, err)

@@ -7,6 +7,8 @@
 #include <string.h>
 #include <wchar.h>
 
+#include "model/base/text.h"
+
 const char *const pp_component_names[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
 
 const char *const pp_component_titles[PP_COMPONENT_COUNT] = {
@@ -72,25 +74,9 @@ void pp_format_csv_number(double number, FILE *out)
 /* The first character's code, or -1 for a byte that starts none; its length. */
 static int32_t decode(const char *text, int *length)
 {
-    const unsigned char *byte = (const unsigned char *)text;
-    int32_t code = byte[0];
-    *length = 1;
-    if (code < 0x80)
-        return code;
-
-    int more = code >= 0xf0 ? 3 : code >= 0xe0 ? 2 : 1;
-    if (code < 0xc2 || code > 0xf4)
-        return -1;
-    code &= 0x3f >> more;
-    for (int i = 1; i <= more; i++) {
-        if ((byte[i] & 0xc0) != 0x80)
-            return -1;
-        code = code << 6 | (byte[i] & 0x3f);
-    }
-    static const int32_t least[] = {0, 0x80, 0x800, 0x10000};
-    if (code < least[more] || code > 0x10ffff || (code >= 0xd800 && code <= 0xdfff))
-        return -1;
-    *length = more + 1;
+    int32_t code = -1;
+    *length = pp_text_letter(text, 4, &code);
+    *length += *length == 0;
     return code;
 }
 

@@ -25,6 +25,7 @@ rooms=$(corpus room)
 cp "$srcdir"/examples/*.xml "$rooms"
 ./tests/model/room/read/test_wrong_rooms --write-all "$rooms"
 cp "$srcdir"/tests/formats/epw/*.epw "$(corpus epw)"
+cp "$srcdir"/tests/fuzz/*.gbxml "$(corpus gbxml)"
 scenes=$(corpus rad)
 cp "$srcdir"/tests/formats/radiance/*.rad "$scenes"
 printf '%s\n' 'void plastic g 0 0 5 .5 .5 .5 0 0' \

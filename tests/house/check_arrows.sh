@@ -180,8 +180,7 @@ check "one file at most knows GEOS" one_file_at_most geos_c.h
 check "one file at most knows Embree 3" one_file_at_most embree3/
 check "one file at most knows Embree 4" one_file_at_most embree4/
 check "one file at most starts threads" one_file_at_most '(pthread|threads|omp)\.h'
-check "XML is read in model/room/read and formats/gbxml" \
-    only_in 'model/room/read|formats/gbxml' libxml/
+check "XML is read in model/base" only_in model/base libxml/
 check "ray queries are made in simulate/scene" only_in simulate/scene embree
 check "charts alone draw" only_in charts 'cairo|<pango'
 check "JSON is written in reports" only_in reports json

@@ -15,6 +15,15 @@
 #include "model/room/read/reader.h"
 #include "model/room/sky_words.h"
 
+const struct pp_xml_format pp_read_elements_format = {
+    .file = "room file",
+    .roots = "a <room> or a <building>",
+    .bytes_most = PP_READ_ELEMENTS_BYTES_MOST,
+    .depth_most = 8,
+    .elements_most = 200000,
+    .attributes_only = true,
+};
+
 static void read_site(struct pp_reader *r, struct pp_room *room,
                       const struct pp_xml_element *e)
 {

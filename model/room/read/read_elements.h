@@ -5,8 +5,13 @@
 
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
+#include "model/base/xml.h"
 #include "model/room/room_parts.h"
-#include "model/room/read/xml.h"
+
+enum { PP_READ_ELEMENTS_BYTES_MOST = 8 << 20 }; /* of a room file */
+
+/* A room file as XML, with its limits. */
+extern const struct pp_xml_format pp_read_elements_format;
 
 /* The contents of one file. */
 struct pp_building {

@@ -8,9 +8,9 @@
 #define PP_MODEL_ROOM_READ_READER_H
 
 #include "model/base/mistakes.h"
+#include "model/base/xml.h"
 #include "model/room/room_parts.h"
 #include "model/room/read/room_schema.h"
-#include "model/room/read/xml.h"
 
 enum { PP_READER_GLASSES = 64 };
 

@@ -13,7 +13,7 @@
 
 #include "model/room/corrections.h"
 #include "model/base/mistakes.h"
-#include "model/room/read/xml.h"
+#include "model/base/xml.h"
 
 /* How the text of a value is read, and the C type that it is stored as. */
 enum pp_reading_of_value {

@@ -1,6 +1,9 @@
 /* test_gbxml_document.c - gbXML files are read in their own encodings, and refused in words. */
 #include "formats/gbxml/gbxml_document.h"
 
+#include <stdlib.h>
+#include <string.h>
+
 #include "tests/lib/near.h"
 
 #define BUERO "B\xC3\xBCro" /* in UTF-8 */
@@ -8,15 +11,15 @@
 /* The name of the only space of a file of those bytes; fails where there is none. */
 static void space_is_called(const char *bytes, size_t length, const char *expected)
 {
-    struct pp_gbxml_document document;
+    struct pp_xml document;
     struct pp_error err = {0};
     if (pp_gbxml_document_parse(&document, bytes, length, "a.xml", &err) != PP_OK)
         fail_msg("%s", err.message);
-    const struct pp_gbxml_element *name =
+    const struct pp_xml_element *name =
         pp_gbxml_document_path(document.root, "Campus/Space/Name");
     assert_non_null(name);
     assert_string_equal(pp_gbxml_document_text(name), expected);
-    pp_gbxml_document_clear(&document);
+    pp_xml_clear(&document);
 }
 
 #define FILE_OF(encoding, name)                                                        \
@@ -50,32 +53,99 @@ static void a_file_has_the_encoding_that_it_names(void **state)
     }
 }
 
-static void what_is_no_gbxml_is_refused_in_words(void **state)
+static void utf8_that_is_declared_as_utf16_is_read_as_utf8(void **state)
+{
+    (void)state;
+    static const char *const files[] = {FILE_OF("utf-16", BUERO),
+                                        FILE_OF("UTF-16LE", BUERO),
+                                        "\xEF\xBB\xBF" FILE_OF("utf-16", BUERO)};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        space_is_called(files[i], strlen(files[i]), BUERO);
+}
+
+static void is_read(const char *bytes, size_t length)
+{
+    struct pp_xml document;
+    struct pp_error err = {0};
+    if (pp_gbxml_document_parse(&document, bytes, length, "a.xml", &err) != PP_OK)
+        fail_msg("%s", err.message);
+    pp_xml_clear(&document);
+}
+
+static void is_refused(const char *bytes, size_t length, const char *words)
+{
+    struct pp_xml document;
+    struct pp_error err = {0};
+    assert_int_equal(pp_gbxml_document_parse(&document, bytes, length, "a.xml", &err),
+                     PP_BAD_INPUT);
+    if (!strstr(err.message, words))
+        fail_msg("\"%s\" does not say \"%s\"", err.message, words);
+    assert_null(document.root);
+}
+
+static void files_other_than_gbxml_are_refused_in_words(void **state)
 {
     (void)state;
     static const struct {
         const char *bytes, *words;
     } files[] = {
-        {"<gbXML>\n<Campus>",
-         "a.xml:2: the file is not well-formed XML: it breaks off"},
+        {"<gbXML>\n<Campus>", "a.xml:2: the file breaks off within <Campus> of line 2; "
+                              "expected </Campus>"},
+        {"<gbXML>\n<Campus id='a", "a.xml:2: the file breaks off within the tag"},
         {"<gbXML>\n</Campus></gbXML>",
-         "a.xml:2: the file is not well-formed XML: mismatched tag"},
-        {"", "a.xml:1: the file is not well-formed XML: no element found"},
+         "a.xml:2: </Campus> where </gbXML> was expected, to close line 1"},
+        {"", "a.xml:1: the file is empty; expected a <gbXML>"},
+        {"v 1 2 3", "a.xml:1: this is not XML; expected a <gbXML>"},
         {"<!DOCTYPE gbXML [<!ENTITY a 'b'>]><gbXML>&a;</gbXML>",
-         "a.xml: a DOCTYPE is not allowed in a gbXML file; leave it out"},
-        {"<room/>", "a.xml: its outermost element is \"room\"; expected gbXML"},
-        {FILE_OF("klingon", "a"), "a.xml:1: the file is not well-formed XML: unknown"},
+         "a.xml:1: a DOCTYPE is not allowed in a gbXML file; leave it out"},
+        {"<?xml version='1.0'?>\n<!DOCTYPE gbXML SYSTEM "
+         "'file:///etc/passwd'>\n<gbXML/>",
+         "a.xml:2: a DOCTYPE is not allowed"},
+        {"<gbXML>\n&a;</gbXML>", "a.xml:2: &a; is not known"},
+        {"\n<room/>", "a.xml:2: the outermost element is <room>; expected <gbXML>"},
+        {FILE_OF("klingon", "a"), "a.xml:1: the encoding \"klingon\" is not known"},
+        {FILE_OF("UTF-8", "B\xFCro"), "a.xml:2: byte 0xFC is not UTF-8"},
+        {FILE_OF("US-ASCII", "B\xFCro"), "a.xml:2: bytes that are not US-ASCII"},
     };
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        struct pp_gbxml_document document;
-        struct pp_error err = {0};
-        assert_int_equal(pp_gbxml_document_parse(&document, files[i].bytes,
-                                                 strlen(files[i].bytes), "a.xml", &err),
-                         PP_BAD_INPUT);
-        if (!strstr(err.message, files[i].words))
-            fail_msg("\"%s\" does not say \"%s\"", err.message, files[i].words);
-        assert_null(document.root);
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        is_refused(files[i].bytes, strlen(files[i].bytes), files[i].words);
+    is_refused("<gbXML>\n\0</gbXML>", 17, "a.xml:2: a NUL byte");
+    is_refused("\xFF\xFE<\0g\0/", 7, "a.xml:1: bytes that are not UTF-16LE");
+    is_refused("\xFE\xFF\0<\xD8\0\0a", 8, "a.xml:1: bytes that are not UTF-16BE");
+}
+
+/* Each takes a moment; a long tag or thousands of errors would take minutes. */
+static void bulk_is_read_or_refused_with_its_line(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *head, *unit, *tail, *words; /* no words: it is read */
+    } bulk[] = {
+        {"<gbXML>\n", "<a>", "", "a.xml:2: elements are nested more than 64 deep"},
+        {"<gbXML>\n<a ", "b='c' ", "/></gbXML>", "a.xml:2: a tag of more than 65536"},
+        {"<gbXML>\n<a b='", "c", "'/></gbXML>", "a.xml:2: a tag of more than 65536"},
+        {"<gbXML>\n<!-- ", "c", " --></gbXML>", NULL},
+        {"<gbXML><Name>", "c", "</Name></gbXML>", NULL},
+        {"<gbXML>", "<Name/>", "</gbXML>", NULL},
+        {"<gbXML>", "\n", "</Campus>", "a.xml:10999985: </Campus> where </gbXML>"},
+        {"<gbXML>\n<a>", "&", "</a></gbXML>", "a.xml:2: a name was expected"},
+        {"<!DOCTYPE gbXML [", "<!ENTITY a 'b'>", "]><gbXML/>", "a.xml:1: a DOCTYPE"},
+    };
+    enum { SIZE = 11000000 };
+    char *text = malloc(SIZE + 1);
+    assert_non_null(text);
+    for (size_t i = 0; i < sizeof bulk / sizeof *bulk; i++) {
+        size_t unit = strlen(bulk[i].unit), tail = strlen(bulk[i].tail);
+        char *p = stpcpy(text, bulk[i].head);
+        for (; (size_t)(p - text) + unit + tail <= SIZE; p += unit)
+            memcpy(p, bulk[i].unit, unit);
+        p = stpcpy(p, bulk[i].tail);
+        if (bulk[i].words)
+            is_refused(text, (size_t)(p - text), bulk[i].words);
+        else
+            is_read(text, (size_t)(p - text));
     }
+    free(text);
 }
 
 /* Prefixes, namespaces, and text that other elements divide. */
@@ -84,35 +154,39 @@ static void elements_are_found_by_their_names(void **state)
     (void)state;
     static const char bytes[] =
         "<g:gbXML xmlns:g='http://www.gbxml.org/schema'>\n"
-        "<g:Area g:unit='SquareMeters'> 12.5 <g:Note/> 13 </g:Area>\n"
+        "<g:Area g:unit='SquareMeters' name='a &amp;amp; &#38;#38; "
+        "&#x26;&lt;&#10;&quot;'> 12.5 <g:Note/> 13 </g:Area>\n"
         "<Area>\n</Area><Volume>3</Volume></g:gbXML>";
-    struct pp_gbxml_document document;
+    struct pp_xml document;
     struct pp_error err = {0};
     assert_int_equal(
         pp_gbxml_document_parse(&document, bytes, sizeof bytes - 1, "a.xml", &err),
         PP_OK);
-    const struct pp_gbxml_element *area =
-        pp_gbxml_document_child(document.root, "Area");
+    const struct pp_xml_element *area = pp_gbxml_document_child(document.root, "Area");
     double value;
     assert_true(pp_gbxml_document_number(area, &value));
     assert_near(value, 12.5, 0.0);
     assert_int_equal(area->line, 2);
     assert_string_equal(pp_gbxml_document_attribute(area, "unit"), "SquareMeters");
+    assert_string_equal(pp_gbxml_document_attribute(area, "name"),
+                        "a &amp; &#38; &<\n\"");
     assert_null(pp_gbxml_document_attribute(area, "id"));
-    const struct pp_gbxml_element *other = pp_gbxml_document_next(area, "Area");
+    const struct pp_xml_element *other = pp_gbxml_document_next(area, "Area");
     assert_int_equal(other->line, 3);
     assert_null(pp_gbxml_document_text(other));
     assert_false(pp_gbxml_document_number(other, &value));
     assert_null(pp_gbxml_document_next(other, "Area"));
     assert_null(pp_gbxml_document_path(document.root, "Area/Note/Nothing"));
-    pp_gbxml_document_clear(&document);
+    pp_xml_clear(&document);
 }
 
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_file_has_the_encoding_that_it_names),
-        cmocka_unit_test(what_is_no_gbxml_is_refused_in_words),
+        cmocka_unit_test(utf8_that_is_declared_as_utf16_is_read_as_utf8),
+        cmocka_unit_test(files_other_than_gbxml_are_refused_in_words),
+        cmocka_unit_test(bulk_is_read_or_refused_with_its_line),
         cmocka_unit_test(elements_are_found_by_their_names),
     };
     add_tests(tests, NULL, NULL);

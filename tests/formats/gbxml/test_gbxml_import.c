@@ -451,10 +451,11 @@ static void others_are_refused_with_a_reason(void **state)
     static const struct {
         const char *text, *why;
     } cases[] = {
-        {"", "not well-formed"},
-        {"<gbXML", "not well-formed"},
-        {"<gbXML lengthUnit='Meters'><Campus></gbXML>", "not well-formed"},
-        {"<room version='1'/>", "expected gbXML"},
+        {"", "the file is empty; expected a <gbXML>"},
+        {"<gbXML", "the file breaks off within the tag"},
+        {"<gbXML lengthUnit='Meters'><Campus></gbXML>",
+         "</gbXML> where </Campus> was expected, to close line 1"},
+        {"<room version='1'/>", "expected <gbXML>"},
         {"<!DOCTYPE gbXML [<!ENTITY a 'aaaa'>]><gbXML lengthUnit='Meters'/>",
          "DOCTYPE"},
         {"<gbXML/>", "lengthUnit is \"\""},

@@ -12,7 +12,7 @@
 
 #include "model/room/building.h"
 #include "model/room/room_parts.h"
-#include "model/room/read/xml.h"
+#include "model/room/read/read_elements.h"
 #include "tests/lib/near.h"
 #include "tests/lib/test_size.h"
 
@@ -98,8 +98,12 @@ static void bulk_takes_no_more_than_its_share(void **state)
         {room, "\"", "</room>", "text"},
         {room, "<", "</room>", "a tag of more than 65536 bytes"},
         {room, "&", "</room>", "a name was expected"},
-        {room, "&amp;", "</room>", "text \"&\""},
+        {room, "&amp;", "</room>", "text \"&&&&"},
         {room, "x", "</room>", "text \"xxxx"},
+        {room, "&uuml;", "</room>", "&uuml; is not known"},
+        {room, "]]>", "</room>", "]]> stands between elements"},
+        {"<!DOCTYPE room [", "<!ENTITY a 'b'>", "]><room/>",
+         "a DOCTYPE is not allowed"},
         {room, "x<a/>", "</room>", "text \"x\""},
         {room, "x<a/>\n", "</room>", "text \"x\""},
         {room, "<a>", "</room>", "nested more than 8 deep"},
@@ -158,6 +162,67 @@ static void entities_are_neither_expanded_nor_fetched(void **state)
     }
 }
 
+/* An element of XInclude is one that is not known: the other room stays away. */
+static void no_other_file_is_included(void **state)
+{
+    (void)state;
+    char path[] = "/tmp/pepperpot-included-XXXXXX", text[512];
+    int file = mkstemp(path);
+    assert_true(file >= 0);
+    assert_true(write(file, PLAN, sizeof PLAN - 1) == sizeof PLAN - 1);
+    close(file);
+    snprintf(text, sizeof text,
+             "<room version='1'><xi:include href='%s' parse='xml'"
+             " xmlns:xi='http://www.w3.org/2001/XInclude'/></room>",
+             path);
+    struct outcome outcome = parse_text(text);
+    unlink(path);
+    assert_int_equal(outcome.status, PP_BAD_INPUT);
+    assert_non_null(strstr(outcome.text, "a room file has no namespaces"));
+    assert_true(outcome.mistakes
+                >= 2); /* include is no element, and there is no plan */
+}
+
+/* A mistake has the line of its cause, not of the place where reading ended. */
+static void malformed_xml_is_named_with_its_line(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        int line;
+        const char *words;
+    } files[] = {
+        {"<room version='1'>" PLAN "\n<a>\n<b><c><d><e><f><g>\n<h/></g></f></e></d></c>"
+         "</b></a></room>",
+         4, "elements are nested more than 8 deep"},
+        {"<room version='1'>\n" PLAN "\n<!-- a\n b", 3, "a comment <!-- has no end"},
+        {"<room version='1'>\n<![CDATA[\n", 2, "a <![CDATA[ has no end"},
+        {"<room version='1'>\n<plan\n width='4\n depth='5'/></room>", 4,
+         "expected a space"},
+        {"<room version='1'>\n<plan\n width='4\n depth=5/>\n<point/></room>", 3,
+         "is a quotation mark missing?"},
+        {"<room version='1'>\n<plan width='4'\n depth='5\n", 2,
+         "the file breaks off within the tag"},
+        {"<room version='1'>\n<plan width='4' width='5'/></room>", 2,
+         "the attribute \"width\" is given twice"},
+        {"<room version='1'>\n<plan width='&#xFFFFFFFF;'/></room>", 2,
+         "a reference like &#...;"},
+        {"<room version='1'>\r\n\r\n<plan width='4'\r\n depth='x' height='2'/></room>",
+         4, "depth is \"x\""},
+        {"<room version='1'>\n<plan width='&#49;\n'\n depth='x' height='2'/></room>", 4,
+         "depth is \"x\""},
+        {"<room version='1'>" PLAN "\n <!-- \n -->\n  B\xC3\xBCro\n </room>", 4,
+         "text \"B\xC3\xBCro\""},
+        {"<room version='1'>" PLAN "\n <![CDATA[\n x\n]]>\n </room>", 3, "text \"x\""},
+    };
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        struct outcome outcome = parse_text(files[i].text);
+        assert_int_equal(outcome.status, PP_BAD_INPUT);
+        if (outcome.line != files[i].line || !strstr(outcome.text, files[i].words))
+            fail_msg("%s: line %d: %s", files[i].text, outcome.line, outcome.text);
+    }
+}
+
 /* Writes to `sink` until nobody reads, then tells how many bytes that took. */
 static void write_nesting_for_ever(int sink, int tell)
 {
@@ -208,7 +273,7 @@ static void endless_input_is_left_at_the_limit_of_size(void **state)
     close(count[1]);
     assert_int_equal(waitpid(writer, NULL, 0), writer);
     /* What was read, and what the pipe held besides (64 KiB, a chunk under way). */
-    assert_true(written <= PP_XML_BYTES_MOST + 1 + (1 << 20));
+    assert_true(written <= PP_READ_ELEMENTS_BYTES_MOST + 1 + (1 << 20));
 }
 
 /* Nothing above has taken much: twice the file and its tree, with room to spare. */
@@ -227,14 +292,14 @@ static void the_limit_of_size_is_exact(void **state)
 {
     (void)state;
     static const char room[] = "<room version='1'>" PLAN "</room>";
-    char *text = malloc(PP_XML_BYTES_MOST + 1);
+    char *text = malloc(PP_READ_ELEMENTS_BYTES_MOST + 1);
     assert_non_null(text);
-    memset(text, ' ', PP_XML_BYTES_MOST + 1);
+    memset(text, ' ', PP_READ_ELEMENTS_BYTES_MOST + 1);
     memcpy(text, room, sizeof room - 1);
-    struct outcome outcome = parse(text, PP_XML_BYTES_MOST);
+    struct outcome outcome = parse(text, PP_READ_ELEMENTS_BYTES_MOST);
     assert_int_equal(outcome.status, PP_OK);
     assert_int_equal(outcome.rooms, 1);
-    outcome = parse(text, PP_XML_BYTES_MOST + 1);
+    outcome = parse(text, PP_READ_ELEMENTS_BYTES_MOST + 1);
     assert_int_equal(outcome.status, PP_BAD_INPUT);
     assert_non_null(strstr(outcome.text, "larger than 8 MiB"));
     free(text);
@@ -357,6 +422,8 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bulk_takes_no_more_than_its_share),
         cmocka_unit_test(entities_are_neither_expanded_nor_fetched),
+        cmocka_unit_test(no_other_file_is_included),
+        cmocka_unit_test(malformed_xml_is_named_with_its_line),
         cmocka_unit_test(endless_input_is_left_at_the_limit_of_size),
         cmocka_unit_test(the_limit_of_size_is_exact),
         cmocka_unit_test(lines_beyond_65535_are_counted_rightly),
