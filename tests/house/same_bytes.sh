@@ -8,6 +8,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 source=$(cd "$srcdir" && pwd)
 cores=$(getconf _NPROCESSORS_ONLN)
+cached=$(command -v ccache || true)
 
 # By a link without a space in its name, which configure would refuse.
 ln -s "$source" "$scratch/source"
@@ -15,7 +16,7 @@ ln -s "$source" "$scratch/source"
 build() {
     mkdir -p "$scratch/$1$2"
     cd "$scratch/$1$2" || return 1
-    ../source/configure -q --disable-shared CC="$1" CFLAGS="$(echo "$2" | tr , ' ')" &&
+    ../source/configure -q --disable-shared CC="$cached $1" CFLAGS="$(echo "$2" | tr , ' ')" &&
         make -s -j"$cores"
 }
 

@@ -1,0 +1,42 @@
+#!/bin/sh
+# Each command once, for its result and for one mistake. Under sanitizers this is the script
+# that CI runs; the others run there in make check-long.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+few='--samples 16 --seed 5 --quiet'
+street=$examples/situations/street.xml
+
+check "help" gives --help
+check "df by hand, with steps" gives df -m all --explain --points 1.4,1.5 "$deep"
+# shellcheck disable=SC2086 # words
+{
+    check "df by all four engines, as JSON" gives df -s \
+        --engine path,photons,radiosity,cache -ad 64 -as 16 --points 1.5,2 $few --error 5% \
+        --format json "$deep"
+    check "assess, as CSV" gives assess --by-hand --quiet --format csv "$street"
+    check "size" gives size --target 2% --by-hand --quiet "$deep"
+    check "availability" gives availability -m exact+split-flux --latitude 51 --quiet "$deep"
+    check "validate" gives validate $few "$deep"
+    check "render" quietly render --size 24x18 -ad 32 -as 8 $few -o "$scratch/picture.png" "$deep"
+    check "export" quietly export --to radiance -o "$scratch/scene" -q "$deep"
+    check "import" gives import "$scratch/scene"/*.rad --points 1.2,1.3,0.8 $few
+    check "report" quietly report --by-hand -q -o "$scratch/report.html" "$deep"
+    check "atlas, one room" gives atlas --room 3
+}
+for kind in section plan waldram pepper-pot protractor nomogram; do
+    format=pdf
+    [ $kind != plan ] || format=svg
+    [ $kind != section ] || format=png
+    check "chart $kind" quietly chart $kind --points 1.4,1.5 --dpi 40 \
+        -o "$scratch/$kind.$format" "$deep"
+done
+printf 'x,y,df_percent\n1.5,2,3.1\n' >"$scratch/other.csv"
+check "compare" gives compare --error 5% --seed 9 "$deep" "$scratch/other.csv"
+
+echo '<room version="1"><plan width="3" depth="-4" height="2.7"/><windoww/>' >"$scratch/wrong.xml"
+for command in df assess size availability validate export report; do
+    check "$command of a wrong room" refuses 1 "wrong.xml:1: " $command "$scratch/wrong.xml"
+done
+check "an unknown command" refuses 2 "there is no command" sissors
+tap_done
