@@ -24,19 +24,19 @@ check "df by hand, with steps" gives df -m all --explain --points 1.4,1.5 "$deep
     check "report" quietly report --by-hand -q -o "$scratch/report.html" "$deep"
     check "atlas, one room" gives atlas --room 3
 }
-for kind in section plan waldram pepper-pot protractor nomogram; do
-    format=pdf
-    [ $kind != plan ] || format=svg
-    [ $kind != section ] || format=png
-    check "chart $kind" quietly chart $kind --points 1.4,1.5 --dpi 40 \
-        -o "$scratch/$kind.$format" "$deep"
+check "chart section" quietly chart section --dpi 40 -o "$scratch/section.png" "$deep"
+check "chart plan" quietly chart plan -o "$scratch/plan.svg" "$deep"
+check "chart nomogram" quietly chart nomogram -o "$scratch/nomogram.pdf" "$deep"
+for kind in waldram pepper-pot protractor; do
+    check "chart $kind" quietly chart $kind --points 1.4,1.5 -o "$scratch/$kind.pdf" "$deep"
 done
 printf 'x,y,df_percent\n1.5,2,3.1\n' >"$scratch/other.csv"
 check "compare" gives compare --error 5% --seed 9 "$deep" "$scratch/other.csv"
 
 echo '<room version="1"><plan width="3" depth="-4" height="2.7"/><windoww/>' >"$scratch/wrong.xml"
-for command in df assess size availability validate export report; do
-    check "$command of a wrong room" refuses 1 "wrong.xml:1: " $command "$scratch/wrong.xml"
+for command in df assess 'size --target 2%' availability validate 'export --to radiance' report; do
+    # shellcheck disable=SC2086 # words
+    check "${command%% *} of a wrong room" refuses 1 "wrong.xml:1: " $command "$scratch/wrong.xml"
 done
 check "an unknown command" refuses 2 "there is no command" sissors
 tap_done
