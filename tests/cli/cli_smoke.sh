@@ -12,7 +12,7 @@ check "df by hand, with steps" gives df -m all --explain --points 1.4,1.5 "$deep
 # shellcheck disable=SC2086 # words
 {
     check "df by all four engines, as JSON" gives df -s \
-        --engine path,photons,radiosity,cache -ad 64 -as 16 --points 1.5,2 $few --error 5% \
+        --engine path,photons,radiosity,cache -ad 64 -as 16 --points 1.5,2 --error 5% --quiet \
         --format json "$deep"
     check "assess, as CSV" gives assess --by-hand --quiet --format csv "$street"
     check "size" gives size --target 2% --by-hand --quiet "$deep"
@@ -20,7 +20,8 @@ check "df by hand, with steps" gives df -m all --explain --points 1.4,1.5 "$deep
     check "validate" gives validate $few "$deep"
     check "render" quietly render --size 24x18 -ad 32 -as 8 $few -o "$scratch/picture.png" "$deep"
     check "export" quietly export --to radiance -o "$scratch/scene" -q "$deep"
-    check "import" gives import "$scratch/scene"/*.rad --points 1.2,1.3,0.8 $few
+    check "import" gives import "$scratch/scene"/*.rad \
+        --points-file "$scratch/scene/points.pts" $few
     check "report" quietly report --by-hand -q -o "$scratch/report.html" "$deep"
     check "atlas, one room" gives atlas --room 3
 }
@@ -34,7 +35,8 @@ printf 'x,y,df_percent\n1.5,2,3.1\n' >"$scratch/other.csv"
 check "compare" gives compare --error 5% --seed 9 "$deep" "$scratch/other.csv"
 
 echo '<room version="1"><plan width="3" depth="-4" height="2.7"/><windoww/>' >"$scratch/wrong.xml"
-for command in df assess 'size --target 2%' availability validate 'export --to radiance' report; do
+for command in df assess 'size --target 2%' availability validate \
+    "export --to radiance -o $scratch/none" report; do
     # shellcheck disable=SC2086 # words
     check "${command%% *} of a wrong room" refuses 1 "wrong.xml:1: " $command "$scratch/wrong.xml"
 done
