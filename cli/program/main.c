@@ -27,7 +27,7 @@ static bool is_here(const char *word)
 int main(int argc, char **argv)
 {
     if (is_here(argv[1]))
-        return pp_program(argc, argv, commands, 1 << 19);
+        return pp_program(argc, argv, commands);
     char path[PP_PROGRAM_PART_PATH];
     pp_program_part(path, "", PP_PROGRAM_FOLDER, "pepperpot-whole");
     execv(path, argv);

@@ -20,5 +20,5 @@ static const struct pp_command *const commands[] = {
 
 int main(int argc, char **argv)
 {
-    return pp_program(argc, argv, commands, 1 << 20);
+    return pp_program(argc, argv, commands);
 }
