@@ -5,7 +5,6 @@
 
 #include "bench/bench.h"
 #include "model/base/clock.h"
-#include "model/base/heap.h"
 #include "simulate/render/overture.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/render/render.h"
@@ -253,7 +252,6 @@ static void threads_of_picture(void)
 
 int main(void)
 {
-    pp_heap_keep(); /* as the program does */
     struct pp_cache_options coarse = pp_irradiance_cache_defaults();
     coarse.accuracy = 0.2;
     coarse.divisions = 512;

@@ -7,7 +7,6 @@
 #include "bench/bench.h"
 #include "model/base/clock.h"
 #include "model/base/crew.h"
-#include "model/base/heap.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/tracer/tracer.h"
 #include "tests/lib/random_rooms.h"
@@ -176,7 +175,6 @@ static void bench_threads(void)
 
 int main(void)
 {
-    pp_heap_keep(); /* as the program does */
     bench_rooms();
     bench_growth();
     bench_threads();

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "bench/bench.h"
-#include "model/base/heap.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/scene/light_scene_parts.h"
@@ -260,7 +259,6 @@ static void fill_with_triangles(struct pp_world *world, int count)
 
 int main(void)
 {
-    pp_heap_keep(); /* as the program does */
     bench_room("deep room, 3 x 9 x 2.7 m",
                "<room version='1'><plan width='3' depth='9' height='2.7'/>"
                "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>"

@@ -1,9 +1,9 @@
-/* picture_png.c - hands a raster to cairo and takes the PNG file that cairo writes. */
+/* picture_png.c - makes a cairo image of a raster, and a PNG file of that. */
 #include "charts/picture_png.h"
 
 #include <stdint.h>
 
-#include "charts/sheet/bytes.h"
+#include "charts/sheet/png_file.h"
 
 cairo_surface_t *pp_picture_png_surface(const struct pp_raster *raster)
 {
@@ -26,13 +26,6 @@ cairo_surface_t *pp_picture_png_surface(const struct pp_raster *raster)
     return image;
 }
 
-static cairo_status_t append(void *closure, const unsigned char *bytes,
-                             unsigned int length)
-{
-    return pp_bytes_add(closure, bytes, length) ? CAIRO_STATUS_SUCCESS
-                                                : CAIRO_STATUS_NO_MEMORY;
-}
-
 enum pp_status pp_picture_png(unsigned char **bytes, size_t *length,
                               const struct pp_raster *raster, struct pp_error *err)
 {
@@ -43,7 +36,7 @@ enum pp_status pp_picture_png(unsigned char **bytes, size_t *length,
                        "a picture of %d x %d pixels can't be shown: too large, or out "
                        "of memory",
                        raster->width, raster->height);
-    cairo_status_t status = cairo_surface_write_to_png_stream(image, append, &file);
+    cairo_status_t status = pp_png_file_of_image(&file, image, 0.0);
     cairo_surface_destroy(image);
     if (status != CAIRO_STATUS_SUCCESS)
         pp_bytes_clear(&file);

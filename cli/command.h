@@ -1,9 +1,8 @@
-/* command.h - what a command of the program is; whole_main.c has the list of them.
+/* command.h - what a command of the program is; program/main.c has the list of them.
  *
  * A command is an entry of that list: how its words are read into a struct of its own,
  * what makes sense of them, and what it does then. A new one is a file cmd_NAME.c in a
- * folder of its name, a line here and one in whole_main.c, and in main.c if it draws
- * nothing.
+ * folder of its name, a line here and one in program/main.c.
  */
 #ifndef PP_CLI_COMMAND_H
 #define PP_CLI_COMMAND_H

@@ -40,7 +40,7 @@ static const char band_title[] = "95 % band";
 static void put_value(char cell[PP_CELL_BYTES], const struct pp_reading *reading)
 {
     if (isfinite(reading->value))
-        pp_format_two_decimals(cell, PP_CELL_BYTES, 100.0 * reading->value + 0.0);
+        snprintf(cell, PP_CELL_BYTES, "%.2f", 100.0 * reading->value + 0.0);
     else
         snprintf(cell, PP_CELL_BYTES, "-");
 }

@@ -1,9 +1,6 @@
-/* bytes.c - a growing block of bytes, and the passes over cairo's files: ids and
- * title of an SVG file, the resolution of a PNG file.
- */
+/* bytes.c - a growing block of bytes, and the ids and titles of cairo's SVG files. */
 #include "charts/sheet/bytes.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -187,50 +184,4 @@ bool pp_bytes_name_svg(struct pp_bytes *svg, const struct pp_bytes *cairo,
                 && add_renamed(svg, body, &ids);
     free(ids.list);
     return good;
-}
-
-/* ---- PNG ---- */
-
-static void big_endian(unsigned char four[4], uint32_t value)
-{
-    for (int i = 0; i < 4; i++)
-        four[i] = (unsigned char)(value >> (24 - 8 * i));
-}
-
-/* The check goes on from the one of what stands before; 0: nothing does. */
-static uint32_t crc32_of(uint32_t before, const unsigned char *bytes, size_t count)
-{
-    uint32_t crc = ~before;
-    for (size_t i = 0; i < count; i++) {
-        crc ^= bytes[i];
-        for (int bit = 0; bit < 8; bit++)
-            crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
-    }
-    return ~crc;
-}
-
-static bool add_chunk(struct pp_bytes *png, const char name[4], const void *content,
-                      size_t count)
-{
-    unsigned char length[4], check[4];
-    const unsigned char *letters = (const unsigned char *)name;
-    big_endian(length, (uint32_t)count);
-    big_endian(check, crc32_of(crc32_of(0, letters, 4), content, count));
-    return pp_bytes_add(png, length, 4) && pp_bytes_add(png, letters, 4)
-           && (count == 0 || pp_bytes_add(png, content, count))
-           && pp_bytes_add(png, check, 4);
-}
-
-/* A chunk pHYs (dots a metre, both ways) goes right after IHDR, which ends at byte 33:
- * signature 8, length 4, name 4, data 13, check 4. */
-bool pp_bytes_resolve_png(struct pp_bytes *png, const struct pp_bytes *cairo,
-                          double dots_per_mm)
-{
-    enum { HEADER = 33 };
-    unsigned char dots[9] = {[8] = 1}; /* the unit is the metre */
-    big_endian(dots, (uint32_t)lrint(1000.0 * dots_per_mm));
-    big_endian(dots + 4, (uint32_t)lrint(1000.0 * dots_per_mm));
-    return cairo->count > HEADER && pp_bytes_add(png, cairo->list, HEADER)
-           && add_chunk(png, "pHYs", dots, sizeof dots)
-           && pp_bytes_add(png, cairo->list + HEADER, cairo->count - HEADER);
 }

@@ -1,5 +1,5 @@
-/* bytes.h - a growing block of bytes, and the additions that make cairo's SVG and PNG
- * files what canvas.h promises. */
+/* bytes.h - a growing block of bytes, and the additions that make cairo's SVG files
+ * what canvas.h promises. */
 #ifndef PP_CHARTS_SHEET_BYTES_H
 #define PP_CHARTS_SHEET_BYTES_H
 
@@ -22,9 +22,5 @@ void pp_bytes_clear(struct pp_bytes *bytes);
 bool pp_bytes_name_svg(struct pp_bytes *svg, const struct pp_bytes *cairo,
                        double width_mm, double height_mm, const char *title,
                        const char *description);
-
-/* Copies a PNG file into png (empty at first), its resolution noted in it. */
-bool pp_bytes_resolve_png(struct pp_bytes *png, const struct pp_bytes *cairo,
-                          double dots_per_mm);
 
 #endif

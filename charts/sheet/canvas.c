@@ -14,7 +14,7 @@
 #include <pango/pangocairo.h>
 
 #include "charts/sheet/bytes.h"
-#include "charts/sheet/png_bands.h"
+#include "charts/sheet/png_file.h"
 
 #define MM_PER_INCH 25.4
 #define POINTS_PER_MM (72.0 / MM_PER_INCH)
@@ -118,11 +118,12 @@ static void open_picture(struct pp_canvas *canvas)
 /* Adds the picture as a PNG file to canvas->raw. */
 static cairo_status_t write_picture(struct pp_canvas *canvas)
 {
+    double dots_per_mm = canvas->dpi / MM_PER_INCH;
     if (!canvas->in_bands)
-        return cairo_surface_write_to_png_stream(canvas->surface, append, &canvas->raw);
+        return pp_png_file_of_image(&canvas->raw, canvas->surface, dots_per_mm);
     int rows = BAND_BYTES / 4 / canvas->width_px;
-    return pp_png_bands_write(&canvas->raw, canvas->surface, canvas->width_px,
-                              canvas->height_px, rows > 1 ? rows : 1);
+    return pp_png_file_in_bands(&canvas->raw, canvas->surface, canvas->width_px,
+                                canvas->height_px, rows > 1 ? rows : 1, dots_per_mm);
 }
 
 /* The surface of a file. */
@@ -305,23 +306,14 @@ void pp_canvas_place(struct pp_canvas *canvas, const struct pp_canvas *drawing,
 
 static enum pp_status take_file(struct pp_canvas *canvas, struct pp_error *err)
 {
-    bool whole = true;
-    switch (canvas->sheet.format) {
-    case PP_CHART_PDF:
-        canvas->file = canvas->raw;
-        canvas->raw = (struct pp_bytes){0};
-        break;
-    case PP_CHART_SVG:
-        whole =
-            pp_bytes_name_svg(&canvas->file, &canvas->raw, canvas->width_mm,
-                              canvas->height_mm, canvas->title, canvas->description);
-        break;
-    case PP_CHART_PNG:
-        whole = pp_bytes_resolve_png(&canvas->file, &canvas->raw,
-                                     canvas->dpi / MM_PER_INCH);
-        break;
-    }
-    return whole ? PP_OK : pp_fail_memory(err);
+    if (canvas->sheet.format == PP_CHART_SVG)
+        return pp_bytes_name_svg(&canvas->file, &canvas->raw, canvas->width_mm,
+                                 canvas->height_mm, canvas->title, canvas->description)
+                   ? PP_OK
+                   : pp_fail_memory(err);
+    canvas->file = canvas->raw;
+    canvas->raw = (struct pp_bytes){0};
+    return PP_OK;
 }
 
 enum pp_status pp_canvas_finish(struct pp_canvas *canvas, const unsigned char **bytes,

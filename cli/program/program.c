@@ -13,7 +13,6 @@
 #include "cli/command.h"
 #include "cli/message.h"
 #include "cli/ranks/mpirun.h"
-#include "model/base/heap.h"
 #include "model/base/text.h"
 
 enum { MOST_COMMANDS = 16 };
@@ -57,7 +56,7 @@ static enum pp_exit fail_unknown(const char *word,
 }
 
 static enum pp_exit run(int argc, char **argv, const struct pp_command *const *commands,
-                        size_t filled, const struct pp_ranks *ranks)
+                        const struct pp_ranks *ranks)
 {
     const char *word = argc > 1 ? argv[1] : NULL;
     if (!word) {
@@ -77,7 +76,6 @@ static enum pp_exit run(int argc, char **argv, const struct pp_command *const *c
         puts(PACKAGE_NAME " " PACKAGE_VERSION);
         return PP_EXIT_DONE;
     }
-    pp_heap_expect(filled);
     for (int i = 0; commands[i]; i++)
         if (strcmp(word, commands[i]->name) == 0)
             return pp_command_run(commands[i], argc - 1, argv + 1, ranks);
@@ -93,18 +91,16 @@ static void occupy_standard_streams(void)
             open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-int pp_program(int argc, char **argv, const struct pp_command *const *commands,
-               size_t filled)
+int pp_program(int argc, char **argv, const struct pp_command *const *commands)
 {
     occupy_standard_streams();
-    pp_heap_keep();
     setlocale(LC_CTYPE, ""); /* the terminal's characters; numbers keep their point */
 
     struct pp_mpirun mpirun;
     enum pp_exit status = pp_mpirun_begin(&mpirun);
     if (status == PP_EXIT_DONE)
-        status = run(argc, argv, commands, filled,
-                     mpirun.ranks.count > 1 ? &mpirun.ranks : NULL);
+        status =
+            run(argc, argv, commands, mpirun.ranks.count > 1 ? &mpirun.ranks : NULL);
     if (fflush(stdout) != 0 || ferror(stdout)) {
         pp_message("standard output can't be written: %s", strerror(errno));
         status = PP_EXIT_MACHINE;

@@ -4,9 +4,7 @@
 
 #include "cli/command.h"
 
-/* What main() does and returns. The list of commands ends with NULL; any of them fills
- * about so many bytes of memory. */
-int pp_program(int argc, char **argv, const struct pp_command *const *commands,
-               size_t filled);
+/* What main() does and returns. The list of commands ends with NULL. */
+int pp_program(int argc, char **argv, const struct pp_command *const *commands);
 
 #endif

@@ -2,15 +2,17 @@
 #include "cli/ranks/mpirun.h"
 
 #include <dlfcn.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "cli/message.h"
-#include "cli/program/program_part.h"
 #include "cli/ranks/mpirun_module.h"
 #include "model/base/deal_ranks.h"
+
+#define MODULE "pepperpot-mpi.so"
 
 /* Open MPI's mpirun says how many ranks there are; others only which one this is. */
 static bool is_rank(void)
@@ -21,14 +23,38 @@ static bool is_rank(void)
     return getenv("PMI_RANK") || getenv("PMIX_RANK");
 }
 
+/* The folder of the running program, ending in '/'; empty if the system does not tell. */
+static void program_folder(char *folder, size_t room)
+{
+    ssize_t length = readlink("/proc/self/exe", folder, room - 1);
+    folder[length > 0 ? length : 0] = '\0';
+    char *slash = strrchr(folder, '/');
+    folder[slash ? slash + 1 - folder : 0] = '\0';
+}
+
+/* The module is a file of its own, so that the program also runs where MPI is not
+ * installed. Searched relative to the running program, in the build tree and in an installed
+ * tree, which may be staged or moved; then where it was configured to be installed. NULL: see
+ * dlerror(). */
+static void *load_module(void)
+{
+    static const char *const relative[] = {".libs", "../lib/pepperpot"};
+    char folder[PATH_MAX], path[PATH_MAX + 64];
+    program_folder(folder, sizeof folder);
+    for (int i = 0; folder[0] && i < 2; i++) {
+        snprintf(path, sizeof path, "%s%s/" MODULE, folder, relative[i]);
+        if (access(path, R_OK) == 0)
+            return dlopen(path, RTLD_NOW | RTLD_GLOBAL);
+    }
+    return dlopen(PP_MODULE_FOLDER "/" MODULE, RTLD_NOW | RTLD_GLOBAL);
+}
+
 enum pp_exit pp_mpirun_begin(struct pp_mpirun *mpirun)
 {
     *mpirun = (struct pp_mpirun){.end = NULL};
     if (!is_rank())
         return PP_EXIT_DONE;
-    char path[PP_PROGRAM_PART_PATH];
-    pp_program_part(path, ".libs/", PP_MODULE_FOLDER, "pepperpot-mpi.so");
-    void *module = dlopen(path, RTLD_NOW | RTLD_GLOBAL);
+    void *module = load_module();
     pp_mpirun_module_begin *begin = NULL;
     if (module)
         *(void **)&begin = dlsym(module, "pp_mpirun_module");

@@ -7,12 +7,11 @@
 #include <string.h>
 
 #include "model/geometry/geos_region.h"
-#include "model/geometry/late_geos.h"
 
 struct pp_clipper {
-    struct pp_late_geos geos; /* without a context as long as none is needed */
-    double grid;              /* 0: none */
-    char said[256];           /* GEOS's own words on the last failure */
+    GEOSContextHandle_t geos;
+    double grid;    /* 0: none */
+    char said[256]; /* GEOS's message for the last failure */
 };
 
 static void keep_message(const char *message, void *clipper)
@@ -24,21 +23,23 @@ static void keep_message(const char *message, void *clipper)
 enum pp_status pp_clipper_create(struct pp_clipper **clipper, struct pp_error *err)
 {
     *clipper = calloc(1, sizeof **clipper);
-    return *clipper ? PP_OK : pp_fail_memory(err);
-}
-
-static enum pp_status need_geos(struct pp_clipper *clipper, struct pp_error *err)
-{
-    return clipper->geos.context
-               ? PP_OK
-               : pp_late_geos_load(&clipper->geos, keep_message, clipper, err);
+    if (!*clipper)
+        return pp_fail_memory(err);
+    (*clipper)->geos = GEOS_init_r();
+    if (!(*clipper)->geos) {
+        free(*clipper);
+        *clipper = NULL;
+        return pp_fail_memory(err);
+    }
+    GEOSContext_setErrorMessageHandler_r((*clipper)->geos, keep_message, *clipper);
+    return PP_OK;
 }
 
 void pp_clipper_destroy(struct pp_clipper *clipper)
 {
     if (!clipper)
         return;
-    pp_late_geos_finish(&clipper->geos);
+    GEOS_finish_r(clipper->geos);
     free(clipper);
 }
 
@@ -76,22 +77,18 @@ enum pp_status pp_clipper_ring_is_simple(bool *simple, struct pp_clipper *clippe
                                          const double (*xy)[2], int count,
                                          struct pp_error *err)
 {
-    const struct pp_late_geos *geos = &clipper->geos;
+    GEOSContextHandle_t geos = clipper->geos;
     *simple = is_convex(xy, count);
     if (*simple || count < 3 || pp_region_ring_area(xy, count) == 0.0)
         return PP_OK;
-    enum pp_status status = need_geos(clipper, err);
-    if (status != PP_OK)
-        return status;
     GEOSGeometry *ring = pp_geos_region_ring(geos, xy, count);
     if (!ring)
         return pp_fail_memory(err);
-    GEOSGeometry *polygon =
-        geos->call.GEOSGeom_createPolygon_r(geos->context, ring, NULL, 0);
+    GEOSGeometry *polygon = GEOSGeom_createPolygon_r(geos, ring, NULL, 0);
     if (!polygon)
         return pp_fail_memory(err);
-    *simple = geos->call.GEOSisValid_r(geos->context, polygon) == 1;
-    geos->call.GEOSGeom_destroy_r(geos->context, polygon);
+    *simple = GEOSisValid_r(geos, polygon) == 1;
+    GEOSGeom_destroy_r(geos, polygon);
     return PP_OK;
 }
 
@@ -131,33 +128,31 @@ enum pp_status pp_clipper_of_ring(struct pp_clipper *clipper, struct pp_region *
 }
 
 /* The faces that the closed line divides the plane into; NULL on failure. */
-static GEOSGeometry *faces_of(const struct pp_late_geos *geos, const double (*xy)[2],
+static GEOSGeometry *faces_of(GEOSContextHandle_t geos, const double (*xy)[2],
                               int count)
 {
     GEOSGeometry *line = pp_geos_region_ring(geos, xy, count), *faces = NULL;
-    GEOSGeometry *pieces =
-        line ? geos->call.GEOSUnaryUnion_r(geos->context, line) : NULL;
+    GEOSGeometry *pieces = line ? GEOSUnaryUnion_r(geos, line) : NULL;
     if (pieces)
-        faces = geos->call.GEOSPolygonize_r(geos->context,
-                                            (const GEOSGeometry *const *)&pieces, 1);
+        faces = GEOSPolygonize_r(geos, (const GEOSGeometry *const *)&pieces, 1);
     if (pieces)
-        geos->call.GEOSGeom_destroy_r(geos->context, pieces);
+        GEOSGeom_destroy_r(geos, pieces);
     if (line)
-        geos->call.GEOSGeom_destroy_r(geos->context, line);
+        GEOSGeom_destroy_r(geos, line);
     return faces;
 }
 
 /* Is the face's inside that of the line, by crossings? */
-static bool is_crossed_oddly(const struct pp_late_geos *geos, const GEOSGeometry *face,
+static bool is_crossed_oddly(GEOSContextHandle_t geos, const GEOSGeometry *face,
                              const struct pp_region *line)
 {
     double x, y;
-    GEOSGeometry *point = geos->call.GEOSPointOnSurface_r(geos->context, face);
-    bool inside = point && geos->call.GEOSGeomGetX_r(geos->context, point, &x) == 1
-                  && geos->call.GEOSGeomGetY_r(geos->context, point, &y) == 1
+    GEOSGeometry *point = GEOSPointOnSurface_r(geos, face);
+    bool inside = point && GEOSGeomGetX_r(geos, point, &x) == 1
+                  && GEOSGeomGetY_r(geos, point, &y) == 1
                   && pp_region_contains(line, x, y);
     if (point)
-        geos->call.GEOSGeom_destroy_r(geos->context, point);
+        GEOSGeom_destroy_r(geos, point);
     return inside;
 }
 
@@ -165,7 +160,7 @@ enum pp_status pp_clipper_by_crossings(struct pp_clipper *clipper,
                                        struct pp_region *region, const double (*xy)[2],
                                        int count, struct pp_error *err)
 {
-    const struct pp_late_geos *geos = &clipper->geos;
+    GEOSContextHandle_t geos = clipper->geos;
     *region = (struct pp_region){0};
     if (count < 3)
         return PP_OK;
@@ -173,23 +168,20 @@ enum pp_status pp_clipper_by_crossings(struct pp_clipper *clipper,
     enum pp_status status = pp_clipper_ring_is_simple(&simple, clipper, xy, count, err);
     if (status == PP_OK && simple)
         return simple_ring(region, xy, count, err);
-    if (status == PP_OK)
-        status = need_geos(clipper, err);
     if (status != PP_OK)
         return status;
     GEOSGeometry *faces = faces_of(geos, xy, count);
     if (!faces)
         return fail_geos(clipper, "finding the faces of an outline", err);
-    int face_count = geos->call.GEOSGetNumGeometries_r(geos->context, faces), found = 0;
+    int face_count = GEOSGetNumGeometries_r(geos, faces), found = 0;
     struct pp_region *inside = calloc((size_t)face_count + 1, sizeof *inside);
     struct pp_ring ring = {count, (double(*)[2])xy};
     status = inside ? PP_OK : pp_fail_memory(err);
     for (int i = 0; i < face_count && status == PP_OK; i++) {
-        const GEOSGeometry *face =
-            geos->call.GEOSGetGeometryN_r(geos->context, faces, i);
+        const GEOSGeometry *face = GEOSGetGeometryN_r(geos, faces, i);
         if (!is_crossed_oddly(geos, face, &(struct pp_region){1, &ring}))
             continue;
-        GEOSGeometry *copy = geos->call.GEOSGeom_clone_r(geos->context, face);
+        GEOSGeometry *copy = GEOSGeom_clone_r(geos, face);
         status =
             copy ? pp_geos_region_from(&inside[found++], geos, copy, clipper->grid, err)
                  : pp_fail_memory(err);
@@ -199,7 +191,7 @@ enum pp_status pp_clipper_by_crossings(struct pp_clipper *clipper,
     for (int i = 0; i < found; i++)
         pp_region_clear(&inside[i]);
     free(inside);
-    geos->call.GEOSGeom_destroy_r(geos->context, faces);
+    GEOSGeom_destroy_r(geos, faces);
     return status;
 }
 
@@ -209,19 +201,15 @@ enum pp_status pp_clipper_union(struct pp_clipper *clipper, struct pp_region *re
                                 const struct pp_region *parts, int count,
                                 struct pp_error *err)
 {
-    const struct pp_late_geos *geos = &clipper->geos;
+    GEOSContextHandle_t geos = clipper->geos;
     *result = (struct pp_region){0};
-    enum pp_status status = need_geos(clipper, err);
-    if (status != PP_OK)
-        return status;
     GEOSGeometry *all = pp_geos_region_polygons(geos, parts, count);
     if (!all)
         return pp_fail_memory(err);
-    GEOSGeometry *one =
-        clipper->grid > 0.0
-            ? geos->call.GEOSUnaryUnionPrec_r(geos->context, all, clipper->grid)
-            : geos->call.GEOSUnaryUnion_r(geos->context, all);
-    geos->call.GEOSGeom_destroy_r(geos->context, all);
+    GEOSGeometry *one = clipper->grid > 0.0
+                            ? GEOSUnaryUnionPrec_r(geos, all, clipper->grid)
+                            : GEOSUnaryUnion_r(geos, all);
+    GEOSGeom_destroy_r(geos, all);
     if (!one)
         return fail_geos(clipper, "the union of outlines", err);
     return pp_geos_region_from(result, geos, one, clipper->grid, err);
@@ -234,26 +222,22 @@ typedef GEOSGeometry *grid_function(GEOSContextHandle_t geos, const GEOSGeometry
 
 static enum pp_status overlay(struct pp_clipper *clipper, struct pp_region *result,
                               const struct pp_region *a, const struct pp_region *b,
-                              overlay_function **how, grid_function **how_on_grid,
+                              overlay_function *how, grid_function *how_on_grid,
                               const char *what, struct pp_error *err)
 {
-    const struct pp_late_geos *geos = &clipper->geos;
+    GEOSContextHandle_t geos = clipper->geos;
     *result = (struct pp_region){0};
-    enum pp_status status = need_geos(clipper, err);
-    if (status != PP_OK)
-        return status;
     GEOSGeometry *one = pp_geos_region_polygons(geos, a, 1);
     GEOSGeometry *other = pp_geos_region_polygons(geos, b, 1);
     GEOSGeometry *shape = NULL;
     bool whole = one && other;
     if (whole)
-        shape = clipper->grid > 0.0
-                    ? (*how_on_grid)(geos->context, one, other, clipper->grid)
-                    : (*how)(geos->context, one, other);
+        shape = clipper->grid > 0.0 ? how_on_grid(geos, one, other, clipper->grid)
+                                    : how(geos, one, other);
     if (one)
-        geos->call.GEOSGeom_destroy_r(geos->context, one);
+        GEOSGeom_destroy_r(geos, one);
     if (other)
-        geos->call.GEOSGeom_destroy_r(geos->context, other);
+        GEOSGeom_destroy_r(geos, other);
     if (!whole)
         return pp_fail_memory(err);
     if (!shape)
@@ -266,8 +250,7 @@ enum pp_status pp_clipper_intersection(struct pp_clipper *clipper,
                                        const struct pp_region *a,
                                        const struct pp_region *b, struct pp_error *err)
 {
-    return overlay(clipper, result, a, b, &clipper->geos.call.GEOSIntersection_r,
-                   &clipper->geos.call.GEOSIntersectionPrec_r,
+    return overlay(clipper, result, a, b, GEOSIntersection_r, GEOSIntersectionPrec_r,
                    "the intersection of outlines", err);
 }
 
@@ -277,8 +260,7 @@ enum pp_status pp_clipper_difference(struct pp_clipper *clipper,
                                      const struct pp_region *minus,
                                      struct pp_error *err)
 {
-    return overlay(clipper, result, a, minus, &clipper->geos.call.GEOSDifference_r,
-                   &clipper->geos.call.GEOSDifferencePrec_r,
+    return overlay(clipper, result, a, minus, GEOSDifference_r, GEOSDifferencePrec_r,
                    "the difference of outlines", err);
 }
 
@@ -301,18 +283,15 @@ enum pp_status pp_clipper_inset(struct pp_clipper *clipper, struct pp_region *re
 {
     enum { ARC_POINTS = 8 };             /* of a quarter circle: there is none */
     static const double LONGEST = 100.0; /* of a corner, over the distance */
-    const struct pp_late_geos *geos = &clipper->geos;
+    GEOSContextHandle_t geos = clipper->geos;
     *result = (struct pp_region){0};
-    enum pp_status status = need_geos(clipper, err);
-    if (status != PP_OK)
-        return status;
     GEOSGeometry *whole = pp_geos_region_polygons(geos, region, 1);
     if (!whole)
         return pp_fail_memory(err);
     GEOSGeometry *inside =
-        geos->call.GEOSBufferWithStyle_r(geos->context, whole, -distance, ARC_POINTS,
-                                         GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, LONGEST);
-    geos->call.GEOSGeom_destroy_r(geos->context, whole);
+        GEOSBufferWithStyle_r(geos, whole, -distance, ARC_POINTS, GEOSBUF_CAP_FLAT,
+                              GEOSBUF_JOIN_MITRE, LONGEST);
+    GEOSGeom_destroy_r(geos, whole);
     if (!inside)
         return fail_geos(clipper, "the inside of an outline", err);
     return pp_geos_region_from(result, geos, inside, clipper->grid, err);
@@ -335,8 +314,7 @@ static bool takes_first_diagonal(const double *const p[4])
     return !(held > 1e-12 * scale * scale);
 }
 
-/* The same of a convex ring of three or four corners, without GEOS, which takes longer to
- * load than most rooms need it. */
+/* The same for a convex ring of three or four corners, as most are, without GEOS. */
 static enum pp_status cut_convex(double (**triangles)[3][2], int *count,
                                  const struct pp_ring *ring, struct pp_error *err)
 {
@@ -364,7 +342,7 @@ enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
                                       const struct pp_region *region,
                                       struct pp_error *err)
 {
-    const struct pp_late_geos *geos = &clipper->geos;
+    GEOSContextHandle_t geos = clipper->geos;
     *triangles = NULL;
     *count = 0;
     if (region->count == 0)
@@ -373,19 +351,15 @@ enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
     if (region->count == 1 && first->count <= 4 && !(clipper->grid > 0.0)
         && is_convex((const double(*)[2])first->xy, first->count))
         return cut_convex(triangles, count, first, err);
-    enum pp_status status = need_geos(clipper, err);
-    if (status != PP_OK)
-        return status;
     GEOSGeometry *shape = pp_geos_region_polygons(geos, region, 1);
     if (!shape)
         return pp_fail_memory(err);
-    GEOSGeometry *mesh =
-        geos->call.GEOSConstrainedDelaunayTriangulation_r(geos->context, shape);
-    geos->call.GEOSGeom_destroy_r(geos->context, shape);
+    GEOSGeometry *mesh = GEOSConstrainedDelaunayTriangulation_r(geos, shape);
+    GEOSGeom_destroy_r(geos, shape);
     if (!mesh)
         return fail_geos(clipper, "the triangulation of an outline", err);
     struct pp_region rings;
-    status = pp_geos_region_from(&rings, geos, mesh, clipper->grid, err);
+    enum pp_status status = pp_geos_region_from(&rings, geos, mesh, clipper->grid, err);
     if (status != PP_OK)
         return status;
     double(*list)[3][2] = malloc((size_t)rings.count * sizeof *list + 1);

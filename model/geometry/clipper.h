@@ -1,7 +1,7 @@
 /* clipper.h - regions out of rings, their union, difference and intersection, and the
  * triangles that cover them.
  *
- * Overlays are GEOS's (late_geos.h).
+ * Overlays are GEOS's (geos_region.h).
  */
 #ifndef PP_MODEL_GEOMETRY_CLIPPER_H
 #define PP_MODEL_GEOMETRY_CLIPPER_H
@@ -11,7 +11,7 @@
 #include "model/base/error.h"
 #include "model/geometry/region.h"
 
-/* Holds a GEOS context, once one is needed: one for each thread. The functions below change
+/* Holds a GEOS context: one for each thread. The functions below change
  * nothing else. */
 struct pp_clipper;
 enum pp_status pp_clipper_create(struct pp_clipper **clipper, struct pp_error *err);

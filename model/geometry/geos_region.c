@@ -6,21 +6,20 @@
 
 /* ---- rings and regions to GEOS ---- */
 
-GEOSGeometry *pp_geos_region_ring(const struct pp_late_geos *geos,
-                                  const double (*xy)[2], int count)
+GEOSGeometry *pp_geos_region_ring(GEOSContextHandle_t geos, const double (*xy)[2],
+                                  int count)
 {
-    GEOSCoordSequence *line =
-        geos->call.GEOSCoordSeq_create_r(geos->context, (unsigned)count + 1, 2);
+    GEOSCoordSequence *line = GEOSCoordSeq_create_r(geos, (unsigned)count + 1, 2);
     if (!line)
         return NULL;
     for (int i = 0; i <= count; i++)
-        geos->call.GEOSCoordSeq_setXY_r(geos->context, line, (unsigned)i,
-                                        xy[i % count][0], xy[i % count][1]);
-    return geos->call.GEOSGeom_createLinearRing_r(geos->context, line);
+        GEOSCoordSeq_setXY_r(geos, line, (unsigned)i, xy[i % count][0],
+                             xy[i % count][1]);
+    return GEOSGeom_createLinearRing_r(geos, line);
 }
 
 /* The rings of `region` are `from` (an outer one) and the holes up to `to`. */
-static GEOSGeometry *geos_polygon(const struct pp_late_geos *geos,
+static GEOSGeometry *geos_polygon(GEOSContextHandle_t geos,
                                   const struct pp_region *region, int from, int to)
 {
     const struct pp_ring *rings = region->rings;
@@ -42,19 +41,19 @@ static GEOSGeometry *geos_polygon(const struct pp_late_geos *geos,
         if (!whole) {
             for (int i = 0; holes && i < hole_count; i++)
                 if (holes[i])
-                    geos->call.GEOSGeom_destroy_r(geos->context, holes[i]);
+                    GEOSGeom_destroy_r(geos, holes[i]);
             free(holes);
-            geos->call.GEOSGeom_destroy_r(geos->context, shell);
+            GEOSGeom_destroy_r(geos, shell);
             return NULL;
         }
     }
-    GEOSGeometry *polygon = geos->call.GEOSGeom_createPolygon_r(
-        geos->context, shell, holes, (unsigned)hole_count);
+    GEOSGeometry *polygon =
+        GEOSGeom_createPolygon_r(geos, shell, holes, (unsigned)hole_count);
     free(holes);
     return polygon;
 }
 
-GEOSGeometry *pp_geos_region_polygons(const struct pp_late_geos *geos,
+GEOSGeometry *pp_geos_region_polygons(GEOSContextHandle_t geos,
                                       const struct pp_region *regions, int count)
 {
     int rings = 0, polygons = 0;
@@ -81,31 +80,29 @@ GEOSGeometry *pp_geos_region_polygons(const struct pp_late_geos *geos,
     }
     GEOSGeometry *all = NULL;
     if (whole)
-        all = geos->call.GEOSGeom_createCollection_r(geos->context, GEOS_MULTIPOLYGON,
-                                                     list, (unsigned)polygons);
+        all = GEOSGeom_createCollection_r(geos, GEOS_MULTIPOLYGON, list,
+                                          (unsigned)polygons);
     else
         for (int i = 0; i < polygons; i++)
-            geos->call.GEOSGeom_destroy_r(geos->context, list[i]);
+            GEOSGeom_destroy_r(geos, list[i]);
     free(list);
     return all;
 }
 
 /* ---- GEOS to regions ---- */
 
-static int ring_count(const struct pp_late_geos *geos, const GEOSGeometry *shape)
+static int ring_count(GEOSContextHandle_t geos, const GEOSGeometry *shape)
 {
     int count = 0;
-    switch (geos->call.GEOSGeomTypeId_r(geos->context, shape)) {
+    switch (GEOSGeomTypeId_r(geos, shape)) {
     case GEOS_POLYGON:
-        if (!geos->call.GEOSisEmpty_r(geos->context, shape))
-            count = 1 + geos->call.GEOSGetNumInteriorRings_r(geos->context, shape);
+        if (!GEOSisEmpty_r(geos, shape))
+            count = 1 + GEOSGetNumInteriorRings_r(geos, shape);
         break;
     case GEOS_MULTIPOLYGON:
     case GEOS_GEOMETRYCOLLECTION:
-        for (int i = 0; i < geos->call.GEOSGetNumGeometries_r(geos->context, shape);
-             i++)
-            count += ring_count(geos,
-                                geos->call.GEOSGetGeometryN_r(geos->context, shape, i));
+        for (int i = 0; i < GEOSGetNumGeometries_r(geos, shape); i++)
+            count += ring_count(geos, GEOSGetGeometryN_r(geos, shape, i));
         break;
     default:
         break;
@@ -123,13 +120,12 @@ static double perimeter(const double (*xy)[2], int count)
 
 /* Appends one ring, turned the way `outer` asks for; one that is less than two steps of
  * the grid wide is rounding and left out. */
-static bool append_ring(struct pp_region *region, const struct pp_late_geos *geos,
+static bool append_ring(struct pp_region *region, GEOSContextHandle_t geos,
                         const GEOSGeometry *line, bool outer, double grid)
 {
-    const GEOSCoordSequence *points =
-        geos->call.GEOSGeom_getCoordSeq_r(geos->context, line);
+    const GEOSCoordSequence *points = GEOSGeom_getCoordSeq_r(geos, line);
     unsigned size = 0;
-    if (!points || !geos->call.GEOSCoordSeq_getSize_r(geos->context, points, &size))
+    if (!points || !GEOSCoordSeq_getSize_r(geos, points, &size))
         return false;
     if (size < 4)
         return true;
@@ -138,8 +134,7 @@ static bool append_ring(struct pp_region *region, const struct pp_late_geos *geo
     if (!xy)
         return false;
     for (int i = 0; i < count; i++)
-        geos->call.GEOSCoordSeq_getXY_r(geos->context, points, (unsigned)i, &xy[i][0],
-                                        &xy[i][1]);
+        GEOSCoordSeq_getXY_r(geos, points, (unsigned)i, &xy[i][0], &xy[i][1]);
     double area = pp_region_ring_area((const double(*)[2])xy, count);
     if (fabs(area) <= grid * perimeter((const double(*)[2])xy, count)) {
         free(xy);
@@ -156,34 +151,28 @@ static bool append_ring(struct pp_region *region, const struct pp_late_geos *geo
     return true;
 }
 
-static bool append_shape(struct pp_region *region, const struct pp_late_geos *geos,
+static bool append_shape(struct pp_region *region, GEOSContextHandle_t geos,
                          const GEOSGeometry *shape, double grid)
 {
     bool whole = true;
     int known = region->count;
-    switch (geos->call.GEOSGeomTypeId_r(geos->context, shape)) {
+    switch (GEOSGeomTypeId_r(geos, shape)) {
     case GEOS_POLYGON:
-        if (geos->call.GEOSisEmpty_r(geos->context, shape))
+        if (GEOSisEmpty_r(geos, shape))
             break;
-        whole = append_ring(region, geos,
-                            geos->call.GEOSGetExteriorRing_r(geos->context, shape),
-                            true, grid);
-        for (int i = 0;
-             whole && region->count > known
-             && i < geos->call.GEOSGetNumInteriorRings_r(geos->context, shape);
+        whole =
+            append_ring(region, geos, GEOSGetExteriorRing_r(geos, shape), true, grid);
+        for (int i = 0; whole && region->count > known
+                        && i < GEOSGetNumInteriorRings_r(geos, shape);
              i++)
-            whole =
-                append_ring(region, geos,
-                            geos->call.GEOSGetInteriorRingN_r(geos->context, shape, i),
-                            false, grid);
+            whole = append_ring(region, geos, GEOSGetInteriorRingN_r(geos, shape, i),
+                                false, grid);
         break;
     case GEOS_MULTIPOLYGON:
     case GEOS_GEOMETRYCOLLECTION:
-        for (int i = 0;
-             whole && i < geos->call.GEOSGetNumGeometries_r(geos->context, shape); i++)
-            whole = append_shape(region, geos,
-                                 geos->call.GEOSGetGeometryN_r(geos->context, shape, i),
-                                 grid);
+        for (int i = 0; whole && i < GEOSGetNumGeometries_r(geos, shape); i++)
+            whole =
+                append_shape(region, geos, GEOSGetGeometryN_r(geos, shape, i), grid);
         break;
     default:
         break; /* points and lines have no area */
@@ -191,9 +180,9 @@ static bool append_shape(struct pp_region *region, const struct pp_late_geos *ge
     return whole;
 }
 
-enum pp_status pp_geos_region_from(struct pp_region *region,
-                                   const struct pp_late_geos *geos, GEOSGeometry *shape,
-                                   double grid, struct pp_error *err)
+enum pp_status pp_geos_region_from(struct pp_region *region, GEOSContextHandle_t geos,
+                                   GEOSGeometry *shape, double grid,
+                                   struct pp_error *err)
 {
     *region = (struct pp_region){0};
     int count = ring_count(geos, shape);
@@ -202,7 +191,7 @@ enum pp_status pp_geos_region_from(struct pp_region *region,
         region->rings = calloc((size_t)count, sizeof *region->rings);
         whole = region->rings && append_shape(region, geos, shape, grid);
     }
-    geos->call.GEOSGeom_destroy_r(geos->context, shape);
+    GEOSGeom_destroy_r(geos, shape);
     if (!whole) {
         pp_region_clear(region);
         return pp_fail_memory(err);

@@ -2,26 +2,29 @@
  *
  * A region goes to GEOS as a multipolygon and comes back from it ring by ring, each
  * outer ring followed by its own holes. What GEOS leaves of lower dimension (points
- * and lines where two figures only touch) is dropped. Inside model/geometry/ only.
+ * and lines where two figures only touch) is dropped. The only file that includes GEOS's
+ * header. Inside model/geometry/ only.
  */
 #ifndef PP_MODEL_GEOMETRY_GEOS_REGION_H
 #define PP_MODEL_GEOMETRY_GEOS_REGION_H
 
-#include "model/geometry/late_geos.h"
+#include <geos_c.h>
+
+#include "model/base/error.h"
 #include "model/geometry/region.h"
 
 /* A closed ring; NULL on failure. count is at least 3. */
-GEOSGeometry *pp_geos_region_ring(const struct pp_late_geos *geos,
-                                  const double (*xy)[2], int count);
+GEOSGeometry *pp_geos_region_ring(GEOSContextHandle_t geos, const double (*xy)[2],
+                                  int count);
 
 /* All of `count` regions as one collection of polygons; NULL on failure. */
-GEOSGeometry *pp_geos_region_polygons(const struct pp_late_geos *geos,
+GEOSGeometry *pp_geos_region_polygons(GEOSContextHandle_t geos,
                                       const struct pp_region *regions, int count);
 
 /* Turns shape into *region and destroys it. Rings less than two steps of the grid (0: none)
  * wide are rounding and left out. */
-enum pp_status pp_geos_region_from(struct pp_region *region,
-                                   const struct pp_late_geos *geos, GEOSGeometry *shape,
-                                   double grid, struct pp_error *err);
+enum pp_status pp_geos_region_from(struct pp_region *region, GEOSContextHandle_t geos,
+                                   GEOSGeometry *shape, double grid,
+                                   struct pp_error *err);
 
 #endif

@@ -25,28 +25,6 @@ void pp_format_cell(double value, const char *format, int width, FILE *out)
     fprintf(out, "%*s", width, isfinite(value) ? text : "-");
 }
 
-void pp_format_two_decimals(char *text, size_t room, double number)
-{
-    double hundredths = fabs(number) * 100.0;
-    double nearest = floor(hundredths + 0.5);
-    char digits[16], *end = digits + sizeof digits, *at = end;
-    /* What lies halfway between two turns on all digits of the number. */
-    if (!(hundredths < 1e6 && fabs(hundredths - nearest) < 0.49999)
-        || room < sizeof digits) {
-        snprintf(text, room, "%.2f", number);
-        return;
-    }
-    *--at = '\0';
-    for (int i = 0, left = (int)nearest; left > 0 || i < 3; i++, left /= 10) {
-        *--at = (char)('0' + left % 10);
-        if (i == 1)
-            *--at = '.';
-    }
-    if (signbit(number))
-        *--at = '-';
-    memcpy(text, at, (size_t)(end - at));
-}
-
 void pp_format_csv_field(const char *text, FILE *out)
 {
     if (!text)

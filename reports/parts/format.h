@@ -17,10 +17,6 @@ extern const char *const pp_component_titles[PP_COMPONENT_COUNT];
  * is none. */
 void pp_format_cell(double value, const char *format, int width, FILE *out);
 
-/* A number of two decimals, as printf's %.2f has it: a table of results takes a third of its
- * time by that. */
-void pp_format_two_decimals(char *text, size_t room, double number);
-
 /* The fields that every CSV is put together with [RFC4180]. */
 
 /* A field, in quotes where it holds what would end it; NULL is an empty one. */

@@ -13,7 +13,6 @@
 
 #include "model/base/array.h"
 #include "model/base/clock.h"
-#include "model/base/heap.h"
 #include "simulate/cache/cache_parts.h"
 #include "simulate/cache/cache_smooth.h"
 #include "simulate/sampling/hash.h"
@@ -169,9 +168,6 @@ static enum pp_status request_along(struct pp_irradiance_cache *cache,
         for (int i = 0; i < n; i++)
             wanted += rays_requests[i].count;
         status = reserve(layer, wanted, err);
-        if (status == PP_OK)
-            pp_heap_fill(layer->requests + layer->request_count,
-                         (size_t)wanted * sizeof *layer->requests);
         for (int i = 0; i < n && status == PP_OK; i++)
             for (int k = 0; k < rays_requests[i].count; k++)
                 append(layer, &rays_requests[i].places[k]);

@@ -11,7 +11,6 @@
 
 #include "model/base/array.h"
 #include "model/base/clock.h"
-#include "model/base/heap.h"
 #include "simulate/sampling/hash.h"
 
 enum {
@@ -52,8 +51,6 @@ static enum pp_status begin(struct pp_planner *planner, struct pp_error *err)
                 : pp_planner_by_error(planner) ? planner->sampler->pilot_randomisations
                                                : 0;
     int count = asked > 0 ? asked : PP_RANDOMISATIONS;
-    pp_heap_expect((size_t)planner->point_count * (size_t)count
-                   * sizeof(struct pp_randomisation));
     enum pp_status status = PP_OK;
     for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
         struct pp_planned_point *point = &planner->points[i];
@@ -192,10 +189,6 @@ static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *er
     bool again = planner->stage == PP_FINAL, grows = !again;
     planner->stage = PP_FINAL;
     enum pp_status status = PP_OK;
-    size_t wanted = 0;
-    for (int i = 0; i < planner->point_count; i++)
-        wanted += (size_t)planner->points[i].plan.randomisations;
-    pp_heap_expect(wanted * sizeof(struct pp_randomisation));
     for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
         struct pp_planned_point *point = &planner->points[i];
         struct pp_plan plan = point->plan;
@@ -239,12 +232,8 @@ static int larger_half(const struct pp_planned_point *point)
 static enum pp_status top_up(struct pp_planner *planner, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    size_t wanted = 0;
     planner->topped_up = true;
     pp_crew_run_small(planner->crew, 0, planner->point_count, foresee_halves, planner);
-    for (int i = 0; i < planner->point_count; i++)
-        wanted += 2 * (size_t)larger_half(&planner->points[i]);
-    pp_heap_expect(wanted * sizeof(struct pp_randomisation));
     for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
         struct pp_planned_point *point = &planner->points[i];
         status = make(point, PP_FINAL, 2 * larger_half(point), err);

@@ -18,38 +18,9 @@
 #include <embree3/rtcore.h>
 #endif
 
-#include "model/base/late_library.h"
 #include "simulate/scene/round.h"
 
-/* Embree is loaded with the first scene, since many a command needs none; its functions are
- * looked up for each. */
-#ifdef HAVE_EMBREE4
-#define EMBREE_FILE "libembree4.so.4"
-#else
-#define EMBREE_FILE "libembree3.so.3"
-#endif
-
-/* What is called of it. */
-/* clang-format off */
-#define EMBREE_FUNCTIONS(each) \
-    each(rtcAttachGeometry) each(rtcCommitGeometry) each(rtcCommitScene) \
-    each(rtcGetDeviceError) each(rtcIntersect1) each(rtcNewDevice) \
-    each(rtcNewGeometry) each(rtcNewScene) each(rtcReleaseDevice) \
-    each(rtcReleaseGeometry) each(rtcReleaseScene) \
-    each(rtcSetGeometryBoundsFunction) each(rtcSetGeometryIntersectFunction) \
-    each(rtcSetGeometryUserData) each(rtcSetGeometryUserPrimitiveCount) \
-    each(rtcSetNewGeometryBuffer) each(rtcSetSceneFlags)
-/* clang-format on */
-
-#define MEMBER(name) __typeof__(name) *name;
-#define NAME(name) #name,
-struct embree {
-    EMBREE_FUNCTIONS(MEMBER)
-};
-static const char *const embree_names[] = {EMBREE_FUNCTIONS(NAME) NULL};
-
 struct pp_rays {
-    struct embree embree;
     RTCDevice device;
     RTCScene scene;
     struct pp_shape *rounds;
@@ -60,7 +31,7 @@ struct pp_rays {
 /* Embree's last error, as ours. */
 static enum pp_status embree_failed(const struct pp_rays *rays, struct pp_error *err)
 {
-    enum RTCError code = rays->embree.rtcGetDeviceError(rays->device);
+    enum RTCError code = rtcGetDeviceError(rays->device);
     if (code == RTC_ERROR_OUT_OF_MEMORY)
         return pp_fail_memory(err);
     return pp_fail(err, PP_SYSTEM,
@@ -73,24 +44,23 @@ static enum pp_status attach_triangles(struct pp_rays *rays,
                                        const float (*triangles)[3][3], int count,
                                        struct pp_error *err)
 {
-    const struct embree *embree = &rays->embree;
-    RTCGeometry mesh = embree->rtcNewGeometry(rays->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometry mesh = rtcNewGeometry(rays->device, RTC_GEOMETRY_TYPE_TRIANGLE);
     if (!mesh)
         return embree_failed(rays, err);
-    float *vertices = embree->rtcSetNewGeometryBuffer(
-        mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float),
-        (size_t)count * 3);
-    unsigned *indices = embree->rtcSetNewGeometryBuffer(
-        mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned),
-        (size_t)count);
+    float *vertices =
+        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                3 * sizeof(float), (size_t)count * 3);
+    unsigned *indices =
+        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(unsigned), (size_t)count);
     if (vertices && indices) {
         memcpy(vertices, triangles, (size_t)count * sizeof *triangles);
         for (unsigned i = 0; i < 3u * (unsigned)count; i++)
             indices[i] = i;
-        embree->rtcCommitGeometry(mesh);
-        embree->rtcAttachGeometry(rays->scene, mesh);
+        rtcCommitGeometry(mesh);
+        rtcAttachGeometry(rays->scene, mesh);
     }
-    embree->rtcReleaseGeometry(mesh);
+    rtcReleaseGeometry(mesh);
     if (!vertices || !indices)
         return embree_failed(rays, err);
     return PP_OK;
@@ -142,17 +112,16 @@ static enum pp_status attach_rounds(struct pp_rays *rays, const struct pp_shape 
     if (!rays->rounds)
         return pp_fail_memory(err);
     memcpy(rays->rounds, rounds, (size_t)count * sizeof *rounds);
-    const struct embree *embree = &rays->embree;
-    RTCGeometry geometry = embree->rtcNewGeometry(rays->device, RTC_GEOMETRY_TYPE_USER);
+    RTCGeometry geometry = rtcNewGeometry(rays->device, RTC_GEOMETRY_TYPE_USER);
     if (!geometry)
         return embree_failed(rays, err);
-    embree->rtcSetGeometryUserPrimitiveCount(geometry, (unsigned)count);
-    embree->rtcSetGeometryUserData(geometry, rays->rounds);
-    embree->rtcSetGeometryBoundsFunction(geometry, round_bounds, NULL);
-    embree->rtcSetGeometryIntersectFunction(geometry, round_intersect);
-    embree->rtcCommitGeometry(geometry);
-    rays->round_geometry = embree->rtcAttachGeometry(rays->scene, geometry);
-    embree->rtcReleaseGeometry(geometry);
+    rtcSetGeometryUserPrimitiveCount(geometry, (unsigned)count);
+    rtcSetGeometryUserData(geometry, rays->rounds);
+    rtcSetGeometryBoundsFunction(geometry, round_bounds, NULL);
+    rtcSetGeometryIntersectFunction(geometry, round_intersect);
+    rtcCommitGeometry(geometry);
+    rays->round_geometry = rtcAttachGeometry(rays->scene, geometry);
+    rtcReleaseGeometry(geometry);
     return PP_OK;
 }
 
@@ -166,30 +135,26 @@ enum pp_status pp_rays_create(struct pp_rays **result, const float (*triangles)[
         return pp_fail_memory(err);
     rays->triangle_count = count;
     rays->round_geometry = RTC_INVALID_GEOMETRY_ID;
-    const struct embree *embree = &rays->embree;
-    enum pp_status status =
-        pp_late_library_load(&rays->embree, embree_names, EMBREE_FILE, err);
-    if (status != PP_OK)
-        goto failed;
-    rays->device = embree->rtcNewDevice("threads=1,set_affinity=0");
+    enum pp_status status = PP_OK;
+    rays->device = rtcNewDevice("threads=1,set_affinity=0");
     if (!rays->device) {
         status = embree_failed(rays, err);
         goto failed;
     }
-    rays->scene = embree->rtcNewScene(rays->device);
+    rays->scene = rtcNewScene(rays->device);
     if (!rays->scene) {
         status = embree_failed(rays, err);
         goto failed;
     }
-    embree->rtcSetSceneFlags(rays->scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(rays->scene, RTC_SCENE_FLAG_ROBUST);
     if (count > 0)
         status = attach_triangles(rays, triangles, count, err);
     if (status == PP_OK && round_count > 0)
         status = attach_rounds(rays, rounds, round_count, err);
     if (status != PP_OK)
         goto failed;
-    embree->rtcCommitScene(rays->scene);
-    if (embree->rtcGetDeviceError(rays->device) != RTC_ERROR_NONE) {
+    rtcCommitScene(rays->scene);
+    if (rtcGetDeviceError(rays->device) != RTC_ERROR_NONE) {
         status = pp_fail_memory(err);
         goto failed;
     }
@@ -205,9 +170,9 @@ void pp_rays_destroy(struct pp_rays *rays)
     if (!rays)
         return;
     if (rays->scene)
-        rays->embree.rtcReleaseScene(rays->scene);
+        rtcReleaseScene(rays->scene);
     if (rays->device)
-        rays->embree.rtcReleaseDevice(rays->device);
+        rtcReleaseDevice(rays->device);
     free(rays->rounds);
     free(rays);
 }
@@ -226,11 +191,11 @@ int pp_rays_first(const struct pp_rays *rays, const float origin[3],
                 .mask = ~0u},
         .hit = {.geomID = RTC_INVALID_GEOMETRY_ID, .primID = RTC_INVALID_GEOMETRY_ID}};
 #ifdef HAVE_EMBREE4
-    rays->embree.rtcIntersect1(rays->scene, &query, NULL);
+    rtcIntersect1(rays->scene, &query, NULL);
 #else
     struct RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    rays->embree.rtcIntersect1(rays->scene, &context, &query);
+    rtcIntersect1(rays->scene, &context, &query);
 #endif
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return -1;

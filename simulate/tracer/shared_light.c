@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "model/base/array.h"
-#include "model/base/heap.h"
 #include "simulate/sampling/hash.h"
 
 enum {
@@ -170,8 +169,6 @@ enum pp_status pp_shared_light_extend(struct pp_shared_lights *lights, int stage
                                   sizeof *set->list, err);
         if (status == PP_OK && more > 0)
             status = reserve_net(set, lights->path.cells, err);
-        if (status == PP_OK && more > 0)
-            pp_heap_fill(set->list + set->count, (size_t)more * sizeof *set->list);
     }
     if (status != PP_OK)
         return status;

@@ -179,6 +179,8 @@ check "the library neither prints nor exits nor looks at its surroundings" \
 check "one file at most knows GEOS" one_file_at_most geos_c.h
 check "one file at most knows Embree 3" one_file_at_most embree3/
 check "one file at most knows Embree 4" one_file_at_most embree4/
+check "only the loader of the MPI module uses dlopen" nothing \
+    "$(includers dlfcn.h | grep -v '^cli/ranks/mpirun.c$')"
 check "one file at most starts threads" one_file_at_most '(pthread|threads|omp)\.h'
 check "XML is read in model/base" only_in model/base libxml/
 check "ray queries are made in simulate/scene" only_in simulate/scene embree

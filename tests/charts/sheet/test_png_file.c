@@ -1,9 +1,9 @@
-/* test_png_bands.c - the file has the pixels of the same drawing in one picture. */
+/* test_png_file.c - the file has the pixels of the drawing, and its resolution. */
 #include "tests/lib/near.h"
 
 #include <stdlib.h>
 
-#include "charts/sheet/png_bands.h"
+#include "charts/sheet/png_file.h"
 
 enum { WIDTH = 301, HEIGHT = 203 };
 
@@ -59,8 +59,9 @@ static void the_bands_have_the_pixels_of_the_whole(void **state)
             cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &all);
         draw(recorded);
         struct pp_bytes png = {0};
-        assert_int_equal(pp_png_bands_write(&png, recorded, WIDTH, HEIGHT, rows[i]),
-                         CAIRO_STATUS_SUCCESS);
+        assert_int_equal(
+            pp_png_file_in_bands(&png, recorded, WIDTH, HEIGHT, rows[i], 7.87),
+            CAIRO_STATUS_SUCCESS);
         struct png_reader reader = {&png, 0};
         cairo_surface_t *back =
             cairo_image_surface_create_from_png_stream(take, &reader);
@@ -96,11 +97,43 @@ static void a_blank_sheet_is_a_small_file(void **state)
     cairo_paint(cr);
     cairo_destroy(cr);
     struct pp_bytes png = {0};
-    assert_int_equal(pp_png_bands_write(&png, recorded, 8000, 5000, 100),
+    assert_int_equal(pp_png_file_in_bands(&png, recorded, 8000, 5000, 100, 7.87),
                      CAIRO_STATUS_SUCCESS);
     assert_true(png.count < 160000000 / 200);
     cairo_surface_destroy(recorded);
     pp_bytes_clear(&png);
+}
+
+/* The pixels of an image with transparency come back as they were,
+ * and the resolution stands in the file in dots a metre. */
+static void transparency_and_resolution_are_in_the_file(void **state)
+{
+    (void)state;
+    cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, 61, 47);
+    cairo_t *cr = cairo_create(image);
+    cairo_set_source_rgba(cr, 0.9, 0.2, 0.6, 0.37);
+    cairo_rectangle(cr, 5.3, 7.7, 40.2, 30.4);
+    cairo_fill(cr);
+    cairo_destroy(cr);
+    struct pp_bytes png = {0};
+    assert_int_equal(pp_png_file_of_image(&png, image, 11.811), CAIRO_STATUS_SUCCESS);
+    const unsigned char *phys = memmem(png.list, png.count, "pHYs", 4);
+    assert_non_null(phys);
+    const unsigned char dots[9] = {0, 0, 0x2e, 0x23, 0, 0, 0x2e, 0x23, 1}; /* 11811 */
+    assert_memory_equal(phys + 4, dots, sizeof dots);
+    struct png_reader reader = {&png, 0};
+    cairo_surface_t *back = cairo_image_surface_create_from_png_stream(take, &reader);
+    assert_int_equal(cairo_image_surface_get_format(back), CAIRO_FORMAT_ARGB32);
+    int stride = cairo_image_surface_get_stride(image);
+    assert_memory_equal(cairo_image_surface_get_data(back),
+                        cairo_image_surface_get_data(image), stride * 47);
+    cairo_surface_destroy(back);
+    pp_bytes_clear(&png);
+
+    assert_int_equal(pp_png_file_of_image(&png, image, 0.0), CAIRO_STATUS_SUCCESS);
+    assert_null(memmem(png.list, png.count, "pHYs", 4)); /* a picture without a size */
+    pp_bytes_clear(&png);
+    cairo_surface_destroy(image);
 }
 
 TEST_FILE
@@ -108,6 +141,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_bands_have_the_pixels_of_the_whole),
         cmocka_unit_test(a_blank_sheet_is_a_small_file),
+        cmocka_unit_test(transparency_and_resolution_are_in_the_file),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,25 @@
+/* png_file.h - a drawing as a PNG file, with its resolution.
+ *
+ * libpng writes it, since cairo's own PNG files have no resolution and can't be written row by
+ * row.
+ */
+#ifndef PP_CHARTS_SHEET_PNG_FILE_H
+#define PP_CHARTS_SHEET_PNG_FILE_H
+
+#include <cairo.h>
+
+#include "charts/sheet/bytes.h"
+
+/* Adds the file of an image surface to png: CAIRO_FORMAT_RGB24, or ARGB32 for a file with
+ * transparency. dots_per_mm is 0 for a picture without a size on paper. */
+cairo_status_t pp_png_file_of_image(struct pp_bytes *png, cairo_surface_t *image,
+                                    double dots_per_mm);
+
+/* The same for a drawing that is too large for an image in memory: a recording surface of one
+ * unit a pixel, whose ground is painted, drawn again for each band of rows. Width, height and
+ * rows are from 1 to 32767. */
+cairo_status_t pp_png_file_in_bands(struct pp_bytes *png, cairo_surface_t *drawing,
+                                    int width, int height, int rows,
+                                    double dots_per_mm);
+
+#endif
