@@ -146,6 +146,9 @@ static bool add_renamed(struct pp_bytes *svg, struct svg_span body, struct ids *
     return pp_bytes_add(svg, at, (size_t)(end - at));
 }
 
+/* cairo's own size in mm (cairo_svg_surface_set_document_unit) would make its coordinates
+ * millimetres, too: it rounds them to 1/256 and outlines of letters to 1/64, so that labels
+ * would be measured and placed otherwise than in PDF and PNG. */
 static bool add_head(struct pp_bytes *svg, const char *prefix, double width_mm,
                      double height_mm, const char *title, const char *description)
 {

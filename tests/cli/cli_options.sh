@@ -12,26 +12,12 @@ check "an unknown command suggests the nearest" \
 check "an unknown word is no command" refuses 2 'no command "zzz"' zzz
 check "an unknown first option is named" refuses 2 "--frobnicate" --frobnicate
 
-# What draws is a second program. The first loads nothing for it, and says if it is gone.
-drawing_libraries() {
-    ldd "$1" | grep -oE 'lib(cairo|pango|X11)[^ ]*' || true
-}
-alone=$scratch/alone
-mkdir "$alone"
+# One program has all commands, wherever it stands.
+alone="$scratch/a folder/alone"
+mkdir -p "$alone"
 cp "$pepperpot" "$alone/pepperpot"
-without_the_whole() {
-    status=0
-    "$alone/pepperpot" chart section "$deep" >/dev/null 2>"$scratch/err" || status=$?
-    test $status -eq 3 && grep -q 'pepperpot-whole.*rest of the program' "$scratch/err"
-}
-check "df loads no library that draws" nothing "$(drawing_libraries "$pepperpot")"
-check "what draws does load them" test -n "$(drawing_libraries "$pepperpot-whole")"
-if [ -e "$(sed -n 's/.*PP_PROGRAM_FOLDER "\(.*\)"/\1/p' cli/program/part_folders.h)/pepperpot-whole" ]; then
-    skip "without the second program, a message" "one is installed"
-else
-    check "without the second program, a message" without_the_whole
-fi
-check "and daylight factors" "$alone/pepperpot" df "$deep"
+check "a copy of the program elsewhere has daylight factors" "$alone/pepperpot" df "$deep"
+check "and charts" "$alone/pepperpot" chart section "$deep" -o "$scratch/alone.svg"
 
 for command in df chart; do
     check "$command has help" shows "Usage: pepperpot $command" $command --help

@@ -1,7 +1,8 @@
 #!/bin/sh
 # What is installed serves programs that know nothing else of the project: one header; the
 # examples, built by C and C++ compilers against it; the library opened at run time; the
-# pictures, tables and examples that the manual points to.
+# pictures, tables and examples that the manual points to. The program runs every command
+# where it is staged and where the tree is moved, and uninstalling leaves nothing behind.
 . "$srcdir/tests/lib/tap.sh"
 
 scratch=$(mktemp -d)
@@ -21,11 +22,11 @@ if $NM libmodel.a 2>/dev/null | grep -Eq '__(asan|ubsan)'; then
 fi
 
 # Without this run's jobs and flags of make, which are about the tests.
-installed() {
-    env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -s install DESTDIR="$root" \
+staged() {
+    env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -s "$1" DESTDIR="$root" \
         >"$scratch/install.log" 2>&1 || { cat "$scratch/install.log"; return 1; }
 }
-check "everything installs" installed
+check "everything installs" staged install
 
 prefix=$root$(sed -n 's/^prefix = //p' Makefile)
 lib=$(dirname "$(find "$root" -name libpepperpot.so | head -n 1)")
@@ -95,4 +96,53 @@ check "the manual is installed, and the gallery that it shows" \
 check "tables and examples are installed beside it" \
     test -s "$doc/tables/finishes.csv" -a -s "$doc/examples/office.xml" \
     -a -s "$doc/examples/sweep.c"
+
+# Every command of the program in the tree at $1, on a room.
+runs() {
+    bin=$1/bin
+    work=$(mktemp -d "$scratch/work.XXXXXX")
+    cp "$examples/deep-office.xml" "$work/room.xml"
+    (
+        unset LD_LIBRARY_PATH
+        cd "$work" || exit 1
+        for command in "df room.xml" "chart section room.xml -o section.svg" \
+            "render --size 8x6 --samples 1 --quiet -ad 16 -as 4 -o picture.png room.xml" \
+            "assess --by-hand --quiet room.xml" "report --by-hand --quiet room.xml -o report.html" \
+            "size --target 2% --by-hand --quiet room.xml" \
+            "availability -m exact+split-flux --latitude 51 --quiet room.xml" \
+            "validate --samples 2 --quiet room.xml" "atlas --accuracy" \
+            "export room.xml --to radiance -o scene" \
+            "import scene/materials.rad scene/room.rad scene/sky.rad" \
+            "compare --as-if ab=2 --error 20% --quiet room.xml"; do
+            IFS=' '
+            "$bin/pepperpot" $command >out 2>err || {
+                echo "$command"
+                cat err
+                exit 1
+            }
+        done
+        "$bin/pepperpot" --help >help &&
+            [ "$(sed -n '/^Commands:/,/^$/p' help | grep -c '^  ')" -eq 12 ]
+    )
+}
+
+# A module that says that MPI can't be started, where the one for MPI is searched first.
+finds_its_module() {
+    mkdir -p "$1/lib/pepperpot"
+    echo 'int pp_mpirun_module(void) { return 1; }' >"$scratch/module.c"
+    $CC -shared -fPIC "$scratch/module.c" -o "$1/lib/pepperpot/pepperpot-mpi.so" || return 1
+    OMPI_COMM_WORLD_SIZE=2 "$1/bin/pepperpot" --version 2>"$scratch/err"
+    [ $? -eq 3 ] && grep -q "MPI can't be started" "$scratch/err"
+}
+
+moved="$scratch/a moved tree"
+cp -R "$prefix" "$moved"
+check "every command runs where the program is staged" runs "$prefix"
+check "it uninstalls" staged uninstall
+check "uninstalling leaves nothing behind" nothing \
+    "$(find "$root" ! -type d; find "$root" -name '*pepperpot*')"
+chmod -R a-w "$moved"
+check "every command runs in a tree that is moved and read-only" runs "$moved"
+chmod -R u+w "$moved"
+check "there it finds its module for MPI" finds_its_module "$moved"
 tap_done
