@@ -85,8 +85,8 @@ pictures() {
     said "$2.fisheye" render --size 40x40 --samples 2 --quiet -ad 64 -as 16 --view plan \
         --quantity df --false-colour --paper a5 --dpi 60 -o "$2-fisheye.png" "$1"
     said "$2.export" export "$1" --to radiance -o "$2-radiance"
-    [ ! -f "$2-radiance/sky.rad" ] || said "$2.import" import "$2-radiance"/*.rad \
-        --points 1.2,1.3,0.8 --quiet --samples 2
+    [ ! -f "$2-radiance/sky.rad" ] || said "$2.import" import "$2-radiance"/materials.rad "$2-radiance"/[!m]*.rad \
+        --points-file "$2-radiance/points.pts" --quiet --samples 2
 }
 
 blanks() {
