@@ -8,7 +8,7 @@
 #include "model/geometry/convex_parts.h"
 #include "tests/lib/dice.h"
 #include "tests/lib/meridians.h"
-#include "tests/lib/test_size.h"
+#include "tests/lib/sized.h"
 
 #define SCENES PP_SIZED(10000, 1000, 100)
 

@@ -6,7 +6,7 @@
 #include "methods/lumen/rectangle_factor.h"
 #include "methods/exact/solid_angle.h"
 #include "tests/lib/room_of.h"
-#include "tests/lib/test_size.h"
+#include "tests/lib/sized.h"
 #include "tests/lib/traced.h"
 
 /* A first row of NAN is not there: Ev/Eh, depth, per cent, then the widths. */

@@ -13,7 +13,7 @@
 #include "tests/lib/sampled_light.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
-#include "tests/lib/test_size.h"
+#include "tests/lib/sized.h"
 
 /* A closed box of 2.3 x 3.1 x 1.7 m whose walls reflect 0.5 and glow. */
 static struct pp_light_scene *furnace(void)

@@ -3,7 +3,7 @@
  * court. */
 #include "tests/lib/elements_of.h"
 #include "tests/lib/room_of.h"
-#include "tests/lib/test_size.h"
+#include "tests/lib/sized.h"
 
 /* Daylight factors and their average are no farther apart than the stated error, 2 % at the
  * most, and three standard errors; components than 0.5 % of the daylight factor more. */

@@ -9,7 +9,7 @@
 #include "simulate/sampling/lobe.h"
 #include "simulate/tracer/tracer.h"
 #include "tests/lib/guessed_room.h"
-#include "tests/lib/test_size.h"
+#include "tests/lib/sized.h"
 
 #define ROOM                                                                           \
     "<room version='1'><plan width='3.3' depth='5.2' height='2.6'/>"                   \

@@ -5,7 +5,7 @@
 #include "tests/lib/counted_builds.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/sampled_light.h"
-#include "tests/lib/test_size.h"
+#include "tests/lib/sized.h"
 #include "tests/lib/traced.h"
 
 #define ROOM                                                                           \

@@ -3,7 +3,7 @@
 #include "simulate/scene/light_scene_of_world.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/sampled_light.h"
-#include "tests/lib/test_size.h"
+#include "tests/lib/sized.h"
 #include "tests/lib/traced.h"
 
 /* A room round three sides of a court, which windows look into from two wings; a third

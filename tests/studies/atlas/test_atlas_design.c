@@ -5,7 +5,7 @@
 
 #include "studies/atlas/atlas_drawn.h"
 #include "tests/lib/near.h"
-#include "tests/lib/test_size.h"
+#include "tests/lib/sized.h"
 
 enum { ROOMS = 128 };
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "tests/lib/room_of.h"
-#include "tests/lib/test_size.h"
+#include "tests/lib/sized.h"
 
 #include "charts/availability_chart.h"
 #include "studies/climate/availability.h"

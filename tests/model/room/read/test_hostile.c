@@ -14,7 +14,7 @@
 #include "model/room/room_parts.h"
 #include "model/room/read/read_elements.h"
 #include "tests/lib/near.h"
-#include "tests/lib/test_size.h"
+#include "tests/lib/sized.h"
 
 #define PLAN "<plan width='4.2' depth='5.3' height='2.7'/>"
 

@@ -1,12 +1,12 @@
-/* test_size.h - the size of tests that take many cases or many paths.
+/* sized.h - the size of tests that take many cases or many paths.
  *
  * `make check` runs them at gate size; `make check-long` runs the test programs with --full.
  * A build with AddressSanitizer takes up to ten times as long for the same and has the
  * smallest size: a memory error shows in the first case as well as in the last. Tolerances
  * follow the size.
  */
-#ifndef PP_TESTS_LIB_TEST_SIZE_H
-#define PP_TESTS_LIB_TEST_SIZE_H
+#ifndef PP_TESTS_LIB_SIZED_H
+#define PP_TESTS_LIB_SIZED_H
 
 #include "tests/lib/test_file.h"
 
