@@ -215,6 +215,21 @@ static void windows_add_up_only_what_is_not_the_same_sun(void **state)
                 south, 1e-9);
 }
 
+/* In the morning the sun comes round to the south-east before it is over a wall there. */
+static void a_skyline_with_a_distance_hides_the_sun_from_windows_of_other_walls(
+    void **state)
+{
+    (void)state;
+    const char *open = SITE(51.5) PLAN WINDOW("east");
+    const char *skyline = SITE(51.5)
+        PLAN WINDOW("east") "<skyline wall=\"south\" angle=\"40\" distance=\"4\"/>";
+    const char *block = SITE(51.5)
+        PLAN WINDOW("east") "<block x=\"-4000\" y=\"-14\" width=\"8000\" depth=\"10\" "
+                            "height=\"4.80639852\"/>"; /* 1.45 + 4 tan 40 */
+    assert_near(exposure(skyline), exposure(block), 1e-3);
+    assert_true(exposure(skyline) < exposure(open) - 0.2);
+}
+
 int main(void)
 {
     static const struct CMUnitTest tests[] = {
@@ -226,6 +241,8 @@ int main(void)
         cmocka_unit_test(poles_and_the_equator_have_their_hours),
         cmocka_unit_test(on_the_equinox_jambs_cut_the_sun),
         cmocka_unit_test(windows_add_up_only_what_is_not_the_same_sun),
+        cmocka_unit_test(
+            a_skyline_with_a_distance_hides_the_sun_from_windows_of_other_walls),
     };
     return cmocka_run_group_tests_name("sunlight", tests, NULL, NULL);
 }
