@@ -233,8 +233,7 @@ static void cut_at_skylines(struct meridian *meridian, const struct sight *sight
 /* Adds the light between two altitudes, where one thing is seen, to value: sky, and
  * external. */
 static void add_piece(double value[2], const struct sight *sight,
-                      const struct meridian *meridian, struct pp_vec3 eye, double from,
-                      double to)
+                      const struct meridian *meridian, double from, double to)
 {
     struct pp_vec3 level = meridian->level;
     double middle = (from + to) / 2.0;
@@ -286,14 +285,12 @@ static int at_azimuth(unsigned dim, const double *azimuth, void *data, unsigned 
     for (int i = 0; i < meridian.outer.count; i++)
         cuts[count++] = meridian.outer.cuts[i];
     meridian.cut_count = count;
-    struct pp_vec3 eye =
-        pp_vec_sub(sight->opening->inner.vertices[0], sight->inner.corners[0]);
     cut_at_shapes(&meridian, sight);
     cut_at_skylines(&meridian, sight);
     qsort(cuts, (size_t)meridian.cut_count, sizeof *cuts, by_size);
     for (int i = 0; i + 1 < meridian.cut_count; i++)
         if (cuts[i + 1] > cuts[i])
-            add_piece(value, sight, &meridian, eye, cuts[i], cuts[i + 1]);
+            add_piece(value, sight, &meridian, cuts[i], cuts[i + 1]);
     return 0;
 }
 

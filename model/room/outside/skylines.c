@@ -1,9 +1,9 @@
 /* skylines.c - see skylines.h.
  *
  * A skyline with a distance D is an upright wall, seen from both sides, from the ground to
- * its head. It is 200 D long: what is left out of an endless one lies within 0.6 degrees of
- * its direction. Of an overcast sky over a street with faces at 70 degrees that leaves open
- * 1e-4 of the light on a window in the wall opposite, and 4e-4 on one in a wall square to it.
+ * its head. It is 200 D long: what it lacks of an endless one lies within 0.6 degrees of its
+ * direction. At 70 degrees (D = 10 m) that adds 7e-6 of itself to the vertical sky component
+ * of a window opposite, and 8e-5 to that of a window in a wall square to it.
  */
 #include "model/room/outside/skylines.h"
 
