@@ -18,8 +18,9 @@ street() {
                 angle, distance, reflectance
         else { # the angle is seen from the middle of the window, or of a wall without one
             radians = angle * atan2(0, -1) / 180
+            level = match(more, /ground-level=.[-0-9.]*/) ? substr(more, RSTART + 14, RLENGTH - 14) : 0
             printf "<block x=\"-9000\" y=\"%.15g\" width=\"18000\" depth=\"11\" height=\"%.15g\" reflectance=\"%s\"/>\n", \
-                -distance - 11, (wall == "south" ? 1.65 : 1.35) + distance * sin(radians) / cos(radians), reflectance
+                -distance - 11, (wall == "south" ? 1.65 : 1.35) - level + distance * sin(radians) / cos(radians), reflectance
         }
         print more
         print "<point x=\"1.9\" y=\"1.4\"/><point x=\"1.7\" y=\"4.1\"/></room>"
