@@ -200,7 +200,7 @@ static bool cut_world(struct pp_section_cut *cut, const struct pp_world *world)
     bool good = true;
     for (int i = 0; i < world->surface_count && good; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        if (surface->role == PP_REVEAL)
+        if (surface->role == PP_REVEAL || surface->role == PP_SKYLINE)
             continue;
         enum pp_cut_kind kind = i < world->face_count       ? PP_CUT_FACE
                                 : surface->role == PP_COVER ? PP_CUT_COVER

@@ -153,57 +153,26 @@ static enum pp_status open_part(const struct pp_beam *beam, struct pp_beam_space
     return status;
 }
 
-/* A skyline as a ring: the part of the opening's extent from where the direction meets
- * its plane between ground and head. False: nowhere. */
+/* A skyline without a distance as a ring: the whole of the opening's extent, behind all
+ * else, where it hides the direction. False: it does not. */
 static bool project_skyline(struct pp_fragment_ring *ring, double (*xy)[2],
                             const struct pp_beam *beam,
                             const struct pp_skyline *skyline, struct pp_vec3 u)
 {
-    const struct pp_world *world = beam->world;
-    const struct pp_polygon *wall = &world->surfaces[skyline->face].outline;
+    const struct pp_polygon *wall = &beam->world->surfaces[skyline->face].outline;
     struct pp_vec3 out = pp_vec_unit(pp_vec(-wall->normal.x, -wall->normal.y, 0.0));
     double facing = pp_vec_dot(out, u);
-    const double *low = beam->low, *high = beam->high;
-    struct pp_vec3 left[16], ring3[16] = {{low[0], low[1], 0.0},
-                                          {high[0], low[1], 0.0},
-                                          {high[0], high[1], 0.0},
-                                          {low[0], high[1], 0.0}};
-    int count = 4;
-    if (!(facing > 0.0))
+    if (!(facing > 0.0)
+        || cos(skyline->angle_rad) * u.z > sin(skyline->angle_rad) * facing)
         return false;
-    if (isinf(skyline->distance_m)) {
-        if (cos(skyline->angle_rad) * u.z > sin(skyline->angle_rad) * facing)
-            return false;
-        ring->depth[0] = 1e9; /* behind everything */
-        ring->depth[1] = ring->depth[2] = 0.0;
-    } else {
-        /* The wall's plane at the openings' middle height, and from there on. */
-        struct pp_vec3 v = wall->vertices[0],
-                       level = pp_vec(v.x, v.y, skyline->middle_z_m);
-        double to_wall = pp_vec_dot(pp_vec_sub(v, level), wall->normal)
-                         / pp_vec_dot(out, wall->normal);
-        double offset = pp_vec_dot(out, pp_vec_sub(level, beam->axes.eye)) + to_wall
-                        + skyline->distance_m;
-        struct pp_vec3 normal = pp_projection_direction(&beam->axes, out);
-        struct pp_vec3 up = pp_projection_direction(&beam->axes, pp_vec(0.0, 0.0, 1.0));
-        /* Height where the direction from (x, y) meets that plane. */
-        double rise = u.z / facing;
-        struct pp_vec3 height = pp_vec_along(up, -rise, normal);
-        double at_origin = beam->axes.eye.z + rise * offset;
-        count = pp_clip_convex(left, ring3, count, pp_vec_scale(height, -1.0),
-                               at_origin - skyline->head_z_m);
-        count = pp_clip_convex(ring3, left, count, height,
-                               world->ground_level_m - at_origin);
-        struct pp_vec3 own = pp_projection_direction(&beam->axes, u);
-        set_depth(ring, normal, offset, facing / own.z);
+    ring->depth[0] = 1e9;
+    ring->depth[1] = ring->depth[2] = 0.0;
+    for (int i = 0; i < 4; i++) {
+        xy[i][0] = i == 0 || i == 3 ? beam->low[0] : beam->high[0];
+        xy[i][1] = i < 2 ? beam->low[1] : beam->high[1];
     }
-    for (int i = 0; i < count; i++) {
-        xy[i][0] = ring3[i].x;
-        xy[i][1] = ring3[i].y;
-    }
-    if (count >= 3)
-        pp_fragments_close_ring(ring, xy, count);
-    return count >= 3;
+    pp_fragments_close_ring(ring, xy, 4);
+    return true;
 }
 
 /* Memory for the rings of all pieces outside and all skylines. */
@@ -266,14 +235,14 @@ static const struct beam_node *next_leaf(struct beam_look *look)
     return NULL;
 }
 
-/* The skylines of the opening's wall as rings; returns their number. */
+/* The skylines of the opening's wall without a distance as rings; returns their number. */
 static int find_skylines(const struct beam_look *look, struct pp_fragment_ring *rings,
                          double (*xy)[2], double (*lights)[2])
 {
     const struct pp_world *world = look->beam->world;
     int count = 0;
     for (int i = 0; look->beam->skylines > 0 && i < world->skyline_count; i++)
-        if (world->skylines[i].face == look->beam->opening->face
+        if (pp_world_skyline_is_far(&world->skylines[i], look->beam->opening->face)
             && project_skyline(&rings[count], xy + count * PP_FRAGMENT_CORNERS,
                                look->beam, &world->skylines[i], look->u)) {
             lights[count][0] = world->skylines[i].reflectance;

@@ -272,7 +272,7 @@ static bool has_one_light(struct pp_beam *beam)
     }
     for (int i = 0; i < beam->world->skyline_count; i++) {
         const struct pp_skyline *skyline = &beam->world->skylines[i];
-        if (skyline->face != beam->opening->face)
+        if (!pp_world_skyline_is_far(skyline, beam->opening->face))
             continue;
         if (isnan(reflectance))
             reflectance = skyline->reflectance;
@@ -303,7 +303,7 @@ enum pp_status pp_beam_pieces_find(struct pp_beam *beam, struct pp_error *err)
             && world->surfaces[i].role != PP_COVER)
             status = add_surface(beam, &world->surfaces[i], err);
     for (int i = 0; beam->with_outside && i < world->skyline_count; i++)
-        beam->skylines += world->skylines[i].face == opening->face;
+        beam->skylines += pp_world_skyline_is_far(&world->skylines[i], opening->face);
     beam->one_light = has_one_light(beam);
     return status == PP_OK ? pp_beam_tree_grow(beam, err) : status;
 }

@@ -86,7 +86,7 @@ static enum pp_status find_borders(struct borders *borders,
 {
     const struct pp_vec3 zenith = {0.0, 0.0, 1.0};
     struct plane plane = plane_of(opening);
-    size_t most = (size_t)world->skyline_count + 1;
+    size_t most = 1;
     for (int i = 0; i < world->surface_count; i++)
         most += (size_t)world->surfaces[i].outline.count + 1;
     *borders = (struct borders){
@@ -105,10 +105,6 @@ static enum pp_status find_borders(struct borders *borders,
         for (int k = 0; k < outline->count; k++)
             add_border(borders, &plane, zenith, outline->vertices[k].z);
     }
-    for (int i = 0; i < world->skyline_count; i++)
-        if (world->skylines[i].face == opening->face
-            && !isinf(world->skylines[i].distance_m))
-            add_border(borders, &plane, zenith, world->skylines[i].head_z_m);
     return PP_OK;
 }
 

@@ -30,10 +30,6 @@ static bool has_surface_in_front(const struct pp_world *world, struct pp_vec3 po
 bool pp_exterior_is_uniform(const struct pp_world *world,
                             const struct pp_opening *opening)
 {
-    for (int i = 0; i < world->skyline_count; i++)
-        if (world->skylines[i].face == opening->face
-            && !isinf(world->skylines[i].distance_m))
-            return false;
     return !has_surface_in_front(world, opening->outer.vertices[0],
                                  pp_vec_scale(opening->inner.normal, -1.0),
                                  opening->face);
@@ -58,7 +54,7 @@ enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
 {
     bool hidden = has_surface_in_front(world, position, normal, face);
     for (int i = 0; i < world->skyline_count; i++)
-        hidden = hidden || (face >= 0 && world->skylines[i].face == face);
+        hidden = hidden || pp_world_skyline_is_far(&world->skylines[i], face);
     if (!hidden) {
         *outside = (struct pp_exterior_light){pp_sky_on_plane(&light->sky, normal),
                                               light->ground_reflectance

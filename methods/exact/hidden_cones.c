@@ -127,10 +127,10 @@ static enum pp_status add_surface(struct pp_hidden_cones *cones,
 
 static enum pp_status add_skyline(struct pp_hidden_cones *cones,
                                   const struct pp_world *world,
-                                  const struct pp_skyline *skyline, struct pp_vec3 eye,
+                                  const struct pp_skyline *skyline,
                                   struct pp_error *err)
 {
-    struct pp_band band = pp_occluders_band(world, skyline, eye);
+    struct pp_band band = pp_occluders_band(world, skyline);
     enum pp_status status = add_half_space(cones, pp_vec_scale(band.above, -1.0), err);
     if (status == PP_OK)
         status = add_half_space(cones, pp_vec_scale(band.below, -1.0), err);
@@ -164,8 +164,8 @@ enum pp_status pp_hidden_cones_init(struct pp_hidden_cones *cones,
             status = add_surface(cones, surface, view, err);
     }
     for (int i = 0; i < world->skyline_count && status == PP_OK; i++)
-        if (world->skylines[i].face == view->face)
-            status = add_skyline(cones, world, &world->skylines[i], view->eye, err);
+        if (pp_world_skyline_is_far(&world->skylines[i], view->face))
+            status = add_skyline(cones, world, &world->skylines[i], err);
     if (status != PP_OK)
         pp_hidden_cones_clear(cones);
     return status;

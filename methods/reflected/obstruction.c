@@ -32,14 +32,17 @@ static bool reaches_in_front(const struct pp_polygon *outline,
     return false;
 }
 
-/* Do surfaces, which are no endless skyline, stand before the opening? */
+/* Do surfaces stand before the opening other than the skyline of its own wall? */
 static bool has_surface_in_front(const struct pp_world *world,
                                  const struct pp_opening *opening)
 {
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = world->surfaces + i;
         bool out_of_doors = i < world->face_count || !surface->inside;
-        if (out_of_doors && reaches_in_front(&surface->outline, opening))
+        bool own_skyline = surface->role == PP_SKYLINE
+                           && world->skylines[surface->owner].face == opening->face;
+        if (out_of_doors && !own_skyline
+            && reaches_in_front(&surface->outline, opening))
             return true;
     }
     return false;

@@ -271,7 +271,16 @@ static bool faces(const struct pp_polygon *outline, struct pp_vec3 point)
     return pp_vec_dot(pp_vec_sub(point, outline->vertices[0]), outline->normal) > 0.0;
 }
 
-/* Adds the free-standing surfaces outside and the building's own outer faces. */
+/* Is the surface the wall of a skyline before another face than the opening's? */
+static bool is_skyline_aside(const struct pp_surface *surface,
+                             const struct opening_drawing *drawing)
+{
+    return surface->role == PP_SKYLINE
+           && drawing->world->skylines[surface->owner].face != drawing->opening->face;
+}
+
+/* Adds the free-standing surfaces outside, skylines of other walls and the building's own
+ * outer faces. */
 static enum pp_status add_surfaces(struct opening_drawing *drawing,
                                    struct pp_error *err)
 {
@@ -281,7 +290,8 @@ static enum pp_status add_surfaces(struct opening_drawing *drawing,
          i < world->surface_count && status == PP_OK;
          i = pp_world_next_but_blocks(world, i)) {
         const struct pp_surface *surface = world->surfaces + i;
-        bool free_outside = surface->role == PP_FREE_SURFACE && !surface->inside;
+        bool free_outside = (surface->role == PP_FREE_SURFACE && !surface->inside)
+                            || is_skyline_aside(surface, drawing);
         if (i == drawing->opening->face || !(i < world->face_count || free_outside)
             || !reaches_outside(&surface->outline, drawing))
             continue;

@@ -1,5 +1,5 @@
-/* occluders.c - cuts surfaces (those not convex as triangles) and skylines to a view
- * and projects them. */
+/* occluders.c - cuts surfaces (those not convex as triangles) and skylines without a
+ * distance to a view and projects them. */
 #include "methods/view/occluders.h"
 
 #include <stdlib.h>
@@ -330,31 +330,14 @@ enum pp_status pp_occluders_collect(struct pp_occluders *inside,
 }
 
 struct pp_band pp_occluders_band(const struct pp_world *world,
-                                 const struct pp_skyline *skyline, struct pp_vec3 eye)
+                                 const struct pp_skyline *skyline)
 {
     const struct pp_polygon *wall = &world->surfaces[skyline->face].outline;
     struct pp_vec3 zenith = {0.0, 0.0, 1.0};
     struct pp_vec3 out = pp_vec_unit(pp_vec(-wall->normal.x, -wall->normal.y, 0.0));
-    struct pp_band band;
-    if (isinf(skyline->distance_m)) {
-        band.above = pp_vec_along(pp_vec_scale(zenith, cos(skyline->angle_rad)),
-                                  -sin(skyline->angle_rad), out);
-        band.below = pp_vec(0.0, 0.0, -1.0);
-        band.nearness = pp_vec(0.0, 0.0, 0.0);
-        return band;
-    }
-    /* Square to the wall, from the eye to the wall at the openings' middle height, and
-     * on to the skyline. */
-    struct pp_vec3 level = pp_vec(eye.x, eye.y, skyline->middle_z_m);
-    double to_wall = pp_vec_dot(pp_vec_sub(wall->vertices[0], level), wall->normal)
-                     / pp_vec_dot(out, wall->normal);
-    double to_skyline = to_wall + skyline->distance_m;
-    band.above = pp_vec_along(pp_vec_scale(zenith, to_skyline),
-                              -(skyline->head_z_m - eye.z), out);
-    band.below = pp_vec_along(pp_vec_scale(zenith, -to_skyline),
-                              world->ground_level_m - eye.z, out);
-    band.nearness = pp_vec_scale(out, 1.0 / to_skyline);
-    return band;
+    return (struct pp_band){pp_vec_along(pp_vec_scale(zenith, cos(skyline->angle_rad)),
+                                         -sin(skyline->angle_rad), out),
+                            pp_vec(0.0, 0.0, -1.0)};
 }
 
 enum pp_status pp_occluders_add_skyline(struct pp_occluders *outside,
@@ -364,7 +347,7 @@ enum pp_status pp_occluders_add_skyline(struct pp_occluders *outside,
 {
     const struct pp_projection *view = scene->view;
     double d = view->distance_m;
-    struct pp_band band = pp_occluders_band(scene->world, skyline, view->eye);
+    struct pp_band band = pp_occluders_band(scene->world, skyline);
     struct pp_vec3 whole[4] = {{scene->low[0], scene->low[1], d},
                                {scene->high[0], scene->low[1], d},
                                {scene->high[0], scene->high[1], d},
@@ -378,7 +361,6 @@ enum pp_status pp_occluders_add_skyline(struct pp_occluders *outside,
         pp_projection_direction(view, pp_vec_scale(band.below, -1.0)), 0.0);
     if (count == 0)
         return PP_OK;
-    struct pp_occluder like = {.nearness = pp_projection_direction(view, band.nearness),
-                               .reflectance = skyline->reflectance};
+    struct pp_occluder like = {.reflectance = skyline->reflectance};
     return add_piece(outside, &like, left, count, scene, err);
 }

@@ -50,18 +50,16 @@ enum pp_status pp_occluders_collect(struct pp_occluders *inside,
                                     const struct pp_occluders_scene *scene,
                                     struct pp_error *err);
 
-/* The directions that a skyline hides, by half-spaces through the eye: those neither
- * above the skyline (above.u > 0) nor below its foot (below.u > 0). */
+/* The directions that a skyline without a distance hides: those neither above the skyline
+ * (above.u > 0) nor below the horizon (below.u > 0). */
 struct pp_band {
     struct pp_vec3 above, below;
-    struct pp_vec3
-        nearness; /* as above, in the room's axes, of a vector from the eye */
 };
 
 struct pp_band pp_occluders_band(const struct pp_world *world,
-                                 const struct pp_skyline *skyline, struct pp_vec3 eye);
+                                 const struct pp_skyline *skyline);
 
-/* Adds the visible part of a skyline as a piece. */
+/* Adds the visible part of such a skyline as a piece, behind all others. */
 enum pp_status pp_occluders_add_skyline(struct pp_occluders *outside,
                                         const struct pp_occluders_scene *scene,
                                         const struct pp_skyline *skyline,

@@ -167,7 +167,7 @@ static enum pp_status divide(struct pp_visible *visible,
     return status;
 }
 
-/* Divides one region by at most one skyline, whose edges are half-spaces through the
+/* Divides one region by at most one skyline without a distance, whose edges are half-spaces through the
  * eye. */
 static void divide_by_skyline(struct pp_visible *visible, struct pp_region region,
                               const struct pp_world *world,
@@ -177,7 +177,7 @@ static void divide_by_skyline(struct pp_visible *visible, struct pp_region regio
     visible->patches[0] = (struct pp_visible_patch){.region = region};
     if (!skyline)
         return;
-    struct pp_band band = pp_occluders_band(world, skyline, visible->view.eye);
+    struct pp_band band = pp_occluders_band(world, skyline);
     struct pp_vec3 not_above = pp_vec_scale(band.above, -1.0);
     struct pp_vec3 not_below = pp_vec_scale(band.below, -1.0);
     struct pp_visible_patch above = {
@@ -222,7 +222,7 @@ enum pp_status pp_patch_builder_fill(struct pp_visible *visible,
     int skylines = 0;
     const struct pp_skyline *skyline = NULL;
     for (int i = 0; with_outside && i < world->skyline_count; i++)
-        if (world->skylines[i].face == scene->face) {
+        if (pp_world_skyline_is_far(&world->skylines[i], scene->face)) {
             skyline = &world->skylines[i];
             skylines++;
         }
@@ -239,7 +239,7 @@ enum pp_status pp_patch_builder_fill(struct pp_visible *visible,
     if (builder->in_parts && with_outside && builder->inside.count > 0)
         overlay_outside = true;
     for (int i = 0; overlay_outside && i < world->skyline_count && status == PP_OK; i++)
-        if (world->skylines[i].face == scene->face)
+        if (pp_world_skyline_is_far(&world->skylines[i], scene->face))
             status = pp_occluders_add_skyline(&builder->outside, scene,
                                               &world->skylines[i], err);
     if (!with_outside)

@@ -138,6 +138,8 @@ static const char *fault_on_surface(enum pp_role role)
         return "lies in a block";
     case PP_FACADE:
         return "lies in a facade";
+    case PP_SKYLINE:
+        return "lies in a skyline";
     case PP_COVER:
         return "lies in a door or a dado";
     case PP_FREE_SURFACE:

@@ -26,6 +26,8 @@ static const char *name_of(const struct pp_surface *surface)
         return "block";
     case PP_FACADE:
         return "facade";
+    case PP_SKYLINE:
+        return "skyline";
     case PP_ROLE_COUNT:
         break;
     }

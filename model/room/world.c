@@ -153,6 +153,11 @@ static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
     return status;
 }
 
+bool pp_world_skyline_is_far(const struct pp_skyline *skyline, int face)
+{
+    return skyline->face == face && isinf(skyline->distance_m);
+}
+
 double pp_world_skyline_angle(const struct pp_skyline *skyline, double z_m,
                               double behind_m)
 {

@@ -30,6 +30,7 @@ enum pp_role {
     PP_FREE_SURFACE, /* a <surface>, inside or outside */
     PP_BLOCK,        /* a side of a <block> */
     PP_FACADE,       /* a piece of a <facade>: of its sheet, or a rim */
+    PP_SKYLINE,      /* the wall of a <skyline> with a distance */
     PP_ROLE_COUNT
 };
 
@@ -38,7 +39,8 @@ enum pp_role {
 struct pp_surface {
     struct pp_polygon outline; /* envelope and reveals: normal into the room;
                                 * blocks: outwards; facades:
-                                * to the open air; free-standing: as in the file */
+                                * to the open air; skylines: towards the room;
+                                * free-standing: as in the file */
     int (*triangles)
         [3]; /* that cover the outline, by its vertices; NULL: it is convex */
     int triangle_count;
@@ -53,7 +55,7 @@ struct pp_surface {
                                      * grey and without gloss. The reflectance is that
                                      * of `front` anyhow */
     int owner;     /* reveal: its opening; cover: its wall's surface; block: its block;
-                    * facade: its facade; shade of a window of the room: its
+                    * facade: its facade; skyline: its skyline; shade of a window of the room: its
                     * opening; else -1 */
     bool is_door;  /* of a cover: a door, and no dado */
     bool is_shade; /* an overhang, fin, balcony or shelf of a window's own, or of
@@ -95,7 +97,9 @@ struct pp_opening {
     bool faces_open_out; /* has no face a part beyond its glass? */
 };
 
-/* One endless obstruction parallel to a wall, from the ground up. */
+/* One endless obstruction parallel to a wall, from the ground up. With a distance it is a
+ * wall, which stands among the surfaces too: as long as it takes to be endless for what the
+ * room sees of it (skylines.c). Without one it hides directions. */
 struct pp_skyline {
     int face;          /* its wall; outline.normal points away from the skyline */
     double angle_rad;  /* above the horizontal from the middle of the wall's openings */
@@ -106,6 +110,9 @@ struct pp_skyline {
     double reflectance;
     int line;
 };
+
+/* Has the skyline no distance, and is it before the face? It then hides directions. */
+bool pp_world_skyline_is_far(const struct pp_skyline *skyline, int face);
 
 /* Altitude of its upper edge (rad), in the section square to its wall, from a point at
  * height z_m that lies `behind_m` behind the wall's plane (negative: before it). */

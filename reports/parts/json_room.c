@@ -7,9 +7,9 @@
 #include "reports/parts/json.h"
 
 static const char *const roles[] = {
-    [PP_FLOOR] = "floor",   [PP_WALL] = "wall",    [PP_CEILING] = "ceiling",
-    [PP_REVEAL] = "reveal", [PP_COVER] = "cover",  [PP_FREE_SURFACE] = "surface",
-    [PP_BLOCK] = "block",   [PP_FACADE] = "facade"};
+    [PP_FLOOR] = "floor",   [PP_WALL] = "wall",     [PP_CEILING] = "ceiling",
+    [PP_REVEAL] = "reveal", [PP_COVER] = "cover",   [PP_FREE_SURFACE] = "surface",
+    [PP_BLOCK] = "block",   [PP_FACADE] = "facade", [PP_SKYLINE] = "skyline"};
 
 /* Area of the openings in a face. */
 static double openings_m2(const struct pp_world *world, int face)

@@ -1,6 +1,7 @@
-/* outdoors.h - the ends of a ray outdoors that are no facet: sky, skylines and ground.
+/* outdoors.h - the ends of a ray outdoors that are no facet: sky, ground, and skylines
+ * without a distance.
  *
- * Light is pi times luminance over Eh, as exitances are. A skyline gives off
+ * Light is pi times luminance over Eh, as exitances are. Such a skyline gives off
  * rho (Ev + rho_ground / 2), Ev the open sky's illuminance on it, by convention; so is
  * an open ground its reflectance. The ground as a surface lies in shadow, and what it
  * gives off is to be found (outside_cells.h), but beyond FARTHEST times the reach of all
@@ -22,10 +23,10 @@ struct pp_outdoors {
     double farthest_m; /* from where they start: no shadow on the ground beyond */
     struct pp_outdoor_skyline {
         struct pp_vec3 away; /* horizontal, from its wall towards it */
-        double before_m;     /* away . x of its points; INFINITY: it is far */
         double slope;        /* tangent of its angle */
-        double exitance[2];  /* of the side towards its wall, and of the other */
-    } * skylines;            /* as the world has them */
+        double exitance;
+    } * skylines;
+    int skyline_count;
 };
 
 enum pp_outdoors_end {

@@ -51,7 +51,7 @@ struct pp_rgb pp_photon_outside(struct pp_photon_state *state, struct pp_light_r
             return sum;
         if (meeting == PP_MEETS_ENVIRONMENT) {
             struct pp_rgb light = pp_light_scene_environment(
-                state->scene, state->environment, &ray, hit.distance_m, &sky);
+                state->scene, state->environment, ray.to, &sky);
             *is_sky = i == 0 && sky;
             return pp_rgb_add(sum, pp_rgb_times(throughput, light));
         }

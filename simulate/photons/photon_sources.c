@@ -49,7 +49,7 @@ static double guessed_outside(const struct pp_light_scene *scene,
         return pp_outside_light_ground(&environment->light) / PP_PI;
     if (meeting == PP_MEETS_ENVIRONMENT)
         return pp_rgb_luminance(
-            pp_light_scene_environment(scene, environment, ray, hit.distance_m, NULL));
+            pp_light_scene_environment(scene, environment, ray->to, NULL));
     if (meeting != PP_MEETS_PART)
         return 0.0;
     const struct pp_material *material = &scene->materials[hit.material];

@@ -25,13 +25,6 @@ static void light_skylines(struct pp_environment *environment)
         environment->far_exitance[i] = pp_outside_light_exitance(
             light, far->reflectance, pp_vec_scale(far->outward, -1.0));
     }
-    for (int i = 0; i < skylines->near_count; i++) {
-        const struct pp_near_skyline *near = &skylines->near[i];
-        for (int side = 0; side < 2; side++)
-            environment->near_exitance[i][side] = pp_outside_light_exitance(
-                light, near->reflectance,
-                side ? near->outward : pp_vec_scale(near->outward, -1.0));
-    }
 }
 
 enum pp_status pp_environment_create(struct pp_environment **result,
@@ -48,9 +41,7 @@ enum pp_status pp_environment_create(struct pp_environment **result,
     environment->brightness = brightness_of(light);
     environment->far_exitance =
         calloc((size_t)skylines->far_count + 1, sizeof *environment->far_exitance);
-    environment->near_exitance =
-        calloc((size_t)skylines->near_count + 1, sizeof *environment->near_exitance);
-    if (!environment->far_exitance || !environment->near_exitance) {
+    if (!environment->far_exitance) {
         pp_environment_destroy(environment);
         return pp_fail_memory(err);
     }
@@ -64,7 +55,6 @@ void pp_environment_destroy(struct pp_environment *environment)
     if (!environment)
         return;
     free(environment->far_exitance);
-    free(environment->near_exitance);
     free(environment);
 }
 
@@ -84,16 +74,6 @@ uint64_t pp_environment_hash(const struct pp_environment *environment)
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
         hash = pp_hash_double(hash, numbers[i]);
     return hash;
-}
-
-double pp_environment_near_skyline(const struct pp_environment *environment,
-                                   struct pp_vec3 p, struct pp_vec3 u, double *exitance)
-{
-    int met, side;
-    double distance = pp_scene_skylines_near(environment->skylines, p, u, &met, &side);
-    if (!isinf(distance))
-        *exitance = environment->near_exitance[met][side];
-    return distance;
 }
 
 double pp_environment_light(const struct pp_environment *environment, struct pp_vec3 u,

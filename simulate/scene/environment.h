@@ -8,7 +8,8 @@
  * sky, so that the mean over a cosine lobe is an illuminance over Eh.
  *
  * A ground that is no surface of the scene (scene_ground.h) is an endless diffuse plane
- * under the open sky: rho below the horizon. A skyline (scene_skylines.h) gives off
+ * under the open sky: rho below the horizon. A skyline without a distance
+ * (scene_skylines.h) gives off
  *
  *     rho (Ev + rho_ground / 2)
  *
@@ -30,7 +31,6 @@ struct pp_environment {
     struct pp_outside_light light;
     const struct pp_scene_skylines *skylines; /* the scene's; not owned */
     double *far_exitance;
-    double (*near_exitance)[2];      /* of the side towards its wall, and the other */
     struct pp_brightness brightness; /* a guess of that outside the openings */
 };
 
@@ -44,13 +44,7 @@ void pp_environment_destroy(struct pp_environment *environment); /* NULL is allo
 /* A number that depends on the light alone, by which caches know theirs again. */
 uint64_t pp_environment_hash(const struct pp_environment *environment);
 
-/* The distance at which the ray from p along u (unit) meets a near skyline, with its
- * exitance; INFINITY if it meets none. */
-double pp_environment_near_skyline(const struct pp_environment *environment,
-                                   struct pp_vec3 p, struct pp_vec3 u,
-                                   double *exitance);
-
-/* The light from direction u (unit) where no surface and no near skyline is met. */
+/* The light from direction u (unit) where no surface is met. */
 double pp_environment_light(const struct pp_environment *environment, struct pp_vec3 u,
                             bool *is_sky);
 

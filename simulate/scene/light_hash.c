@@ -69,17 +69,10 @@ static uint64_t stir_round(uint64_t hash, const struct pp_shape *shape)
 
 static uint64_t stir_skylines(uint64_t hash, const struct pp_scene_skylines *skylines)
 {
-    hash = stir(hash, skylines->ground_level_m);
     for (int i = 0; i < skylines->far_count; i++) {
         const struct pp_far_skyline *far = &skylines->far[i];
         hash =
             stir(stir(pp_hash_vec(hash, far->outward), far->slope), far->reflectance);
-    }
-    for (int i = 0; i < skylines->near_count; i++) {
-        const struct pp_near_skyline *near = &skylines->near[i];
-        hash =
-            stir(stir(pp_hash_vec(hash, near->outward), near->offset_m), near->head_m);
-        hash = stir(hash, near->reflectance);
     }
     return hash;
 }
@@ -104,7 +97,8 @@ void pp_light_hash_scene(struct pp_light_scene *scene, const float (*triangles)[
         hash = stir(pp_hash_vec(hash, distant->direction), distant->cos_half);
         hash = stir(hash, distant->material);
     }
-    scene->hash =
-        scene->world ? stir(stir_skylines(hash, &scene->skylines), scene->ground.shaded)
-                     : hash;
+    if (scene->world)
+        hash = stir(stir(stir_skylines(hash, &scene->skylines), scene->ground.level_m),
+                    scene->ground.shaded);
+    scene->hash = hash;
 }

@@ -269,31 +269,13 @@ static bool meets_ground(const struct pp_light_scene *scene,
     return true;
 }
 
-/* The same for skylines with a distance. */
-static bool meets_near_skyline(const struct pp_light_scene *scene,
-                               const struct pp_light_ray *ray, struct pp_light_hit *hit)
-{
-    int met, side;
-    if (scene->skylines.near_count == 0)
-        return false;
-    double near =
-        pp_scene_skylines_near(&scene->skylines, ray->from, ray->to, &met, &side);
-    if (!(near < hit->distance_m))
-        return false;
-    hit->part = -1;
-    hit->distance_m = near;
-    return true;
-}
-
 enum pp_meeting pp_light_scene_meet_outside(const struct pp_light_scene *scene,
                                             const struct pp_light_ray *ray,
                                             struct pp_light_hit *hit)
 {
     hit->part = -1;
     hit->distance_m = INFINITY;
-    if (!meets_near_skyline(scene, ray, hit) && meets_ground(scene, ray, hit))
-        return PP_MEETS_GROUND;
-    return PP_MEETS_ENVIRONMENT;
+    return meets_ground(scene, ray, hit) ? PP_MEETS_GROUND : PP_MEETS_ENVIRONMENT;
 }
 
 /* In an empty convex room; false where the ray starts outside. */
@@ -347,9 +329,6 @@ enum pp_meeting pp_light_scene_meet_by(const struct pp_light_scene *scene,
     hit->part = -1;
     hit->distance_m = index >= 0 ? (double)distance : INFINITY;
 
-    /* Skylines stand on the ground: a ray that meets one has met no ground before. */
-    if (!indoors && meets_near_skyline(scene, ray, hit))
-        return PP_MEETS_ENVIRONMENT;
     if (!indoors && meets_ground(scene, ray, hit))
         return PP_MEETS_GROUND;
     if (index < 0)
@@ -409,23 +388,20 @@ static int distant_in(const struct pp_light_scene *scene, struct pp_vec3 u)
 
 struct pp_rgb pp_light_scene_environment(const struct pp_light_scene *scene,
                                          const struct pp_environment *environment,
-                                         const struct pp_light_ray *ray, double near_m,
-                                         bool *is_sky)
+                                         struct pp_vec3 u, bool *is_sky)
 {
     bool sky = false;
     double light = 0.0; /* pi L, as environment.h has it */
-    if (scene->world && isfinite(near_m))
-        pp_environment_near_skyline(environment, ray->from, ray->to, &light);
-    else if (scene->world)
-        light = pp_environment_light(environment, ray->to, &sky);
+    if (scene->world)
+        light = pp_environment_light(environment, u, &sky);
     if (is_sky)
         *is_sky = sky;
     if (scene->world)
         return pp_rgb_grey(light / PP_PI);
 
-    int distant = distant_in(scene, ray->to);
+    int distant = distant_in(scene, u);
     if (is_sky)
-        *is_sky = distant >= 0 && ray->to.z > 0.0;
+        *is_sky = distant >= 0 && u.z > 0.0;
     return distant < 0 ? pp_rgb_grey(0.0)
-                       : pp_light_scene_distant_radiance(scene, distant, ray->to);
+                       : pp_light_scene_distant_radiance(scene, distant, u);
 }

@@ -93,7 +93,7 @@ uint64_t pp_light_scene_hash(const struct pp_light_scene *scene);
 enum pp_meeting {
     PP_MEETS_PART,
     PP_MEETS_GROUND,      /* as a surface (scene_ground.h) */
-    PP_MEETS_ENVIRONMENT, /* sky, open ground, skyline, distant sources */
+    PP_MEETS_ENVIRONMENT, /* sky, open ground, skyline without a distance, distant sources */
     PP_MEETS_LEAK,        /* the wrong side of a room's envelope: the ray is given up */
 };
 
@@ -121,13 +121,11 @@ enum pp_meeting pp_light_scene_meet_outside(const struct pp_light_scene *scene,
                                             const struct pp_light_ray *ray,
                                             struct pp_light_hit *hit);
 
-/* The light of the environment (of a world; NULL: of a description), without
- * concentrated sources; near_m: the distance from `meet` (a skyline stands there if
- * that is finite). *is_sky may be NULL. */
+/* The light of the environment (of a world; NULL: of a description) from direction u
+ * (unit), without concentrated sources. *is_sky may be NULL. */
 struct pp_rgb pp_light_scene_environment(const struct pp_light_scene *scene,
                                          const struct pp_environment *environment,
-                                         const struct pp_light_ray *ray, double near_m,
-                                         bool *is_sky);
+                                         struct pp_vec3 u, bool *is_sky);
 
 /* The radiance of distant source i in direction u, 0 outside its cone. */
 struct pp_rgb pp_light_scene_distant_radiance(const struct pp_light_scene *scene, int i,

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/room/ground.h"
 #include "model/room/surface_materials.h"
 #include "simulate/sampling/lobe.h"
 #include "simulate/sampling/triangle.h"
@@ -124,9 +125,9 @@ static enum pp_status build(struct pp_light_scene *scene, bool matt,
         status = pp_light_scene_add_laws(scene, err);
     }
     if (status == PP_OK)
-        status = pp_scene_skylines_init(&scene->skylines, world, scene->centre, err);
+        status = pp_scene_skylines_init(&scene->skylines, world, err);
     scene->ground = (struct pp_scene_ground){!world->ground_is_open,
-                                             scene->skylines.ground_level_m};
+                                             pp_ground_level(world) - scene->centre.z};
     if (status == PP_OK)
         status = add_triangles(scene, &list, err);
     if (status == PP_OK && matt)

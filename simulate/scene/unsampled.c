@@ -193,7 +193,7 @@ struct pp_room_bound pp_unsampled_of_room(const struct pp_light_scene *scene,
         return most;
     }
     double area = 0.0;
-    bool skylines = scene->skylines.far_count + scene->skylines.near_count > 0;
+    bool skylines = scene->skylines.far_count > 0;
     for (int i = 0; i < scene->pane_count; i++) {
         const struct pp_pane *pane = &scene->panes[i];
         double share = share_of(scene, position, normal, pane);

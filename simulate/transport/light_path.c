@@ -76,8 +76,8 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
     else
         meeting = pp_light_scene_meet_outside(scene, ray, &hit);
     if (meeting == PP_MEETS_ENVIRONMENT) {
-        radiance = pp_light_scene_environment(scene, state->environment, ray,
-                                              hit.distance_m, &is_sky);
+        radiance =
+            pp_light_scene_environment(scene, state->environment, ray->to, &is_sky);
         *first_met = is_sky ? PP_MET_SKY : PP_MET_OUTSIDE;
         return radiance;
     }
@@ -237,13 +237,12 @@ static bool add_emission(const struct pp_radiance_state *state,
 
 /* The environment's light, with the distant sources that were not sampled directly. */
 static void add_environment(const struct pp_radiance_state *state,
-                            struct pp_light_path *path, double near_m,
-                            struct pp_rgb *total)
+                            struct pp_light_path *path, struct pp_rgb *total)
 {
     const struct pp_light_scene *scene = state->scene;
     bool is_sky;
-    struct pp_rgb light = pp_light_scene_environment(scene, state->environment,
-                                                     &path->ray, near_m, &is_sky);
+    struct pp_rgb light =
+        pp_light_scene_environment(scene, state->environment, path->ray.to, &is_sky);
     if (path->first_met == PP_MET_NOTHING)
         path->first_met = is_sky ? PP_MET_SKY : PP_MET_OUTSIDE;
     for (int i = 0; i < scene->distant_count; i++) {
@@ -462,7 +461,7 @@ bool pp_light_path_arrive(struct pp_radiance_state *state, struct pp_light_path 
                           struct pp_rgb *total)
 {
     if (meeting == PP_MEETS_ENVIRONMENT)
-        add_environment(state, path, hit->distance_m, total);
+        add_environment(state, path, total);
     bool ground = meeting == PP_MEETS_GROUND;
     if ((meeting != PP_MEETS_PART && !ground) || path->bounces++ > MOST_BOUNCES
         || (!ground && !add_emission(state, path, hit, total)))

@@ -143,7 +143,7 @@ static void fill_openings(double features[PP_ROOM_FEATURES],
 static bool has_things(const struct pp_world *world)
 {
     for (int i = world->face_count; i < world->surface_count; i++)
-        if (!world->surfaces[i].inside)
+        if (!world->surfaces[i].inside && world->surfaces[i].role != PP_SKYLINE)
             return true;
     return false;
 }

@@ -112,8 +112,10 @@ double pp_section_angle(const struct pp_world *world, const struct pp_opening *o
                            || (surface->role == PP_FREE_SURFACE && surface->inside);
         bool own_facade =
             surface->role == PP_FACADE && surface->owner == opening->facade;
+        bool own_skyline = surface->role == PP_SKYLINE
+                           && world->skylines[surface->owner].face == opening->face;
         if (i != opening->face && surface->role != PP_REVEAL && !free_inside
-            && !own_facade)
+            && !own_facade && !own_skyline)
             highest = fmax(highest, angle_of_polygon(&section, &surface->outline));
     }
     return highest;

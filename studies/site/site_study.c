@@ -163,7 +163,8 @@ static enum pp_status add_shapes(struct pp_site_sheet *sheet,
     int count = pp_world_before_meshes(world);
     for (int i = world->face_count; i < count && status == PP_OK; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        if (!surface->inside && surface->role != PP_FACADE)
+        if (!surface->inside && surface->role != PP_FACADE
+            && surface->role != PP_SKYLINE)
             status = add_shape(sheet, &surface->outline, &world->placement,
                                name_of(world, surface), false, err);
     }

@@ -80,31 +80,19 @@ struct hit {
     double reflectance, exitance;
 };
 
-/* Is u within the skyline's band, and how near? */
+/* Does the skyline hide u? One with a distance is among the shapes. */
 static bool meets_skyline(const struct sight *sight, const struct pp_skyline *skyline,
-                          struct pp_vec3 eye, struct pp_vec3 u, double *nearness)
+                          struct pp_vec3 u)
 {
-    const struct pp_polygon *wall = &sight->world->surfaces[skyline->face].outline;
-    double level = hypot(wall->normal.x, wall->normal.y);
-    double out = -(u.x * wall->normal.x + u.y * wall->normal.y) / level;
-    if (isinf(skyline->distance_m)) {
-        *nearness = 0.0;
-        return out > 0.0 && u.z > 0.0 && u.z / out < tan(skyline->angle_rad);
-    }
-    /* Along the outward horizontal from the eye, at the height of the windows' middle,
-     * to the wall: solve for it in the wall's plane. */
-    struct pp_vec3 v = wall->vertices[0];
-    double rest = wall->normal.x * (eye.x - v.x) + wall->normal.y * (eye.y - v.y)
-                  + wall->normal.z * (skyline->middle_z_m - v.z);
-    double away = rest / level + skyline->distance_m;
-    double z = eye.z + u.z / out * away;
-    *nearness = out / away;
-    return out > 0.0 && z > sight->world->ground_level_m && z < skyline->head_z_m;
+    struct pp_vec3 in = sight->world->surfaces[skyline->face].outline.normal;
+    double out = -(u.x * in.x + u.y * in.y) / hypot(in.x, in.y);
+    return isinf(skyline->distance_m) && out > 0.0 && u.z > 0.0
+           && u.z / out < tan(skyline->angle_rad);
 }
 
 static struct hit cast(const struct sight *sight, const struct track *tracks,
                        const struct track *inner, const struct track *outer,
-                       struct pp_vec3 eye, struct pp_vec3 u, double altitude)
+                       struct pp_vec3 u, double altitude)
 {
     struct hit hit = {NOTHING, 0.0, 0.0};
     double opening = pp_vec_dot(sight->inner.nearness, u), nearest = -1.0;
@@ -124,12 +112,10 @@ static struct hit cast(const struct sight *sight, const struct track *tracks,
     }
     for (int i = 0; i < sight->world->skyline_count; i++) {
         const struct pp_skyline *skyline = &sight->world->skylines[i];
-        double nearness;
-        if (skyline->face != sight->opening->face
-            || !meets_skyline(sight, skyline, eye, u, &nearness)
-            || !(nearness > nearest))
+        if (skyline->face != sight->opening->face || !meets_skyline(sight, skyline, u)
+            || nearest >= 0.0)
             continue;
-        nearest = nearness;
+        nearest = 0.0;
         hit.reflectance = skyline->reflectance;
         hit.exitance = 0.0;
     }
@@ -226,9 +212,8 @@ static void cut_at_shapes(struct meridian *meridian, const struct sight *sight)
     meridian->cut_count = count;
 }
 
-/* Altitudes of the heads and feet of skylines, and where shapes pass before them. */
-static void cut_at_skylines(struct meridian *meridian, const struct sight *sight,
-                            struct pp_vec3 eye)
+/* Altitudes of the heads of skylines without a distance. */
+static void cut_at_skylines(struct meridian *meridian, const struct sight *sight)
 {
     const struct pp_world *world = sight->world;
     struct pp_vec3 level = meridian->level;
@@ -239,21 +224,8 @@ static void cut_at_skylines(struct meridian *meridian, const struct sight *sight
         const struct pp_polygon *wall = &world->surfaces[skyline->face].outline;
         double along = hypot(wall->normal.x, wall->normal.y);
         double out = -pp_vec_dot(level, wall->normal) / along;
-        if (isinf(skyline->distance_m)) {
+        if (isinf(skyline->distance_m))
             cuts[count++] = atan(tan(skyline->angle_rad) * out);
-            continue;
-        }
-        struct pp_vec3 v = wall->vertices[0];
-        double away = (wall->normal.x * (eye.x - v.x) + wall->normal.y * (eye.y - v.y)
-                       + wall->normal.z * (skyline->middle_z_m - v.z))
-                          / along
-                      + skyline->distance_m;
-        cuts[count++] = atan((skyline->head_z_m - eye.z) * out / away);
-        cuts[count++] = atan((world->ground_level_m - eye.z) * out / away);
-        for (int k = 0; k < sight->shape_count; k++) {
-            struct pp_vec3 n = sight->shapes[k].nearness;
-            add_cut(cuts, &count, n.z, pp_vec_dot(n, level) - out / away);
-        }
     }
     meridian->cut_count = count;
 }
@@ -261,8 +233,7 @@ static void cut_at_skylines(struct meridian *meridian, const struct sight *sight
 /* Adds the light between two altitudes, where one thing is seen, to value: sky, and
  * external. */
 static void add_piece(double value[2], const struct sight *sight,
-                      const struct meridian *meridian, struct pp_vec3 eye, double from,
-                      double to)
+                      const struct meridian *meridian, double from, double to)
 {
     struct pp_vec3 level = meridian->level;
     double middle = (from + to) / 2.0;
@@ -270,8 +241,8 @@ static void add_piece(double value[2], const struct sight *sight,
         pp_vec(level.x * cos(middle), level.y * cos(middle), sin(middle));
     if (!(pp_vec_dot(sight->normal, u) > 0.0))
         return;
-    struct hit hit = cast(sight, meridian->tracks, &meridian->inner, &meridian->outer,
-                          eye, u, middle);
+    struct hit hit =
+        cast(sight, meridian->tracks, &meridian->inner, &meridian->outer, u, middle);
     if (hit.meets == NOTHING)
         return;
     struct beam beam = {sight, level, middle > 0.0 ? SKY : HORIZON};
@@ -314,14 +285,12 @@ static int at_azimuth(unsigned dim, const double *azimuth, void *data, unsigned 
     for (int i = 0; i < meridian.outer.count; i++)
         cuts[count++] = meridian.outer.cuts[i];
     meridian.cut_count = count;
-    struct pp_vec3 eye =
-        pp_vec_sub(sight->opening->inner.vertices[0], sight->inner.corners[0]);
     cut_at_shapes(&meridian, sight);
-    cut_at_skylines(&meridian, sight, eye);
+    cut_at_skylines(&meridian, sight);
     qsort(cuts, (size_t)meridian.cut_count, sizeof *cuts, by_size);
     for (int i = 0; i + 1 < meridian.cut_count; i++)
         if (cuts[i + 1] > cuts[i])
-            add_piece(value, sight, &meridian, eye, cuts[i], cuts[i + 1]);
+            add_piece(value, sight, &meridian, cuts[i], cuts[i + 1]);
     return 0;
 }
 

@@ -30,14 +30,17 @@ static void measure(struct rad_ground_builder *b, const struct pp_world *world)
     double level = pp_ground_level(world) - 2.0 * PP_SET_OFF_M;
     b->middle = pp_bounds3_middle(&room);
     b->middle.z = level;
-    for (int i = 0; i < world->surface_count; i++)
-        for (int k = 0; k < world->surfaces[i].outline.count; k++)
-            b->reach_m = fmax(b->reach_m,
-                              pp_vec_length(pp_vec_sub(
-                                  world->surfaces[i].outline.vertices[k], b->middle)));
-    for (int i = 0; i < world->skyline_count; i++)
-        if (isfinite(world->skylines[i].distance_m))
-            b->reach_m = fmax(b->reach_m, world->skylines[i].distance_m);
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        /* The wall of a skyline is as long as half the disc is wide. */
+        if (surface->role == PP_SKYLINE)
+            b->reach_m = fmax(b->reach_m, world->skylines[surface->owner].distance_m);
+        else
+            for (int k = 0; k < surface->outline.count; k++)
+                b->reach_m = fmax(
+                    b->reach_m,
+                    pp_vec_length(pp_vec_sub(surface->outline.vertices[k], b->middle)));
+    }
 }
 
 static enum pp_status add_disc(struct rad_ground_builder *b, double hole_m)

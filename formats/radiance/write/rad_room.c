@@ -7,16 +7,8 @@
 #include <string.h>
 
 #include "formats/radiance/write/rad_ground.h"
-#include "model/room/ground.h"
 #include "model/room/keyhole.h"
 #include "model/room/surface_materials.h"
-
-/* A near skyline is endless; its polygon reaches this far to either side, over its
- * distance: what is left out lies within half a degree of the skyline's own direction,
- * and no higher than that. */
-static const double WIDE = 100.0;
-/* Between the polygons of its two sides. */
-static const double THICK_M = 0.01;
 
 struct rad_room_builder {
     struct pp_scene_description *scene;
@@ -130,7 +122,7 @@ static enum pp_status add_panes(struct rad_room_builder *b)
     return status;
 }
 
-/* ---- skylines ---- */
+/* ---- skylines without a distance ---- */
 
 static struct pp_vec3 outward_of(const struct pp_world *world,
                                  const struct pp_skyline *skyline)
@@ -147,52 +139,6 @@ static double radiance_of(const struct rad_room_builder *b,
     return b->horizontal / PP_PI * skyline->reflectance
            * (pp_sky_on_plane(&b->light->sky, normal)
               + b->light->ground_reflectance / 2.0);
-}
-
-static enum pp_status add_side(struct rad_room_builder *b,
-                               const struct pp_skyline *skyline, struct pp_vec3 middle,
-                               struct pp_vec3 normal)
-{
-    struct pp_material glow =
-        pp_material_glow(pp_rgb_grey(radiance_of(b, skyline, normal)));
-    snprintf(glow.name, sizeof glow.name, "skyline");
-    int material;
-    enum pp_status status = glow_of(b, &glow, &material);
-    /* Counter-clockwise seen against the normal: right, then up. */
-    struct pp_vec3 right = pp_vec_cross(pp_vec(0.0, 0.0, 1.0), normal);
-    double half = WIDE * skyline->distance_m;
-    struct pp_vec3 left_end = pp_vec_along(middle, -half, right);
-    struct pp_vec3 right_end = pp_vec_along(middle, half, right);
-    struct pp_vec3 corners[4] = {left_end, right_end, right_end, left_end};
-    for (int i = 0; i < 4; i++)
-        corners[i].z = i < 2 ? pp_ground_level(b->world) : skyline->head_z_m;
-    return status == PP_OK ? add_polygon(b, corners, 4, material, -1) : status;
-}
-
-static enum pp_status add_skyline(struct rad_room_builder *b,
-                                  const struct pp_skyline *skyline)
-{
-    const struct pp_world *world = b->world;
-    if (isinf(skyline->distance_m)
-        || !(skyline->head_z_m > pp_ground_level(world) + 1e-6))
-        return PP_OK;
-    struct pp_vec3 outward = outward_of(world, skyline);
-    const struct pp_polygon *wall = &world->surfaces[skyline->face].outline;
-    struct pp_vec3 on = pp_vec_along(wall->vertices[0], skyline->distance_m, outward);
-    for (int i = 0; i < world->face_count; i++)
-        for (int k = 0; k < world->surfaces[i].outline.count; k++)
-            if (pp_vec_dot(outward,
-                           pp_vec_sub(world->surfaces[i].outline.vertices[k], on))
-                > -THICK_M)
-                return pp_fail(
-                    b->err, PP_BAD_INPUT,
-                    "line %d: a skyline that runs through the room; expected "
-                    "it beyond every wall",
-                    skyline->line);
-    enum pp_status status = add_side(b, skyline, on, pp_vec_scale(outward, -1.0));
-    return status == PP_OK
-               ? add_side(b, skyline, pp_vec_along(on, THICK_M, outward), outward)
-               : status;
 }
 
 /* ---- sky and ground ---- */
@@ -272,8 +218,6 @@ enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world 
     room->first[PP_RAD_OUTSIDE] = room->scene.shape_count;
     if (status == PP_OK)
         status = add_surfaces(&b, false);
-    for (int i = 0; i < world->skyline_count && status == PP_OK; i++)
-        status = add_skyline(&b, &world->skylines[i]);
     if (status == PP_OK && !world->ground_is_open)
         status = pp_rad_ground_add(&room->scene, world, light->ground_reflectance, err);
     room->first[PP_RAD_SKY] = room->scene.shape_count;

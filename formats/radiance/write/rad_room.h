@@ -4,15 +4,14 @@
  * are, each of two materials where its sides differ. The sky is a distant glow, in units
  * of which `horizontal` falls on the open level ground, and another below the horizon is
  * the ground, or, where that lies in shadow, what there is of it beyond a disc
- * (rad_ground.h). Skylines so far away that they have no distance are part of the sky's
- * pattern; those with one are upright glows as wide as 200 times their distance, twice,
- * one for each side, a centimetre apart.
+ * (rad_ground.h). Skylines without a distance are part of the sky's pattern; those with
+ * one are walls among the surfaces.
  *
  * Finishes are matt and grey, as the daylight factors of rooms are worked out, or with
  * their colour and gloss.
  *
  * What Radiance can't say is refused, with why: surfaces that give off light by
- * themselves, more than 16 far skylines, a near one that runs through the room.
+ * themselves, more than 16 skylines without a distance.
  */
 #ifndef PP_FORMATS_RADIANCE_WRITE_RAD_ROOM_H
 #define PP_FORMATS_RADIANCE_WRITE_RAD_ROOM_H
@@ -26,7 +25,7 @@
 enum pp_rad_group {
     PP_RAD_ROOM,    /* the room: envelope, reveals, surfaces within */
     PP_RAD_GLAZING, /* panes */
-    PP_RAD_OUTSIDE, /* blocks, surfaces and near skylines outside, ground in shadow */
+    PP_RAD_OUTSIDE, /* blocks, surfaces, walls of skylines, ground in shadow */
     PP_RAD_SKY,     /* sky, and ground as a glow */
     PP_RAD_GROUPS
 };

@@ -1,9 +1,19 @@
-/* skylines.c - see skylines.h. */
+/* skylines.c - see skylines.h.
+ *
+ * A skyline with a distance D is an upright wall, seen from both sides, from the ground to
+ * its head. It is 200 D long: what it lacks of an endless one lies within 0.6 degrees of its
+ * direction. At 70 degrees (D = 10 m) that adds 7e-6 of itself to the vertical sky component
+ * of a window opposite, and 8e-5 to that of a window in a wall square to it.
+ */
 #include "model/room/outside/skylines.h"
 
 #include <stdlib.h>
 
 #include "model/geometry/tolerance.h"
+#include "model/room/ground.h"
+
+/* Half the length of its wall over its distance. */
+static const double half_length = 100.0;
 
 static void take_heights(const struct pp_polygon *polygon, double *low, double *high)
 {
@@ -26,11 +36,29 @@ static double middle_of_openings(const struct pp_world *world, int face)
     return 0.5 * (low + high);
 }
 
-/* How far the room and its openings' depths reach outside the wall's plane (m), 0 if
- * they do not. */
-static double reach_outside(const struct pp_world *world, int face, struct pp_vec3 out)
+/* The horizontal direction away from the wall. */
+static struct pp_vec3 outward_of(const struct pp_world *world, int face)
 {
-    struct pp_vec3 wall = world->surfaces[face].outline.vertices[0];
+    struct pp_vec3 n = world->surfaces[face].outline.normal;
+    return pp_vec_unit(pp_vec(-n.x, -n.y, 0.0));
+}
+
+/* From where distances count: in the wall's plane, which may slope, at the height of its
+ * openings' middle; on its middle line. */
+static struct pp_vec3 middle_of_wall(const struct pp_world *world, int face)
+{
+    const struct pp_polygon *wall = &world->surfaces[face].outline;
+    struct pp_vec3 out = outward_of(world, face), middle = pp_polygon_middle(wall);
+    middle.z = middle_of_openings(world, face);
+    double aside = pp_vec_dot(wall->normal, pp_vec_sub(wall->vertices[0], middle));
+    return pp_vec_along(middle, aside / pp_vec_dot(wall->normal, out), out);
+}
+
+/* How far the room and its openings' depths reach outside the wall (m), 0 if they do
+ * not. */
+static double reach_outside(const struct pp_world *world, int face)
+{
+    struct pp_vec3 out = outward_of(world, face), wall = middle_of_wall(world, face);
     double reach = 0.0;
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_polygon *outline = &world->surfaces[i].outline;
@@ -61,15 +89,13 @@ static bool is_good(struct pp_resolver *r, const struct pp_skyline_part *part, i
         return false;
     }
     struct pp_vec3 n = world->surfaces[face].outline.normal;
-    double level = hypot(n.x, n.y);
-    if (level < PP_LEVEL_RAD) {
+    if (hypot(n.x, n.y) < PP_LEVEL_RAD) {
         pp_mistakes_add(
             r->mistakes, part->line,
             "skyline: its wall lies flat; expected one that faces sideways");
         return false;
     }
-    struct pp_vec3 out = pp_vec(-n.x / level, -n.y / level, 0.0);
-    double reach = reach_outside(world, face, out);
+    double reach = reach_outside(world, face);
     if (part->distance_m < reach + PP_SAME_M) {
         pp_mistakes_add(
             r->mistakes, part->line,
@@ -79,6 +105,31 @@ static bool is_good(struct pp_resolver *r, const struct pp_skyline_part *part, i
         return false;
     }
     return true;
+}
+
+/* The wall of the world's last skyline. */
+static enum pp_status add_wall(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_world *world = r->world;
+    int index = world->skyline_count - 1;
+    const struct pp_skyline *skyline = &world->skylines[index];
+    double low = pp_ground_level(world), half = half_length * skyline->distance_m;
+    if (isinf(skyline->distance_m) || !(skyline->head_z_m > low + PP_SAME_M))
+        return PP_OK;
+    struct pp_vec3 out = outward_of(world, skyline->face), corners[4];
+    struct pp_vec3 right = pp_vec_cross(out, pp_vec(0.0, 0.0, 1.0));
+    struct pp_vec3 middle =
+        pp_vec_along(middle_of_wall(world, skyline->face), skyline->distance_m, out);
+    for (int k = 0; k < 4; k++) {
+        corners[k] = pp_vec_along(middle, k == 1 || k == 2 ? half : -half, right);
+        corners[k].z = k < 2 ? low : skyline->head_z_m;
+    }
+    const struct pp_surface wall = {.role = PP_SKYLINE,
+                                    .front = skyline->reflectance,
+                                    .back = skyline->reflectance,
+                                    .owner = index,
+                                    .line = skyline->line};
+    return pp_resolve_add_face(r, wall, corners, 4, err);
 }
 
 enum pp_status pp_build_skylines(struct pp_resolver *r, struct pp_error *err)
@@ -107,6 +158,8 @@ enum pp_status pp_build_skylines(struct pp_resolver *r, struct pp_error *err)
                                 .head_z_m = head_z_m,
                                 .reflectance = part->reflectance,
                                 .line = part->line};
+        if (add_wall(r, err) != PP_OK)
+            return PP_SYSTEM;
     }
     return PP_OK;
 }

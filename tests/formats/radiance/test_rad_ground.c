@@ -78,7 +78,12 @@ static void a_near_skyline_stands_on_the_ground(void **state)
         if (!is_ground(&room.scene, i))
             face = &room.scene.shapes[i];
     double foot = INFINITY;
-    for (int k = 0; face && k < face->is.polygon.count; k++)
+    /* It reflects: the light on it is Radiance's to find. */
+    assert_non_null(face);
+    const struct pp_material *matt = &room.scene.materials[face->material];
+    assert_int_equal(matt->emits, PP_EMITS_NOTHING);
+    assert_near(matt->diffuse.g, 0.2, 1e-12);
+    for (int k = 0; k < face->is.polygon.count; k++)
         foot = fmin(foot, room.scene.vertices[face->is.polygon.first + k].z);
     assert_non_null(disc);
     assert_near(foot, 0.8, 1e-12); /* dug away to the sill */

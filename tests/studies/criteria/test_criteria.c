@@ -107,6 +107,30 @@ static void the_vertical_sky_is_that_of_the_skyline(void **state)
                    0.273129, 1e-5, PP_MET);
 }
 
+/* From an east window, a wall 9 m to the south with its head 7.7 m up: a skyline before the
+ * south wall, which has no windows, at 35 degrees from its middle at 1.45; and a block. */
+#define EAST                                                                           \
+    "<plan width='4.1' depth='6.3' height='2.9'/>"                                     \
+    "<window wall='east' left='1.7' sill='0.95' width='1.2' height='1.3'/>"
+static const char aside[] = EAST "<skyline wall='south' angle='35' distance='9'/>";
+static const char block_aside[] =
+    EAST "<block x='-4000' y='-20' width='8000' depth='11' height='7.75186784'/>";
+
+static void a_skyline_with_a_distance_hides_sky_from_windows_of_other_walls(
+    void **state)
+{
+    (void)state;
+    const struct pp_criterion *asked[] = {&pp_criterion_vertical_sky,
+                                          &pp_criterion_no_sky_line};
+    for (int i = 0; i < 2; i++) {
+        double open = finding_in(asked[i], 0, EAST, NULL).figure;
+        double hidden = finding_in(asked[i], 0, aside, NULL).figure;
+        assert_relative(hidden, finding_in(asked[i], 0, block_aside, NULL).figure,
+                        1e-3);
+        assert_true(i == 1 || hidden < 0.97 * open);
+    }
+}
+
 static void rooflights_have_no_vertical_sky(void **state)
 {
     (void)state;
@@ -630,6 +654,8 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_vertical_sky_is_that_of_the_skyline),
+        cmocka_unit_test(
+            a_skyline_with_a_distance_hides_sky_from_windows_of_other_walls),
         cmocka_unit_test(rooflights_have_no_vertical_sky),
         cmocka_unit_test(
             a_skyline_typed_as_25_degrees_is_25_degrees_whatever_the_reveal),

@@ -215,6 +215,22 @@ static void windows_add_up_only_what_is_not_the_same_sun(void **state)
                 south, 1e-9);
 }
 
+/* In the morning the sun comes round to the south-east before it is over a wall there. The
+ * skyline's end lies within 0.6 degrees of east, which the sun takes 0.05 hours to pass. */
+static void a_skyline_with_a_distance_hides_the_sun_from_windows_of_other_walls(
+    void **state)
+{
+    (void)state;
+    const char *open = SITE(51.5) PLAN WINDOW("east");
+    const char *skyline = SITE(51.5)
+        PLAN WINDOW("east") "<skyline wall=\"south\" angle=\"70\" distance=\"4\"/>";
+    const char *block = SITE(51.5)
+        PLAN WINDOW("east") "<block x=\"-4000\" y=\"-14\" width=\"8000\" depth=\"10\" "
+                            "height=\"12.43990968\"/>"; /* 1.45 + 4 tan 70 */
+    assert_near(exposure(skyline), exposure(block), 0.05);
+    assert_true(exposure(skyline) < exposure(open) - 0.5);
+}
+
 TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
@@ -226,6 +242,8 @@ TEST_FILE
         cmocka_unit_test(poles_and_the_equator_have_their_hours),
         cmocka_unit_test(on_the_equinox_jambs_cut_the_sun),
         cmocka_unit_test(windows_add_up_only_what_is_not_the_same_sun),
+        cmocka_unit_test(
+            a_skyline_with_a_distance_hides_the_sun_from_windows_of_other_walls),
     };
     add_tests(tests, NULL, NULL);
 }
