@@ -43,10 +43,10 @@ static const double SHARED_COST = 1.0;
 /* Openings of less than this share of the inside surface light it in spots that few paths
  * find: a pilot of a few sees none, and plans for too few. Pilot and least number of paths
  * then rise until they are like those of a room with the second share, by up to
- * SPOTTED_MOST. Of 12 seeds at an error of 0.5 % in three rooms with slits of 0.05 to 0.1 m,
- * whose share is 0.0008 to 0.0044, the average had over twice the error that was wanted with
- * 42, 8 and 50 %, the worst 23 times; now with 8, 0 and 0 %, the worst 3 times, for half as
- * much time again. */
+ * SPOTTED_MOST. At an error of 0.5 % in three rooms with slits of 0.05 to 0.1 m, whose share
+ * is 0.0008 to 0.0044, the averages of 12 seeds had over twice the error that was wanted with
+ * 42, 8 and 50 %, the worst 23 times; of 90 averages it is now 5, the worst 4.2 times, for
+ * half as much time again. */
 static const double SPOTTED_SHARE = 0.015, SPOTTED_LIKE = 0.06;
 enum { SPOTTED_MOST = 16 };
 
