@@ -25,7 +25,8 @@ static enum pp_status find_sun(struct window_sun *sun, const struct pp_world *wo
 {
     const struct pp_hidden_view view =
         pp_hidden_cones_outside(&world->openings[window]);
-    const struct pp_sunlit_place place = {world->latitude_rad, world->north_rad};
+    const struct pp_sunlit_place place = {world->latitude_rad, world->north_rad,
+                                          world->longitude_rad};
     struct pp_hidden_cones cones;
     enum pp_status status = pp_hidden_cones_init(&cones, world, &view, err);
     if (status != PP_OK)
@@ -60,7 +61,8 @@ static enum pp_status say_foot(char *foot, size_t room, const struct pp_world *w
                                const struct window_sun *now,
                                const struct window_sun *before, struct pp_error *err)
 {
-    const struct pp_sunlit_place place = {world->latitude_rad, world->north_rad};
+    const struct pp_sunlit_place place = {world->latitude_rad, world->north_rad,
+                                          world->longitude_rad};
     struct pp_sunlit_year open;
     enum pp_status status = pp_sunlit_hours_of_year(&open, NULL, place, NULL, err);
     if (status != PP_OK)

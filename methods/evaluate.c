@@ -11,6 +11,7 @@
 #include "methods/average/beams.h"
 #include "methods/method_run.h"
 #include "methods/pair.h"
+#include "methods/reflected/light_bound.h"
 #include "methods/selection.h"
 #include "methods/usual_pair.h"
 
@@ -127,6 +128,41 @@ static enum pp_status answer_all(const struct pp_method_run *run,
     return by_point ? answer_points(run, report, answers, err) : PP_OK;
 }
 
+/* Makes a figure of the whole room null that needs more light than enters. */
+static enum pp_status check_light(struct pp_method_answer *answer,
+                                  const struct pp_light_bound *bound,
+                                  const struct pp_method *method,
+                                  struct pp_report *report, struct pp_error *err)
+{
+    bool direct = method->gives == PP_GIVES_DIRECT;
+    const struct pp_amounts *amounts = &answer->amounts;
+    double most = direct ? bound->direct : bound->any;
+    double figure = direct ? amounts->sky + amounts->external : amounts->value;
+    if (answer->why || !(figure > most))
+        return PP_OK;
+    answer->opening = NULL;
+    answer->column = 0;
+    answer->why = pp_report_say(report,
+                                "its figure of %.4g %% is more than all the light that "
+                                "enters the room could give, %.4g %%",
+                                100.0 * figure, 100.0 * most);
+    return answer->why ? PP_OK : pp_fail_memory(err);
+}
+
+/* The same of all answers that speak of the room as a whole. */
+static enum pp_status check_room(struct pp_method_answer *answers,
+                                 const struct pp_method *method,
+                                 struct pp_report *report, struct pp_error *err)
+{
+    const struct pp_light_bound bound = pp_light_bound(report->world, &report->light);
+    int count = report->receiver_count;
+    enum pp_status status = PP_OK;
+    for (int i = method->speaks_for == PP_FOR_POINT ? count : 0;
+         i <= count && status == PP_OK; i++)
+        status = check_light(&answers[i], &bound, method, report, err);
+    return status;
+}
+
 /* Adds the column of one component from the answers of a method. */
 static enum pp_status add_column(struct pp_report *report,
                                  const struct pp_method *method, const char *name,
@@ -186,6 +222,8 @@ static enum pp_status add_method(struct pp_report *report,
         answers && create_steps(answers, report, method) ? PP_OK : pp_fail_memory(err);
     if (status == PP_OK)
         status = answer_all(&run, report, answers, err);
+    if (status == PP_OK)
+        status = check_room(answers, method, report, err);
     if (status == PP_OK)
         status = add_column(report, method, run.name, answers, component, err);
     if (status == PP_OK && method->gives == PP_GIVES_DIRECT)

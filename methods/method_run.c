@@ -73,51 +73,63 @@ static struct pp_amounts add_part(struct pp_amounts *sum, const struct pp_part *
     return own;
 }
 
+/* Adds the components of one opening by the method; *used: a variant's formula was worked
+ * out. The opening is without figures where the answer has a why. */
+static enum pp_status add_opening(const struct pp_method_run *run, int i,
+                                  const struct pp_receiver *receiver,
+                                  struct pp_method_answer *answer, bool *used,
+                                  struct pp_error *err)
+{
+    const struct pp_method *method = run->method;
+    const struct pp_world *world = run->world;
+    bool roughly = run->roughly && method->evaluate_roughly;
+    struct pp_part part;
+    memset(&part, 0, offsetof(struct pp_part, sheet.list)); /* no figure is there */
+    part.sheet.steps = answer->steps;
+    part.sheet.formulary = run->formulary;
+    int first = 0;
+    if (answer->steps) {
+        first = answer->steps->count;
+        answer->steps->line = world->openings[i].line;
+    }
+    enum pp_status status = (roughly ? method->evaluate_roughly : method->evaluate)(
+        world, run->light, world->openings + i, receiver, run->tools, &part, err);
+    if (status != PP_OK)
+        return status;
+    if (part.why) {
+        answer->why = part.why;
+        answer->opening = world->openings + i;
+        return PP_OK;
+    }
+    if (part.sheet.fault.what) {
+        answer->why = part.sheet.fault.what;
+        answer->column = part.sheet.fault.column + 1;
+        answer->opening = world->openings + i;
+        return PP_OK;
+    }
+    *used |= part.sheet.varied;
+    const struct pp_amounts own = add_part(&answer->amounts, &part, run->factors[i]);
+    if (answer->steps)
+        pp_component_steps_add(answer->steps, method, world, i, &part, &own, first);
+    return PP_OK;
+}
+
 /* Adds up the components of all openings by the method. */
 static enum pp_status add_openings(const struct pp_method_run *run,
                                    const struct pp_receiver *receiver,
                                    struct pp_method_answer *answer,
                                    struct pp_error *err)
 {
-    const struct pp_method *method = run->method;
     const struct pp_world *world = run->world;
-    bool roughly = run->roughly && method->evaluate_roughly, used = false;
-    for (int i = 0; i < world->opening_count; i++) {
-        struct pp_part part;
-        memset(&part, 0, offsetof(struct pp_part, sheet.list)); /* no figure is there */
-        part.sheet.steps = answer->steps;
-        part.sheet.formulary = run->formulary;
-        int first = 0;
-        if (answer->steps) {
-            first = answer->steps->count;
-            answer->steps->line = world->openings[i].line;
-        }
-        enum pp_status status = (roughly ? method->evaluate_roughly : method->evaluate)(
-            world, run->light, world->openings + i, receiver, run->tools, &part, err);
-        if (status != PP_OK)
-            return status;
-        if (part.why) {
-            answer->why = part.why;
-            answer->opening = world->openings + i;
-            return PP_OK;
-        }
-        if (part.sheet.fault.what) {
-            answer->why = part.sheet.fault.what;
-            answer->column = part.sheet.fault.column + 1;
-            answer->opening = world->openings + i;
-            return PP_OK;
-        }
-        used |= part.sheet.varied;
-        const struct pp_amounts own =
-            add_part(&answer->amounts, &part, run->factors[i]);
-        if (answer->steps)
-            pp_component_steps_add(answer->steps, method, world, i, &part, &own, first);
-    }
+    bool used = false;
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < world->opening_count && status == PP_OK && !answer->why; i++)
+        status = add_opening(run, i, receiver, answer, &used, err);
     /* A point may see nothing of the openings; a room has all of them. */
-    if (run->varied && !used && method->speaks_for != PP_FOR_POINT
-        && world->opening_count > 0)
+    if (status == PP_OK && !answer->why && run->varied && !used
+        && run->method->speaks_for != PP_FOR_POINT && world->opening_count > 0)
         answer->why = "the room has no opening that its formula is for";
-    return PP_OK;
+    return status;
 }
 
 /* Sets down why the method does not cover the room or one of its openings; false: it
@@ -171,12 +183,14 @@ static bool comes_before(const struct pp_method_answer *a,
     return a->column < b->column;
 }
 
-static bool plane_sum_at(void *data, const struct pp_receiver *receiver,
+static bool plane_sum_at(void *data, int opening, const struct pp_receiver *receiver,
                          double values[PP_PLANE_VALUES])
 {
     struct plane_sum *sum = data;
     struct pp_method_answer answer = {0};
-    bool failed = add_openings(sum->run, receiver, &answer, NULL) != PP_OK;
+    bool used = false,
+         failed =
+             add_opening(sum->run, opening, receiver, &answer, &used, NULL) != PP_OK;
     if (failed || answer.why) {
         pp_crew_lock(sum->run->company.crew);
         sum->failed |= failed;
@@ -255,9 +269,16 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
             return status;
         *answer = (struct pp_method_answer){0};
     }
+    int count = run->world->opening_count;
+    struct pp_plane_centre *centres = malloc(((size_t)count + 1) * sizeof *centres);
+    if (!centres)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++)
+        centres[i] = pp_plane_centre_of(&run->world->openings[i]);
     enum pp_status status =
-        pp_plane_average(mean, &stopped, run->world, plane_sum_at, &sum,
+        pp_plane_average(mean, &stopped, run->world, centres, count, plane_sum_at, &sum,
                          PP_AVERAGE_ERROR, PP_AVERAGE_POINTS, run->company.crew, err);
+    free(centres);
     if (status != PP_OK)
         return status;
     if (sum.refusal.why) {

@@ -263,6 +263,8 @@ static struct json_object *room(const void *all, int index)
         good = add_variants(object, results->options->method_options.variants);
     if (good && report->stand_in)
         good = pp_json_text(object, "stand-in", report->stand_in);
+    if (good && report->missed_error)
+        good = pp_json_text(object, "missed-error", report->missed_error);
     if (good && report->no_bands)
         good = pp_json_text(object, "no-bands", report->no_bands);
     double lux = results->options->external_lux;

@@ -6,7 +6,9 @@
 #include <stdlib.h>
 
 #include "model/base/clock.h"
+#include "model/base/text.h"
 #include "simulate/scene/light_scene_of_world.h"
+#include "simulate/tracer/tracer.h"
 
 /* Between two looks at the clock and by the watch. */
 static const double slice_s = 0.1;
@@ -15,7 +17,12 @@ struct pp_simulation {
     const struct pp_engine *engine;
     struct pp_light_scene *own; /* NULL: the scene is the caller's */
     void *run;
+    double error; /* wanted; 0: by samples, time */
 };
+
+/* Beyond so many times what is wanted a standard error is said to miss it: those that are
+ * planned are estimates, too. */
+static const double MISSED = 1.5;
 
 enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
                                        const struct pp_engine *engine,
@@ -29,6 +36,7 @@ enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
     if (!made)
         return pp_fail_memory(err);
     made->engine = engine;
+    made->error = options->error;
     enum pp_status status = engine->create(&made->run, scene, report, options, err);
     if (status == PP_OK)
         *simulation = made;
@@ -120,6 +128,43 @@ enum pp_status pp_simulation_run(struct pp_simulation *simulation, double second
     return status;
 }
 
+/* The standard error over what is wanted. */
+static double times_wanted(const struct pp_simulation *simulation,
+                           const struct pp_reading *reading)
+{
+    double wanted =
+        fmax(simulation->error * fabs(reading->value), PP_TRACER_LEAST_ERROR);
+    return isfinite(reading->std_error) ? reading->std_error / wanted : 0.0;
+}
+
+/* Says where the column's standard errors are much larger than what is wanted. */
+static enum pp_status say_missed(struct pp_report *report,
+                                 const struct pp_simulation *simulation,
+                                 const struct pp_column *column, struct pp_error *err)
+{
+    double average = times_wanted(simulation, &column->average), worst = average;
+    int points = 0;
+    for (int i = 0; i < report->receiver_count; i++) {
+        double times = times_wanted(simulation, &column->points[i]);
+        points += times > MISSED;
+        worst = fmax(worst, times);
+    }
+    if (worst <= MISSED)
+        return PP_OK;
+    char which[64] = "";
+    if (points > 0)
+        pp_text_append(which, sizeof which, "%d point%s", points,
+                       points == 1 ? "" : "s");
+    if (average > MISSED)
+        pp_text_append(which, sizeof which, "%sthe average", points > 0 ? " and " : "");
+    report->missed_error = pp_report_say(
+        report,
+        "The standard error is larger than --error asks for, up to %.1f times, at %s: "
+        "few light paths find the light there. More --samples or another --seed help",
+        worst, which);
+    return report->missed_error ? PP_OK : pp_fail_memory(err);
+}
+
 enum pp_status pp_simulation_add_columns(const struct pp_simulation *simulation,
                                          struct pp_report *report, struct pp_error *err)
 {
@@ -145,6 +190,8 @@ enum pp_status pp_simulation_add_columns(const struct pp_simulation *simulation,
         for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++)
             columns[component]->points[i] = readings[component];
     }
+    if (simulation->error > 0.0 && engine->is_sampled && pp_simulation_done(simulation))
+        return say_missed(report, simulation, columns[PP_DF], err);
     return PP_OK;
 }
 

@@ -183,6 +183,16 @@ enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
     return status;
 }
 
+/* The sun's declination on a day of 2025 at an hour of the place's own time. */
+static double declination_at(struct pp_sunlit_place place, int month, int date,
+                             double hour)
+{
+    double east =
+        isfinite(place.longitude_rad) ? place.longitude_rad * 12.0 / PP_PI : 0.0;
+    double days = pp_sun_days_since_2000(2025, month, date, hour - east);
+    return pp_sun_at(days, 0.0, 0.0).declination_rad;
+}
+
 enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
                                       const struct pp_hidden_cones *cones,
                                       struct pp_sunlit_place place, int month, int date,
@@ -190,9 +200,8 @@ enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
 {
     enum pp_status status = PP_OK;
     for (int hour = 0; hour < 24 && status == PP_OK; hour++) {
-        double n = pp_sun_days_since_2000(2025, month, date, hour + 0.5);
         struct pp_sunlit_sun sun = {
-            .declination_rad = pp_sun_at(n, 0.0, 0.0).declination_rad,
+            .declination_rad = declination_at(place, month, date, hour + 0.5),
             .from_rad = (hour - 12) * PP_PI / 12.0,
             .to_rad = (hour - 11) * PP_PI / 12.0,
         };
@@ -246,7 +255,7 @@ enum pp_status pp_sunlit_hours_of_year(struct pp_sunlit_year *year,
     for (int month = 1; month <= 12; month++)
         for (int day = 1; day <= days[month - 1] && status == PP_OK; day++) {
             today.count = 0;
-            struct pp_sunlit_sun sun = {pp_sun_path_declination(month, day), -PP_PI,
+            struct pp_sunlit_sun sun = {declination_at(place, month, day, 12.0), -PP_PI,
                                         PP_PI};
             status = pp_sunlit_hours_add(&today, cones, place, &sun, err);
             double hours = share ? weighted_sum(&today, share[month - 1])

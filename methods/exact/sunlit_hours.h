@@ -15,9 +15,11 @@
 
 #include "methods/exact/hidden_cones.h"
 
-/* Where on the earth: radians; north as pp_world has it. */
+/* Where on the earth: radians; north as pp_world has it. Days are those of the place: its
+ * midnight is longitude_rad, east positive, before that of Greenwich. NAN: not known, as
+ * Greenwich. */
 struct pp_sunlit_place {
-    double latitude_rad, north_rad;
+    double latitude_rad, north_rad, longitude_rad;
 };
 
 /* Times of sun in a day, from and to as hour angles (rad, -pi to pi), in order and apart. */
@@ -41,8 +43,8 @@ enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
                                    const struct pp_sunlit_sun *sun,
                                    struct pp_error *err);
 
-/* The same of a day of 2025, with a declination for each of its hours: that of the hour's
- * middle, within 0.01 degrees of the sun's. */
+/* The same of a day of 2025 there, with a declination for each of its hours: that of the
+ * hour's middle, within 0.01 degrees of the sun's. */
 enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
                                       const struct pp_hidden_cones *cones,
                                       struct pp_sunlit_place place, int month, int date,
@@ -55,7 +57,7 @@ void pp_sunlit_hours_unite(struct pp_sunlit_day *day);
 double pp_sunlit_hours_sum(const struct pp_sunlit_day *day);
 void pp_sunlit_hours_clear(struct pp_sunlit_day *day);
 
-/* Hours of the days of 2025, each with the declination of its noon, and of those from 21
+/* Hours of the days of 2025, each with the declination of its noon there, and of those from 21
  * September to 21 March, both included. In a day the declination moves by up to 0.2 degrees
  * from that of noon, to and fro in the year: what that makes of the year's hours was 0.04
  * h in the test. */

@@ -112,6 +112,7 @@ void pp_report_clear(struct pp_report *report)
     report->sentence_count = 0;
     report->stand_in = NULL;
     report->no_bands = NULL;
+    report->missed_error = NULL;
     report->steps = NULL;
     report->steps_count = 0;
 }

@@ -64,7 +64,10 @@ struct pp_report {
                            * for them. Kept with the sentences */
     const char *stand_in; /* the usual methods do not cover the room: what stands in for
                            * them; NULL: they do. Kept with the sentences */
-    char **sentences;     /* that readings' why points to, where it is not static */
+    const char *missed_error; /* where the simulation's standard errors are larger than
+                               * what was asked for; NULL: they are not, or nothing was
+                               * asked for. Kept with the sentences */
+    char **sentences;         /* that readings' why points to, where it is not static */
     int sentence_count;
     struct pp_steps **steps; /* that readings' steps point to */
     int steps_count;

@@ -2,6 +2,7 @@
 #include "reports/atlas/advice_report.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "model/base/text.h"
 #include "reports/parts/print.h"
@@ -12,12 +13,17 @@ enum { TEXT = 1600, REGIME = 400, NAMED_POINTS = 4 };
 /* A middle that is farther from 1 is said to be a bias. */
 static const double bias_least = 0.05;
 
-/* "the average", "the point 1.5,0.5", "17 points (1.5,0.5; 1.5,1; ...)". */
+/* "the average use exact+bre, corrected 2.2 %", "17 points (1.5,0.5: 3.1 %; ...) use
+ * exact+bre, corrected so". */
 static void append_place(char text[TEXT], const struct pp_advice_item *item,
                          const struct pp_report *report)
 {
     if (item->of_average) {
-        pp_text_append(text, TEXT, "For the average use ");
+        pp_text_append(text, TEXT, "For the average use %s", item->best.column);
+        if (item->corrected)
+            pp_text_append(text, TEXT,
+                           ", corrected by the middle of its range: %.3g %%",
+                           100.0 * item->corrected[0]);
         return;
     }
     pp_text_append(text, TEXT, "For %d point%s (", item->point_count,
@@ -31,8 +37,11 @@ static void append_place(char text[TEXT], const struct pp_advice_item *item,
             continue;
         }
         pp_text_append(text, TEXT, "%s%.3g,%.3g", i > 0 ? "; " : "", at.x, at.y);
+        if (item->corrected)
+            pp_text_append(text, TEXT, ": %.3g %%", 100.0 * item->corrected[i]);
     }
-    pp_text_append(text, TEXT, ") use ");
+    pp_text_append(text, TEXT, ") use %s%s", item->best.column,
+                   item->corrected ? ", corrected by the middle of its range" : "");
 }
 
 static void append_bias(char text[TEXT], const struct pp_band_quantiles *ratio)
@@ -71,10 +80,10 @@ static void put_item(const struct pp_advice_item *item, const struct pp_report *
     pp_band_words_regime(regime, sizeof regime, &best->regime);
     append_place(text, item, report);
     pp_text_append(text, TEXT,
-                   "%s: in %d rooms of the atlas like this one (%s) the truth was %.2f "
+                   ": in %d rooms of the atlas like this one (%s) the truth was %.2f "
                    "to %.2f times its figure in 95 %%",
-                   item->best.column, best->regime.rooms, regime,
-                   best->regime.ratio.low, best->regime.ratio.high);
+                   best->regime.rooms, regime, best->regime.ratio.low,
+                   best->regime.ratio.high);
     append_bias(text, &best->regime.ratio);
     append_parts(text, best);
     append_others(text, item);
@@ -114,6 +123,22 @@ static bool add_points(struct json_object *object, const struct pp_advice_item *
     return good;
 }
 
+/* The average's as a number, those of points as a list, per cent. */
+static bool add_corrected(struct json_object *object, const struct pp_advice_item *item)
+{
+    if (!item->corrected)
+        return true;
+    if (item->of_average)
+        return pp_json_number(object, "corrected", 100.0 * item->corrected[0]);
+    double *per_cent = malloc(((size_t)item->point_count + 1) * sizeof *per_cent);
+    for (int i = 0; i < item->point_count && per_cent; i++)
+        per_cent[i] = 100.0 * item->corrected[i];
+    bool good =
+        per_cent && pp_json_numbers(object, "corrected", per_cent, item->point_count);
+    free(per_cent);
+    return good;
+}
+
 static bool add_others(struct json_object *object, const struct pp_advice_item *item)
 {
     struct json_object *others = json_object_new_object();
@@ -134,7 +159,7 @@ static bool add_item(struct json_object *list, const struct pp_advice_item *item
            && pp_json_text(object, "of", item->of_average ? "average" : "points")
            && (item->of_average || add_points(object, item))
            && pp_json_text(object, "use", item->best.column)
-           && pp_json_text(object, "regime", regime)
+           && add_corrected(object, item) && pp_json_text(object, "regime", regime)
            && pp_json_add(object, "rooms", json_object_new_int(best->regime.rooms))
            && add_ratio(object, "ratio", &best->regime.ratio)
            && add_ratio(object, "formula", &best->formula)

@@ -217,11 +217,15 @@ bool pp_print_notes(const struct pp_report *report, int width, FILE *out)
     }
     bool nothing_outside = pp_print_notes_is_zero(report, PP_ERC);
     bool undecorated = leaves_decorations(report);
-    if (report->stand_in || reasons.count > 0 || nothing_outside || undecorated)
+    if (report->stand_in || report->missed_error || reasons.count > 0 || nothing_outside
+        || undecorated)
         fputc('\n', out);
-    if (report->stand_in) {
-        char sentence[256];
-        snprintf(sentence, sizeof sentence, "%s.", report->stand_in);
+    const char *const whole[] = {report->stand_in, report->missed_error};
+    for (int i = 0; i < 2; i++) {
+        char sentence[320];
+        if (!whole[i])
+            continue;
+        snprintf(sentence, sizeof sentence, "%s.", whole[i]);
         fputs("  - ", out);
         pp_print_wrapped(sentence, 4, 4, width, out);
     }

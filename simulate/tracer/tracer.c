@@ -40,8 +40,15 @@ static const double SHARED_VARIANCE = 0.0033;
  * a tenth for 8, 17 and 384. */
 static const double SHARED_COST = 1.0;
 
-/* The least standard error that is wanted, over Eh: 0.002 % daylight factor. */
-static const double LEAST_ERROR = 0.00002;
+/* Openings of less than this share of the inside surface light it in spots that few paths
+ * find: a pilot of a few sees none, and plans for too few. Pilot and least number of paths
+ * then rise until they are like those of a room with the second share, by up to
+ * SPOTTED_MOST. At an error of 0.5 % in three rooms with slits of 0.05 to 0.1 m, whose share
+ * is 0.0008 to 0.0044, the averages of 12 seeds had over twice the error that was wanted with
+ * 42, 8 and 50 %, the worst 23 times; of 90 averages it is now 5, the worst 4.2 times, for
+ * half as much time again. */
+static const double SPOTTED_SHARE = 0.015, SPOTTED_LIKE = 0.06;
+enum { SPOTTED_MOST = 16 };
 
 /* A receiver, or the working plane as a whole. */
 struct traced_point {
@@ -287,6 +294,30 @@ static struct pp_sampler sharing(double error)
 
 /* ---- making ---- */
 
+static double share_of_openings(const struct pp_world *world)
+{
+    double openings_m2 = 0.0, inside_m2 = 0.0;
+    for (int i = 0; i < world->opening_count; i++)
+        openings_m2 += world->openings[i].inner.area_m2;
+    for (int i = 0; i < world->face_count; i++)
+        inside_m2 += world->surfaces[i].outline.area_m2;
+    return openings_m2 > 0.0 && inside_m2 > 0.0 ? openings_m2 / inside_m2 : 1.0;
+}
+
+/* More paths to begin with where openings are small. */
+static void look_closer(struct pp_sampler *changed, const struct pp_world *world)
+{
+    uint32_t times = 1;
+    double share = share_of_openings(world);
+    while (share < SPOTTED_SHARE && times < SPOTTED_MOST
+           && times * share < SPOTTED_LIKE)
+        times *= 2;
+    for (int k = 0; k < changed->estimators; k++) {
+        changed->pilot.of[k] *= times;
+        changed->least.of[k] *= times;
+    }
+}
+
 static uint64_t seed_of_room(uint64_t seed, const struct pp_world *world)
 {
     for (const char *c = world->name ? world->name : ""; *c; c++)
@@ -361,6 +392,7 @@ enum pp_status pp_tracer_create(struct pp_tracer **result,
     tracer->sampler = options->direct  ? of_direct_light()
                       : tracer->shared ? sharing(options->error)
                                        : sampler;
+    look_closer(&tracer->sampler, scene->world);
     if (status == PP_OK) {
         bool average = options->average && tracer->scene->plane_count > 0;
         tracer->point_count = receiver_count + average;
@@ -372,7 +404,7 @@ enum pp_status pp_tracer_create(struct pp_tracer **result,
         tracer->points[i] =
             point_of(tracer, i < receiver_count ? &receivers[i] : NULL, seed);
     const struct pp_planner_options planned = {.error = options->error,
-                                               .least_error = LEAST_ERROR,
+                                               .least_error = PP_TRACER_LEAST_ERROR,
                                                .samples = options->samples,
                                                .threads = options->threads};
     if (status == PP_OK)

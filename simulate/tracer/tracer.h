@@ -20,10 +20,13 @@
 #include "simulate/scene/environment.h"
 #include "simulate/scene/light_scene_of_world.h"
 
+/* No smaller standard error is wanted, over Eh: 0.002 % daylight factor. */
+#define PP_TRACER_LEAST_ERROR 0.00002
+
 struct pp_tracer_options {
     double
         error; /* wanted standard error over the daylight factor, at every point; never
-                * under 0.00002 of Eh. 0: go by samples or the caller's clock alone */
+                * under PP_TRACER_LEAST_ERROR. 0: go by samples or the caller's clock alone */
     long samples; /* paths a point in each randomisation instead of error; 0: not set */
     uint64_t seed;
     int threads;    /* 0: as many as the machine has processors */

@@ -183,16 +183,19 @@ static void weigh(struct mapped_ratio *list, int count,
     }
 }
 
-/* The least of rising ratios with at least that share of the rooms up to it, but for the
- * rounding of the weights' sum. */
+/* The least of rising ratios with at least that share of the rooms up to it; where just that
+ * share is, the mean of it and the next: the median of an even number of rooms is the mean
+ * of the middle two. The weights' sum is rounded. */
 static double quantile(const struct mapped_ratio *list, int count, int rooms,
                        double share)
 {
-    double below = 0.0;
+    double below = 0.0, wanted = share * rooms;
     for (int i = 0; i + 1 < count; i++) {
         below += list[i].weight;
-        if (below >= share * rooms - 1e-9)
+        if (below > wanted + 1e-9)
             return list[i].ratio;
+        if (below > wanted - 1e-9)
+            return 0.5 * (list[i].ratio + list[i + 1].ratio);
     }
     return list[count - 1].ratio;
 }

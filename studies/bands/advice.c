@@ -29,6 +29,12 @@ static double width_of(const struct pp_band_record *record)
     return log(ratio->high / fmax(ratio->low, 1e-3));
 }
 
+/* At a point, or (-1) the average. */
+static double figure_of(const struct pp_column *column, int index)
+{
+    return index < 0 ? column->average.value : column->points[index].value;
+}
+
 /* Looks the methods up at a point, or (-1) for the average. */
 static void look_up(struct ranking *ranking, const struct pp_report *report,
                     double features[PP_BAND_FEATURES], int index)
@@ -41,7 +47,7 @@ static void look_up(struct ranking *ranking, const struct pp_report *report,
         if (column->component != PP_DF || (index >= 0 && !column->points)
             || !pp_report_bands_has(report, column))
             continue;
-        double figure = index < 0 ? column->average.value : column->points[index].value;
+        double figure = figure_of(column, index);
         pp_band_table_find(&regimes, &ranking->index, PP_DF, column->name);
         const struct pp_band_columns columns = pp_band_features_columns(report, column);
         pp_band_features_of_columns(features, &columns, index);
@@ -151,9 +157,22 @@ static enum pp_status add_item(struct pp_advice *advice, const struct ranking *r
     return PP_OK;
 }
 
+/* Appends the figure times the middle of its range. */
+static enum pp_status add_corrected(struct pp_advice_item *item, int count,
+                                    double figure, struct pp_error *err)
+{
+    enum pp_status status =
+        pp_array_append(&item->corrected, count, sizeof *item->corrected, err);
+    if (status == PP_OK)
+        item->corrected[count] = pp_band_regime_truth(
+            figure, item->best.entry.regime.ratio.median, PP_BAND_OFFSET);
+    return status;
+}
+
 /* Adds a point to the item of its best method, or a new one for it. */
 static enum pp_status add_point(struct pp_advice *advice, const struct ranking *ranking,
-                                int best, int index, struct pp_error *err)
+                                int best, int index, double figure,
+                                struct pp_error *err)
 {
     int i = 0;
     while (i < advice->count && !is_same(&advice->items[i].best, &ranking->list[best]))
@@ -163,8 +182,10 @@ static enum pp_status add_point(struct pp_advice *advice, const struct ranking *
     if (status != PP_OK)
         return status;
     struct pp_advice_item *item = &advice->items[i];
-    status =
-        pp_array_append(&item->points, item->point_count, sizeof *item->points, err);
+    status = add_corrected(item, item->point_count, figure, err);
+    if (status == PP_OK)
+        status = pp_array_append(&item->points, item->point_count, sizeof *item->points,
+                                 err);
     if (status == PP_OK)
         item->points[item->point_count++] = index;
     return status;
@@ -178,16 +199,24 @@ static enum pp_status advise(struct pp_advice *advice, const struct pp_report *r
     pp_band_table_index(&ranking->index, pp_band_table_under(&report->light.sky));
     look_up(ranking, report, features, -1);
     enum pp_status status = PP_OK;
-    if (ranking->count > 0)
-        status = add_item(advice, ranking, best_of(ranking, -1), true, err);
+    if (ranking->count > 0) {
+        int best = best_of(ranking, -1);
+        double figure = figure_of(&report->columns[ranking->columns[best]], -1);
+        status = add_item(advice, ranking, best, true, err);
+        if (status == PP_OK)
+            status = add_corrected(&advice->items[0], 0, figure, err);
+    }
     if (status == PP_OK)
         status = find_favourite(&favourite, report, features, ranking, err);
     for (int i = 0; i < report->receiver_count && status == PP_OK; i++) {
         if (!pp_report_bands_point(features, report, i))
             continue;
         look_up(ranking, report, features, i);
-        if (ranking->count > 0)
-            status = add_point(advice, ranking, best_of(ranking, favourite), i, err);
+        if (ranking->count == 0)
+            continue;
+        int best = best_of(ranking, favourite);
+        double figure = figure_of(&report->columns[ranking->columns[best]], i);
+        status = add_point(advice, ranking, best, i, figure, err);
     }
     return status;
 }
@@ -218,8 +247,10 @@ enum pp_status pp_advice_of(struct pp_advice *advice, struct pp_report *report,
 
 void pp_advice_clear(struct pp_advice *advice)
 {
-    for (int i = 0; i < advice->count; i++)
+    for (int i = 0; i < advice->count; i++) {
         free(advice->items[i].points);
+        free(advice->items[i].corrected);
+    }
     free(advice->items);
     *advice = (struct pp_advice){.count = 0};
 }

@@ -1,5 +1,10 @@
 /* plane_share.c - the Poisson binomial distribution of the number of points that reach a
  * level, and levels of given probability by bisection.
+ *
+ * The median of 2 m points is half way between the m-th and the next. It reaches a level if
+ * m + 1 points do, or if m do and the gap from the level up to the least of these is no less
+ * than the gap down to the greatest of the others. The two gaps' joint distribution comes
+ * from the same sums, with two levels in place of one.
  */
 #include "studies/criteria/plane_share.h"
 
@@ -24,10 +29,12 @@ static int compare_falling(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-/* Points, the share of their variance that is common, and the root of the rest. */
+/* Points, the share of their variance that is common, and the root of the rest. The figure
+ * is the wanted-th largest value, or half way between that and the next. */
 struct plane_points {
-    const struct pp_reading *list;
-    int count;
+    struct pp_reading *list;
+    int count, wanted;
+    bool half_way;
     double common, own;
 };
 
@@ -46,30 +53,112 @@ static double probability_of_point(const struct plane_points *points, int i,
     return pp_finding_probability_at_least(value, std_error, target);
 }
 
-/* Probability that `wanted` points or more reach the level, with such a shift. `odds` has
- * space for count + 1 numbers: odds[k] is the probability that k of the uncertain points
- * taken so far reach the level. */
-static double probability_with(const struct plane_points *points, int wanted,
-                               double level, double shift, double *odds)
+/* odds[k], k to count, is the probability that k points reach `high` and all others stay
+ * below `low`, at most `high`. Returns the number of points that surely reach `high`, which
+ * odds leave out; -1 where some point surely does neither. *uncertain: the last k. */
+static int odds_of(const struct plane_points *points, double high, double low,
+                   double shift, double *odds, int *uncertain)
 {
-    int uncertain = 0, sure = 0;
+    int sure = 0;
+    *uncertain = 0;
     odds[0] = 1.0;
     for (int i = 0; i < points->count; i++) {
-        double p = probability_of_point(points, i, level, shift);
+        double p = probability_of_point(points, i, high, shift);
+        double q = 1.0 - (low < high ? probability_of_point(points, i, low, shift) : p);
         if (p > 1.0 - surely) {
             sure++;
             continue;
         }
-        if (p < surely)
+        if (q > 1.0 - surely)
             continue;
-        odds[uncertain + 1] = 0.0;
-        for (int k = ++uncertain; k > 0; k--)
-            odds[k] = odds[k] * (1.0 - p) + odds[k - 1] * p;
-        odds[0] *= 1.0 - p;
+        if (p < surely && q < surely)
+            return -1;
+        odds[*uncertain + 1] = 0.0;
+        for (int k = ++*uncertain; k > 0; k--)
+            odds[k] = odds[k] * q + odds[k - 1] * p;
+        odds[0] *= q;
     }
+    return sure;
+}
+
+/* A square of two gaps: from the level up to the least of the `wanted` points above it, and
+ * down to the greatest of the points below. corner[i][j]: the probability that the first is
+ * low or more (i = 0), high or more (i = 1), and the second likewise (j). */
+struct gap_square {
+    double low, high;
+    double corner[2][2];
+};
+
+static double gaps_probability(const struct plane_points *points, double level,
+                               double shift, double above, double below, double *odds)
+{
+    int uncertain,
+        sure = odds_of(points, level + above, level - below, shift, odds, &uncertain);
+    int k = points->wanted - sure;
+    return sure >= 0 && k >= 0 && k <= uncertain ? odds[k] : 0.0;
+}
+
+/* The probability that the second gap is in the square's range and the first is greater.
+ * Where both are in the range, half of the times; the square is halved until that happens
+ * seldom. */
+static double gap_above_is_greater(const struct plane_points *points, double level,
+                                   double shift, const struct gap_square *square,
+                                   double *odds)
+{
+    static const double seldom = 0.01;
+    double second = square->corner[0][0] - square->corner[0][1];
+    double both = second - square->corner[1][0] + square->corner[1][1];
+    double middle = 0.5 * (square->low + square->high);
+    if (both < seldom || middle <= square->low || middle >= square->high)
+        return second - 0.5 * both;
+    double high = square->high, low = square->low, across[2][2];
+    across[0][0] = gaps_probability(points, level, shift, low, middle, odds);
+    across[0][1] = gaps_probability(points, level, shift, middle, low, odds);
+    across[1][0] = gaps_probability(points, level, shift, middle, high, odds);
+    across[1][1] = gaps_probability(points, level, shift, high, middle, odds);
+    double centre = gaps_probability(points, level, shift, middle, middle, odds);
+    const struct gap_square near = {
+        low, middle, {{square->corner[0][0], across[0][0]}, {across[0][1], centre}}};
+    const struct gap_square far = {
+        middle, high, {{centre, across[1][0]}, {across[1][1], square->corner[1][1]}}};
+    return gap_above_is_greater(points, level, shift, &near, odds)
+           + gap_above_is_greater(points, level, shift, &far, odds);
+}
+
+/* The probability that just the wanted points reach the level, and the middle between the
+ * least of them and the next reaches it, too. `reach`: a gap that none exceeds. */
+static double tie_probability(const struct plane_points *points, double level,
+                              double shift, double *odds)
+{
+    double reach = 0.0;
+    for (int i = 0; i < points->count; i++) {
+        const struct pp_reading *point = &points->list[i];
+        double spread =
+            point->std_error > 0.0 ? (8.0 + fabs(shift)) * point->std_error : 0.0;
+        reach = fmax(reach, fabs(point->value - level) + spread);
+    }
+    reach *= 1.0 + 4.0 * rounding; /* a gap is equal to none of the corners */
+    struct gap_square all = {0.0, reach, {{0.0}}};
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++)
+            all.corner[i][j] =
+                gaps_probability(points, level, shift, i * reach, j * reach, odds);
+    return gap_above_is_greater(points, level, shift, &all, odds);
+}
+
+/* Probability that the figure reaches the level, with such a shift. `odds` has space for
+ * count + 1 numbers. */
+static double probability_with(const struct plane_points *points, double level,
+                               double shift, double *odds)
+{
+    int uncertain, sure = odds_of(points, level, level, shift, odds, &uncertain);
+    int least = points->wanted + (points->half_way ? 1 : 0);
     double sum = 0.0;
-    for (int k = uncertain; k >= 0 && sure + k >= wanted; k--)
+    for (int k = uncertain; k >= 0 && sure + k >= least; k--)
         sum += odds[k];
+    int tie = points->wanted - sure;
+    if (points->half_way && tie >= 0 && tie <= uncertain && odds[tie] > surely)
+        sum += tie_probability(points, level, shift, odds);
     return fmin(sum, 1.0);
 }
 
@@ -92,7 +181,6 @@ struct shifted {
 
 struct shifting {
     const struct plane_points *points;
-    int wanted;
     double level;
     double *odds;
 };
@@ -100,8 +188,8 @@ struct shifting {
 static struct shifted at_shift(const struct shifting *by, double z)
 {
     double shift = sqrt(by->points->common) * z;
-    return (struct shifted){
-        z, probability_with(by->points, by->wanted, by->level, shift, by->odds)};
+    return (struct shifted){z,
+                            probability_with(by->points, by->level, shift, by->odds)};
 }
 
 /* The part of the mean over all shifts that those between two have. */
@@ -117,12 +205,12 @@ static double mean_between(const struct shifting *by, struct shifted low,
 }
 
 /* The same over all shifts, which are normal. */
-static double probability_of(const struct plane_points *points, int wanted,
-                             double level, double *odds)
+static double probability_of(const struct plane_points *points, double level,
+                             double *odds)
 {
     if (!(points->common > 0.0))
-        return probability_with(points, wanted, level, 0.0, odds);
-    const struct shifting by = {points, wanted, level, odds};
+        return probability_with(points, level, 0.0, odds);
+    const struct shifting by = {points, level, odds};
     struct shifted low = at_shift(&by, -shift_most), high = at_shift(&by, shift_most);
     double sum = low.probability * normal_below(low.z)
                  + high.probability * normal_below(-high.z);
@@ -130,22 +218,30 @@ static double probability_of(const struct plane_points *points, int wanted,
     return sum + mean_between(&by, low, middle) + mean_between(&by, middle, high);
 }
 
-/* The level that `wanted` points reach with the given probability, by bisection between
- * a level that all points reach and one that none reaches: 8 standard errors off. */
-static double level_of(const struct plane_points *points, int wanted,
-                       double probability, double *odds)
+static double lower_end(const struct pp_reading *point)
+{
+    return point->value - (point->std_error > 0.0 ? 8.0 * point->std_error : 0.0);
+}
+
+static double upper_end(const struct pp_reading *point)
+{
+    return point->value + (point->std_error > 0.0 ? 8.0 * point->std_error : 0.0);
+}
+
+/* The figure that is reached with the given probability, by bisection between a level that
+ * all points reach and one that none reaches: 8 standard errors off. */
+static double level_of(const struct plane_points *points, double probability,
+                       double *odds)
 {
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < points->count; i++) {
-        const struct pp_reading *point = &points->list[i];
-        double spread = point->std_error > 0.0 ? 8.0 * point->std_error : 0.0;
-        low = fmin(low, point->value - spread);
-        high = fmax(high, point->value + spread);
+        low = fmin(low, lower_end(&points->list[i]));
+        high = fmax(high, upper_end(&points->list[i]));
     }
     double enough = 1e-7 * (high - low);
     while (high - low > enough) {
         double middle = 0.5 * (low + high);
-        if (probability_of(points, wanted, middle, odds) > probability)
+        if (probability_of(points, middle, odds) > probability)
             low = middle;
         else
             high = middle;
@@ -153,34 +249,73 @@ static double level_of(const struct plane_points *points, int wanted,
     return 0.5 * (low + high);
 }
 
+/* Leaves out points that are surely above, or surely below the figure: their order among
+ * themselves changes nothing. values: space for count numbers. */
+static void leave_out_distant(struct plane_points *points, double *values)
+{
+    int count = points->count, next = points->wanted + (points->half_way ? 1 : 0);
+    for (int i = 0; i < count; i++)
+        values[i] = upper_end(&points->list[i]);
+    qsort(values, (size_t)count, sizeof *values, compare_falling);
+    double highest = values[points->wanted - 1];
+    for (int i = 0; i < count; i++)
+        values[i] = lower_end(&points->list[i]);
+    qsort(values, (size_t)count, sizeof *values, compare_falling);
+    double lowest = values[next - 1];
+    points->count = 0;
+    for (int i = 0; i < count; i++) {
+        const struct pp_reading *point = &points->list[i];
+        if (lower_end(point) > highest)
+            points->wanted--;
+        else if (upper_end(point) >= lowest)
+            points->list[points->count++] = *point;
+    }
+}
+
+/* The wanted-th of falling values, or half way to the next. */
+static double figure_of(const struct plane_points *points, const double *values)
+{
+    double here = values[points->wanted - 1];
+    return points->half_way ? 0.5 * (here + values[points->wanted]) : here;
+}
+
 enum pp_status pp_plane_share(struct pp_plane_share *share,
                               const struct pp_reading *points, int count, double common,
                               double part, double target, struct pp_error *err)
 {
-    struct plane_points all = {.list = points, .count = count};
+    struct plane_points all = {
+        .count = count,
+        .wanted = (int)fmax(ceil(part * count - rounding * count), 1.0),
+        .half_way = part == 0.5 && count % 2 == 0};
     all.common = fmin(common, 1.0 - 1e-9);
     all.own = sqrt(1.0 - all.common);
     double *values = malloc(((size_t)count + 1) * sizeof *values);
-    if (!values)
+    all.list = malloc(((size_t)count + 1) * sizeof *all.list);
+    if (!values || !all.list) {
+        free(values);
+        free(all.list);
         return pp_fail_memory(err);
+    }
     bool sampled = false;
-    int over = 0, wanted = (int)fmax(ceil(part * count - rounding * count), 1.0);
+    int over = 0;
     for (int i = 0; i < count; i++) {
+        all.list[i] = points[i];
         values[i] = points[i].value;
         sampled |= isfinite(points[i].std_error);
         over += points[i].value >= target - rounding * fabs(target);
     }
     qsort(values, (size_t)count, sizeof *values, compare_falling);
-    *share = (struct pp_plane_share){.level = values[wanted - 1],
+    *share = (struct pp_plane_share){.level = figure_of(&all, values),
                                      .std_error = NAN,
                                      .over = (double)over / count,
                                      .probability = NAN};
     if (sampled) {
-        share->probability = probability_of(&all, wanted, target, values);
-        share->std_error = 0.5
-                           * (level_of(&all, wanted, 0.1587, values)
-                              - level_of(&all, wanted, 0.8413, values));
+        leave_out_distant(&all, values);
+        share->probability = probability_of(&all, target, values);
+        share->std_error =
+            0.5 * (level_of(&all, 0.1587, values) - level_of(&all, 0.8413, values));
     }
     free(values);
+    free(all.list);
     return PP_OK;
 }

@@ -9,7 +9,8 @@
 
 struct pp_plane_share {
     double level;     /* daylight factor that the wanted part of the points reaches: for
-                       * half of the points their median */
+                       * half of the points their median, which is the mean of the two
+                       * middle values of an even number */
     double std_error; /* of level; NAN where nothing was sampled */
     double over;      /* share of the points that reach the target */
     double probability; /* that the wanted part of the points reaches the target; NAN
@@ -17,14 +18,15 @@ struct pp_plane_share {
 };
 
 /* Of `count` points (1 or more), all with values, the part `part` (above 0, at most 1)
- * is wanted to reach `target`: k points, the least number that is that part or more.
+ * is wanted to reach `target`: k points, the least number that is that part or more. Half
+ * of them (a part of 0.5) reach it where their median does.
  *
  * Points are normal with their standard errors, of whose squares they have the share
  * `common` in common (common_error.h) and are independent else. Given what is common, the
  * number of points that reach a level has the Poisson binomial distribution (a sum of
  * unlike coin tosses), which is computed without approximation; over what is common it is
- * a sum whose steps are as fine as it is steep. `level` is the k-th largest value; its
- * standard error is half the distance between the levels that k points reach with
+ * a sum whose steps are as fine as it is steep. `level` is the k-th largest value, or the
+ * median; its standard error is half the distance between the levels that are reached with
  * probabilities of 16 and 84 %. The error that the grid's spacing makes is not
  * included. */
 enum pp_status pp_plane_share(struct pp_plane_share *share,

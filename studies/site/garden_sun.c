@@ -26,7 +26,8 @@ static enum pp_status hours_at(void *context, double x, double y, double *value,
     const struct pp_hidden_view view = {.eye = pp_vec(x, y, world->ground_level_m),
                                         .out = pp_vec(0.0, 0.0, 1.0),
                                         .face = -1};
-    const struct pp_sunlit_place place = {world->latitude_rad, world->north_rad};
+    const struct pp_sunlit_place place = {world->latitude_rad, world->north_rad,
+                                          world->longitude_rad};
     struct pp_hidden_cones cones;
     struct pp_sunlit_day day = {0};
     enum pp_status status = pp_hidden_cones_init(&cones, world, &view, err);

@@ -50,7 +50,8 @@ static struct pp_vec3 point_of(const struct pp_opening *opening)
 static enum pp_status find_hours(double *hours, const struct pp_world *world,
                                  struct pp_error *err)
 {
-    struct pp_sunlit_place place = {world->latitude_rad, world->north_rad};
+    struct pp_sunlit_place place = {world->latitude_rad, world->north_rad,
+                                    world->longitude_rad};
     struct pp_sunlit_day day = {0};
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {

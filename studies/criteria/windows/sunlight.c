@@ -52,7 +52,8 @@ static enum pp_status find_shares(struct pp_sunlit_year *shares,
                                   const struct pp_sunshine *sunshine,
                                   struct pp_error *err)
 {
-    struct pp_sunlit_place place = {world->latitude_rad, world->north_rad};
+    struct pp_sunlit_place place = {world->latitude_rad, world->north_rad,
+                                    world->longitude_rad};
     struct pp_hidden_view view = pp_hidden_cones_outside(opening);
     struct pp_hidden_cones cones;
     struct pp_sunlit_year open;

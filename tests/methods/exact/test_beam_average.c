@@ -12,9 +12,10 @@ struct pointwise {
     const struct pp_opening *opening;
 };
 
-static bool at_point(void *data, const struct pp_receiver *receiver,
+static bool at_point(void *data, int centre, const struct pp_receiver *receiver,
                      double values[PP_PLANE_VALUES])
 {
+    (void)centre;
     const struct pointwise *task = data;
     struct pp_part part = {0};
     if (pp_method_exact.evaluate(task->world, task->light, task->opening, receiver,
@@ -44,8 +45,9 @@ static void assert_same_mean(const char *body, int points, double share)
         struct pp_part part = {0};
         double mean[PP_PLANE_VALUES];
         bool stopped, known;
-        assert_int_equal(pp_plane_average(mean, &stopped, world, at_point, &task, 1e-5,
-                                          points, crew, NULL),
+        const struct pp_plane_centre centre = pp_plane_centre_of(task.opening);
+        assert_int_equal(pp_plane_average(mean, &stopped, world, &centre, 1, at_point,
+                                          &task, 1e-5, points / 6, crew, NULL),
                          PP_OK);
         assert_false(stopped);
         assert_int_equal(pp_method_exact.average(beams, &light, task.opening, NULL,

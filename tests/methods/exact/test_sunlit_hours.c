@@ -27,7 +27,7 @@ static double hours_of_day(const struct pp_world *world, double latitude_deg,
                            double declination_rad)
 {
     struct pp_hidden_view view = pp_hidden_cones_outside(&world->openings[0]);
-    struct pp_sunlit_place place = {latitude_deg * PP_RAD, world->north_rad};
+    struct pp_sunlit_place place = {latitude_deg * PP_RAD, world->north_rad, NAN};
     struct pp_sunlit_sun sun = {declination_rad, -PP_PI, PP_PI};
     struct pp_hidden_cones cones;
     struct pp_sunlit_day day = {0};
@@ -50,7 +50,7 @@ static double hours_in(const char *north, const char *body, double latitude_deg,
 
 static double open_hours(double latitude_deg, double declination_deg)
 {
-    struct pp_sunlit_place place = {latitude_deg * PP_RAD, 0.0};
+    struct pp_sunlit_place place = {latitude_deg * PP_RAD, 0.0, NAN};
     struct pp_sunlit_sun sun = {declination_deg * PP_RAD, -PP_PI, PP_PI};
     struct pp_sunlit_day day = {0};
     assert_int_equal(pp_sunlit_hours_add(&day, NULL, place, &sun, NULL), PP_OK);
@@ -85,7 +85,7 @@ static void days_grow_until_the_sun_does_not_set(void **state)
 static void a_day_by_hours_is_one_time(void **state)
 {
     (void)state;
-    struct pp_sunlit_place place = {51.5 * PP_RAD, 0.0};
+    struct pp_sunlit_place place = {51.5 * PP_RAD, 0.0, NAN};
     struct pp_sunlit_day day = {0};
     assert_int_equal(pp_sunlit_hours_of_day(&day, NULL, place, 6, 21, NULL), PP_OK);
     assert_int_equal(day.count, 1);
@@ -231,7 +231,7 @@ static void a_year_is_what_counting_makes_of_it(void **state)
                              "<vertex x=\"3.9\" y=\"-0.01\" z=\"2.601\"/></surface>");
     double latitude = 51.5 * PP_RAD;
     struct pp_hidden_view view = pp_hidden_cones_outside(&world->openings[0]);
-    struct pp_sunlit_place place = {latitude, world->north_rad};
+    struct pp_sunlit_place place = {latitude, world->north_rad, NAN};
     struct pp_hidden_cones cones;
     struct pp_sunlit_year year, open;
     assert_int_equal(pp_hidden_cones_init(&cones, world, &view, NULL), PP_OK);
@@ -266,7 +266,7 @@ static void caps_change_no_hour(void **state)
                  north, body);
         struct pp_world *world = pp_test_world(text);
         struct pp_hidden_view view = pp_hidden_cones_outside(&world->openings[0]);
-        struct pp_sunlit_place place = {latitudes[k] * PP_RAD, world->north_rad};
+        struct pp_sunlit_place place = {latitudes[k] * PP_RAD, world->north_rad, NAN};
         struct pp_hidden_cones cones;
         struct pp_sunlit_year with, without;
         assert_int_equal(pp_hidden_cones_init(&cones, world, &view, NULL), PP_OK);
@@ -288,9 +288,31 @@ static void caps_change_no_hour(void **state)
     }
 }
 
+/* 21 March begins 10 hours earlier in Sydney (151.2 degrees east) than in Greenwich, when
+ * the sun is 10 x 0.0165 degrees farther south. On the open plane the day there is longer
+ * by 2 x 0.165 tan(33.9) / 15 h, on the Pacific's other side (151.2 west) as much shorter. */
+static void the_day_is_that_of_the_place(void **state)
+{
+    (void)state;
+    double hours[3];
+    static const double longitudes_deg[] = {151.2, 0.0, -151.2};
+    for (int i = 0; i < 3; i++) {
+        struct pp_sunlit_place place = {-33.9 * PP_RAD, 0.0,
+                                        longitudes_deg[i] * PP_RAD};
+        struct pp_sunlit_day day = {0};
+        assert_int_equal(pp_sunlit_hours_of_day(&day, NULL, place, 3, 21, NULL), PP_OK);
+        hours[i] = pp_sunlit_hours_sum(&day);
+        pp_sunlit_hours_clear(&day);
+    }
+    double longer = 2.0 * 10.08 * 0.01645 * tan(33.9 * PP_RAD) / 15.0;
+    assert_near(hours[0] - hours[1], longer, 0.02 * longer);
+    assert_near(hours[1] - hours[2], longer, 0.02 * longer);
+}
+
 TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_day_is_that_of_the_place),
         cmocka_unit_test(the_equinox_has_twelve_hours_everywhere),
         cmocka_unit_test(days_grow_until_the_sun_does_not_set),
         cmocka_unit_test(a_day_by_hours_is_one_time),

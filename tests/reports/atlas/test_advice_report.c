@@ -71,6 +71,37 @@ static void points_are_told_by_where_they_are(void **state)
     free(words);
 }
 
+/* 2.5 % at the first of the points, 0.5 % less at each of the next. */
+static double corrected[] = {0.025, 0.02, 0.015, 0.01, 0.005, 0.0};
+
+static void corrected_figures_stand_with_the_average_and_the_points(void **state)
+{
+    (void)state;
+    struct pp_advice_item items[] = {item_of("exact+bre", 1.25)};
+    items[0].corrected = corrected;
+    const struct pp_advice advice = {.items = items, .count = 1};
+    size_t widest;
+    char *words = words_of(&advice, &widest);
+    assert_non_null(strstr(words,
+                           "For 6 points (1.5,0.5: 2.5 %; 1.5,1: 2 %; 1.5,1.5: 1.5 "
+                           "%; ...; 1.5,3: 0 %) use exact+bre, corrected by the "
+                           "middle of its range: in 417 rooms"));
+    free(words);
+    struct json_object *object = json_object_new_object();
+    assert_true(pp_advice_report_json(object, &advice));
+    struct json_object *one =
+        json_object_array_get_idx(json_object_object_get(object, "advice"), 0);
+    struct json_object *list = json_object_object_get(one, "corrected");
+    assert_int_equal(json_object_array_length(list), POINTS);
+    assert_near(json_object_get_double(json_object_array_get_idx(list, 1)), 2.0, 1e-9);
+    json_object_put(object);
+    items[0].of_average = true;
+    words = words_of(&advice, &widest);
+    assert_non_null(strstr(words, "For the average use exact+bre, corrected by the "
+                                  "middle of its range: 2.5 %: in 417 rooms"));
+    free(words);
+}
+
 /* What the figure is to be multiplied by is the middle of the truth over it. */
 static void a_bias_is_said_with_the_factor_that_takes_it_away(void **state)
 {
@@ -162,6 +193,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_told_by_where_they_are),
+        cmocka_unit_test(corrected_figures_stand_with_the_average_and_the_points),
         cmocka_unit_test(a_bias_is_said_with_the_factor_that_takes_it_away),
         cmocka_unit_test(formula_and_assumption_stand_apart_and_the_next_best_behind),
         cmocka_unit_test(where_there_is_none_it_says_why),

@@ -43,7 +43,7 @@ static void print_rising(FILE *file, int room)
     fprintf(file, "%d,-1,1.1,0.22,,3,0.03,2,1,,5.1,\n", room);
 }
 
-/* Of 100 ratios from 0.505 up by 0.01, the 5th, 50th and 95th. */
+/* Of 100 ratios from 0.505 up by 0.01, the means of the 5th, 50th and 95th and the next. */
 static void quantiles_are_those_of_ranked_ratios(void **state)
 {
     (void)state;
@@ -55,12 +55,12 @@ static void quantiles_are_those_of_ranked_ratios(void **state)
     assert_int_equal(map.rooms, 100);
     const struct pp_atlas_quantiles *cell = &map.real[3]; /* 0.2 to 0.25 */
     assert_int_equal(cell->rooms, 100);
-    assert_near(cell->low, 0.545, 1e-9);
-    assert_near(cell->median, 0.995, 1e-9);
-    assert_near(cell->high, 1.445, 1e-9);
+    assert_near(cell->low, 0.55, 1e-9);
+    assert_near(cell->median, 1.0, 1e-9);
+    assert_near(cell->high, 1.45, 1e-9);
     for (int k = 0; k < map.across.count; k++)
         assert_int_equal(map.real[k].rooms, k == 3 ? 100 : 0);
-    assert_near(map.own[3].median, 0.4975, 1e-9);
+    assert_near(map.own[3].median, 0.5, 1e-9);
     pp_atlas_table_clear(&table);
 }
 
@@ -103,6 +103,18 @@ static void print_uneven(FILE *file, int room)
         fprintf(file, "%d,%d,1.1,0.22,1.2,2,0.02,1.5,0.5,%d,,\n", room, i,
                 room < 10 ? 2 : 4);
     fprintf(file, "%d,-1,1.1,0.22,,3,0.03,2,1,,,\n", room);
+}
+
+static void median_of_an_even_number_of_rooms_is_between_the_middle_two(void **state)
+{
+    (void)state;
+    struct pp_atlas_table table;
+    struct pp_atlas_map map;
+    make_table(&table, 20, print_uneven);
+    map_of(&map, &table, PP_MAP_GROUND, "exact+bre");
+    assert_int_equal(map.real[3].rooms, 20);
+    assert_near(map.real[3].median, 1.5, 1e-12);
+    pp_atlas_table_clear(&table);
 }
 
 static void a_room_counts_once_however_many_points_it_has(void **state)
@@ -159,6 +171,7 @@ TEST_FILE
         cmocka_unit_test(quantiles_are_those_of_ranked_ratios),
         cmocka_unit_test(rows_stand_in_the_class_of_their_numbers),
         cmocka_unit_test(a_method_of_averages_is_held_against_averages),
+        cmocka_unit_test(median_of_an_even_number_of_rooms_is_between_the_middle_two),
         cmocka_unit_test(a_room_counts_once_however_many_points_it_has),
         cmocka_unit_test(
             truth_that_is_not_known_is_left_out_and_few_rooms_give_no_median),

@@ -85,7 +85,7 @@ static struct pp_sunlit_year year_of(const char *wall, const double (*share)[24]
              wall);
     struct pp_world *world = pp_test_world(text);
     struct pp_hidden_view view = pp_hidden_cones_outside(&world->openings[0]);
-    struct pp_sunlit_place place = {48.2 * PP_RAD, 0.0};
+    struct pp_sunlit_place place = {48.2 * PP_RAD, 0.0, NAN};
     struct pp_hidden_cones cones;
     struct pp_sunlit_year year;
     assert_int_equal(pp_hidden_cones_init(&cones, world, &view, NULL), PP_OK);

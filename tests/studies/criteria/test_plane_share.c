@@ -1,4 +1,6 @@
 /* The share of the plane that reaches a daylight factor, and its probability. */
+#include <stdlib.h>
+
 #include "studies/criteria/finding.h"
 #include "studies/criteria/plane_share.h"
 #include "tests/lib/near.h"
@@ -35,6 +37,19 @@ static void computed_points_are_counted(void **state)
     assert_near(share_of(many, 20, 0.95, 0.01).level, 0.002, 0.0);
 }
 
+/* By Python's statistics.median: [0.007, 0.014, 0.019, 0.022, 0.031, 0.009] has 0.0165. */
+static void median_of_an_even_number_is_the_mean_of_the_middle_two(void **state)
+{
+    (void)state;
+    static const double values[] = {0.031, 0.007, 0.022, 0.014, 0.019, 0.009};
+    struct pp_reading points[6];
+    for (int i = 0; i < 6; i++)
+        points[i] = pp_reading_of(values[i]);
+    assert_near(share_of(points, 6, 0.5, 0.02).level, 0.0165, 1e-17);
+    assert_near(share_of(points, 2, 0.5, 0.02).level, 0.019, 1e-17);
+    assert_near(share_of(points, 1, 0.5, 0.02).level, 0.031, 0.0);
+}
+
 static void one_point_is_as_sure_as_the_normal_distribution(void **state)
 {
     (void)state;
@@ -69,7 +84,9 @@ static void sums_of_unlike_tosses_are_what_enumeration_gives(void **state)
             }
             sum += reach >= wanted ? odds : 0.0;
         }
-        assert_near(share_of(points, 6, wanted / 6.0, 0.02).probability, sum, 1e-11);
+        /* Just above and below a half it is no median. */
+        double part = wanted == 3 ? 0.5 - 1e-6 : wanted / 6.0;
+        assert_near(share_of(points, 6, part, 0.02).probability, sum, 1e-11);
     }
 }
 
@@ -86,37 +103,80 @@ static double normal(unsigned *state)
     return sqrt(-2.0 * log(u)) * cos(2.0 * 3.14159265358979323846 * v);
 }
 
-/* Values drawn round the readings reach the target as often as the probability says,
- * and the level spreads as its standard error says. 20,000 draws: four standard errors
- * of a frequency are 1.4 %; the spread of what is not quite normal is good to 5 %. */
-static void probability_and_error_are_what_drawing_gives(void **state)
+/* `count` values that rise by 4 % and their errors by 2 %. */
+static void make_rising(struct pp_reading *points, int count, double first,
+                        double std_error)
 {
-    (void)state;
-    enum { COUNT = 31, DRAWS = 20000, WANTED = 16 };
-    struct pp_reading points[COUNT];
+    for (int i = 0; i < count; i++)
+        points[i] = (struct pp_reading){.value = first * pow(1.04, i),
+                                        .std_error = std_error * pow(1.02, i)};
+}
+
+static int in_order(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Draws values round the readings and compares the medians' frequency at or above the
+ * target, and half the distance between those that 16 and 84 % of the draws exceed. 20,000
+ * draws: four standard errors of a frequency are 1.4 %, of that distance 4 %. */
+static void compare_with_draws(const struct pp_reading *points, int count,
+                               double common, double target)
+{
+    enum { DRAWS = 20000 };
+    static double medians[DRAWS];
+    double hits = 0.0, values[MOST];
     unsigned seed = 7;
-    for (int i = 0; i < COUNT; i++)
-        points[i] = (struct pp_reading){.value = 0.012 * pow(1.04, i),
-                                        .std_error = 0.0007 * pow(1.02, i)};
-    double target = 0.0214, hits = 0.0, sum = 0.0, squares = 0.0;
     for (int draw = 0; draw < DRAWS; draw++) {
-        double values[COUNT];
-        for (int i = 0; i < COUNT; i++) {
-            double value = points[i].value + points[i].std_error * normal(&seed);
+        double shift = common > 0.0 ? sqrt(common) * normal(&seed) : 0.0;
+        for (int i = 0; i < count; i++) {
+            double value =
+                points[i].value
+                + points[i].std_error * (shift + sqrt(1.0 - common) * normal(&seed));
             int k = i;
             for (; k > 0 && values[k - 1] < value; k--)
                 values[k] = values[k - 1];
             values[k] = value;
         }
-        hits += values[WANTED - 1] >= target;
-        sum += values[WANTED - 1];
-        squares += values[WANTED - 1] * values[WANTED - 1];
+        double median = 0.5 * (values[(count - 1) / 2] + values[count / 2]);
+        hits += median >= target;
+        medians[draw] = median;
     }
-    struct pp_plane_share share = share_of(points, COUNT, 0.5, target);
+    qsort(medians, DRAWS, sizeof *medians, in_order);
+    struct pp_plane_share share;
+    assert_int_equal(pp_plane_share(&share, points, count, common, 0.5, target, NULL),
+                     PP_OK);
     assert_near(share.probability, hits / DRAWS, 0.014);
-    double mean = sum / DRAWS;
-    assert_relative(share.std_error, sqrt(squares / DRAWS - mean * mean), 0.05);
-    assert_true(share.probability > 0.2 && share.probability < 0.8);
+    double spread =
+        0.5 * (medians[(int)(0.8413 * DRAWS)] - medians[(int)(0.1587 * DRAWS)]);
+    assert_relative(share.std_error, spread, 0.04);
+    assert_true(share.probability > 0.1 && share.probability < 0.9);
+}
+
+static void probability_and_error_are_what_drawing_gives(void **state)
+{
+    (void)state;
+    struct pp_reading points[31];
+    make_rising(points, 31, 0.012, 0.0007);
+    compare_with_draws(points, 31, 0.0, 0.0214);
+}
+
+/* Where the middle two overlap, where they stand apart, with unlike errors, and where a
+ * part of the error is in common. */
+static void median_of_an_even_number_is_as_sure_as_drawing_says(void **state)
+{
+    (void)state;
+    struct pp_reading points[32];
+    make_rising(points, 32, 0.012, 0.0007);
+    compare_with_draws(points, 32, 0.0, 0.0220);
+    compare_with_draws(points, 32, 0.3, 0.0225);
+    make_rising(points, 12, 0.012, 0.00011);
+    compare_with_draws(points, 12, 0.0, 0.0149);
+    points[5].std_error = 0.0005;
+    compare_with_draws(points, 12, 0.0, 0.0150);
+    compare_with_draws(points, 12, 0.6, 0.0149);
+    compare_with_draws(points, 2, 0.0, 0.01225);
 }
 
 static void points_without_an_error_are_sure(void **state)
@@ -136,10 +196,13 @@ static void many_points_are_quick_and_as_sure(void **state)
     struct pp_reading points[MOST];
     for (int i = 0; i < MOST; i++)
         points[i] = (struct pp_reading){.value = 0.02, .std_error = 0.0003};
-    /* Alike tosses: 200 or more of 400 heads. */
-    struct pp_plane_share share = share_of(points, MOST, 0.5, 0.02);
-    double middle = exp(lgamma(401.0) - 2.0 * lgamma(201.0) - 400.0 * log(2.0));
-    assert_near(share.probability, 0.5 + 0.5 * middle, 1e-9);
+    /* Alike tosses: 200 or more of 399 heads. */
+    assert_near(share_of(points, MOST - 1, 0.5, 0.02).probability, 0.5, 1e-9);
+    /* Of 400 the median is as often above as below; its error is that of 399. */
+    struct pp_plane_share even = share_of(points, MOST, 0.5, 0.02);
+    assert_near(even.probability, 0.5, 1e-3);
+    assert_relative(even.std_error, share_of(points, MOST - 1, 0.5, 0.02).std_error,
+                    0.01);
 }
 
 static void verdicts_need_ninety_five_per_cent(void **state)
@@ -222,9 +285,11 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(computed_points_are_counted),
+        cmocka_unit_test(median_of_an_even_number_is_the_mean_of_the_middle_two),
         cmocka_unit_test(one_point_is_as_sure_as_the_normal_distribution),
         cmocka_unit_test(sums_of_unlike_tosses_are_what_enumeration_gives),
         cmocka_unit_test(probability_and_error_are_what_drawing_gives),
+        cmocka_unit_test(median_of_an_even_number_is_as_sure_as_drawing_says),
         cmocka_unit_test(points_without_an_error_are_sure),
         cmocka_unit_test(many_points_are_quick_and_as_sure),
         cmocka_unit_test(verdicts_need_ninety_five_per_cent),

@@ -1,0 +1,45 @@
+/* light_bound.c - equations (1) and (2) of light_bound.h, on the safe side. */
+#include "methods/reflected/light_bound.h"
+
+#include <math.h>
+
+#include "methods/reflected/interior.h"
+#include "methods/refusals.h"
+
+/* `bre` and its kin have this ground built in, whatever the room's. */
+static const double built_in_ground = 0.1;
+
+/* `bre` takes its 0.85 for the diffuse transmittance of clear single glass, 0.827. */
+static const double printed_over_own = 0.85 / 0.827;
+
+/* Methods that are read off scales are good to this. */
+static const double reading = 1.1;
+
+static double entering(const struct pp_outside_light *light,
+                       const struct pp_opening *opening)
+{
+    const struct pp_glass *glass = &opening->glass;
+    double tau = fmin(fmax(glass->normal, printed_over_own * glass->diffuse), 1.0);
+    double area_m2 = fmax(opening->inner.area_m2, opening->outer.area_m2);
+    double ground = fmax(light->ground_reflectance, built_in_ground);
+    struct pp_vec3 outward = pp_vec_scale(opening->inner.normal, -1.0);
+    double outside =
+        pp_sky_on_plane(&light->sky, outward) + ground * (1.0 - outward.z) / 2.0;
+    return area_m2 * opening->frame_factor * tau * outside;
+}
+
+struct pp_light_bound pp_light_bound(const struct pp_world *world,
+                                     const struct pp_outside_light *light)
+{
+    struct pp_light_bound bound = {INFINITY, INFINITY};
+    struct pp_interior inside = pp_interior_all(world);
+    double plane_m2 = pp_region_area(&world->plane), flux = 0.0;
+    if (!(plane_m2 > 0.0) || !(inside.reflectance < 1.0)
+        || pp_refusals_if_luminous(world))
+        return bound;
+    for (int i = 0; i < world->opening_count; i++)
+        flux += entering(light, &world->openings[i]);
+    bound.direct = reading * flux / plane_m2;
+    bound.any = bound.direct / (1.0 - inside.reflectance);
+    return bound;
+}
