@@ -7,6 +7,15 @@
 #include "model/base/text.h"
 #include "reports/parts/print.h"
 
+/* A range that ends below this is of what is practically zero, half a unit of the last
+ * decimal that is printed, and says nothing: 0.0021 % had 0.00207 to 0.00208 %. */
+static const double LEAST_END = 5e-5;
+
+static bool is_shown(struct pp_band_ends band)
+{
+    return pp_band_is_known(band) && band.high >= LEAST_END;
+}
+
 /* Bands are known to two or three digits: decimals that show both ends so. */
 static int decimals_of(double high)
 {
@@ -16,7 +25,7 @@ static int decimals_of(double high)
 void pp_print_band(char *text, size_t size, struct pp_band_ends band)
 {
     text[0] = '\0';
-    if (!pp_band_is_known(band))
+    if (!is_shown(band))
         return;
     int decimals = decimals_of(band.high);
     snprintf(text, size, "%.*f-%.*f", decimals, 100.0 * band.low, decimals,
@@ -26,9 +35,10 @@ void pp_print_band(char *text, size_t size, struct pp_band_ends band)
 struct pp_band_ends pp_print_band_at(const struct pp_column *column, int index,
                                      int count)
 {
-    return index == count  ? column->average_band
-           : column->bands ? column->bands[index]
-                           : pp_band_none();
+    struct pp_band_ends band = index == count  ? column->average_band
+                               : column->bands ? column->bands[index]
+                                               : pp_band_none();
+    return is_shown(band) ? band : pp_band_none();
 }
 
 /* More than they are known to. */
@@ -41,7 +51,7 @@ static double four_digits(double value)
 
 bool pp_print_band_json(struct json_object *object, struct pp_band_ends band)
 {
-    if (!pp_band_is_known(band))
+    if (!is_shown(band))
         return true;
     const double ends[] = {four_digits(100.0 * band.low),
                            four_digits(100.0 * band.high)};

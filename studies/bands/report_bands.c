@@ -145,13 +145,9 @@ struct lookup {
     struct pp_band_columns columns; /* the one that is looked up, and its components */
 };
 
-/* A figure below this is practically zero, half a unit of the last decimal that is
- * printed, and no range of it says anything: 0.0021 % came with 0.00207 to 0.00208 %. */
-static const double LEAST_FIGURE = 5e-5;
-
 static struct pp_band_ends band_of(const struct pp_band_record *record, double figure)
 {
-    if (!record || !isfinite(figure) || figure < LEAST_FIGURE)
+    if (!record || !isfinite(figure))
         return pp_band_none();
     const struct pp_band_quantiles *ratio = &record->entry.regime.ratio;
     return (struct pp_band_ends){

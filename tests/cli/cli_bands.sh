@@ -35,6 +35,9 @@ check "and under iso-1, which is overcast, those of the first" \
 check "nor in a plan with a recess" shows 'recess' df "$examples/l-shaped.xml"
 check "CSV has them when asked" shows 'band_low_percent' df --bands -f csv "$office"
 
+check "a component that is practically zero has no band" nothing "$(
+    "$pepperpot" df -f json -m brs-table -q "$office" | sed -n 's/.*"band": \[ [^,]*, \([0-9.e-]*\) .*/\1/p' |
+        awk '$1 < 0.005')"
 check "a method is advised for the average" shows 'For the average use' df --advise "$office"
 check "in JSON, too" shows '"use"' df --advise -f json "$office"
 check "not in CSV" refuses 2 "CSV" df --advise -f csv "$office"

@@ -462,9 +462,9 @@ static void fill(struct points *points, const struct pp_world *world,
 static double reached_by(const struct points *points, int per_cent)
 {
     int wanted = (points->count * per_cent + 99) / 100;
-    double next = points->values[2 * wanted == points->count && per_cent == 50
-                                     ? wanted
-                                     : wanted - 1];
+    double next =
+        points->values[2 * wanted == points->count && per_cent == 50 ? wanted
+                                                                     : wanted - 1];
     return 100.0 * 0.5 * (points->values[wanted - 1] + next);
 }
 
