@@ -21,9 +21,8 @@ struct pp_advice_item {
     bool of_average;
     int *points; /* indices of receivers; owned */
     int point_count;
-    /* The method's figures moved by the middle of its range, fractions: one of each point,
-     * or of the average; owned. Over 300 rooms of the atlas the average that is advised
-     * errs by 5.7 % as it is, and by 3.6 % so. */
+    /* The method's figures times the middle of its range, fractions: one for each point, or
+     * one for the average; owned. */
     double *corrected;
 };
 
