@@ -145,7 +145,7 @@ const struct pp_photon_place *pp_photon_store_places(
     const struct photon_set *set = &store->sets[randomisation - store->first];
     int start = photon > 0 ? set->ends[photon - 1] : 0;
     *count = set->ends[photon] - start;
-    return set->places + start;
+    return *count > 0 ? set->places + start : NULL;
 }
 
 void pp_photon_store_work(const struct pp_photon_store *store, long long *rays,

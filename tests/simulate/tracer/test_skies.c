@@ -51,6 +51,7 @@ static void many_skies_are_traced_on_one_scene(void **state)
     builds = 0;
     struct pp_light_scene *scene = pp_test_matt_scene(world);
     assert_int_equal(builds, 1);
+    int scenes = 1;
     for (int i = 0; i < PP_SIZED(100, 34, 12); i++) {
         struct pp_outside_light light = light_of(i);
         struct pp_environment *environment = NULL;
@@ -65,6 +66,7 @@ static void many_skies_are_traced_on_one_scene(void **state)
             continue;
         struct pp_light_scene *own = pp_test_matt_scene(world);
         assert_int_equal(pp_light_scene_under(&environment, own, &light, NULL), PP_OK);
+        scenes++;
         trace(own, environment, alone);
         for (int k = 0; k < 2; k++)
             for (int c = 0; c < 4; c++) {
@@ -74,7 +76,7 @@ static void many_skies_are_traced_on_one_scene(void **state)
         pp_environment_destroy(environment);
         pp_light_scene_destroy(own);
     }
-    assert_int_equal(builds, 1 + 4);
+    assert_int_equal(builds, scenes);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
 }
