@@ -108,13 +108,18 @@ static void a_skyline_with_a_distance_is_the_block_in_its_place(void **state)
     (void)state;
     assert_same_light(by_paths, STREET, window_m);
     assert_same_light(by_photons, STREET, window_m);
-    assert_same_light(by_elements, STREET, window_m);
 }
 
 static void it_is_so_through_the_windows_of_another_wall(void **state)
 {
     (void)state;
     assert_same_light(by_paths, ASIDE, wall_m);
+}
+
+static void radiosity_has_the_skyline_as_the_block(void **state)
+{
+    (void)state;
+    assert_same_light(by_elements, STREET, window_m);
     assert_same_light(by_elements, ASIDE, wall_m);
 }
 
@@ -146,4 +151,8 @@ TEST_FILE
         cmocka_unit_test(a_street_is_darker_than_the_open_sky_makes_it),
     };
     add_tests(tests, NULL, NULL);
+    const struct CMUnitTest long_tests[] = {
+        cmocka_unit_test(radiosity_has_the_skyline_as_the_block),
+    };
+    add_long_tests(long_tests, NULL, NULL);
 }
