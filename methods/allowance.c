@@ -133,7 +133,7 @@ double pp_allowance_of(const struct pp_method *method, const struct pp_world *wo
            * pp_allowance_decorations(method, world);
 }
 
-/* Of a correction that formulae contain. */
+/* Corrections that formulae contain. */
 static double value_in_formula(enum pp_allowance correction,
                                const struct pp_opening *opening)
 {

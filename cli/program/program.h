@@ -4,7 +4,7 @@
 
 #include "cli/command.h"
 
-/* What main() does and returns. The list of commands ends with NULL. */
+/* Does the work of main() and returns its status. The list of commands ends with NULL. */
 int pp_program(int argc, char **argv, const struct pp_command *const *commands);
 
 #endif

@@ -69,7 +69,7 @@ struct convex {
     double (*xy)[2];
 };
 
-/* What is left of it where normal . p >= offset, into an array with space for one corner
+/* Cuts it to normal . p >= offset, into an array with space for one corner
  * more. */
 static int keep_side(double (*out)[2], const double (*xy)[2], int count,
                      const double normal[2], double offset)
@@ -110,7 +110,7 @@ static double cross(const double a[2], const double b[2])
     return a[0] * b[1] - a[1] * b[0];
 }
 
-/* How far from the apex a direction meets the line through two points. */
+/* Distance from the apex at which a direction meets the line through two points. */
 static double distance_to(const double edge[2][2], const double apex[2],
                           const double u[2])
 {

@@ -18,7 +18,7 @@ struct pp_material pp_surface_materials_of(const struct pp_world *world, int sur
 struct pp_material pp_surface_materials_matt(const struct pp_world *world, int surface,
                                              bool front);
 
-/* What an opening's pane lets through, with its frame, dirt and curtains:
+/* Light through an opening's pane, with its frame, dirt and curtains:
  *
  *     straight(cosine) = tau(cosine) F M K         mirrored(cosine) = rho(cosine) F
  *

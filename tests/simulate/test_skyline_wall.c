@@ -11,7 +11,7 @@
     "<window wall='south' left='0.8' sill='0.9' width='2' height='1.5'/>"              \
     "<facade wall='south' left='60' right='60' up='8' reflectance='0.35'/>"
 
-/* What stands south is seen aslant from the east. */
+/* An obstruction in the south is seen aslant from the east. */
 #define ASIDE "<window wall='east' left='1.1' sill='0.9' width='2' height='1.5'/>"
 
 static const double distance = 8.3, angle_deg = 50.0, reflectance = 0.4;

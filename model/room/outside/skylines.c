@@ -54,8 +54,8 @@ static struct pp_vec3 middle_of_wall(const struct pp_world *world, int face)
     return pp_vec_along(middle, aside / pp_vec_dot(wall->normal, out), out);
 }
 
-/* How far the room and its openings' depths reach outside the wall (m), 0 if they do
- * not. */
+/* Distance (m) that the room and its openings' depths reach outside the wall, 0 if they
+ * do not. */
 static double reach_outside(const struct pp_world *world, int face)
 {
     struct pp_vec3 out = outward_of(world, face), wall = middle_of_wall(world, face);

@@ -43,7 +43,7 @@ static void print_rising(FILE *file, int room)
     fprintf(file, "%d,-1,1.1,0.22,,3,0.03,2,1,,5.1,\n", room);
 }
 
-/* Of 100 ratios from 0.505 up by 0.01, the means of the 5th, 50th and 95th and the next. */
+/* 100 ratios from 0.505 up by 0.01: the means of the 5th, 50th and 95th and the next. */
 static void quantiles_are_those_of_ranked_ratios(void **state)
 {
     (void)state;
