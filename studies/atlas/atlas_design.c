@@ -21,16 +21,18 @@ void pp_atlas_design_init(struct pp_atlas_design *design, enum pp_atlas_sky sky)
 
 static void choose_shape(struct pp_atlas_layout *room)
 {
-    static const double roofs[] = {0.85, 0.08, 0.07};
+    const struct pp_atlas_ranges *ranges = room->ranges;
     double u[6];
     pp_atlas_draw(room, PP_ATLAS_SHAPE, u);
-    double area = pp_scaled(5.0, 140.0, u[0]), ratio = pp_scaled(0.25, 3.0, u[1]);
+    double area = pp_scaled_ends(ranges->area_m2, u[0]),
+           ratio = pp_scaled_ends(ranges->ratio, u[1]);
     room->width = sqrt(area * ratio);
     room->depth = sqrt(area / ratio);
-    room->roof = (enum pp_atlas_roof)PP_ONE_OF(roofs, &u[3]);
+    room->roof = (enum pp_atlas_roof)PP_ONE_OF(ranges->roofs, &u[3]);
     /* Large rooms are higher. */
-    double lowest = 2.3 + 0.005 * area;
-    room->eaves = pp_scaled(lowest, lowest + 1.3, u[2]);
+    double higher = 0.005 * area;
+    room->eaves =
+        pp_scaled(ranges->height_m[0] + higher, ranges->height_m[1] + higher, u[2]);
     room->plane = u[5] < 0.8 ? 0.85 : 0.7;
     if (room->roof == PP_ATLAS_FLAT)
         return;
@@ -133,40 +135,50 @@ static void put_finishes(struct pp_atlas_layout *room)
     double u[6];
     pp_atlas_draw(room, PP_ATLAS_FINISHES, u);
     PP_SAY(room, "  <finishes floor=\"%.2f\" walls=\"%.2f\" ceiling=\"%.2f\"/>\n",
-           pp_between(0.08, 0.5, u[0]), pp_between(0.2, 0.9, u[1]),
-           pp_between(0.4, 0.9, u[2]));
+           pp_between_ends(room->ranges->floor, u[0]),
+           pp_between_ends(room->ranges->walls, u[1]),
+           pp_between_ends(room->ranges->ceiling, u[2]));
 }
 
 /* ---- openings ---- */
 
+/* 1 in rooms of a share of 0.15. */
+static double clean(const struct pp_atlas_layout *room, double u)
+{
+    return u < 0.15 ? 1.0 : pp_between_ends(room->ranges->clean, (u - 0.15) / 0.85);
+}
+
 /* What all openings of a room have, as attributes. */
 static void put_pane(struct pp_atlas_layout *room, bool upright)
 {
-    static const double shares[] = {0.2, 0.3, 0.2, 0.08, 0.06, 0.1, 0.06};
-    static const char *const names[] = {
-        "clear-single",         "clear-double", "low-e-double", "low-e-triple",
-        "solar-control-medium", NULL,           "none"};
+    static const char *const names[PP_ATLAS_PANES] = {
+        [PP_ATLAS_CLEAR_SINGLE] = "clear-single",
+        [PP_ATLAS_CLEAR_DOUBLE] = "clear-double",
+        [PP_ATLAS_LOW_E_DOUBLE] = "low-e-double",
+        [PP_ATLAS_LOW_E_TRIPLE] = "low-e-triple",
+        [PP_ATLAS_SOLAR_CONTROL] = "solar-control-medium",
+        [PP_ATLAS_NO_PANE] = "none"};
     double u[6];
     pp_atlas_draw(room, PP_ATLAS_OPENINGS, u);
-    const char *name = names[PP_ONE_OF(shares, &u[2])];
+    const char *name = names[PP_ONE_OF(room->ranges->panes, &u[2])];
     if (name)
         PP_SAY(room, " glazing=\"%s\"", name);
     else
-        PP_SAY(room, " transmittance=\"%.2f\"", pp_between(0.3, 0.85, u[2]));
-    PP_SAY(room, " frame-factor=\"%.2f\" maintenance=\"%.2f\"",
-           u[3] < 0.15 ? 1.0 : pp_between(0.6, 0.95, (u[3] - 0.15) / 0.85),
-           u[4] < 0.15 ? 1.0 : pp_between(0.6, 0.95, (u[4] - 0.15) / 0.85));
+        PP_SAY(room, " transmittance=\"%.2f\"",
+               pp_between_ends(room->ranges->transmittance, u[2]));
+    PP_SAY(room, " frame-factor=\"%.2f\" maintenance=\"%.2f\"", clean(room, u[3]),
+           clean(room, u[4]));
     if (upright && u[5] > 0.5)
-        PP_SAY(room, " reveal=\"%.2f\"", pp_between(0.05, 0.4, 2.0 * u[5] - 1.0));
+        PP_SAY(room, " reveal=\"%.2f\"",
+               pp_between_ends(room->ranges->reveal_m, 2.0 * u[5] - 1.0));
 }
 
 /* Up to four equal windows in a wall. */
 static void put_windows(struct pp_atlas_layout *room, enum pp_atlas_wall wall,
                         enum pp_atlas_group group)
 {
-    enum style { USUAL, FRENCH, CLERESTORY };
-    static const double styles[] = {0.78, 0.12, 0.1},
-                        numbers[] = {0.5, 0.25, 0.15, 0.1};
+    static const double numbers[] = {0.5, 0.25, 0.15, 0.1};
+    const struct pp_atlas_ranges *ranges = room->ranges;
     double u[6];
     pp_atlas_draw(room, group, u);
     double length =
@@ -174,13 +186,15 @@ static void put_windows(struct pp_atlas_layout *room, enum pp_atlas_wall wall,
     double top = room->lowest[wall];
     bool gable = room->roof == PP_ATLAS_RIDGE
                  && (wall == PP_ATLAS_SOUTH || wall == PP_ATLAS_NORTH);
-    enum style style = (enum style)PP_ONE_OF(styles, &u[5]);
+    enum pp_atlas_style style = (enum pp_atlas_style)PP_ONE_OF(ranges->styles, &u[5]);
     int count = gable ? 1 : 1 + PP_ONE_OF(numbers, &u[0]);
-    double sill = style == FRENCH       ? 0.05
-                  : style == CLERESTORY ? fmax(top - 1.1, 0.6)
-                                        : fmin(pp_between(0.3, 1.2, u[2]), top - 0.8);
-    double head = pp_between(fmin(sill + 0.6, top - 0.05), top - 0.05, sqrt(u[3]));
-    double share = pp_between(0.15, gable ? 0.45 : 0.95, u[1]);
+    double sill = style == PP_ATLAS_FRENCH ? 0.05
+                  : style == PP_ATLAS_CLERESTORY
+                      ? fmax(top - 1.1, 0.6)
+                      : fmin(pp_between_ends(ranges->sill_m, u[2]), top - 0.8);
+    double head =
+        pp_between(fmin(sill + ranges->least_m, top - 0.05), top - 0.05, sqrt(u[3]));
+    double share = pp_between(ranges->share[0], gable ? 0.45 : ranges->share[1], u[1]);
     while (count > 1 && share * length / count < 0.4)
         count--;
     double width = fmax(share * length / count, fmin(0.4, 0.9 * length));
@@ -253,25 +267,25 @@ static void put_roof_windows(struct pp_atlas_layout *room)
 /* Returns whether there are windows in walls. */
 static bool put_openings(struct pp_atlas_layout *room)
 {
-    enum choice { ONE_WALL, CORNER, OPPOSITE, ROOF_ONLY };
-    static const double shares[] = {0.64, 0.16, 0.1, 0.1};
+    const struct pp_atlas_ranges *ranges = room->ranges;
     double u[6];
     pp_atlas_draw(room, PP_ATLAS_OPENINGS, u);
-    enum choice choice = (enum choice)PP_ONE_OF(shares, &u[0]);
-    if (choice != ROOF_ONLY)
+    enum pp_atlas_place place = (enum pp_atlas_place)PP_ONE_OF(ranges->places, &u[0]);
+    if (place != PP_ATLAS_ROOF_ONLY)
         put_windows(room, PP_ATLAS_SOUTH, PP_ATLAS_WALL_1);
-    if (choice == CORNER)
+    if (place == PP_ATLAS_CORNER)
         put_windows(room, PP_ATLAS_EAST, PP_ATLAS_WALL_2);
-    if (choice == OPPOSITE)
+    if (place == PP_ATLAS_OPPOSITE)
         put_windows(room, PP_ATLAS_NORTH, PP_ATLAS_WALL_2);
     /* A room under slopes has windows in them as often as not. */
-    if (choice == ROOF_ONLY || u[1] < (room->roof == PP_ATLAS_FLAT ? 0.12 : 0.5)) {
+    if (place == PP_ATLAS_ROOF_ONLY
+        || u[1] < (room->roof == PP_ATLAS_FLAT ? ranges->rooflights : 0.5)) {
         if (room->roof == PP_ATLAS_FLAT)
             put_rooflights(room);
         else
             put_roof_windows(room);
     }
-    return choice != ROOF_ONLY;
+    return place != PP_ATLAS_ROOF_ONLY;
 }
 
 /* ---- points ---- */
@@ -309,6 +323,9 @@ void pp_atlas_design_room(const struct pp_atlas_design *design, uint32_t index,
            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
            "<room version=\"1\" name=\"Atlas room %u\">\n",
            (unsigned)index);
+    double u[6];
+    pp_atlas_draw(&room, PP_ATLAS_PLACE, u);
+    room.ranges = u[2] < 0.5 ? &pp_atlas_ordinary : &pp_atlas_unusual;
     pp_atlas_outside_site(&room);
     put_shape(&room);
     put_finishes(&room);

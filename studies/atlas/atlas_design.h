@@ -4,16 +4,18 @@
  * of fixed seed (simulate/sampling/sobol.h), in groups of up to six: every prefix of the
  * sweep is spread evenly over each group, so that it can be stopped or extended anywhere.
  *
- *     shape      area 5 to 140 m2, width over depth 0.25 to 3, height 2.3 to 4.3 m; of
- *                100 rooms 85 have a flat ceiling, 8 a single slope, 7 a ridge
- *     finishes   floor 0.08 to 0.5, walls 0.2 to 0.9, ceiling 0.4 to 0.9
+ *     shape      area, width over depth, height; a flat ceiling, a single slope, a ridge
+ *     finishes   of floor, walls, ceiling
  *     openings   one to four equal windows in one wall, or also in the next or the
  *                opposite one; clerestories, French windows; rooflights, and windows in
  *                slopes; all kinds of clear glass and none, frames, dirt, reveals
  *     outside    nothing, a skyline far off or near, a street, a light well, a court, a
- *                balcony, the facade alone, a block to one side; ground 0.05 to 0.4, snow;
+ *                balcony, the facade alone, a block to one side; the ground, snow on it;
  *                up to five storeys above it
  *     points     eight, spread over the working plane to 0.25 m from the walls
+ *
+ * One half of the rooms are ordinary, the other half unusual: atlas_ranges.h has the ranges
+ * of both.
  *
  * Frequencies are a designer's guess of what is met, with enough of what is rare.
  */

@@ -8,6 +8,7 @@
 
 #include "model/base/text.h"
 #include "studies/atlas/atlas_design.h"
+#include "studies/atlas/atlas_ranges.h"
 
 /* The groups of coordinates that a room takes, six each; a point takes two of its own. */
 enum pp_atlas_group {
@@ -23,8 +24,6 @@ enum pp_atlas_group {
     PP_ATLAS_POINT
 };
 
-enum pp_atlas_roof { PP_ATLAS_FLAT, PP_ATLAS_MONO_PITCH, PP_ATLAS_RIDGE };
-
 enum pp_atlas_wall {
     PP_ATLAS_SOUTH,
     PP_ATLAS_EAST,
@@ -37,6 +36,7 @@ enum pp_atlas_wall {
 struct pp_atlas_layout {
     const struct pp_atlas_design *design;
     uint32_t index;
+    const struct pp_atlas_ranges *ranges;
     char *xml;
 
     enum pp_atlas_roof roof;
@@ -64,6 +64,16 @@ static inline double pp_between(double low, double high, double u)
 static inline double pp_scaled(double low, double high, double u)
 {
     return low * pow(high / low, u);
+}
+
+static inline double pp_between_ends(const double ends[2], double u)
+{
+    return pp_between(ends[0], ends[1], u);
+}
+
+static inline double pp_scaled_ends(const double ends[2], double u)
+{
+    return pp_scaled(ends[0], ends[1], u);
 }
 
 /* Which of several, with these shares of 1; u is left as a number in (0, 1) of its own. */

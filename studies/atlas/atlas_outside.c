@@ -50,8 +50,8 @@ static void put_court(struct pp_atlas_layout *room, double distance, double half
 
 static void put_street(struct pp_atlas_layout *room, const double u[6])
 {
-    double distance = pp_scaled(5.0, 35.0, u[1]),
-           height = distance * pp_between(0.2, 2.0, u[2]);
+    double distance = pp_scaled_ends(room->ranges->street_m, u[1]),
+           height = distance * pp_between_ends(room->ranges->street, u[2]);
     double length = room->width * pp_scaled(1.0, 12.0, u[3]),
            middle = 0.5 * room->width;
     double reflectance = pp_between(0.1, 0.5, u[4]);
@@ -63,63 +63,55 @@ static void put_street(struct pp_atlas_layout *room, const double u[6])
 
 void pp_atlas_outside_put(struct pp_atlas_layout *room, bool windows)
 {
-    enum surroundings {
-        NOTHING,
-        FAR_SKYLINE,
-        NEAR_SKYLINE,
-        STREET,
-        LIGHT_WELL,
-        COURT,
-        BALCONY,
-        FACADE,
-        ASIDE,
-    };
-    static const double shares[] = {0.22, 0.2,  0.1,   0.22, 0.035,
-                                    0.05, 0.08, 0.045, 0.05};
+    const struct pp_atlas_ranges *ranges = room->ranges;
     double u[6], reflectance;
     pp_atlas_draw(room, PP_ATLAS_OUTSIDE, u);
-    enum surroundings kind = (enum surroundings)PP_ONE_OF(shares, &u[0]);
+    enum pp_atlas_surroundings kind =
+        (enum pp_atlas_surroundings)PP_ONE_OF(ranges->surroundings, &u[0]);
     reflectance = pp_between(0.1, 0.6, u[4]);
     if (!windows || room->roof != PP_ATLAS_FLAT)
-        kind = kind == STREET || kind == ASIDE || (windows && kind == FAR_SKYLINE)
+        kind = kind == PP_ATLAS_STREET || kind == PP_ATLAS_ASIDE
+                       || (windows && kind == PP_ATLAS_FAR_SKYLINE)
                    ? kind
-                   : NOTHING;
+                   : PP_ATLAS_NOTHING;
     switch (kind) {
-    case NOTHING:
+    case PP_ATLAS_NOTHING:
+    case PP_ATLAS_SURROUNDINGS:
         break;
-    case FAR_SKYLINE:
+    case PP_ATLAS_FAR_SKYLINE:
         PP_SAY(room,
                "  <skyline wall=\"south\" angle=\"%.1f\" reflectance=\"%.2f\"/>\n",
-               pp_between(4.0, 60.0, u[1]), reflectance);
+               pp_between_ends(ranges->far_deg, u[1]), reflectance);
         break;
-    case NEAR_SKYLINE:
+    case PP_ATLAS_NEAR_SKYLINE:
         PP_SAY(room,
                "  <skyline wall=\"south\" angle=\"%.1f\" distance=\"%.1f\" "
                "reflectance=\"%.2f\"/>\n",
-               pp_between(8.0, 60.0, u[1]), pp_scaled(4.0, 40.0, u[2]), reflectance);
+               pp_between_ends(ranges->near_deg, u[1]),
+               pp_scaled_ends(ranges->near_m, u[2]), reflectance);
         break;
-    case STREET:
+    case PP_ATLAS_STREET:
         put_street(room, u);
         break;
-    case LIGHT_WELL:
+    case PP_ATLAS_LIGHT_WELL:
         put_court(room, pp_between(2.0, 6.0, u[1]),
                   0.5 * room->width + pp_between(0.0, 2.0, u[2]),
                   pp_between(4.0, 15.0, u[3]) - room->ground,
                   pp_between(0.2, 0.7, u[4]));
         break;
-    case COURT:
+    case PP_ATLAS_COURT:
         put_court(room, pp_scaled(6.0, 25.0, u[1]),
                   0.5 * room->width + pp_between(1.0, 10.0, u[2]),
                   pp_between(3.0, 15.0, u[3]) - room->ground, reflectance);
         break;
-    case BALCONY:
+    case PP_ATLAS_BALCONY:
         put_balcony(room, u);
         break;
-    case FACADE:
+    case PP_ATLAS_FACADE:
         facade(room, pp_between(1.0, 15.0, u[1]), pp_between(0.0, 12.0, u[2]),
                reflectance);
         break;
-    case ASIDE: {
+    case PP_ATLAS_ASIDE: {
         double distance = pp_scaled(2.0, 15.0, u[1]),
                height = pp_between(3.0, 20.0, u[2]);
         block(room, pp_between(0.0, 1.5, u[3]) * room->width, -distance - 8.0, 12.0,
@@ -131,12 +123,12 @@ void pp_atlas_outside_put(struct pp_atlas_layout *room, bool windows)
 
 void pp_atlas_outside_site(struct pp_atlas_layout *room)
 {
-    double u[6];
+    double u[6], ground = 1.0 - room->ranges->snow;
     pp_atlas_draw(room, PP_ATLAS_PLACE, u);
     room->ground = u[0] < 0.6 ? 0.0 : -3.0 * floor(1.0 + 4.999 * (u[0] - 0.6) / 0.4);
     PP_SAY(room, "  <site ground-reflectance=\"%.2f\" ground-level=\"%.1f\"/>\n",
-           u[1] < 0.96 ? pp_between(0.05, 0.4, u[1] / 0.96)
-                       : pp_between(0.6, 0.85, (u[1] - 0.96) / 0.04),
+           u[1] < ground ? pp_between_ends(room->ranges->ground, u[1] / ground)
+                         : pp_between(0.6, 0.85, (u[1] - ground) / room->ranges->snow),
            room->ground);
     if (room->design->sky == PP_ATLAS_OVERCAST)
         return;

@@ -26,6 +26,7 @@ const char *const pp_room_feature_names[PP_ROOM_FEATURES] = {
     [PP_ROOM_GROUND] = "ground",
     [PP_ROOM_FACING] = "facing",
     [PP_ROOM_OPPOSITE] = "opposite",
+    [PP_ROOM_ORDINARY] = "ordinary",
     [PP_ROOM_DEPTH] = "depth",
     [PP_ROOM_SIDE] = "side",
     [PP_ROOM_VIEW] = "view",
@@ -176,6 +177,30 @@ static enum pp_status fill_outside(double features[PP_ROOM_FEATURES],
     return PP_OK;
 }
 
+/* ---- ordinary rooms ---- */
+
+/* What ordinary rooms have of a feature. */
+static const struct {
+    enum pp_room_feature feature;
+    double from, to;
+} ordinary_ranges[] = {
+    {PP_ROOM_GLASS_FLOOR, 0.04, 0.6}, {PP_ROOM_REFLECTANCE, 0.4, 0.8},
+    {PP_ROOM_FLOOR, 0.12, 0.48},      {PP_ROOM_CEILING, 0.58, 0.9},
+    {PP_ROOM_DEPTH_HEAD, 0.5, 6.5},   {PP_ROOM_DEPTH_WIDTH, 0.25, 2.5},
+    {PP_ROOM_BELOW, 0.0, 0.4},        {PP_ROOM_UPRIGHT, 0.9, 1.0},
+    {PP_ROOM_OBSTRUCTION, 0.0, 50.0}, {PP_ROOM_GROUND, 0.07, 0.33},
+};
+
+static bool is_ordinary(const double features[PP_ROOM_FEATURES])
+{
+    bool ordinary = true;
+    for (size_t i = 0; i < sizeof ordinary_ranges / sizeof ordinary_ranges[0]; i++) {
+        double value = features[ordinary_ranges[i].feature];
+        ordinary &= value >= ordinary_ranges[i].from && value <= ordinary_ranges[i].to;
+    }
+    return ordinary;
+}
+
 enum pp_status pp_room_features(double features[PP_ROOM_FEATURES],
                                 const struct pp_world *world,
                                 const struct pp_outside_light *light,
@@ -189,7 +214,9 @@ enum pp_status pp_room_features(double features[PP_ROOM_FEATURES],
     fill_openings(features, world);
     features[PP_ROOM_FLOOR] = pp_interior_role(world, PP_FLOOR).reflectance;
     features[PP_ROOM_CEILING] = pp_interior_role(world, PP_CEILING).reflectance;
-    return fill_outside(features, world, light, err);
+    enum pp_status status = fill_outside(features, world, light, err);
+    features[PP_ROOM_ORDINARY] = is_ordinary(features);
+    return status;
 }
 
 /* ---- a point ---- */

@@ -25,6 +25,8 @@
  *     ground          reflectance of the ground
  *     facing          illuminance of the open sky on the openings' planes, mean, over Eh
  *     opposite        the same on planes that face them, as buildings across a street do
+ *     ordinary        1: a room as architects draw them: those above from glass-floor to
+ *                     ground lie in the ranges of offices, schools and homes; else 0
  *
  * and of a point, NAN of a room as a whole:
  *
@@ -58,6 +60,7 @@ enum pp_room_feature {
     PP_ROOM_GROUND,
     PP_ROOM_FACING,
     PP_ROOM_OPPOSITE,
+    PP_ROOM_ORDINARY,
     PP_ROOM_OF_POINTS, /* those behind it */
     PP_ROOM_DEPTH = PP_ROOM_OF_POINTS,
     PP_ROOM_SIDE,

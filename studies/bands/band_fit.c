@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "studies/atlas/room_features.h"
+
 /* ---- ratios ---- */
 
 enum ratio { WHOLE, FORMULA, ASSUMPTION };
@@ -66,14 +68,36 @@ static enum pp_status fill_entry(struct pp_band_entry *entry,
     return status;
 }
 
+/* Ordinary rooms apart, whose bands would be as wide as those of unusual ones otherwise,
+ * and these too narrow; all as one where either are too few. Returns how many regimes. */
+static int begin(struct pp_band_regime begun[2], const struct column_fit *fit,
+                 const struct pp_band_rules *rules)
+{
+    bool enough = true;
+    for (int i = 0; i < 2; i++) {
+        begun[i] = (struct pp_band_regime){
+            .conditions = {{PP_ROOM_ORDINARY, i == 0 ? 1.0 : -INFINITY,
+                            i == 0 ? INFINITY : 1.0}},
+            .condition_count = 1};
+        int count = pp_band_tree_rows(fit->rows, &fit->samples[WHOLE], &begun[i]);
+        enough &= pp_band_sample_rooms(&fit->samples[WHOLE], fit->rows, count)
+                  >= rules->rooms_least;
+    }
+    if (enough)
+        return 2;
+    begun[0].condition_count = 0;
+    return 1;
+}
+
 static enum pp_status fit_column(struct pp_band_entry **entries, int *count,
                                  const struct column_fit *fit,
                                  const struct pp_band_rules *rules,
                                  struct pp_error *err)
 {
-    struct pp_band_regime *regimes;
-    enum pp_status status =
-        pp_band_tree_grow(&regimes, count, &fit->samples[WHOLE], rules, err);
+    struct pp_band_regime *regimes, begun[2];
+    int begun_count = begin(begun, fit, rules);
+    enum pp_status status = pp_band_tree_grow(&regimes, count, &fit->samples[WHOLE],
+                                              rules, begun, begun_count, err);
     if (status != PP_OK)
         return status;
     *entries = calloc((size_t)*count + 1, sizeof **entries);

@@ -37,7 +37,7 @@ void pp_band_table_index(struct pp_band_index *index,
                          const struct pp_band_table *table);
 
 /* The regimes of one column, of points and of averages; none where the atlas has none. */
-enum { PP_BAND_REGIMES = 16 };
+enum { PP_BAND_REGIMES = 20 };
 struct pp_band_regimes {
     int count[PP_BAND_PLACES];
     struct pp_band_record records[PP_BAND_PLACES][PP_BAND_REGIMES];

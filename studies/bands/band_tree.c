@@ -16,7 +16,7 @@ enum {
 };
 
 const struct pp_band_rules pp_band_tree_rules = {
-    .rooms_least = 300, .regimes_most = 16, .gain_least = 0.004};
+    .rooms_least = 300, .regimes_most = 20, .gain_least = 0.004};
 
 /* Bounds of a feature that split it: row in bin b is at or above edges[b - 1]. */
 struct edges {
@@ -315,15 +315,20 @@ static int next_node(const struct tree *tree, double gain_least)
     return next;
 }
 
-static bool grow(struct tree *tree, struct counts *counts)
+static bool grow(struct tree *tree, const struct pp_band_regime *begun, int begun_count,
+                 struct counts *counts)
 {
+    double score = 0.0;
     fill_bins(tree);
     fill_steps(tree);
-    const struct pp_band_regime all = {.condition_count = 0};
-    if (!fill_node(&tree->nodes[0], tree, all, counts))
-        return false;
-    tree->count = 1;
-    double gain_least = tree->rules->gain_least * tree->nodes[0].score;
+    while (tree->count < begun_count) {
+        struct node *node = &tree->nodes[tree->count];
+        if (!fill_node(node, tree, begun[tree->count], counts))
+            return false;
+        score += node->score;
+        tree->count++;
+    }
+    double gain_least = tree->rules->gain_least * score;
     for (int next; tree->count < tree->rules->regimes_most;) {
         next = next_node(tree, gain_least);
         if (next < 0)
@@ -364,6 +369,7 @@ static enum pp_status take_regimes(struct pp_band_regime *regimes,
 enum pp_status pp_band_tree_grow(struct pp_band_regime **regimes, int *count,
                                  const struct pp_band_sample *sample,
                                  const struct pp_band_rules *rules,
+                                 const struct pp_band_regime *begun, int begun_count,
                                  struct pp_error *err)
 {
     size_t rows = (size_t)sample->count, features = (size_t)sample->feature_count;
@@ -375,7 +381,7 @@ enum pp_status pp_band_tree_grow(struct pp_band_regime **regimes, int *count,
     tree.nodes = calloc((size_t)rules->regimes_most + 1, sizeof *tree.nodes);
     *regimes = calloc((size_t)rules->regimes_most + 1, sizeof **regimes);
     bool good = counts && tree.edges && tree.bins && tree.steps && tree.nodes
-                && *regimes && grow(&tree, counts);
+                && *regimes && grow(&tree, begun, begun_count, counts);
     enum pp_status status =
         good ? take_regimes(*regimes, &tree, err) : pp_fail_memory(err);
     *count = tree.count;

@@ -25,6 +25,7 @@ static const char *const words[PP_BAND_FEATURES] = {
     [PP_ROOM_GROUND] = "the ground's reflectance",
     [PP_ROOM_FACING] = "the open sky's illuminance on the openings",
     [PP_ROOM_OPPOSITE] = "that on planes which face the openings",
+    [PP_ROOM_ORDINARY] = "whether the room is ordinary",
     [PP_ROOM_DEPTH] = "the point's depth over the window head",
     [PP_ROOM_SIDE] = "the wall's distance over the room's height",
     [PP_ROOM_VIEW] = "the windows' configuration factor",
@@ -42,7 +43,13 @@ const char *pp_band_words_feature(int feature)
 static void add_condition(char *text, size_t size,
                           const struct pp_band_condition *condition)
 {
-    pp_text_append(text, size, "%s%s ", text[0] ? ", " : "", words[condition->feature]);
+    const char *comma = text[0] ? ", " : "";
+    if (condition->feature == PP_ROOM_ORDINARY) {
+        pp_text_append(text, size, "%s%s rooms", comma,
+                       isinf(condition->to) ? "ordinary" : "unusual");
+        return;
+    }
+    pp_text_append(text, size, "%s%s ", comma, words[condition->feature]);
     if (isinf(condition->from))
         pp_text_append(text, size, "under %g", condition->to);
     else if (isinf(condition->to))

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "studies/atlas/atlas_drawn.h"
+#include "studies/atlas/room_features.h"
 #include "tests/lib/near.h"
 #include "tests/lib/sized.h"
 
@@ -59,21 +60,19 @@ static void every_room_makes_sense(void **state)
     }
 }
 
-/* The ceiling's reflectance is spread evenly between 0.4 and 0.9: a prefix of 2^k points
- * of a Sobol sequence has as many in each half, quarter ... as there is room for. */
+/* Of the rooms of any 2^k that begin the sweep 0.8 have the working plane at 0.85 m, to a room:
+ * they are a net in each coordinate. Rooms drawn by lot would be off by 4 of 128. */
 static void a_prefix_is_spread_evenly(void **state)
 {
     (void)state;
-    int quarters[4] = {0};
+    int count = 0;
     for (uint32_t i = 0; i < ROOMS; i++) {
         char xml[PP_ATLAS_XML];
         pp_atlas_design_room(&design, i, xml);
-        double reflectance = number_of(xml, "ceiling=\"");
-        int quarter = (int)((reflectance - 0.4) / 0.125);
-        quarters[quarter < 0 ? 0 : quarter > 3 ? 3 : quarter]++;
+        count += number_of(xml, "<working-plane height=\"") > 0.8;
+        if (i + 1 == ROOMS / 4 || i + 1 == ROOMS / 2 || i + 1 == ROOMS)
+            assert_near(count, 0.8 * (i + 1), 1.0);
     }
-    for (int i = 0; i < 4; i++) /* reflectances are printed to 0.01 */
-        assert_in_range(quarters[i], ROOMS / 4 - 6, ROOMS / 4 + 6);
 }
 
 static int rooms_with(const char *what)
@@ -121,6 +120,26 @@ static void points_lie_on_the_plane_away_from_walls(void **state)
     }
 }
 
+/* One half is laid out as ordinary; the other half has some rooms that are. */
+static void half_of_the_rooms_are_ordinary(void **state)
+{
+    (void)state;
+    int ordinary = 0, rooms = PP_SIZED(ROOMS, ROOMS / 2, ROOMS / 4);
+    for (int i = 0; i < rooms; i++) {
+        struct pp_atlas_drawn drawn;
+        struct pp_error err = {0};
+        const struct pp_atlas_trace none = {0};
+        double features[PP_ROOM_FEATURES];
+        if (pp_atlas_drawn_room(&drawn, &design, i, &none, &err) != PP_OK
+            || pp_room_features(features, drawn.room.world, &drawn.room.light, &err)
+                   != PP_OK)
+            fail_msg("%s", err.message);
+        ordinary += features[PP_ROOM_ORDINARY] == 1.0;
+        pp_atlas_drawn_clear(&drawn);
+    }
+    assert_in_range(ordinary, rooms * 4 / 10, rooms * 6 / 10);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -129,6 +148,7 @@ TEST_FILE
         cmocka_unit_test(a_prefix_is_spread_evenly),
         cmocka_unit_test(the_sweep_has_every_kind_of_room),
         cmocka_unit_test(points_lie_on_the_plane_away_from_walls),
+        cmocka_unit_test(half_of_the_rooms_are_ordinary),
     };
     add_tests(tests, set_up, NULL);
 }

@@ -45,6 +45,26 @@ static void a_side_lit_room_has_the_features_of_its_drawing(void **state)
     assert_true(isnan(f[PP_ROOM_DEPTH]) && isnan(f[PP_ROOM_VIEW]));
 }
 
+/* Walls of 0.45 with a floor of 0.25 and a ceiling of 0.75 are a usual room's; a ceiling of
+ * 0.5 and a ground covered with snow are not. */
+static void a_room_is_ordinary_in_usual_ranges_alone(void **state)
+{
+    (void)state;
+    struct box_room box;
+    double f[PP_ROOM_FEATURES];
+    build(&box);
+    assert_int_equal(pp_room_features(f, &box.world, &box.light, NULL), PP_OK);
+    assert_near(f[PP_ROOM_ORDINARY], 1.0, 0.0);
+    box.light.ground_reflectance = 0.8;
+    assert_int_equal(pp_room_features(f, &box.world, &box.light, NULL), PP_OK);
+    assert_near(f[PP_ROOM_ORDINARY], 0.0, 0.0);
+    box_room_build(&box, 3.1, 5.7, 2.9, 0.25, 0.6, 0.5);
+    box_room_south(&box, 0.6, 1.1, 1.9, 1.3);
+    box.light.ground_reflectance = 0.15;
+    assert_int_equal(pp_room_features(f, &box.world, &box.light, NULL), PP_OK);
+    assert_near(f[PP_ROOM_ORDINARY], 0.0, 0.0);
+}
+
 /* A clear sky with the sun before the window: it lights the window more than what faces it,
  * and with the sun behind the room the other way round. */
 static void a_sun_before_the_window_is_behind_what_faces_it(void **state)
@@ -126,6 +146,7 @@ static void a_room_without_openings_has_no_features(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_room_is_ordinary_in_usual_ranges_alone),
         cmocka_unit_test(a_side_lit_room_has_the_features_of_its_drawing),
         cmocka_unit_test(a_sun_before_the_window_is_behind_what_faces_it),
         cmocka_unit_test(a_point_has_its_depth_and_its_view_of_the_window),

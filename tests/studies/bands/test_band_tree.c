@@ -48,12 +48,14 @@ static struct made *make(uint64_t seed, bool plain)
     return made;
 }
 
+static const struct pp_band_regime all = {.condition_count = 0};
+
 static struct pp_band_regime *grow(const struct made *made, int *count)
 {
     struct pp_band_regime *regimes;
-    assert_int_equal(
-        pp_band_tree_grow(&regimes, count, &made->sample, &pp_band_tree_rules, NULL),
-        PP_OK);
+    assert_int_equal(pp_band_tree_grow(&regimes, count, &made->sample,
+                                       &pp_band_tree_rules, &all, 1, NULL),
+                     PP_OK);
     return regimes;
 }
 
@@ -119,15 +121,16 @@ static void no_regime_has_fewer_rooms_than_the_rule_says(void **state)
     const struct pp_band_rules rules = {
         .rooms_least = 300, .regimes_most = 16, .gain_least = 0.0};
     struct pp_band_regime *regimes;
-    int count, *rows = malloc(ROWS * sizeof *rows), all = 0;
-    assert_int_equal(pp_band_tree_grow(&regimes, &count, &made->sample, &rules, NULL),
-                     PP_OK);
+    int count, *rows = malloc(ROWS * sizeof *rows), found = 0;
+    assert_int_equal(
+        pp_band_tree_grow(&regimes, &count, &made->sample, &rules, &all, 1, NULL),
+        PP_OK);
     assert_true(count > 4);
     for (int i = 0; i < count; i++) {
         assert_true(regimes[i].rooms >= 300);
-        all += pp_band_tree_rows(rows, &made->sample, &regimes[i]);
+        found += pp_band_tree_rows(rows, &made->sample, &regimes[i]);
     }
-    assert_int_equal(all, ROWS); /* each row in one of them */
+    assert_int_equal(found, ROWS); /* each row in one of them */
     free(rows);
     free(regimes);
     free(made);
