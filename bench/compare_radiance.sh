@@ -206,7 +206,7 @@ expert_rays() {
         {
             seconds illum.rad to_illum.rad mkillum -w -as 0 $outside plain.oct
             expert_octree
-            for pass in overture last; do
+            for _ in overture last; do
                 seconds "$scratch/irradiance" "$2" rtrace -w -h -I -dt 0 $inside -af ambient illum.oct
             done
         } | awk '{ sum += $1; none += $1 == 0 } END { printf "%.3f\n", none ? 0 : sum }'
