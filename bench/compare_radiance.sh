@@ -1,8 +1,9 @@
 #!/bin/sh
 # compare_radiance.sh PROGRAM [SCENE ...] - error against processor time of PROGRAM's
-# `df --simulate` and of Radiance's rtrace in the same rooms, as lines of Markdown. Scenes:
-# deep, street, triangles (a hundred thousand, as leaves before the window); all of them by
-# default. Minutes; where Radiance is not on PATH, that is said, and nothing is done.
+# `df --simulate` and of Radiance in the same rooms, as lines of Markdown. Scenes: deep,
+# street, triangles (a hundred thousand, as leaves before the window), balcony, well, attic,
+# classroom; all of them by default. Half an hour; where Radiance is not on PATH, that is said,
+# and nothing is done.
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -13,11 +14,14 @@ if [ $# -lt 1 ]; then
 fi
 pepperpot=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
 shift
-[ $# -gt 0 ] || set -- deep street triangles
-if ! command -v rtrace >/dev/null || ! command -v oconv >/dev/null; then
-    echo "Radiance's oconv and rtrace are not on PATH: nothing is compared with them."
+[ $# -gt 0 ] || set -- deep street triangles balcony well attic classroom
+for program in oconv rtrace mkillum; do
+    command -v $program >/dev/null && continue
+    echo "Radiance's $program is not on PATH: nothing is compared with it."
     exit 0
-fi
+done
+# shellcheck source=bench/expert_radiance.sh
+. "$(dirname "$0")/expert_radiance.sh"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -66,6 +70,66 @@ room() {
         echo '<mesh file="leaves.obj" reflectance="0.3"/>'
         points 4 6 3 9
         ;;
+    balcony)
+        echo '<room version="1" name="Under a balcony"><site ground-level="-9"/>
+<plan width="4.2" depth="6" height="2.6"/>
+<finishes floor="0.3" walls="0.7" ceiling="0.8"/>
+<window wall="south" left="0.6" sill="0.1" width="3" height="2.2" glazing="low-e-double"/>
+<block x="0" y="-1.7" base="2.6" width="4.2" depth="1.5" height="0.25" reflectance="0.4"/>
+<block x="0" y="-1.7" base="-0.25" width="4.2" depth="1.5" height="0.25" reflectance="0.4"/>
+<surface reflectance="0.5"><vertex x="0" y="-1.7" z="0"/><vertex x="4.2" y="-1.7" z="0"/>
+<vertex x="4.2" y="-1.7" z="1.1"/><vertex x="0" y="-1.7" z="1.1"/></surface>
+<block x="-12" y="-29" width="30" depth="12" height="28" reflectance="0.35"/>
+<working-plane height="0.85"/>'
+        points 4 6 4.2 6
+        ;;
+    well)
+        echo '<room version="1" name="At a light well"><site ground-level="-3.2"/>
+<plan width="3" depth="3.6" height="2.8"/>
+<finishes floor="0.2" walls="0.6" ceiling="0.8"/>
+<window wall="south" left="0.9" sill="0.95" width="1.2" height="1.5" reveal="0.2"/>
+<block x="-10" y="-4" width="10" depth="4" height="17" reflectance="0.7"/>
+<block x="3" y="-4" width="10" depth="4" height="17" reflectance="0.7"/>
+<block x="-10" y="-14" width="23" depth="10" height="17" reflectance="0.7"/>
+<block x="-10" y="0.3" width="23" depth="8" base="2.8" height="11" reflectance="0.7"/>
+<working-plane height="0.85"/>'
+        points 4 6 3 3.6
+        ;;
+    attic)
+        echo '<room version="1" name="Attic"><site ground-level="-6"/><envelope>
+<face role="floor" name="floor"><vertex x="0" y="0" z="0"/><vertex x="5" y="0" z="0"/>
+<vertex x="5" y="5" z="0"/><vertex x="0" y="5" z="0"/></face>
+<face role="wall" name="south"><vertex x="0" y="0" z="0"/><vertex x="0" y="0" z="1"/>
+<vertex x="5" y="0" z="1"/><vertex x="5" y="0" z="0"/></face>
+<face role="wall" name="east"><vertex x="5" y="0" z="0"/><vertex x="5" y="0" z="1"/>
+<vertex x="5" y="5" z="4"/><vertex x="5" y="5" z="0"/></face>
+<face role="wall" name="north"><vertex x="0" y="5" z="0"/><vertex x="5" y="5" z="0"/>
+<vertex x="5" y="5" z="4"/><vertex x="0" y="5" z="4"/></face>
+<face role="wall" name="west"><vertex x="0" y="0" z="0"/><vertex x="0" y="5" z="0"/>
+<vertex x="0" y="5" z="4"/><vertex x="0" y="0" z="1"/></face>
+<face role="ceiling" name="slope"><vertex x="0" y="0" z="1"/><vertex x="0" y="5" z="4"/>
+<vertex x="5" y="5" z="4"/><vertex x="5" y="0" z="1"/></face></envelope>
+<finishes floor="0.3" walls="0.8" ceiling="0.8"/>
+<opening glazing="low-e-double" frame-factor="0.7"><vertex x="0.8" y="1" z="1.6"/>
+<vertex x="0.8" y="2" z="2.2"/><vertex x="1.8" y="2" z="2.2"/><vertex x="1.8" y="1" z="1.6"/>
+</opening>
+<opening glazing="low-e-double" frame-factor="0.7"><vertex x="3.2" y="1" z="1.6"/>
+<vertex x="3.2" y="2" z="2.2"/><vertex x="4.2" y="2" z="2.2"/><vertex x="4.2" y="1" z="1.6"/>
+</opening>
+<working-plane height="0.7"/>'
+        points 4 6 5 5
+        ;;
+    classroom)
+        echo '<room version="1" name="Classroom"><plan width="8.4" depth="7.2" height="3.1"/>
+<finishes floor="0.25" walls="0.65" ceiling="0.8"/>'
+        for left in 0.3 2.4 4.5 6.6; do
+            echo "<window wall=\"south\" left=\"$left\" sill=\"0.9\" width=\"1.5\" height=\"2\"
+glazing=\"clear-double\" frame-factor=\"0.8\" reveal=\"0.2\"/>"
+        done
+        echo '<block x="-20" y="-34" width="50" depth="12" height="10" reflectance="0.3"/>
+<working-plane height="0.75"/>'
+        points 8 6 8.4 7.2
+        ;;
     *)
         echo "compare_radiance.sh: there is no scene \"$1\"" >&2
         return 1
@@ -74,22 +138,18 @@ room() {
     echo '</room>'
 }
 
-# What is run of rtrace: options but -ad and how many -ad, for paths without a cache; every
-# how many points are compared; rays of the reference.
+# choices SCENE: numbers of -ad for paths without a cache; every how many points are compared;
+# rays of the reference.
 choices() {
+    few=1024 many=4096 every=1 fine=32768
     case $1 in
-    deep) few=512 many=2048 every=8 fine=32768 ;;
-    street) few=1024 many=4096 every=1 fine=32768 ;;
-    triangles) few=256 many=1024 every=1 fine=16384 ;;
+    deep) few=512 many=2048 every=8 ;;
+    triangles) few=256 many=1024 fine=16384 ;;
+    classroom) few=512 many=2048 every=2 ;;
     esac
 }
 paths='-ab 22 -lr 0 -as 0 -aa 0 -lw 1e-7'
-cut_paths='-ab 8 -lr -8 -as 0 -aa 0 -lw 1e-4'
-common='-ab 5 -ad 1024 -as 256 -aa 0.1 -ar 256'
-# -ar is in terms of the scene, which is as wide as its ground: 256 keeps records metres
-# apart.
-fine_cache='-ab 8 -ad 1024 -as 256 -aa 0.1 -ar 100000'
-limit=90        # seconds that a run of rtrace may take, but for the reference
+limit=90        # seconds that a run of Radiance may take, but for the reference
 seeds='1 2 3 4' # of ours, whose errors and times are taken together
 fine_seeds='101 102 103 104 105 106 107 108' # of our reference
 
@@ -135,6 +195,25 @@ rays() {
     factors "$scratch/irradiance" "$to"
 }
 
+# expert_rays OUT POINTS RUN: an expert's, one a line; prints the seconds of mkillum and both
+# passes, 0 where it was stopped.
+expert_rays() {
+    expert "$3"
+    (
+        cd "$scratch/scene" && ulimit -t "$limit"
+        expert_scene
+        # shellcheck disable=SC2086 # options are several words
+        {
+            seconds illum.rad to_illum.rad mkillum -w -as 0 $outside plain.oct
+            expert_octree
+            for _ in overture last; do
+                seconds "$scratch/irradiance" "$2" rtrace -w -h -I -dt 0 $inside -af ambient illum.oct
+            done
+        } | awk '{ sum += $1; none += $1 == 0 } END { printf "%.3f\n", none ? 0 : sum }'
+    )
+    factors "$scratch/irradiance" "$1"
+}
+
 # reference: ours, one a line: the mean of the fine runs, and the square of its standard error by
 # how far they are apart; prints the seconds.
 reference() {
@@ -148,15 +227,16 @@ reference() {
           print sum, squares / (NF - 1) / NF }' >"$scratch/ours"
 }
 
-# off FOUND ...: the root of the mean square of the relative error, in per cent: against our
-# reference, whose own noise is taken off; then against rtrace's with its noise.
+# off FOUND ...: in per cent, relative: the root of the mean square of the error against our
+# reference, whose own noise is taken off; the mean of the error, which is the bias of a run
+# through a cache; and the former against rtrace's reference with its noise.
 off() {
     for found; do
         awk -v every="$every" 'NR % every == 1 || every == 1' "$found" |
             paste -d' ' - "$scratch/ours" "$scratch/theirs"
     done | awk '
-        { ours += (($1 - $2) ^ 2 - $3) / $2 ^ 2; theirs += ($1 / $4 - 1) ^ 2 }
-        END { printf "%.3f %.3f\n", 100 * sqrt(ours > 0 ? ours / NR : 0),
+        { ours += (($1 - $2) ^ 2 - $3) / $2 ^ 2; mean += $1 / $2 - 1; theirs += ($1 / $4 - 1) ^ 2 }
+        END { printf "%.3f %+.3f %.3f\n", 100 * sqrt(ours > 0 ? ours / NR : 0), 100 * mean / NR,
             100 * sqrt(theirs / NR) }'
 }
 
@@ -165,8 +245,8 @@ row() {
     whose=$1 words=$2 taken=$3
     shift 3
     errors=$(off "$@")
-    # shellcheck disable=SC2086 # two numbers
-    printf '| %s | %.2f | %s | %s |\n' "$words" "$taken" $errors
+    # shellcheck disable=SC2086 # three numbers
+    printf '| %s | %.2f | %s | %s | %s |\n' "$words" "$taken" $errors
     echo "$whose $taken $errors" >>"$scratch/runs"
 }
 
@@ -201,54 +281,70 @@ compare() {
     printf '(%.1f s) and `rtrace %s -ad %d` (%.1f s);\nthey differ by %s. ' \
         "$ours_s" "$paths" "$fine" "$theirs_s" "$apart"
     printf 'Error: RMS, relative, per cent;\nagainst ours its own noise is taken off.\n\n'
-    echo '| run | processor s | error | against rtrace |'
-    echo '| --- | ---: | ---: | ---: |'
-    for error in 1% 0.4%; do
+    echo '| run | processor s | error | mean error | against rtrace |'
+    echo '| --- | ---: | ---: | ---: | ---: |'
+    for error in 2% 1% 0.4%; do
         for seed in $seeds; do
             traced "$scratch/found.$seed" "$error" "$seed" "$scratch/room.xml"
         done | awk '{ sum += $1 } END { print sum / NR }' >"$scratch/taken"
         row "ours $error" "\`df --simulate --error $error\`, the mean of four" \
             "$(cat "$scratch/taken")" "$scratch"/found.[1-4]
     done
-    # shellcheck disable=SC2086 # options are several words
-    for options in "$paths -ad $few" "$paths -ad $many" "$cut_paths -ad $many" "$common" \
-        "$fine_cache"; do
-        taken=$(rays "$scratch/found" "$all" $options)
-        if [ "$taken" = 0.000 ]; then
-            printf '| `rtrace %s` | not done after %d s | | |\n' "$options" "$limit"
-            continue
-        fi
-        case $options in *'-aa 0 '*) kind=paths ;; *) kind=cache ;; esac
-        row "$kind" "\`rtrace $options\`" "$taken" "$scratch/found"
+    for number in $few $many; do
+        # shellcheck disable=SC2086 # options are several words
+        taken=$(rays "$scratch/found" "$all" $paths -ad "$number")
+        finished "rtrace $paths -ad $number" &&
+            row paths "\`rtrace $paths -ad $number\`" "$taken" "$scratch/found"
+    done
+    for run in $expert_runs; do
+        expert "$run"
+        taken=$(expert_rays "$scratch/found" "$all" "$run")
+        finished "expert, $run" &&
+            row "expert-$run" "expert, $run: \`mkillum $samples $outside\`, twice \`rtrace $inside\`" \
+                "$taken" "$scratch/found"
     done
     ratios
 }
 
-# What equal errors cost: an unbiased run's time goes with the inverse square of its error; a
-# run through rtrace's cache counts as it is, where its error is that or less.
+# finished WORDS: whether the run was; a line that says so where it was not.
+finished() {
+    [ "$taken" != 0.000 ] || {
+        printf '| %s | not done after %d s | | | |\n' "$1" "$limit"
+        false
+    }
+}
+
+# How many times as long Radiance takes. An expert's run is biased: it counts as it is, against
+# the cheapest of ours whose error is no larger. An unbiased run's time goes with the inverse
+# square of its error: that is extrapolated, ours from the run asked for that error.
 ratios() {
     echo
     awk '
-        $1 == "ours" { t[++n] = $3; e[n] = $4; wanted[n] = $2 }
-        $1 == "paths" { k++; rt[k] = $2; re[k] = $3 }
-        $1 == "cache" { c++; ct[c] = $2; ce[c] = $3 }
+        $1 == "ours" { t[++n] = $3; e[n] = $4; wanted[n] = $2 + 0; next }
+        $1 == "paths" { rt[++k] = $2; re[k] = $3; next }
+        {
+            best = 0
+            for (i = 1; i <= n; i++)
+                if (e[i] <= $3 && (!best || t[i] < t[best])) best = i
+            sub(/^expert-/, "")
+            if (best)
+                printf "Expert, %s: %.2g s to %.2g %% (bias %s %%); ours %.2g s to %.2g %%: %.0f times, both measured.  \n",
+                    $1, $2, $3, $4, t[best], e[best], $2 / t[best]
+            else
+                printf "Expert, %s: %.2g s to %.2g %% (bias %s %%): none of ours has so small an error.  \n",
+                    $1, $2, $3, $4
+        }
         END {
             for (i = 1; i <= n; i++) {
-                target = wanted[i] + 0
-                own = t[i] * (e[i] / target) ^ 2
-                best = -1
+                own = t[i] * (e[i] / wanted[i]) ^ 2
+                best = 0
                 for (j = 1; j <= k; j++) {
-                    s = rt[j] * (re[j] / target) ^ 2
-                    if (best < 0 || s < best) best = s
+                    s = rt[j] * (re[j] / wanted[i]) ^ 2
+                    if (!best || s < least) { best = j; least = s }
                 }
-                from = "paths"
-                for (j = 1; j <= c; j++)
-                    if (ce[j] <= target && ct[j] < best) { best = ct[j]; from = "its cache" }
-                if (own > 0)
-                    printf "At an error of %g %%: %.3g s and, by rtrace at its best (%s), %.3g s: %.0f times.\n",
-                        target, own, best < 0 ? "none" : from, best, best / own
-                else # the noise of the reference is larger than it
-                    printf "At an error of %g %%: our error is below what the reference tells.\n", target
+                if (best && own > 0)
+                    printf "Unbiased, at %g %%: %.3g s (extrapolated from %.2g %%) and %.3g s (extrapolated from %.2g %%): %.0f times.  \n",
+                        wanted[i], own, e[i], least, re[best], least / own
             }
         }' "$scratch/runs"
 }

@@ -22,6 +22,7 @@ struct compare_options {
     struct pp_room_options room;
     const char *as_if;
     enum pp_other_unit unit;
+    double noise;
     enum pp_format format;
 };
 
@@ -61,6 +62,10 @@ static const struct pp_option compare_options[] = {
     {"external", 0, "LUX",
      "Illuminance of the open level plane, of other values in lux.",
      pp_options_read_lux, PLACE(room.study.external_lux)},
+    {"noise", 0, "E%",
+     "Standard deviation of the other program's values from one run to the next, as a "
+     "share of them (default: from their scatter from point to point).",
+     pp_options_read_per_cent, PLACE(noise)},
     {0},
 };
 
@@ -161,6 +166,9 @@ static enum pp_status check(void *values, char **files, int file_count,
         return pp_fail(err, PP_BAD_INPUT,
                        "expected the other program's values as CSV behind the room "
                        "file, or --as-if");
+    if (file_count == 1 && options->noise > 0.0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--noise is of the other program's values, which are missing");
     if (options->as_if && pp_as_if_add(&as_if, options->as_if, &own) != PP_OK)
         return pp_fail(err, PP_BAD_INPUT, "--as-if: %s", own.message);
     if (options->room.study.error == 0.0)
@@ -237,7 +245,8 @@ static enum pp_status ours(struct pp_compare **compare, struct compare_run *run,
                                                      .seed = study->seed,
                                                      .threads = study->threads,
                                                      .look = look,
-                                                     .data = run}};
+                                                     .data = run},
+                                         .noise = run->options->noise};
     enum pp_status status = PP_OK;
     if (run->options->as_if && !plain)
         status = pp_as_if_add(&options.as_if, run->options->as_if, err);

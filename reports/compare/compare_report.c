@@ -18,7 +18,7 @@ static const struct pp_suspect *suspect_of(const struct pp_compare_result *resul
     return result->suspects[set->suspects[index]];
 }
 
-/* "bounces=2", "factor=1.12". */
+/* "bounces=2", "ground=0.4", "factor=1.12". */
 static void append_word(char *text, size_t room, const struct pp_compare_result *result,
                         const struct pp_blame_set *set, int index)
 {
@@ -26,6 +26,8 @@ static void append_word(char *text, size_t room, const struct pp_compare_result 
     pp_text_append(text, room, "%s", suspect->word);
     if (suspect->is_factor)
         pp_text_append(text, room, "=%.3g", exp(set->evidence.theta));
+    else if (pp_suspect_is_fitted(suspect))
+        pp_text_append(text, room, "=%.3g", set->value);
 }
 
 /* "bounces=2,glass=normal"; "nothing". */
@@ -167,6 +169,34 @@ static void append_left(char text[TEXT_BYTES], const struct pp_compared *compare
                        " Not all sets that may be likely have been traced.");
 }
 
+/* Does the other program's noise explain what is left? */
+static void append_over(char text[TEXT_BYTES], const struct pp_left_over *over)
+{
+    if (pp_left_over_is_noise(over))
+        return;
+    if (pp_left_over_exceeds(over))
+        pp_text_append(
+            text, TEXT_BYTES,
+            "More is left than their noise: %.1f %%, where noise of %.1f %% a "
+            "point explains %.1f %%. Something that is not on the list is at "
+            "work, or their values are interpolated. Nothing is sure.",
+            100.0 * over->left, 100.0 * over->noise, 100.0 * over->limit);
+    else
+        pp_text_append(
+            text, TEXT_BYTES,
+            "By too few points noise is not told from a mistake. Nothing is sure "
+            "(--noise gives it).");
+}
+
+static void append_missing(char text[TEXT_BYTES])
+{
+    const char *missing;
+    for (int i = 0; (missing = pp_suspects_missing_at(i)) != NULL; i++)
+        pp_text_append(text, TEXT_BYTES, "%s%s", i > 0 ? "; " : "", missing);
+    pp_text_append(text, TEXT_BYTES,
+                   ". A mistake of these kinds can look like the causes above.");
+}
+
 /* What to do about the noise; NULL: there is little. */
 static const char *cure_of_noise(const struct pp_evidence *noise)
 {
@@ -216,6 +246,13 @@ static void print_found(const struct pp_compare_result *result, int width, FILE 
     text[0] = '\0';
     append_left(text, compared);
     print_item("left", text, width, out);
+    text[0] = '\0';
+    append_over(text, &compared->over);
+    if (text[0])
+        print_item("unknown", text, width, out);
+    text[0] = '\0';
+    append_missing(text);
+    print_item("not seen", text, width, out);
     print_cures(result, width, out);
 }
 
@@ -283,6 +320,16 @@ static struct json_object *set_object(const struct pp_compare_result *result, in
     return pp_json_whole(object, good);
 }
 
+static struct json_object *missing_array(void)
+{
+    struct json_object *array = json_object_new_array();
+    const char *missing;
+    bool good = array != NULL;
+    for (int i = 0; good && (missing = pp_suspects_missing_at(i)) != NULL; i++)
+        good = pp_json_append(array, json_object_new_string(missing));
+    return pp_json_whole(array, good);
+}
+
 static bool add_found(struct json_object *object,
                       const struct pp_compare_result *result)
 {
@@ -302,6 +349,13 @@ static bool add_found(struct json_object *object,
            && pp_json_number(object, "left-rms", 100.0 * compared->left_rms)
            && pp_json_number(object, "noise", 100.0 * set->evidence.sigma)
            && pp_json_number(object, "noise-of-neighbours-alike", set->evidence.near)
+           && pp_json_number(object, "noise-of-points", 100.0 * compared->over.noise)
+           && pp_json_number(object, "left-smooth", 100.0 * compared->over.left)
+           && pp_json_number(object, "left-limit", 100.0 * compared->over.limit)
+           && pp_json_add(
+               object, "left-exceeds-noise",
+               json_object_new_boolean(pp_left_over_exceeds(&compared->over)))
+           && pp_json_add(object, "not-detected", missing_array())
            && pp_json_add(
                object, "noise-may-hide-causes",
                json_object_new_boolean(set->evidence.sigma > PP_COMPARE_HIDES));

@@ -20,6 +20,7 @@ static const int nobody[1] = {0};
 /* Values as a set of suspects has them. */
 struct traced_set {
     int suspects[PP_BLAME_MOST], count;
+    double value;          /* of its fitted suspect; 0: it has none */
     enum pp_status status; /* PP_BAD_INPUT: it makes no sense here */
     double *values, *errors;
 };
@@ -48,7 +49,8 @@ static enum pp_status trace(struct pp_compare *compare, struct traced_set *set,
         return pp_fail_memory(err);
     set->errors = set->values + points;
     for (int i = 0; i < set->count && status == PP_OK; i++)
-        status = pp_as_if_add(&as_if, compare->suspects[set->suspects[i]]->word, err);
+        status = pp_suspect_as_if(&as_if, compare->suspects[set->suspects[i]],
+                                  set->value, err);
     if (status == PP_OK)
         status = pp_compare_subject_values(set->values, set->errors, &compare->subject,
                                            &as_if, &compare->options.tracing, err);
@@ -57,11 +59,12 @@ static enum pp_status trace(struct pp_compare *compare, struct traced_set *set,
 
 /* *set: the values of a set without a common factor, good until the next call. */
 static enum pp_status set_of(struct pp_compare *compare, const int *suspects, int count,
-                             const struct traced_set **set, struct pp_error *err)
+                             double value, const struct traced_set **set,
+                             struct pp_error *err)
 {
     for (int i = 0; i < compare->set_count; i++) {
         *set = &compare->sets[i];
-        if ((*set)->count == count
+        if ((*set)->count == count && (*set)->value == value
             && memcmp((*set)->suspects, suspects, (size_t)count * sizeof *suspects)
                    == 0)
             return (*set)->status == PP_OK
@@ -72,7 +75,7 @@ static enum pp_status set_of(struct pp_compare *compare, const int *suspects, in
         != PP_OK)
         return PP_SYSTEM;
     struct traced_set *next = &compare->sets[compare->set_count];
-    *next = (struct traced_set){.count = count};
+    *next = (struct traced_set){.count = count, .value = value};
     memcpy(next->suspects, suspects, (size_t)count * sizeof *suspects);
     next->status = trace(compare, next, err);
     if (next->status == PP_OK || next->status == PP_BAD_INPUT)
@@ -89,11 +92,12 @@ static double scale(const struct pp_compare *compare, double value)
 }
 
 static enum pp_status effect_of(void *tracer, const int *suspects, int count,
-                                double *effect, double *variance, struct pp_error *err)
+                                double value, double *effect, double *variance,
+                                struct pp_error *err)
 {
     struct pp_compare *compare = tracer;
     const struct traced_set *set;
-    enum pp_status status = set_of(compare, suspects, count, &set, err);
+    enum pp_status status = set_of(compare, suspects, count, value, &set, err);
     for (int i = 0; i < compare->subject.count && status == PP_OK; i++) {
         double error = set->errors[i] / (set->values[i] + compare->dark);
         effect[i] =
@@ -128,18 +132,30 @@ static enum pp_status subset_effect(struct pp_compare *compare,
                                     struct pp_error *err)
 {
     int suspects[PP_BLAME_MOST], count = 0;
-    double theta = 0.0;
+    double theta = 0.0, value = 0.0;
     for (int i = 0; i < set->count; i++)
         if (subset >> i & 1) {
-            if (compare->suspects[set->suspects[i]]->is_factor)
+            const struct pp_suspect *suspect = compare->suspects[set->suspects[i]];
+            if (pp_suspect_is_fitted(suspect))
+                value = set->value;
+            if (suspect->is_factor)
                 theta = set->evidence.theta;
             else
                 suspects[count++] = set->suspects[i];
         }
-    enum pp_status status = effect_of(compare, suspects, count, effect, variance, err);
+    enum pp_status status =
+        effect_of(compare, suspects, count, value, effect, variance, err);
     for (int i = 0; i < compare->subject.count && status == PP_OK; i++)
         effect[i] += theta;
     return status;
+}
+
+/* As stated, with what ours scatter by themselves; 0: it is not. */
+static double stated_noise(const struct pp_compare *compare, const double *variance)
+{
+    double noise = compare->options.noise;
+    return noise > 0.0 ? sqrt(noise * noise + mean(variance, compare->subject.count))
+                       : 0.0;
 }
 
 static enum pp_status weigh(struct pp_compared *compared, struct pp_compare *compare,
@@ -158,6 +174,9 @@ static enum pp_status weigh(struct pp_compared *compared, struct pp_compare *com
         closed[subset] = all > 0.0 ? 1.0 - squares(effect, count) / all : 0.0;
         compared->left = mean(effect, count);
         compared->left_rms = sqrt(squares(effect, count) / count);
+        if (status == PP_OK && subset == whole)
+            status = pp_left_over(&compared->over, effect, compare->places, count,
+                                  stated_noise(compare, effect + count), err);
     }
     if (status != PP_OK)
         return status;
@@ -241,7 +260,9 @@ void pp_compare_clear(struct pp_compared *compared)
 bool pp_compare_is_sure(const struct pp_compared *compared, int suspect)
 {
     return compared->blame.probability[suspect] >= SURE
-           && compared->blame.sets[0].evidence.sigma < PP_COMPARE_HIDES;
+           && compared->blame.without[suspect] >= PP_COMPARE_HIDES
+           && compared->blame.sets[0].evidence.sigma < PP_COMPARE_HIDES
+           && pp_left_over_is_noise(&compared->over);
 }
 
 /* ---- ours ---- */
@@ -273,7 +294,7 @@ static enum pp_status begin(struct pp_compare *compare, struct pp_error *err)
         return pp_fail_memory(err);
     for (int i = 0; i < count; i++)
         compare->places[i] = subject->points[i].position;
-    enum pp_status status = set_of(compare, nobody, 0, &none, err);
+    enum pp_status status = set_of(compare, nobody, 0, 0.0, &none, err);
     if (status == PP_OK)
         compare->dark = fmax(DARK_SHARE * mean(none->values, count), 1e-9);
     return status;

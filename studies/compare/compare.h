@@ -8,12 +8,14 @@
 
 #include "studies/compare/blame.h"
 #include "studies/compare/compare_subject.h"
+#include "studies/compare/left_over.h"
 
 enum { PP_COMPARE_POINTS_MOST = 48, PP_COMPARE_LISTED_MOST = 6 };
 
 struct pp_compare_options {
     struct pp_as_if as_if; /* as ours are to be taken before anything is suspected */
     struct pp_as_if_tracing tracing;
+    double noise;    /* of the other program (logarithm), as stated; 0: not known */
     int traced_most; /* sets of several suspects, of one explanation; 0: 40 */
 };
 
@@ -28,9 +30,10 @@ struct pp_compared {
     /* The likeliest sets that together have 98 %, or as many as fit: blame.sets[0] up. */
     int listed;
 
-    double gap;            /* mean of theirs over ours, less 1; logarithmic mean */
-    double gap_rms;        /* root mean square of the gap, logarithms */
-    double left, left_rms; /* the same once the likeliest set is taken in */
+    double gap;               /* mean of theirs over ours, less 1; logarithmic mean */
+    double gap_rms;           /* root mean square of the gap, logarithms */
+    double left, left_rms;    /* the same once the likeliest set is taken in */
+    struct pp_left_over over; /* than the other program's noise */
     /* Of the likeliest set's suspects, averaged over orders: what each does to the mean
      * (logarithm), and its share of the squares of the gap, all of which is 1. */
     double effects[PP_BLAME_MOST], shares[PP_BLAME_MOST];
@@ -59,11 +62,14 @@ enum pp_status pp_compare_explain(struct pp_compared *compared,
                                   struct pp_error *err);
 void pp_compare_clear(struct pp_compared *compared);
 
-/* Noise (logarithm) from which nothing is sure beside it. */
+/* Noise (logarithm) from which nothing is sure beside it; and as much has to be left
+ * without a suspect that is sure: mistakes that are on no list, of reflectances or
+ * dimensions, do as much and decide between sets that are nearer to each other. */
 #define PP_COMPARE_HIDES 0.05
 
 /* Is the suspect, by its place in the list, at work for sure? With a probability of 98 %
- * or more, where noise is not so large that it may look like anything. */
+ * or more, where no more is left than the other program's noise, that is not so large
+ * that it may look like anything, and no set without the suspect comes near. */
 bool pp_compare_is_sure(const struct pp_compared *compared, int suspect);
 
 #endif

@@ -2,8 +2,10 @@
 #include "studies/compare/suspects.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
-/* Less is not told apart: of a height (m), and of the ground's reflectance. */
+/* Less is not told apart: of a height (m), and of a reflectance. */
 static const double SAME_HEIGHT_M = 0.05, SAME_REFLECTANCE = 0.02;
 
 /* ---- of what they can be told ---- */
@@ -131,26 +133,15 @@ static bool is_not_uniform(const struct pp_compare_subject *subject)
     return subject->room && subject->room->light.sky.kind != PP_SKY_UNIFORM;
 }
 
-static bool ground_is_not(const struct pp_compare_subject *subject, double reflectance)
+static bool is_room(const struct pp_compare_subject *subject)
 {
-    return subject->room
-           && fabs(subject->room->light.ground_reflectance - reflectance)
-                  > SAME_REFLECTANCE;
-}
-
-static bool ground_is_not_black(const struct pp_compare_subject *subject)
-{
-    return ground_is_not(subject, 0.0);
-}
-
-static bool ground_is_not_usual(const struct pp_compare_subject *subject)
-{
-    return ground_is_not(subject, 0.2);
+    return subject->room != NULL;
 }
 
 static bool ground_is_shaded(const struct pp_compare_subject *subject)
 {
-    return ground_is_not_black(subject) && !subject->room->world->ground_is_open;
+    return subject->room && subject->room->light.ground_reflectance > SAME_REFLECTANCE
+           && !subject->room->world->ground_is_open;
 }
 
 static bool has_outside(const struct pp_compare_subject *subject)
@@ -189,10 +180,14 @@ static const struct pp_suspect suspects[] = {
     CUT(1, "one reflection"),
     CUT(2, "two reflections"),
     CUT(3, "three reflections"),
+    CUT(4, "four reflections"),
     CUT(5, "five reflections"),
+    CUT(6, "six reflections"),
     CUT_WITH_GROUND(2, "one reflection"),
     CUT_WITH_GROUND(3, "two reflections"),
     CUT_WITH_GROUND(4, "three reflections"),
+    CUT_WITH_GROUND(5, "four reflections"),
+    CUT_WITH_GROUND(6, "five reflections"),
     {"glass=normal", "glass",
      "glass lets light of all angles through as it does at normal incidence",
      "give it a glass whose transmittance falls with the angle", false, false,
@@ -218,10 +213,8 @@ static const struct pp_suspect suspects[] = {
     {"sky=gensky", "sky",
      "the sky fades into the ground at the horizon, as gensky's does",
      "take a sky function without the blend at the horizon", false, false, is_overcast},
-    {"ground=0", "ground", "the ground is black", "give the ground its reflectance",
-     false, false, ground_is_not_black},
-    {"ground=0.2", "ground", "the ground reflects 0.2, as by default",
-     "give the ground its reflectance (gensky -g)", false, false, ground_is_not_usual},
+    {"ground", "ground", "the ground has this reflectance",
+     "give the ground its reflectance (gensky -g)", false, false, is_room},
     {"ground=open", "ground",
      "the ground glows as under the whole sky, in no shadow (Radiance's ground)",
      "model the ground as a surface", false, false, ground_is_shaded},
@@ -243,6 +236,31 @@ static const struct pp_suspect suspects[] = {
      true, false, NULL},
 };
 enum { SUSPECT_COUNT = sizeof suspects / sizeof suspects[0] };
+
+const char *pp_suspects_missing_at(int index)
+{
+    static const char *const missing[] = {
+        "reflectances of surfaces", "dimensions of room, windows and obstructions",
+        "points shifted sideways", "other skies than the uniform one and gensky's"};
+    enum { MISSING_COUNT = sizeof missing / sizeof missing[0] };
+    return index < MISSING_COUNT ? missing[index] : NULL;
+}
+
+bool pp_suspect_is_fitted(const struct pp_suspect *suspect)
+{
+    return !suspect->is_factor && !strchr(suspect->word, '=');
+}
+
+enum pp_status pp_suspect_as_if(struct pp_as_if *as_if,
+                                const struct pp_suspect *suspect, double value,
+                                struct pp_error *err)
+{
+    char word[64];
+    if (!pp_suspect_is_fitted(suspect))
+        return pp_as_if_add(as_if, suspect->word, err);
+    snprintf(word, sizeof word, "%s=%.3f", suspect->word, value);
+    return pp_as_if_add(as_if, word, err);
+}
 
 const struct pp_suspect *pp_suspects_at(int index)
 {

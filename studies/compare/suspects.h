@@ -2,14 +2,14 @@
  * ours that imitates it (as_if.h), with its words for people.
  *
  * Suspects of one kind exclude each other. A common factor has no value of its own: it is
- * whatever fits best. */
+ * whatever fits best; so is the reflectance of the ground. */
 #ifndef PP_STUDIES_COMPARE_SUSPECTS_H
 #define PP_STUDIES_COMPARE_SUSPECTS_H
 
 #include "studies/compare/compare_subject.h"
 
 struct pp_suspect {
-    const char *word;  /* "bounces=2"; of a common factor "factor" */
+    const char *word;  /* "bounces=2"; "ground" where the value is fitted */
     const char *kind;  /* those of one kind exclude each other */
     const char *cause; /* what the other program did, as a sentence's end */
     const char *cure;  /* what to set right there */
@@ -27,5 +27,17 @@ int pp_suspects_of(const struct pp_suspect *list[PP_SUSPECTS_MOST],
 
 /* All of them; NULL behind the last. */
 const struct pp_suspect *pp_suspects_at(int index);
+
+/* Kinds of mistake that no suspect imitates, as a sentence's parts; NULL behind the last. */
+const char *pp_suspects_missing_at(int index);
+
+/* Has its switch a value that is fitted, a reflectance from 0 to PP_SUSPECT_MOST? */
+#define PP_SUSPECT_MOST 0.8
+bool pp_suspect_is_fitted(const struct pp_suspect *suspect);
+
+/* Its switch on top of those that are set; value: of a fitted one. Not of a factor. */
+enum pp_status pp_suspect_as_if(struct pp_as_if *as_if,
+                                const struct pp_suspect *suspect, double value,
+                                struct pp_error *err);
 
 #endif

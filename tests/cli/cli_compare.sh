@@ -34,6 +34,7 @@ values bounces=1 >"$other"
 check "a difference is explained" \
     shows "bounces=1: light is followed over one reflection" compare --error 5% "$room" "$other"
 check "and what to set right is said" grep -q "allow more bounces" "$scratch/out"
+check "six points do not tell noise from a mistake" grep -q "too few points" "$scratch/out"
 check "in a tidy way" nothing "$(untidy)"
 check "as JSON, the same with any number of threads" \
     same_by_threads "1 3" compare --error 5% --format json "$room" "$other"
@@ -45,6 +46,60 @@ sed '1s/.*/Label,,,Lux/; s/,.*,/;/; 2,$s/^[0-9.]*/"a"/' "$other" |
     awk -F';' -v OFS=';' 'NR > 1 { $2 *= 100 } { print }' >"$scratch/lux.csv"
 check "in lux, by semicolons, without places" \
     shows "bounces=1: " compare --error 5% --external 10000 "$room" "$scratch/lux.csv"
+
+values plane=0 >"$scratch/floor.csv"
+check "with noise that is stated a cause is sure" \
+    shows "sure     plane=0" compare --error 5% --noise 3% "$room" "$scratch/floor.csv"
+check "what can look like a cause is said" grep -q "reflectances of surfaces" "$scratch/out"
+awk -F, -v OFS=, 'NR > 1 { $4 *= NR % 2 ? 1.2 : 0.8 } { print }' "$scratch/floor.csv" \
+    >"$scratch/uneven.csv"
+check "with less noise than is left nothing is" \
+    shows "More is left than" compare --error 5% --noise 3% "$room" "$scratch/uneven.csv"
+check "and none is called sure" nothing "$(grep '^ *sure ' "$scratch/out")"
+
+# Values of another tracer: four reflections of light, and a ground of 0.4 in place of 0.2.
+cat >"$scratch/yard.xml" <<'XML'
+<room version="1" name="Yard"><site ground-reflectance="0.2"/><plan width="4.4" depth="6" height="2.8"/>
+<finishes floor="0.3" walls="0.55" ceiling="0.75"/>
+<window wall="south" left="0.6" sill="0.9" width="1.4" height="1.5" glazing="clear-double" frame-factor="0.75" maintenance="0.85"/>
+<window wall="south" left="2.4" sill="0.9" width="1.4" height="1.5" glazing="clear-double" frame-factor="0.75" maintenance="0.85"/>
+<facade wall="south" left="6" right="6" up="5" reflectance="0.4"/>
+<block x="-10" y="-20" width="24" depth="8" height="8" reflectance="0.35"/></room>
+XML
+# yard COLUMN: x, y and that column of values.
+yard() {
+    echo x,y,df_percent
+    awk -v column="$1" '{ print $1 "," $2 "," $column }' <<'VALUES'
+0.8 0.7 7.244455 7.725683
+0.8 1.6 2.777192 3.225493
+0.8 2.6 1.116022 1.484214
+0.8 3.7 0.524436 0.809769
+0.8 4.8 0.368970 0.592555
+0.8 5.5 0.328157 0.514901
+2.2 0.7 8.246158 8.834898
+2.2 1.6 3.390137 3.881942
+2.2 2.6 1.203481 1.631845
+2.2 3.7 0.569545 0.869146
+2.2 4.8 0.402928 0.645497
+2.2 5.5 0.358883 0.556171
+3.6 0.7 7.260412 7.721959
+3.6 1.6 2.776865 3.238295
+3.6 2.6 1.103203 1.491092
+3.6 3.7 0.530148 0.810125
+3.6 4.8 0.371321 0.576810
+3.6 5.5 0.331822 0.515156
+VALUES
+}
+yard 3 >"$scratch/bounces.csv"
+yard 4 >"$scratch/ground.csv"
+check "four reflections, the ground's among them" shows "ab=5: light is followed over four" \
+    compare --error 3% "$scratch/yard.xml" "$scratch/bounces.csv"
+check "the reflectance of the ground" shows '"switch": "ground=0.' \
+    compare --error 3% --format json "$scratch/yard.xml" "$scratch/ground.csv"
+check "as large as it is" grep -Eq '"switch": "ground=0.(39|4|41)[0-9]*"' "$scratch/out"
+check "for sure" grep -q '"sure": true' "$scratch/out"
+check "and what it cannot detect" grep -q '"not-detected"' "$scratch/out"
+check "and no more is left than noise" grep -q '"left-exceeds-noise": false' "$scratch/out"
 
 # ---- what is refused ----
 
@@ -138,6 +193,11 @@ check "a switch that makes no sense here" \
 sed 's|<grid |<furniture x="0.2" y="1" width="1.2" depth="2" height="0.74"/><grid |' "$room" >"$scratch/desk.xml"
 check "points moved under a desk" \
     shows "as if plane=0" compare --error 5% --as-if plane=0 "$scratch/desk.xml"
+check "noise of values that are missing" \
+    refuses 2 "--noise is of the other program's values" compare --noise 2% --as-if low "$room"
+check "noise that is none" refuses 2 "--noise" compare --noise none "$room" "$other"
+check "a ground that reflects too much" \
+    refuses 2 "ground is \"1.2\"; expected a number from 0 to 1" compare --as-if ground=1.2 "$room"
 check "a unit mistyped" refuses 2 "percent, fraction or lux" compare --as per-cent "$room" "$other"
 
 # ---- in a scene ----

@@ -77,14 +77,18 @@ wrong_includes() {
 
 # Headers whose head names the folder they are for, and who else includes them.
 wrong_guests() {
-    (cd "$srcdir" && grep -rl --include='*.h' '' $folders) | while read -r header; do
-        owner=$(sed '/\*\//q' "$srcdir/$header" | tr '\n' ' ' | sed 's/ \* / /g' |
-            sed -n 's/.*[Ii]nside \([a-z_/]*\)\/ only.*/\1/p')
-        [ -z "$owner" ] || awk -v header="$header" -v owner="$owner/" '
-            $2 == header && index($1, owner) != 1 {
-                print $1 " includes " header ", which is inside " owner " only"
-            }' "$scratch/includes"
-    done
+    (cd "$srcdir" && find $folders -name '*.h' | xargs awk '
+        FNR == 1 { text = ""; in_head = 1 }
+        in_head { line = $0; sub(/^ \* /, "", line); text = text " " line }
+        in_head && /\*\// {
+            in_head = 0
+            if (match(text, /[Ii]nside [a-z_\/]*\/ only/))
+                print FILENAME, substr(text, RSTART + 7, RLENGTH - 12)
+        }') >"$scratch/owners"
+    awk 'NR == FNR { owner[$1] = $2; next }
+        $2 in owner && index($1, owner[$2]) != 1 {
+            print $1 " includes " $2 ", which is inside " owner[$2] " only"
+        }' "$scratch/owners" "$scratch/includes"
 }
 
 # Lines "FILE NAME" of what a folder's objects define for others, or ask of others; from
@@ -173,6 +177,7 @@ check "there are arrows to hold" test -s "$scratch/includes" -a -s "$scratch/giv
 check "every include follows the arrows" nothing "$(wrong_includes)"
 check "every call between the folders follows the arrows" nothing "$(wrong_calls)"
 check "what is inside a folder is included there only" nothing "$(wrong_guests)"
+check "there are such headers" test -s "$scratch/owners"
 check "no files include or call one another in a circle" nothing "$(circles)"
 check "the library neither prints nor exits nor looks at its surroundings" \
     nothing "$(uses_forbidden)"

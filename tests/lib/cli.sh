@@ -13,6 +13,16 @@ trap 'rm -rf "$scratch"' EXIT
 # every leak of the libraries that tests/lib/lsan.supp passes by module.
 export ASAN_OPTIONS="symbolize=0:${ASAN_OPTIONS-}"
 
+# some WORDS: every third of them, each on a line; all with FULL_SIZE set, as
+# tests/long/long_full_size.sh has it.
+some() {
+    some_left=0
+    for some_word; do
+        [ -z "${FULL_SIZE-}" ] && [ $some_left -ne 0 ] || echo "$some_word"
+        some_left=$(((some_left + 1) % 3))
+    done
+}
+
 # run WORDS: runs the program with these arguments.
 run() {
     "$pepperpot" "$@" >"$scratch/out" 2>"$scratch/err" </dev/null

@@ -21,13 +21,16 @@ struct strokes {
     int count;
 };
 
-/* Reads "x y" and goes on behind it; false where there is none. */
+/* Reads "x y" and goes on behind it; false where there is none. sscanf would take the
+ * length of the whole file each time. */
 static inline bool read_pair(const char **at, double *x, double *y)
 {
-    int used = 0;
-    if (sscanf(*at, " %lf %lf%n", x, y, &used) != 2)
+    char *middle, *end;
+    *x = strtod(*at, &middle);
+    *y = strtod(middle, &end);
+    if (middle == *at || end == middle)
         return false;
-    *at += used;
+    *at = end;
     return true;
 }
 
@@ -50,9 +53,11 @@ static inline void add_strokes(struct strokes *strokes, const char *data,
         if (command == 'M')
             memcpy(first, to, sizeof first);
         else {
-            strokes->list =
-                realloc(strokes->list, (strokes->count + 1) * sizeof *strokes->list);
-            assert_non_null(strokes->list);
+            if ((strokes->count & (strokes->count - 1)) == 0) { /* 0, 1, 2, 4, ... */
+                size_t room = strokes->count ? 2 * (size_t)strokes->count : 1;
+                strokes->list = realloc(strokes->list, room * sizeof *strokes->list);
+                assert_non_null(strokes->list);
+            }
             strokes->list[strokes->count++] =
                 (struct stroke){from[0], from[1], to[0], to[1]};
         }
@@ -71,14 +76,17 @@ static inline struct strokes strokes_of(const char *svg)
     assert_int_equal(sscanf(strstr(root, "viewBox=\""), "viewBox=\"%lf %lf %lf %lf",
                             &view[0], &view[1], &view[2], &view[3]),
                      4);
-    for (const char *path = svg; (path = strstr(path, "<path")); path++) {
-        const char *end = strchr(path, '>');
-        const char *data = strstr(path, " d=\""), *matrix = strstr(path, "matrix(");
+    for (const char *path = svg; (path = strchr(path, '<')); path++) {
+        if (strncmp(path, "<path", 5) != 0)
+            continue;
+        size_t length = (size_t)(strchr(path, '>') - path);
+        const char *data = memmem(path, length, " d=\"", 4);
+        const char *matrix = memmem(path, length, "matrix(", 7);
         double m[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 0.0};
-        if (matrix && matrix < end)
+        if (matrix)
             sscanf(matrix, "matrix(%lf,%lf,%lf,%lf,%lf,%lf)", m, m + 1, m + 2, m + 3,
                    m + 4, m + 5);
-        if (data && data < end)
+        if (data)
             add_strokes(&strokes, data + 4, m, width_mm / view[2]);
     }
     assert_true(strokes.count > 0);

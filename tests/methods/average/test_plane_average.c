@@ -5,6 +5,7 @@
 
 #include "methods/evaluate.h"
 #include "tests/lib/room_of.h"
+#include "tests/lib/sized.h"
 
 /* The averaged quantity, and the number of calls. */
 struct quantity {
@@ -261,7 +262,7 @@ static void averages_are_the_sums_of_the_methods_own_values(void **state)
 {
     (void)state;
     const char *const bodies[] = {many_windows, slit, slit_at_the_side, wide};
-    for (size_t i = 0; i < sizeof bodies / sizeof *bodies; i++)
+    for (size_t i = 0; i < sizeof bodies / sizeof *bodies; i += PP_SIZED(1, 1, 3))
         for (size_t m = 0; m < 2; m++) {
             struct pp_outside_light light;
             struct pp_world *world = turned_room(&light, 3.7, 5.2, 0.0, bodies[i]);
@@ -278,7 +279,7 @@ static void turning_the_room_changes_no_average(void **state)
     (void)state;
     const char *const bodies[] = {many_windows, slit, slit_at_the_side, wide};
     static const double turns_deg[] = {90.0, 37.0, -171.0};
-    for (size_t i = 0; i < sizeof bodies / sizeof *bodies; i++)
+    for (size_t i = 0; i < sizeof bodies / sizeof *bodies; i += PP_SIZED(1, 1, 3))
         for (size_t m = 0; m < 2; m++) {
             struct pp_outside_light light;
             struct pp_world *world = turned_room(&light, 3.7, 5.2, 0.0, bodies[i]);

@@ -5,6 +5,7 @@
 #include "methods/method.h"
 #include "methods/average/plane_average.h"
 #include "tests/lib/room_of.h"
+#include "tests/lib/sized.h"
 
 struct pointwise {
     const struct pp_world *world;
@@ -64,14 +65,19 @@ static void assert_same_mean(const char *body, int points, double share)
     pp_world_destroy(world);
 }
 
+/* Numbers of points, and the share of their error. */
+#define FINE PP_SIZED(5000, 1500, 1500), PP_SIZED(8e-4, 2e-3, 2e-3)
+#define FINE_L PP_SIZED(5000, 1500, 1500), PP_SIZED(2e-3, 4e-3, 4e-3)
+#define COARSE 1500, 2e-3
+
 #define BOX "<plan width='4.2' depth='6' height='2.6'/>"
 #define WINDOW "<window wall='south' left='0.6' sill='0.7' width='2.9' height='1.6' "
 
 static void an_unobstructed_window_and_its_reveal(void **state)
 {
     (void)state;
-    assert_same_mean(BOX WINDOW "glazing='none'/>", 5000, 8e-4);
-    assert_same_mean(BOX WINDOW "reveal='0.31'/>", 5000, 8e-4);
+    assert_same_mean(BOX WINDOW "glazing='none'/>", FINE);
+    assert_same_mean(BOX WINDOW "reveal='0.31'/>", FINE);
 }
 
 /* The parapet hides the lower part, the slab the upper one, the block what is between. */
@@ -86,15 +92,15 @@ static void a_balcony_with_a_parapet_and_a_neighbour(void **state)
         "y='-1.7' z='0'/><vertex x='4.2' y='-1.7' z='1.1'/><vertex x='0' y='-1.7' "
         "z='1.1'/></surface>"
         "<block x='-3' y='-21' width='13' depth='6' height='19' reflectance='0.35'/>",
-        1500, 2e-3);
+        COARSE);
 }
 
 static void skylines_near_and_far(void **state)
 {
     (void)state;
-    assert_same_mean(BOX WINDOW "/><skyline wall='south' angle='31'/>", 5000, 8e-4);
+    assert_same_mean(BOX WINDOW "/><skyline wall='south' angle='31'/>", FINE);
     assert_same_mean(BOX WINDOW "/><skyline wall='south' angle='31' distance='7.3'/>",
-                     5000, 8e-4);
+                     FINE);
 }
 
 /* The inner corner of an L hides each window from a part of the plane. */
@@ -106,7 +112,7 @@ static void an_l_shaped_room(void **state)
         "y='2'/><vertex x='2' y='2'/><vertex x='2' y='4'/><vertex x='0' y='4'/></plan>"
         "<window wall='1' left='3' sill='0.9' width='1.6' height='1.4'/>"
         "<window wall='5' left='0.4' sill='0.5' width='1.2' height='1.9'/>",
-        5000, 2e-3);
+        FINE_L);
 }
 
 static void a_rooflight_under_a_block_and_a_diffusing_one(void **state)
@@ -114,10 +120,10 @@ static void a_rooflight_under_a_block_and_a_diffusing_one(void **state)
     (void)state;
     assert_same_mean(BOX "<rooflight x='1.1' y='1.7' width='1.3' depth='0.9'/>"
                          "<block x='-4' y='-4' width='3' depth='9' height='8'/>",
-                     1500, 2e-3);
+                     COARSE);
     assert_same_mean(BOX "<rooflight x='1.1' y='1.7' width='1.3' depth='0.9' "
                          "transmittance='0.5' diffusing='yes'/>",
-                     5000, 8e-4);
+                     FINE);
 }
 
 TEST_FILE

@@ -10,7 +10,7 @@
 #include "tests/lib/meridians.h"
 #include "tests/lib/sized.h"
 
-#define SCENES PP_SIZED(10000, 1000, 100)
+#define SCENES PP_SIZED(10000, 400, 100)
 
 /* ---- a scene: one opening in a face, anything round it ---- */
 

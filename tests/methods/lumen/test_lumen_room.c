@@ -104,7 +104,7 @@ static void black_room_has_the_closed_form_of_its_window(void **state)
 static void light_is_kept(void **state)
 {
     (void)state;
-    const double lights[] = {0.396, 0.75, 1.75, NAN};
+    const double lights[] = {1.75, 0.75, 0.396, NAN};
     for (int i = PP_SIZED(0, 2, 2); i < 4; i++) {
         double lost;
         solve(1.7, 4.3, lights[i], 0.7, 0.5, &lost);
@@ -165,12 +165,12 @@ static void read_own(double cu[PP_LUMEN_POSITIONS], const struct pp_lumen_table 
 static void table_is_what_the_rooms_give(void **state)
 {
     (void)state;
-    static const double cells[][5] = {{0.396, 0.7, 0.5, 6, 2},
-                                      {0.75, 0.5, 0.9, 3, 0.5},
+    static const double cells[][5] = {{0.75, 0.5, 0.9, 3, 0.5},
                                       {1.75, 0.9, 0.3, 1, INFINITY},
+                                      {0.396, 0.7, 0.5, 6, 2},
                                       {NAN, 0.7, 0.7, 10, 1}};
     struct pp_lumen_table *table = own_table();
-    for (int i = 0; i < 4; i++) {
+    for (int i = PP_SIZED(0, 1, 2); i < 4; i++) {
         double cu[PP_LUMEN_POSITIONS];
         const double *c = cells[i];
         read_own(cu, table, c[0], c[1], c[2], c[3], c[4]);
@@ -228,9 +228,9 @@ static void table_is_good_between_its_lines(void **state)
 {
     (void)state;
     static const double rooms[][4] = {
-        {0.396, 0.6, 1.5, 1.5}, {0.875, 0.4, 5.0, 2.5}, {NAN, 0.6, 2.5, 5.0}};
+        {0.875, 0.4, 5.0, 2.5}, {0.396, 0.6, 1.5, 1.5}, {NAN, 0.6, 2.5, 5.0}};
     struct pp_lumen_table *table = own_table();
-    for (int i = 0; i < 3; i++) {
+    for (int i = PP_SIZED(0, 1, 1); i < 3; i++) {
         double cu[PP_LUMEN_POSITIONS];
         const double *r = rooms[i];
         read_own(cu, table, r[0], 0.8, r[1], r[2], r[3]);

@@ -3,6 +3,7 @@
 #include "methods/waldram/waldram_scale.h"
 
 #include "tests/lib/near.h"
+#include "tests/lib/sized.h"
 
 static struct pp_pepper_pot *made(struct pp_sky sky, bool glazed, bool upright,
                                   double facing_rad, double worth)
@@ -87,13 +88,13 @@ static void every_dot_is_where_its_lattice_has_it(void **state)
     }
 }
 
-/* Counts of 5,000 windows on each of four charts: no bias beyond three standard errors,
+/* Counts of 5,000 windows, fewer in short runs, on each of four charts: no bias beyond three standard errors,
  * a spread of no more than half the square root of the outline's length in sides of a
  * dot's cell. */
 static void counts_are_unbiased_and_close(void **state)
 {
     (void)state;
-    enum { WINDOWS = 5000 };
+    const int windows = PP_SIZED(5000, 2000, 500);
     for (int kind = 0; kind < 4; kind++) {
         bool glazed = kind & 1, upright = kind & 2;
         struct pp_pepper_pot *pot = made(pp_sky_overcast(), glazed, upright,
@@ -101,7 +102,7 @@ static void counts_are_unbiased_and_close(void **state)
         uint64_t seed = 5 + kind;
         double sum = 0.0, sum2 = 0.0, spread = 0.0,
                side = sqrt(pot->worth / pot->whole);
-        for (int i = 0; i < WINDOWS; i++) {
+        for (int i = 0; i < windows; i++) {
             double a0 = 4.0 * next(&seed) - 2.5, a1 = a0 + 0.2 + 2.0 * next(&seed);
             double b0 = next(&seed), b1 = b0 + 0.1 + 1.9 * next(&seed);
             double xy[4][2] = {{a0, b0}, {a1, b0}, {a1, b1}, {a0, b1}};
@@ -124,20 +125,20 @@ static void counts_are_unbiased_and_close(void **state)
             sum2 += error * error;
             spread += error * error / outline;
         }
-        double mean = sum / WINDOWS;
-        double of_mean = sqrt((sum2 / WINDOWS - mean * mean) / WINDOWS);
+        double mean = sum / windows;
+        double of_mean = sqrt((sum2 / windows - mean * mean) / windows);
         assert_true(fabs(mean) <= 3.0 * of_mean);
-        assert_true(sqrt(spread / WINDOWS) <= 0.5);
+        assert_true(sqrt(spread / windows) <= 0.5);
         pp_pepper_pot_dots_destroy(pot);
     }
 }
 
-/* 20,000 windows with a gabled house before them, on the chart without glass, against
+/* 20,000 windows, fewer in short runs, with a gabled house before them, on the chart without glass, against
  * the exact area of what is left on Waldram's diagram. */
 static void counts_with_obstructions_are_unbiased_and_close(void **state)
 {
     (void)state;
-    enum { WINDOWS = 20000 };
+    const int windows = PP_SIZED(20000, 5000, 2000);
     static const struct pp_window_axes axes = {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
     struct pp_sky sky = pp_sky_overcast();
     struct pp_waldram waldram;
@@ -145,7 +146,7 @@ static void counts_with_obstructions_are_unbiased_and_close(void **state)
     struct pp_pepper_pot *pot = made(sky, false, false, 0.0, PP_PEPPER_POT_WORTH);
     uint64_t seed = 41;
     double sum = 0.0, sum2 = 0.0, most = 0.0;
-    for (int i = 0; i < WINDOWS; i++) {
+    for (int i = 0; i < windows; i++) {
         double x0 = 4.0 * next(&seed) - 2.5, x1 = x0 + 0.3 + 2.0 * next(&seed);
         double y0 = next(&seed), y1 = y0 + 0.2 + 1.8 * next(&seed);
         double left = x0 + (x1 - x0) * 0.5 * next(&seed);
@@ -165,8 +166,8 @@ static void counts_with_obstructions_are_unbiased_and_close(void **state)
         sum2 += error * error;
         most = fmax(most, fabs(error));
     }
-    double mean = sum / WINDOWS, rms = sqrt(sum2 / WINDOWS);
-    assert_true(fabs(mean) <= 3.0 * rms / sqrt(WINDOWS));
+    double mean = sum / windows, rms = sqrt(sum2 / windows);
+    assert_true(fabs(mean) <= 3.0 * rms / sqrt(windows));
     /* Outlines are 20 to 60 sides of a dot's cell long: half the root of 20. */
     assert_true(rms <= 0.5 * sqrt(20.0));
     assert_true(most < 12.0);

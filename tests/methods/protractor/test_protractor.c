@@ -8,6 +8,7 @@
 
 #include "tests/lib/near.h"
 #include "tests/lib/room_of.h"
+#include "tests/lib/sized.h"
 
 static double next(uint64_t *seed)
 {
@@ -253,7 +254,8 @@ static int ascending(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-/* Half the last digit that the manual prints. */
+/* Half the last digit that the manual prints; of fewer windows three standard errors more,
+ * of which that of a 95th percentile is the larger. */
 static void assert_distances(struct distances *distances, double mean_expected,
                              double p95_expected)
 {
@@ -263,8 +265,9 @@ static void assert_distances(struct distances *distances, double mean_expected,
         mean += distances->off[i] / distances->count;
     qsort(distances->off, (size_t)distances->count, sizeof *distances->off, ascending);
     double p95 = fabs(distances->off[(int)(0.95 * (distances->count - 1))]);
-    assert_near(mean, mean_expected, 0.0006);
-    assert_near(p95, p95_expected, 0.0006);
+    double chance = PP_SIZED(0.0, 0.0, 3.0) * p95_expected / sqrt(distances->count);
+    assert_near(mean, mean_expected, 0.0006 + chance);
+    assert_near(p95, p95_expected, 0.0006 + chance);
 }
 
 /* The table of the manual. */
@@ -283,7 +286,7 @@ static void readings_of_finite_windows_are_as_far_from_exact_as_the_manual_says(
     for (int r = 0; r < 5; r++)
         for (int bare = 0; bare < 2; bare++) {
             struct distances distances = {0};
-            for (int i = 0; i < WINDOWS; i++) {
+            for (int i = 0; i < PP_SIZED(WINDOWS, WINDOWS, WINDOWS / 10); i++) {
                 double point[3];
                 struct pp_outside_light light;
                 struct pp_world *world =
@@ -305,7 +308,7 @@ static void readings_of_finite_windows_are_as_far_from_exact_as_the_manual_says(
             struct pp_outside_light light;
             struct pp_world *world = roof(&light, roofs[r].slope, "overcast",
                                           bare ? "none" : "clear-single");
-            for (int i = 0; i < WINDOWS; i++) {
+            for (int i = 0; i < PP_SIZED(WINDOWS, WINDOWS, WINDOWS / 10); i++) {
                 double point[3] = {0.2 + 4.6 * next(&seed), 0.2 + 4.6 * next(&seed),
                                    0.85};
                 compare(&distances, world, &light, point);

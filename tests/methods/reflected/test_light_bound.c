@@ -3,6 +3,7 @@
 
 #include "methods/evaluate.h"
 #include "tests/lib/random_rooms.h"
+#include "tests/lib/sized.h"
 
 /* All that one opening of 2 x 3 m of no glass lets in, level, under the open sky: 6 m2 times
  * 1 on a plane of 20 m2; a black room reflects none of it but by the opening's 0.1. */
@@ -63,7 +64,7 @@ static void split_flux_in_a_white_glass_box_is_refused(void **state)
 static void no_figure_of_random_rooms_is_refused(void **state)
 {
     (void)state;
-    for (int room = 0; room < 60; room++) {
+    for (int room = 0; room < PP_SIZED(60, 20, 6); room++) {
         struct pp_outside_light light;
         struct pp_world *world = pp_test_random_room(&light, (uint64_t)room, 2);
         struct pp_report report = report_of(world, &light);

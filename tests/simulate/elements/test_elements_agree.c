@@ -84,15 +84,27 @@ static void at_the_foot_of_a_court(void **state)
              "reflectance='0.5'/>" POINTS);
 }
 
+#define SOUTH                                                                          \
+    "<window wall='south' left='0.5' sill='0.8' width='2' height='1.5' "               \
+    "glazing='clear-double'/>"
+
+#define CLEAR "<sky type='iso-12' sun-altitude='35' sun-bearing='200'/>"
+
+/* At gate size behind one without a distance alone, in a third of the time: under sanitizers
+ * still more than all else here. */
 static void behind_a_skyline_under_a_clear_sky(void **state)
 {
     (void)state;
-    both_agree(ROOM "<sky type='iso-12' sun-altitude='35' sun-bearing='200'/>"
-                    "<window wall='south' left='0.5' sill='0.8' width='2' height='1.5' "
-                    "glazing='clear-double'/><window wall='east' left='1' sill='1.5' "
-                    "width='1.2' height='0.8' glazing='clear-double'/>"
-                    "<skyline wall='south' angle='25' distance='14'/>"
-                    "<skyline wall='east' angle='15'/>" POINTS);
+    if (PP_SIZED(false, false, true))
+        skip();
+    static const char two[] =
+        ROOM CLEAR SOUTH "<window wall='east' left='1' sill='1.5' "
+                         "width='1.2' height='0.8' glazing='clear-double'/>"
+                         "<skyline wall='south' angle='25' distance='14'/>"
+                         "<skyline wall='east' angle='15'/>" POINTS;
+    static const char one[] =
+        ROOM CLEAR SOUTH "<skyline wall='south' angle='25'/>" POINTS;
+    both_agree(PP_SIZED(two, one, one));
 }
 
 TEST_FILE

@@ -52,7 +52,7 @@ static void many_skies_are_traced_on_one_scene(void **state)
     struct pp_light_scene *scene = pp_test_matt_scene(world);
     assert_int_equal(builds, 1);
     int scenes = 1;
-    for (int i = 0; i < PP_SIZED(100, 34, 12); i++) {
+    for (int i = 0; i < PP_SIZED(100, 23, 12); i++) {
         struct pp_outside_light light = light_of(i);
         struct pp_environment *environment = NULL;
         struct pp_reading readings[2][4], alone[2][4];

@@ -276,7 +276,7 @@ static void any_sheet_holds_it_and_its_bytes_are_the_same_again(void **state)
         assert_int_equal(
             pp_availability_fill(&sheet, &question, with_room ? &report : NULL, NULL),
             PP_OK);
-        for (int i = 0; i < PP_SIZED(24, 6, 3); i++) {
+        for (int i = 0; i < PP_SIZED(24, 3, 3); i++) {
             size_t first, second;
             enum pp_chart_format format = (enum pp_chart_format)(i % 3);
             enum pp_paper paper = (enum pp_paper)(i / 3 % 4);

@@ -4,22 +4,31 @@
 #include "studies/compare/blame_shares.h"
 #include "tests/lib/near.h"
 
-enum { POINTS = 20, SUSPECTS = 5, FLAT = 3, FACTOR = 4 };
+enum { POINTS = 20, SUSPECTS = 6, FLAT = 3, FACTOR = 4, FITTED = 5 };
 
-/* Two of one kind, one that grows with depth, one that is the same everywhere, and a
- * common factor. */
+/* Two of one kind, one that grows with depth, one that is the same everywhere, a
+ * common factor, and light that grows with its value and most in the middle. */
 static const struct pp_suspect listed[SUSPECTS] = {
     {"cut=1", "cut", "", "", false, false, NULL},
     {"cut=2", "cut", "", "", false, false, NULL},
     {"deep=1", "deep", "", "", false, false, NULL},
     {"flat=1", "flat", "", "", false, false, NULL},
-    {"factor", "factor", "", "", true, false, NULL}};
+    {"factor", "factor", "", "", true, false, NULL},
+    {"ground", "ground", "", "", false, false, NULL}};
 
 /* How much a pair does beyond its sum, over the smaller of both at each point. */
 static const double TOGETHER = 0.5;
 
-static double alone(int suspect, int point)
+static double fitted(double value, int point)
 {
+    double across = (point % 4 - 1.5) / 1.5; /* NOLINT */
+    return log(0.8 + value * (1.0 - 0.5 * across * across));
+}
+
+static double alone(int suspect, double value, int point)
+{
+    if (suspect == FITTED)
+        return fitted(value, point);
     double depth = point / (POINTS - 1.0);
     return suspect == 0   ? -0.6 * depth
            : suspect == 1 ? -0.3 * depth
@@ -27,7 +36,7 @@ static double alone(int suspect, int point)
                           : -0.08;
 }
 
-static enum pp_status trace(void *traced, const int *suspects, int count,
+static enum pp_status trace(void *traced, const int *suspects, int count, double value,
                             double *effect, double *variance, struct pp_error *err)
 {
     (void)err;
@@ -36,11 +45,11 @@ static enum pp_status trace(void *traced, const int *suspects, int count,
         effect[i] = 0.0;
         variance[i] = 0.003 * 0.003;
         for (int k = 0; k < count; k++) {
-            effect[i] += alone(suspects[k], i);
+            effect[i] += alone(suspects[k], value, i);
             for (int m = 0; m < k; m++)
-                effect[i] +=
-                    TOGETHER
-                    * fmin(fabs(alone(suspects[k], i)), fabs(alone(suspects[m], i)));
+                effect[i] += TOGETHER
+                             * fmin(fabs(alone(suspects[k], value, i)),
+                                    fabs(alone(suspects[m], value, i)));
         }
     }
     return PP_OK;
@@ -110,7 +119,7 @@ static void one_cause_is_named_and_its_level(void **state)
     double gap[POINTS];
     for (int cause = 0; cause < FLAT; cause++) {
         for (int i = 0; i < POINTS; i++)
-            gap[i] = alone(cause, i) + 0.02 * noise(i);
+            gap[i] = alone(cause, 0.0, i) + 0.02 * noise(i);
         assert_named(gap, &cause, 1);
     }
 }
@@ -122,7 +131,7 @@ static void two_causes_that_interact_are_named(void **state)
     static const int pair[] = {1, 2};
     double gap[POINTS], variance[POINTS];
     int traced = 0;
-    trace(&traced, pair, 2, gap, variance, NULL);
+    trace(&traced, pair, 2, 0.0, gap, variance, NULL);
     for (int i = 0; i < POINTS; i++)
         gap[i] += 0.01 * noise(i);
     assert_named(gap, pair, 2);
@@ -136,7 +145,7 @@ static void what_was_not_traced_is_not_named(void **state)
     static const int pair[] = {1, 2};
     double gap[POINTS], variance[POINTS], sum = 0.0;
     int traced = 0;
-    trace(&traced, pair, 2, gap, variance, NULL);
+    trace(&traced, pair, 2, 0.0, gap, variance, NULL);
     struct pp_blame blame = blame_within(gap, 0, &traced);
     assert_int_equal(traced, 0);
     assert_true(blame.is_cut);
@@ -146,6 +155,39 @@ static void what_was_not_traced_is_not_named(void **state)
         assert_true(set->count < 2 || set->suspects[1] == FACTOR);
     }
     assert_near(sum, 1.0, 0.02);
+    pp_blame_clear(&blame);
+}
+
+/* Values within three standard errors: noise of 1 % at 20 points over a slope of 1. */
+static void a_value_between_those_that_are_traced_is_found(void **state)
+{
+    (void)state;
+    static const int suspect = FITTED;
+    static const double values[] = {0.03, 0.37, 0.61};
+    for (int k = 0; k < 3; k++) {
+        double gap[POINTS];
+        int traced;
+        for (int i = 0; i < POINTS; i++)
+            gap[i] = fitted(values[k], i) + 0.01 * noise(i);
+        assert_named(gap, &suspect, 1);
+        struct pp_blame blame = blame_of(gap, &traced);
+        assert_near(blame.sets[0].value, values[k], 3.0 * 0.01 / sqrt(POINTS));
+        pp_blame_clear(&blame);
+    }
+}
+
+/* Without the first cut the second is the nearest, twice whose effect is the gap. */
+static void the_nearest_set_without_a_cause_is_known(void **state)
+{
+    (void)state;
+    double gap[POINTS];
+    int traced;
+    for (int i = 0; i < POINTS; i++)
+        gap[i] = alone(0, 0.0, i);
+    struct pp_blame blame = blame_of(gap, &traced);
+    assert_int_equal(blame.sets[0].suspects[0], 0);
+    assert_true(blame.without[0] > 0.05 && blame.without[0] < 0.3);
+    assert_near(blame.without[1], 0.0, 1e-9);
     pp_blame_clear(&blame);
 }
 
@@ -176,7 +218,7 @@ static void what_looks_alike_is_listed_together(void **state)
     double gap[POINTS];
     int traced;
     for (int i = 0; i < POINTS; i++)
-        gap[i] = alone(FLAT, i) + 0.02 * noise(i);
+        gap[i] = alone(FLAT, 0.0, i) + 0.02 * noise(i);
     struct pp_blame blame = blame_of(gap, &traced);
     assert_int_equal(blame.sets[0].suspects[0], FLAT);
     assert_true(blame.probability[FLAT] > 0.6 && blame.probability[FACTOR] > 0.01);
@@ -190,7 +232,7 @@ static void levels_of_a_kind_exclude_each_other(void **state)
     double gap[POINTS];
     int traced;
     for (int i = 0; i < POINTS; i++)
-        gap[i] = alone(0, i) + alone(1, i);
+        gap[i] = alone(0, 0.0, i) + alone(1, 0.0, i);
     struct pp_blame blame = blame_of(gap, &traced);
     for (int i = 0; i < blame.count; i++)
         for (int k = 1; k < blame.sets[i].count; k++)
@@ -223,7 +265,7 @@ static void probabilities_are_of_one_whole(void **state)
     double gap[POINTS], sum = 0.0;
     int traced;
     for (int i = 0; i < POINTS; i++)
-        gap[i] = alone(2, i) - 0.03 + 0.02 * noise(i);
+        gap[i] = alone(2, 0.0, i) - 0.03 + 0.02 * noise(i);
     struct pp_blame blame = blame_of(gap, &traced);
     for (int i = 0; i < blame.count; i++) {
         sum += blame.sets[i].probability;
@@ -267,6 +309,8 @@ TEST_FILE
         cmocka_unit_test(two_causes_that_interact_are_named),
         cmocka_unit_test(what_was_not_traced_is_not_named),
         cmocka_unit_test(a_factor_of_any_size_is_found),
+        cmocka_unit_test(a_value_between_those_that_are_traced_is_found),
+        cmocka_unit_test(the_nearest_set_without_a_cause_is_known),
         cmocka_unit_test(what_looks_alike_is_listed_together),
         cmocka_unit_test(levels_of_a_kind_exclude_each_other),
         cmocka_unit_test(noise_is_told_by_its_size_and_by_whether_neighbours_err_alike),

@@ -1,0 +1,49 @@
+#!/bin/sh
+# The likely ranges of hand figures hold in rooms that they were not made of: 95 of 100 truths
+# of 300 ordinary rooms are within them, and the methods that --advise names are near the truth.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+# invalid: a line for each room that is refused.
+invalid() {
+    ${AWK:-awk} -v folder="$scratch" -f "$srcdir/tests/lib/ordinary_rooms.awk" || echo "no rooms"
+    number=0
+    while [ $number -lt 300 ]; do
+        number=$((number + 1))
+        "$pepperpot" validate -q -m exact --error 100% -o "$scratch/validated" \
+            "$scratch/$number.xml" 2>&1 || echo "room $number: status $?"
+    done
+}
+check "300 ordinary rooms are valid" nothing "$(invalid)"
+
+sh "$srcdir/bench/band_coverage.sh" "$pepperpot" >"$scratch/tables" 2>"$scratch/said"
+check "the figures of 300 rooms are compared" grep -q '^300 ordinary rooms' "$scratch/tables"
+check "nothing goes wrong" nothing "$(cat "$scratch/said")"
+
+# pooled PLACES: 93 to 97 % of the truths are in their ranges, all methods together.
+pooled() {
+    grep "^pooled, $1: " "$scratch/tables"
+    awk -v start="pooled, $1:" 'index($0, start) == 1 && $3 >= 93 && $3 <= 97 { good = 1 }
+        END { exit !good }' "$scratch/tables"
+}
+# marked TITLE: the lines of methods outside 92 to 98 % in the table of that title.
+marked() {
+    awk -v title="$1" '$0 == title { inside = 1 } inside && /^left out/ { exit }
+        inside && /too (low|high)$/' "$scratch/tables"
+}
+check "95 % of the truths at points are in the ranges, give or take 2 %" pooled points
+check "95 % of the true averages are in the ranges, give or take 2 %" pooled averages
+check "every method has 92 to 98 % at points" nothing "$(marked 'At points')"
+check "every method has 92 to 98 % of the averages" \
+    nothing "$(marked 'Averages over the working plane')"
+
+# near MEAN NINTH: the advised average, corrected, is off by no more, in per cent.
+near() {
+    grep '^average, ' "$scratch/tables"
+    awk -v mean="$1" -v ninth="$2" '/^average, corrected/ {
+            good = $3 > 100 && $4 <= mean && $8 <= ninth
+        }
+        END { exit !good }' "$scratch/tables"
+}
+check "the advised averages, corrected, err by 4 % at most, nine in ten by 7 %" near 4 7
+tap_done
