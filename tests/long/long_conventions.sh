@@ -12,7 +12,7 @@ for number in ${CONVENTIONS:-$(seq 60)}; do
     for written in no yes; do
         awk -v number="$number" -v written=$written -f "$srcdir/tests/lib/conventions.awk" \
             >"$scratch/$written.xml"
-        factors $engines 0.3% "$scratch/$written.xml" >"$scratch/$written"
+        factors $engines 0.2% "$scratch/$written.xml" >"$scratch/$written"
     done
     check "room $number is the one written out in polygons" \
         agree "$scratch/no" "$scratch/yes" 0.01
