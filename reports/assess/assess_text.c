@@ -141,7 +141,10 @@ static void print_finding(const struct pp_finding *finding, const struct layout 
     if (finding->note[0])
         put_note(finding->note, layout, out);
     if (pp_finding_is_open(finding))
-        put_note("the bound lies within the band: by hand this is open", layout, out);
+        put_note(
+            "the true figure may be on the other side of the bound: by hand this is "
+            "open",
+            layout, out);
 }
 
 static void print_answer(const struct pp_answer *answer, struct layout layout,

@@ -26,6 +26,15 @@ static int find(const struct pp_atlas_table *table, const char *prefix,
     return pp_atlas_table_find(table, whole);
 }
 
+/* The column of a feature; -1: there is none, or it goes by the slope of the glass alone, as
+ * the light on openings under an overcast sky does, of which ISO 15469 has another one. */
+static int feature_column(const struct pp_atlas_table *table, int feature)
+{
+    bool by_slope =
+        !table->iso && (feature == PP_ROOM_FACING || feature == PP_ROOM_OPPOSITE);
+    return by_slope ? -1 : pp_atlas_table_find(table, pp_room_feature_names[feature]);
+}
+
 static struct places find_places(const struct pp_atlas_table *table,
                                  enum pp_component component, const char *name)
 {
@@ -39,7 +48,7 @@ static struct places find_places(const struct pp_atlas_table *table,
         .erc = find(table, "", pp_band_features_components[PP_ERC], parts.direct),
         .irc = find(table, "", pp_band_features_components[PP_IRC], parts.internal)};
     for (int i = 0; i < PP_ROOM_FEATURES; i++)
-        places.features[i] = pp_atlas_table_find(table, pp_room_feature_names[i]);
+        places.features[i] = feature_column(table, i);
     return places;
 }
 
@@ -162,7 +171,7 @@ static void count_rooms(struct pp_atlas_bands *bands,
 static void find_spans(struct pp_atlas_bands *bands, const struct pp_atlas_table *table)
 {
     for (int f = 0; f < PP_ROOM_FEATURES; f++) {
-        int column = pp_atlas_table_find(table, pp_room_feature_names[f]);
+        int column = feature_column(table, f);
         struct pp_atlas_span *span = &bands->spans[f];
         *span = (struct pp_atlas_span){INFINITY, -INFINITY};
         for (int i = 0; i < table->row_count; i++) {

@@ -105,8 +105,9 @@ double pp_finding_probability_at_least(double value, double std_error, double wa
 
 bool pp_finding_is_open(const struct pp_finding *finding)
 {
-    return pp_band_is_known(finding->band) && finding->wanted > finding->band.low
-           && finding->wanted < finding->band.high;
+    return pp_band_is_known(finding->band)
+           && finding->wanted > fmin(finding->band.low, finding->figure)
+           && finding->wanted < fmax(finding->band.high, finding->figure);
 }
 
 void pp_finding_note(struct pp_finding *finding, const char *format, ...)

@@ -88,8 +88,8 @@ void pp_finding_sampled(struct pp_finding *finding, double std_error,
  * is `wanted` or more, by the normal distribution. */
 double pp_finding_probability_at_least(double value, double std_error, double wanted);
 
-/* Does the bound lie between the ends of the band, so that the true figure may well be on
- * the other side? */
+/* May the true figure well be on the other side of the bound than the figure is: does the
+ * bound lie in the band, or between it and the figure? */
 bool pp_finding_is_open(const struct pp_finding *finding);
 
 /* Adds text to the finding's note; cut off where the note is full. */

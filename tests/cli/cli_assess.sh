@@ -184,10 +184,11 @@ sed 's/height="9"/height="2"/' "$scratch/over.xml" >"$scratch/over_before.xml"
 check "and the share of before" shows " without the overhangs and balconies" \
     assess -c former-sky --by-hand --before "$scratch/over_before.xml" "$scratch/over.xml"
 
-# Of the flat's Bedroom average-df has 1.71 %, where 2 % is wanted and 2.66 % traced.
-check "an average that is not met, with its bound in the band, is open" sh -c "
+# Of the flat's Bedroom average-df has 1.71 %, where 2 % is wanted and 2.66 % traced: the band
+# begins above 2 %.
+check "an average that is not met, with its bound between it and the band, is open" sh -c "
     '$pepperpot' assess --by-hand -c average --room Bedroom '$examples/building.xml' |
-    grep -A 3 'kitchen ' | grep -q 'by hand this is open'"
+    grep -A 5 'kitchen ' | tr -s ' \n' ' ' | grep -q 'by hand this is open'"
 check "but not where it is met" sh -c "
     '$pepperpot' assess --by-hand -c average --room Bedroom '$examples/building.xml' |
     grep -A 1 'bedroom ' | grep -vq 'is open'"

@@ -268,7 +268,7 @@ for format in pdf svg png; do
         quietly chart position-nomogram -p 1.5,6 -o "$file" "$deep"
 done
 run chart position-nomogram -p 1.5,6 -o "$scratch/position.pdf" "$deep"
-check_words "with what is read" "$scratch/position.pdf" "at the point 0.5 %"
+check_words "with what is read" "$scratch/position.pdf" "at the point 0.49 %"
 check "it is for one point" refuses 2 "drawn from one point" chart position-nomogram -o "$file" "$deep"
 check "and solved" refuses 2 "--unsolved" \
     chart position-nomogram -p 1.5,6 --unsolved -o "$file" "$deep"
