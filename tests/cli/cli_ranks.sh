@@ -104,6 +104,7 @@ a_stop_prints_what_is_there() {
     job=$!
     zero=
     until [ -n "$zero" ]; do
+        kill -0 $job 2>/dev/null || told || return 1
         sleep 0.05
         mpirun=$(pgrep -P $job) && zero=$(pgrep -P "$mpirun" pepperpot | head -n 1)
     done
@@ -155,7 +156,10 @@ a_rank_may_be_killed() {
         --rooms 12 --error 20% --quiet -o "$scratch/killed.csv" \
         >"$scratch/out" 2>"$scratch/err" </dev/null &
     job=$!
-    until grep -q '^0,-1,' "$scratch/killed.csv" 2>/dev/null; do sleep 0.05; done
+    until grep -q '^0,-1,' "$scratch/killed.csv" 2>/dev/null; do
+        kill -0 $job 2>/dev/null || told || return 1
+        sleep 0.05
+    done
     victim=$(pgrep -P "$(pgrep -P $job)" | tail -n 1)
     [ -n "$victim" ] && kill -9 "$victim" || return 1
     until cmp -s "$scratch/never.csv" "$scratch/killed.csv" || ! kill -0 $job 2>/dev/null; do
