@@ -20,22 +20,37 @@ sh "$srcdir/bench/band_coverage.sh" "$pepperpot" >"$scratch/tables" 2>"$scratch/
 check "the figures of 300 rooms are compared" grep -q '^300 ordinary rooms' "$scratch/tables"
 check "nothing goes wrong" nothing "$(cat "$scratch/said")"
 
+# Shares of some 280 rooms have a standard error of 100 sqrt(0.0475 / rooms), 1.3 %, which the limits
+# are widened by.
+
 # pooled PLACES: 93 to 97 % of the truths are in their ranges, all methods together.
 pooled() {
     grep "^pooled, $1: " "$scratch/tables"
-    awk -v start="pooled, $1:" 'index($0, start) == 1 && $3 >= 93 && $3 <= 97 { good = 1 }
+    awk -v start="pooled, $1:" '
+        $1 == "all" && $2 > rooms { rooms = $2 }
+        index($0, start) == 1 {
+            slack = 100 * sqrt(0.0475 / rooms)
+            good = $3 >= 93 - slack && $3 <= 97 + slack
+        }
         END { exit !good }' "$scratch/tables"
 }
-# marked TITLE: the lines of methods outside 92 to 98 % in the table of that title.
-marked() {
+# outside TITLE: the lines of methods outside 92 to 98 % in the table of that title. Of averages
+# of the sky component there is no upper limit: the ranges have the noise of an atlas that is
+# traced to 2 %.
+outside() {
     awk -v title="$1" '$0 == title { inside = 1 } inside && /^left out/ { exit }
-        inside && /too (low|high)$/' "$scratch/tables"
+        inside && $3 + 0 > 0 {
+            slack = 100 * sqrt(0.0475 / $3)
+            no_upper = $1 == "sc" && title ~ /^Averages/
+            if ($5 < 92 - slack || ($5 > 98 + slack && !no_upper))
+                print
+        }' "$scratch/tables"
 }
 check "95 % of the truths at points are in the ranges, give or take 2 %" pooled points
 check "95 % of the true averages are in the ranges, give or take 2 %" pooled averages
-check "every method has 92 to 98 % at points" nothing "$(marked 'At points')"
+check "every method has 92 to 98 % at points" nothing "$(outside 'At points')"
 check "every method has 92 to 98 % of the averages" \
-    nothing "$(marked 'Averages over the working plane')"
+    nothing "$(outside 'Averages over the working plane')"
 
 # near MEAN NINTH: the advised average, corrected, is off by no more, in per cent.
 near() {
