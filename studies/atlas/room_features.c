@@ -179,7 +179,7 @@ static enum pp_status fill_outside(double features[PP_ROOM_FEATURES],
 
 /* ---- ordinary rooms ---- */
 
-/* What ordinary rooms have of a feature. */
+/* Ranges of features in ordinary rooms. */
 static const struct {
     enum pp_room_feature feature;
     double from, to;

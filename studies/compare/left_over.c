@@ -21,13 +21,13 @@ static double dot(const double *a, const double *b, int count)
     return sum;
 }
 
-/* Coordinates of order of 1: from the first point, over the farthest's distance. */
-static struct pp_vec3 scaled(const struct pp_vec3 *places, int point, int count)
+/* The distance of the farthest point from the first. */
+static double farthest(const struct pp_vec3 *places, int count)
 {
     double far = 1e-9;
     for (int i = 0; i < count; i++)
         far = fmax(far, pp_vec_length(pp_vec_sub(places[i], places[0])));
-    return pp_vec_scale(pp_vec_sub(places[point], places[0]), 1.0 / far);
+    return far;
 }
 
 static double term_at(int term, struct pp_vec3 at)
@@ -51,11 +51,13 @@ static void take_off(double *list, const double *basis, int made, int count)
 /* Orthonormal polynomials over the points, at most `most`; returns how many. */
 static int make_basis(double *basis, const struct pp_vec3 *places, int count, int most)
 {
+    double far = farthest(places, count); /* makes coordinates of order of 1 */
     int made = 0;
     for (int term = 0; term < TERMS && made < most; term++) {
         double *next = &basis[made * count];
         for (int i = 0; i < count; i++)
-            next[i] = term_at(term, scaled(places, i, count));
+            next[i] = term_at(
+                term, pp_vec_scale(pp_vec_sub(places[i], places[0]), 1.0 / far));
         double before = sqrt(dot(next, next, count));
         take_off(next, basis, made, count);
         take_off(next, basis, made, count); /* rounding of the first */

@@ -7,7 +7,7 @@
 
 #include "model/base/array.h"
 
-/* What a traced set does; those without a common factor only. */
+/* The effect of a traced set; those without a common factor only. */
 struct pp_known_set {
     int suspects[PP_BLAME_MOST], count;
     bool makes_sense;
@@ -17,9 +17,9 @@ struct pp_known_set {
     double *middle, *most;
 };
 
-/* What two do together is off from the sum by a share of the smaller, up to this either
- * way, much the same at all points; and by as much again at each point by itself. What
- * three do is off from what their pairs do by the last. */
+/* Two together are off from their sum by a share of the smaller, up to this either
+ * way, much the same at all points; and by as much again at each point by itself. The sum of
+ * three is off from that of their pairs by the last. */
 static const double OFF_SHARE = 0.6, OFF_SHARE_AT_A_POINT = 0.1;
 /* A suspect that does less than this (root mean square of logarithms) is not told. */
 static const double LEAST_EFFECT = 0.001;
@@ -119,7 +119,7 @@ static double smaller(double a, double b)
     return fmin(fabs(a), fabs(b));
 }
 
-/* What a pair does beyond the sum of both, at a point: traced, or by how far it is
+/* The excess of a pair over the sum of both, at a point: traced, or by how far it is
  * off. *slack grows by as much as that may be wrong. */
 static double together(const struct pp_set_effects *effects,
                        const struct pp_known_set *a, const struct pp_known_set *b,

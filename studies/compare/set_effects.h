@@ -51,7 +51,7 @@ double pp_set_effects_left(struct pp_set_effects *effects, const int *suspects,
 double pp_set_effects_fit(struct pp_set_effects *effects, const int *suspects,
                           int count, bool has_factor, double *width);
 
-/* How much a pair may do beyond the sum of both: by what is smaller of them at each
+/* The most that a pair may do beyond the sum of both: by what is smaller of them at each
  * point. 0: it is traced. */
 double pp_set_effects_unknown(const struct pp_set_effects *effects, const int pair[2],
                               double level);

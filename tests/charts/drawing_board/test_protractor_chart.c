@@ -197,7 +197,8 @@ static void any_glass_slope_and_even_sky_has_a_protractor(void **state)
     assert_non_null(strstr(err.message, "azimuths"));
 }
 
-/* Of every size and format, one after the other or together; the figures are the method's. */
+/* Windows of every size and format, one after the other or together; the figures are the
+ * method's. */
 static void a_worked_chart_is_drawn_of_windows_and_rooflights(void **state)
 {
     (void)state;

@@ -292,7 +292,7 @@ static void check_room(struct sheet *sheet, const char *path, struct json_object
     free(text);
 }
 
-/* How many formulae were recomputed in a file's rooms; under sanitizers, where a run of the
+/* Counts the formulae recomputed in a file's rooms; under sanitizers, where a run of the
  * program takes a quarter of a second, in every third. */
 static int check_file(const char *path, bool in_json)
 {

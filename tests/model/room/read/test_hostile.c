@@ -84,7 +84,7 @@ static char *repeated(const char *head, const char *unit, const char *tail, size
     return text;
 }
 
-/* What would take the square of its size, if anything here did: 4 MiB of it; under
+/* Text that would take the square of its size, if anything here did: 4 MiB of it; under
  * sanitizers enough for 200,000 elements. */
 static void bulk_takes_no_more_than_its_share(void **state)
 {
