@@ -320,6 +320,13 @@ enum pp_meeting pp_light_scene_meet_by(const struct pp_light_scene *scene,
     if (scene->convex && ray->space == PP_INDOORS
         && meet_convex(scene, ray, nearest, hit))
         return PP_MEETS_PART;
+    return pp_light_scene_trace(scene, ray, hit);
+}
+
+enum pp_meeting pp_light_scene_trace(const struct pp_light_scene *scene,
+                                     const struct pp_light_ray *ray,
+                                     struct pp_light_hit *hit)
+{
     struct pp_vec3 start = pp_rays_lift(ray->from, ray->off);
     float origin[3] = {(float)start.x, (float)start.y, (float)start.z};
     float direction[3] = {(float)ray->to.x, (float)ray->to.y, (float)ray->to.z};

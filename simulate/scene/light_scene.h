@@ -110,6 +110,11 @@ enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
                                     const struct pp_light_ray *ray,
                                     struct pp_light_hit *hit);
 
+/* The same by the ray kernels alone, without what is known of convex rooms. */
+enum pp_meeting pp_light_scene_trace(const struct pp_light_scene *scene,
+                                     const struct pp_light_ray *ray,
+                                     struct pp_light_hit *hit);
+
 /* The same with the ray's nearest plane; NULL: not known. */
 enum pp_meeting pp_light_scene_meet_by(const struct pp_light_scene *scene,
                                        const struct pp_light_ray *ray,

@@ -33,4 +33,13 @@ static inline struct pp_vec3 pp_rays_lift(struct pp_vec3 p, struct pp_vec3 n)
     return pp_vec_along(p, 0x1p-20 + 0x1p-20 * reach, n);
 }
 
+/* The point at which a ray along `to` has met a surface, back along the ray by half of what
+ * lifts rays off their surface: in a corner, to the bit, it would lie in the other surface
+ * too, and a ray that starts there might be on the wrong side of that. */
+static inline struct pp_vec3 pp_rays_draw_back(struct pp_vec3 point, struct pp_vec3 to)
+{
+    double reach = fabs(point.x) + fabs(point.y) + fabs(point.z);
+    return pp_vec_along(point, -0x1p-21 - 0x1p-21 * reach, to);
+}
+
 #endif

@@ -197,7 +197,7 @@ static bool bounce(struct pp_path_state *state, struct path_arm *arm, int vertex
 {
     const struct pp_light_part *part = &state->light.scene->parts[arm->met.part];
     struct path_fan fan = {
-        .from = pp_path_vertex_drawn_back(arm->met.point, arm->ray.to),
+        .from = pp_rays_draw_back(arm->met.point, arm->ray.to),
         .frame = {part->a, part->b, arm->met.normal},
         .lobes = lobes,
         .throughput = arm->throughput,

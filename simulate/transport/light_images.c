@@ -49,7 +49,7 @@ bool pp_light_images_view(struct pp_radiance_state *state,
     pp_light_scene_parts_lobes(scene, &hit, ray.to, &view->lobes);
     view->window = scene->window_images[image].window;
     view->there =
-        (struct pp_shading_point){.point = pp_path_vertex_drawn_back(hit.point, ray.to),
+        (struct pp_shading_point){.point = pp_rays_draw_back(hit.point, ray.to),
                                   .normal = hit.normal,
                                   .space = hit.space,
                                   .diffuse = pp_rgb_grey(0.0),
@@ -121,7 +121,7 @@ bool pp_light_images_in_glass(struct pp_radiance_state *state,
         return false;
     struct pp_rgb weight =
         pp_rgb_scale(shading->diffuse, cosine / (PP_PI * pdf * PP_GLASS_CHANCE));
-    hit.point = pp_path_vertex_drawn_back(hit.point, ray.to);
+    hit.point = pp_rays_draw_back(hit.point, ray.to);
     if (!pp_light_scene_parts_reflect(scene, &hit, &ray, &weight))
         return false;
     *there = (struct pp_shading_point){.point = hit.point,

@@ -354,14 +354,14 @@ static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *
 {
     const struct pp_light_part *part = &state->scene->parts[hit->part];
     struct pp_rgb albedo = state->scene->materials[hit->material].diffuse;
-    struct pp_shading_point shading = {
-        .point = pp_path_vertex_drawn_back(hit->point, path->ray.to),
-        .normal = hit->normal,
-        .space = hit->space,
-        .diffuse = albedo,
-        .vertex = path->vertex,
-        .depth = path->depth,
-        .split = path->split};
+    struct pp_shading_point shading = {.point =
+                                           pp_rays_draw_back(hit->point, path->ray.to),
+                                       .normal = hit->normal,
+                                       .space = hit->space,
+                                       .diffuse = albedo,
+                                       .vertex = path->vertex,
+                                       .depth = path->depth,
+                                       .split = path->split};
     pp_path_turn_note_met(path, hit->space);
     if (pp_rgb_is_black(albedo))
         return false;
@@ -434,7 +434,7 @@ static bool scatter(struct pp_radiance_state *state, struct pp_light_path *path,
     lobes_of(state, path, hit, &lobes);
     path->here_arrival = arrival_of(state, path, hit);
     struct pp_light_hit from = *hit;
-    from.point = pp_path_vertex_drawn_back(hit->point, path->ray.to);
+    from.point = pp_rays_draw_back(hit->point, path->ray.to);
     /* Behind clear glass it is still the first surface that scatters. */
     bool first = path->split && path->bounces <= FIRST_FEW;
     path->here_gloss_rays = 1;

@@ -240,14 +240,14 @@ static struct pp_rgb sample_reflection(struct pp_radiance_state *state,
         return none;
     struct pp_lobes lobes;
     pp_light_scene_parts_lobes(scene, &hit, ray.to, &lobes);
-    const struct pp_shading_point there = {
-        .point = pp_path_vertex_drawn_back(hit.point, ray.to),
-        .normal = hit.normal,
-        .space = hit.space,
-        .diffuse = none,
-        .lobes = &lobes,
-        .vertex = vertex,
-        .whole_gloss = true};
+    const struct pp_shading_point there = {.point =
+                                               pp_rays_draw_back(hit.point, ray.to),
+                                           .normal = hit.normal,
+                                           .space = hit.space,
+                                           .diffuse = none,
+                                           .lobes = &lobes,
+                                           .vertex = vertex,
+                                           .whole_gloss = true};
     struct pp_rgb light = sample_connection(state, &there, reflection->emitter,
                                             pp_path_vertex_branch(vertex, 0));
     double pdf = pp_reflectors_pdf(scene, index, shading->point, ray.to);

@@ -190,14 +190,4 @@ static inline uint32_t pp_path_vertex_direction_count(
     return count;
 }
 
-/* The point at which a ray has met a surface, back along the ray by half of what lifts
- * rays off their surface (rays.h): in a corner, to the bit, it would lie in the other
- * surface too, and a ray that starts there might be on the wrong side of that. */
-static inline struct pp_vec3 pp_path_vertex_drawn_back(struct pp_vec3 point,
-                                                       struct pp_vec3 to)
-{
-    double reach = fabs(point.x) + fabs(point.y) + fabs(point.z);
-    return pp_vec_along(point, -0x1p-21 - 0x1p-21 * reach, to);
-}
-
 #endif

@@ -4,7 +4,8 @@
 #include <string.h>
 
 static const struct pp_engine *const engines[] = {
-    &pp_engine_path, &pp_engine_cache, &pp_engine_photons, &pp_engine_radiosity, NULL,
+    &pp_engine_path,      &pp_engine_cache, &pp_engine_photons,
+    &pp_engine_radiosity, &pp_engine_plain, NULL,
 };
 
 const struct pp_engine *pp_engine_at(int index)

@@ -77,7 +77,7 @@ struct pp_engine {
 };
 
 extern const struct pp_engine pp_engine_path, pp_engine_cache, pp_engine_photons,
-    pp_engine_radiosity;
+    pp_engine_radiosity, pp_engine_plain;
 
 const struct pp_engine *pp_engine_at(int index);          /* NULL behind the last */
 const struct pp_engine *pp_engine_find(const char *name); /* NULL: there is none */

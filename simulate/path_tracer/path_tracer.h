@@ -1,0 +1,66 @@
+/* path_tracer.h - daylight factors of a room by plain path tracing.
+ *
+ * The same expectations, options and readings as the tracer's (simulate/tracer/tracer.h),
+ * by the loop of path_trace.c and nothing else: slower, and easy to check. Tests hold the
+ * tracer against it.
+ *
+ * At a point in a room the daylight factor is
+ *
+ *     direct     irradiance through the openings, by next-event estimation: sky component
+ *                and externally reflected component, by what the path outside meets first
+ *     reflected  pi times the mean radiance over the cosine lobe of the point, without
+ *                that light: internally reflected component
+ *
+ * Where there is no room, the whole is the cosine lobe's.
+ */
+#ifndef PP_SIMULATE_PATH_TRACER_PATH_TRACER_H
+#define PP_SIMULATE_PATH_TRACER_PATH_TRACER_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "model/base/error.h"
+#include "model/results/reading.h"
+#include "model/room/world.h"
+#include "simulate/scene/environment.h"
+#include "simulate/scene/light_scene.h"
+
+struct pp_path_tracer_options {
+    double
+        error; /* wanted standard error over the daylight factor, at every point; 0: go
+                   * by samples or the caller's clock alone */
+    long samples; /* paths a point in each randomisation instead of error; 0: not set */
+    uint64_t seed;
+    int threads;  /* 0: as many as the machine has processors */
+    bool average; /* the average over the working plane too */
+};
+
+struct pp_path_tracer;
+
+/* scene: a world's, with every finish diffuse. Copies the receivers; scene and environment
+ * must live as long as the tracer. */
+enum pp_status pp_path_tracer_create(struct pp_path_tracer **tracer,
+                                     const struct pp_light_scene *scene,
+                                     const struct pp_environment *environment,
+                                     const struct pp_receiver *receivers,
+                                     int receiver_count,
+                                     const struct pp_path_tracer_options *options,
+                                     struct pp_error *err);
+void pp_path_tracer_destroy(struct pp_path_tracer *tracer); /* NULL is allowed */
+
+/* Works for about `seconds` (by the clock; at least one batch of work). */
+enum pp_status pp_path_tracer_advance(struct pp_path_tracer *tracer, double seconds,
+                                      struct pp_error *err);
+bool pp_path_tracer_done(const struct pp_path_tracer *tracer);
+
+/* The share of the work that is done, 0 to 1; the largest standard error over daylight
+ * factor of any point so far, NAN before there is any. */
+double pp_path_tracer_progress(const struct pp_path_tracer *tracer);
+double pp_path_tracer_error(const struct pp_path_tracer *tracer);
+
+/* readings[PP_SC] ... readings[PP_DF] of receiver `index`; for -1 of the average over the
+ * working plane. */
+void pp_path_tracer_read(const struct pp_path_tracer *tracer, int index,
+                         struct pp_reading readings[PP_COMPONENT_COUNT]);
+
+#endif

@@ -1,0 +1,107 @@
+/* engine_plain.c - the plain path tracer of simulate/path_tracer as an engine: what
+ * engine_path.c gives, by the textbook. */
+#include <stdlib.h>
+
+#include "simulate/path_tracer/path_tracer.h"
+#include "studies/engines/engine.h"
+
+/* The light on the scene, and the tracer. */
+struct plain_run {
+    struct pp_environment *environment;
+    struct pp_path_tracer *tracer;
+};
+
+static void destroy(void *data)
+{
+    struct plain_run *run = data;
+    if (!run)
+        return;
+    pp_path_tracer_destroy(run->tracer);
+    pp_environment_destroy(run->environment);
+    free(run);
+}
+
+static enum pp_status make(struct plain_run *run, const struct pp_light_scene *scene,
+                           const struct pp_report *report,
+                           const struct pp_engine_options *options,
+                           struct pp_error *err)
+{
+    const struct pp_path_tracer_options wanted = {.error = options->error,
+                                                  .samples = options->samples,
+                                                  .seed = options->seed,
+                                                  .threads = options->threads,
+                                                  .average = true};
+    enum pp_status status =
+        pp_light_scene_under(&run->environment, scene, &report->light, err);
+    if (status == PP_OK)
+        status = pp_path_tracer_create(&run->tracer, scene, run->environment,
+                                       report->receivers, report->receiver_count,
+                                       &wanted, err);
+    return status;
+}
+
+static enum pp_status create(void **data, const struct pp_light_scene *scene,
+                             const struct pp_report *report,
+                             const struct pp_engine_options *options,
+                             struct pp_error *err)
+{
+    struct plain_run *run = calloc(1, sizeof *run);
+    if (!run)
+        return pp_fail_memory(err);
+    enum pp_status status = make(run, scene, report, options, err);
+    if (status != PP_OK) {
+        destroy(run);
+        run = NULL;
+    }
+    *data = run;
+    return status;
+}
+
+static enum pp_status advance(void *data, double seconds, struct pp_error *err)
+{
+    struct plain_run *run = data;
+    return pp_path_tracer_advance(run->tracer, seconds, err);
+}
+
+static bool done(const void *data)
+{
+    const struct plain_run *run = data;
+    return pp_path_tracer_done(run->tracer);
+}
+
+static double progress(const void *data)
+{
+    const struct plain_run *run = data;
+    return pp_path_tracer_progress(run->tracer);
+}
+
+static double error(const void *data)
+{
+    const struct plain_run *run = data;
+    return pp_path_tracer_error(run->tracer);
+}
+
+static void read(const void *data, int index,
+                 struct pp_reading readings[PP_COMPONENT_COUNT])
+{
+    const struct plain_run *run = data;
+    pp_path_tracer_read(run->tracer, index, readings);
+}
+
+const struct pp_engine pp_engine_plain = {
+    .name = "plain",
+    .column = "plain",
+    .summary = "light paths by the textbook: slow, to check the others",
+    .said = "by plain path tracing",
+    .deviation = "one standard error",
+    .from = "from plain, %",
+    .is_truth = true,
+    .is_sampled = true,
+    .create = create,
+    .advance = advance,
+    .done = done,
+    .progress = progress,
+    .error = error,
+    .read = read,
+    .destroy = destroy,
+};
