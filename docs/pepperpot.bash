@@ -30,8 +30,8 @@ _pepperpot()
     elif [ "$command" = render ] && [ "$previous" = --exposure ]; then
         mapfile -t COMPREPLY < <(compgen -W 'auto human' -- "$word")
     elif [ "$previous" = --engine ]; then
-        local engines='cache path'
-        [ "$command" = render ] || engines='cache path path,cache'
+        local engines='cache path plain'
+        [ "$command" = render ] || engines='cache path path,cache path,plain photons plain radiosity'
         mapfile -t COMPREPLY < <(compgen -W "$engines" -- "$word")
     elif [ "$command" = render ] && [ "$previous" = --windows ]; then
         mapfile -t COMPREPLY < <(compgen -W 'stored aimed chance' -- "$word")

@@ -144,4 +144,9 @@ repeats() {
     done
 }
 check "the overcast sky's gradation is in one place" nothing "$(repeats)"
+# The code in docs/theory.md is the program's.
+theory_code() {
+    ${AWK:-awk} -v top=. -f docs/code_blocks.awk docs/theory.md 2>&1 | diff docs/theory.md - | head
+}
+check "the code in docs/theory.md is that of the sources (make theory)" nothing "$(theory_code)"
 tap_done
