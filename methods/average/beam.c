@@ -6,7 +6,7 @@
 
 #include "methods/average/beam_tree.h"
 #include "model/geometry/clip.h"
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 
 enum pp_status pp_beam_create(struct pp_beam **made, const struct pp_world *world,
                               const struct pp_opening *opening, bool with_outside,
@@ -78,13 +78,13 @@ static bool lies_beside(const struct face_extent *extent, const struct pp_vec3 *
                         const struct pp_vec3 *high, double a, double b)
 {
     double near = a * low->z, far = a * high->z;
-    if (high->x - pp_smaller(near, far) <= extent->low[0]
-        || low->x - pp_larger(near, far) >= extent->high[0])
+    if (high->x - pp_min(near, far) <= extent->low[0]
+        || low->x - pp_max(near, far) >= extent->high[0])
         return true;
     near = b * low->z;
     far = b * high->z;
-    return high->y - pp_smaller(near, far) <= extent->low[1]
-           || low->y - pp_larger(near, far) >= extent->high[1];
+    return high->y - pp_min(near, far) <= extent->low[1]
+           || low->y - pp_max(near, far) >= extent->high[1];
 }
 
 static struct face_extent extent_of(const struct pp_fragments *fragments)

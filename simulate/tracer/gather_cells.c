@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 #include "simulate/sampling/lanes.h"
 #include "simulate/scene/light_scene_parts.h"
 
@@ -76,7 +76,7 @@ static double least_guess(const struct pp_gather_cells *cells)
     for (int i = 0; i < cells->scene->world->face_count; i++) {
         const struct pp_radiosity_grid *grid = &cells->radiosity->grids[i][0];
         for (int k = 0; k < grid->columns * grid->rows; k++)
-            least = pp_smaller(least, cells->radiosity->values[grid->first + k]);
+            least = pp_min(least, cells->radiosity->values[grid->first + k]);
     }
     return least;
 }
