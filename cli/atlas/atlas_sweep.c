@@ -40,11 +40,11 @@ static enum pp_status open_source(struct row_source *source,
 }
 
 /* Rows of a room, as the bytes that are dealt for. */
-static enum pp_status rows_of(void *data, int member, int room, char **rows,
+static enum pp_status rows_of(void *data, int worker, int room, char **rows,
                               size_t *length, struct pp_error *err)
 {
     const struct row_source *source = ((struct sweep *)data)->source;
-    (void)member;
+    (void)worker;
     if (source->table)
         return pp_atlas_renewal_rows(rows, length, &source->columns, &source->design,
                                      source->table, room, err);

@@ -27,7 +27,7 @@ static enum pp_status pack(const struct pp_report *report, bool by_clock, char *
 }
 
 /* In a report of its own, as another rank's figures of the room may come meanwhile. */
-static enum pp_status work(void *data, int member, int room, char **bytes,
+static enum pp_status work(void *data, int worker, int room, char **bytes,
                            size_t *length, struct pp_error *err)
 {
     const struct pp_room_dealing *dealing = data;
@@ -40,7 +40,7 @@ static enum pp_status work(void *data, int member, int room, char **bytes,
                                .threads = of->threads,
                                .finished = true};
     bool by_clock = false;
-    (void)member;
+    (void)worker;
     enum pp_status status =
         dealing->simulate(dealing->data, room, &report, &by_clock, err);
     if (status == PP_OK)

@@ -21,8 +21,8 @@ struct pp_deal {
                      * over ranks: one */
 
     /* Works out an index: *bytes, from malloc, and their number. By several threads at a
-     * time; `member`, from 0, is who of them. */
-    enum pp_status (*work)(void *data, int member, int index, char **bytes,
+     * time; `worker`, from 0, is who of them. */
+    enum pp_status (*work)(void *data, int worker, int index, char **bytes,
                            size_t *length, struct pp_error *err);
 
     /* Takes what an index gave, in the order of the indices, by one thread at a time. */

@@ -71,12 +71,12 @@ void pp_deal_book_destroy(struct pp_deal_book *book)
     free(book);
 }
 
-void pp_deal_book_work(const struct pp_deal *deal, int member, int index,
+void pp_deal_book_work(const struct pp_deal *deal, int worker, int index,
                        struct pp_deal_gift *gift)
 {
     *gift = (struct pp_deal_gift){0};
     gift->status =
-        deal->work(deal->data, member, index, &gift->bytes, &gift->length, &gift->err);
+        deal->work(deal->data, worker, index, &gift->bytes, &gift->length, &gift->err);
     if (gift->status != PP_OK) {
         free(gift->bytes);
         gift->bytes = NULL;

@@ -20,7 +20,7 @@ enum pp_status pp_deal_book_create(struct pp_deal_book **book,
 void pp_deal_book_destroy(struct pp_deal_book *book); /* NULL is allowed */
 
 /* Works an index out. */
-void pp_deal_book_work(const struct pp_deal *deal, int member, int index,
+void pp_deal_book_work(const struct pp_deal *deal, int worker, int index,
                        struct pp_deal_gift *gift);
 
 /* An index's turn is over: takes what can be taken, and looks whether to go on. The

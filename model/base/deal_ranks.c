@@ -15,8 +15,8 @@
 #include <time.h>
 
 #include "model/base/clock.h"
-#include "model/base/crew.h"
 #include "model/base/deal_book.h"
+#include "model/base/thread_pool.h"
 
 /* Between two looks for a message; and between two questions of who was told to wait. */
 static const double look_s = 0.0005, ask_again_s = 0.1;
@@ -64,8 +64,8 @@ static enum pp_status send_to(const struct pp_ranks *ranks, int to,
 
 struct leading {
     const struct pp_deal *deal;
-    struct pp_deal_book *book; /* by one thread at a time: the crew's lock */
-    struct pp_crew *crew;
+    struct pp_deal_book *book; /* by one thread at a time: the pool's lock */
+    struct pp_thread_pool *pool;
     int threads;           /* of all ranks that have asked, and rank 0's own */
     enum pp_status status; /* of messages */
     struct pp_error err;
@@ -145,12 +145,12 @@ static void lead(struct leading *leading)
         int from;
         enum pp_status status =
             ranks->receive(ranks->data, &from, &message, &length, &leading->err);
-        pp_crew_lock(leading->crew);
+        pp_thread_pool_lock(leading->pool);
         if (status == PP_OK && message)
             status = hear(leading, from, message, length, &leading->err);
         leading->status = status;
         over = status != PP_OK || pp_deal_book_is_over(leading->book);
-        pp_crew_unlock(leading->crew);
+        pp_thread_pool_unlock(leading->pool);
         if (!message && !over)
             wait_s(look_s);
         free(message);
@@ -158,18 +158,18 @@ static void lead(struct leading *leading)
 }
 
 /* A thread of rank 0's own: the next index of any, until it is over. */
-static void work(struct leading *leading, int member)
+static void work(struct leading *leading, int worker)
 {
     const struct pp_deal *deal = leading->deal;
     for (;;) {
         int index;
         const double now_s = pp_clock_s();
-        pp_crew_lock(leading->crew);
+        pp_thread_pool_lock(leading->pool);
         bool over = leading->status != PP_OK || pp_deal_book_is_over(leading->book);
         bool given = !over
                      && (pp_deal_book_give(leading->book, 0, 1, now_s, &index) == 1
                          || pp_deal_book_give_again(leading->book, 0, now_s, &index));
-        pp_crew_unlock(leading->crew);
+        pp_thread_pool_unlock(leading->pool);
         if (over)
             return;
         if (!given) {
@@ -177,23 +177,23 @@ static void work(struct leading *leading, int member)
             continue;
         }
         struct pp_deal_gift gift;
-        pp_deal_book_work(deal, member - 1, index, &gift);
-        pp_crew_lock(leading->crew);
+        pp_deal_book_work(deal, worker - 1, index, &gift);
+        pp_thread_pool_lock(leading->pool);
         pp_deal_book_hear(leading->book, 0, pp_clock_s());
         pp_deal_book_enter(leading->book, index, &gift);
-        pp_crew_unlock(leading->crew);
+        pp_thread_pool_unlock(leading->pool);
     }
 }
 
-/* Crew work: the caller deals, the others work, each until it is over. */
-static bool lead_or_work(void *data, int member, int index)
+/* Pool work: the caller deals, the others work, each until it is over. */
+static bool lead_or_work(void *data, int worker, int index)
 {
     struct leading *leading = data;
     (void)index;
-    if (member == 0)
+    if (worker == 0)
         lead(leading);
     else
-        work(leading, member);
+        work(leading, worker);
     return true;
 }
 
@@ -212,9 +212,9 @@ enum pp_status pp_deal_ranks_lead(const struct pp_deal *deal, int *next,
     struct leading leading = {.deal = deal, .threads = own * deal->ranks->count};
     enum pp_status status = pp_deal_book_create(&leading.book, deal, err);
     if (status == PP_OK)
-        status = pp_crew_create(&leading.crew, own + 1, err);
+        status = pp_thread_pool_create(&leading.pool, own + 1, err);
     if (status == PP_OK) {
-        pp_crew_run(leading.crew, 0, own + 1, lead_or_work, &leading);
+        pp_thread_pool_run(leading.pool, 0, own + 1, lead_or_work, &leading);
         status = pp_deal_book_end(leading.book, next, err);
         if (status == PP_OK && leading.status != PP_OK) {
             status = leading.status;
@@ -223,7 +223,7 @@ enum pp_status pp_deal_ranks_lead(const struct pp_deal *deal, int *next,
         }
     }
     pp_deal_ranks_dismiss(deal->ranks);
-    pp_crew_destroy(leading.crew);
+    pp_thread_pool_destroy(leading.pool);
     pp_deal_book_destroy(leading.book);
     return status;
 }
@@ -236,11 +236,11 @@ struct following {
     int first;
 };
 
-/* Crew work. */
-static bool do_index(void *data, int member, int index)
+/* Pool work. */
+static bool do_index(void *data, int worker, int index)
 {
     const struct following *following = data;
-    pp_deal_book_work(following->deal, member, index,
+    pp_deal_book_work(following->deal, worker, index,
                       &following->gifts[index - following->first]);
     return true;
 }
@@ -259,15 +259,15 @@ static enum pp_status tell(const struct pp_ranks *ranks, int index,
 }
 
 /* A chunk, as many indices at a time as there are threads. */
-static enum pp_status do_chunk(struct following *following, struct pp_crew *crew,
+static enum pp_status do_chunk(struct following *following, struct pp_thread_pool *pool,
                                int first, int count, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    const int size = pp_crew_size(crew), end = first + count;
+    const int size = pp_thread_pool_size(pool), end = first + count;
     for (int from = first; from < end && status == PP_OK; from += size) {
         int to = end - from < size ? end : from + size;
         following->first = from;
-        pp_crew_run(crew, from, to, do_index, following);
+        pp_thread_pool_run(pool, from, to, do_index, following);
         for (int i = from; i < to; i++) {
             enum pp_status told =
                 tell(following->deal->ranks, i, &following->gifts[i - from], err);
@@ -304,24 +304,25 @@ static enum pp_status ask(const struct pp_ranks *ranks, int threads, struct head
 enum pp_status pp_deal_ranks_follow(const struct pp_deal *deal, struct pp_error *err)
 {
     struct following following = {.deal = deal};
-    struct pp_crew *crew;
+    struct pp_thread_pool *pool;
     struct head said = {.kind = WAIT};
     enum pp_status status =
-        pp_crew_create(&crew, deal->threads > 0 ? deal->threads : 1, err);
+        pp_thread_pool_create(&pool, deal->threads > 0 ? deal->threads : 1, err);
     if (status != PP_OK)
         return status;
-    following.gifts = calloc((size_t)pp_crew_size(crew), sizeof *following.gifts);
+    following.gifts =
+        calloc((size_t)pp_thread_pool_size(pool), sizeof *following.gifts);
     if (!following.gifts)
         status = pp_fail_memory(err);
     while (status == PP_OK && said.kind != OVER) {
-        status = ask(deal->ranks, pp_crew_size(crew), &said, err);
+        status = ask(deal->ranks, pp_thread_pool_size(pool), &said, err);
         if (status == PP_OK && said.kind == GIVE)
-            status = do_chunk(&following, crew, said.index, said.count, err);
+            status = do_chunk(&following, pool, said.index, said.count, err);
         if (status == PP_OK && said.kind == WAIT)
             wait_s(ask_again_s);
     }
     free(following.gifts);
-    pp_crew_destroy(crew);
+    pp_thread_pool_destroy(pool);
     return status == PP_OK ? pp_fail(err, PP_INTERRUPTED, "rank 0 has no more work")
                            : status;
 }

@@ -69,14 +69,14 @@ static void mean_by_openings(const struct pp_balance *balance, int index,
     }
 }
 
-static bool by_openings(void *data, int member, int index)
+static bool by_openings(void *data, int worker, int index)
 {
     struct pp_balance *balance = data;
     const struct pp_element *element = &balance->tree->list[index];
     const struct pp_facet *facet = &balance->tree->facets->list[element->side / 2];
     struct pp_balance_row *row = &balance->rows[index];
     struct pp_taker taker = taker_of(balance, index);
-    (void)member;
+    (void)worker;
     if (row->has_openings || element->part_count > 0)
         return true;
     mean_by_openings(balance, index, &row->openings);
@@ -90,13 +90,13 @@ static bool by_openings(void *data, int member, int index)
     return true;
 }
 
-static bool by_elements(void *data, int member, int index)
+static bool by_elements(void *data, int worker, int index)
 {
     struct pp_balance *balance = data;
     struct pp_balance_row *row = &balance->rows[index];
     struct pp_taker taker = taker_of(balance, index);
     struct pp_element_light_accuracy accuracy = balance->accuracy.elements;
-    (void)member;
+    (void)worker;
     pp_light_sum_clear(&row->elements);
     row->wanted.count = 0;
     if (balance->tree->list[index].part_count > 0)
@@ -131,7 +131,7 @@ enum pp_status pp_balance_gather(struct pp_balance *balance, struct pp_error *er
     if (status != PP_OK)
         return status;
     int count = balance->row_count;
-    pp_crew_run(balance->crew, 0, count, by_openings, balance);
+    pp_thread_pool_run(balance->pool, 0, count, by_openings, balance);
     for (int i = 0; status == PP_OK && i < count; i++) {
         struct pp_balance_row *row = &balance->rows[i];
         status = pp_outside_cells_resolve(balance->cells, balance->room, &row->openings,
@@ -142,10 +142,10 @@ enum pp_status pp_balance_gather(struct pp_balance *balance, struct pp_error *er
     }
     if (status == PP_OK)
         status =
-            pp_outside_cells_gather(balance->cells, balance->room, balance->crew, err);
+            pp_outside_cells_gather(balance->cells, balance->room, balance->pool, err);
     if (status != PP_OK)
         return status;
-    pp_crew_run(balance->crew, 0, count, by_elements, balance);
+    pp_thread_pool_run(balance->pool, 0, count, by_elements, balance);
     for (int i = 0; i < count; i++)
         if (balance->rows[i].elements.failed)
             return pp_fail_memory(err);

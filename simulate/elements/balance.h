@@ -9,7 +9,7 @@
 #ifndef PP_SIMULATE_ELEMENTS_BALANCE_H
 #define PP_SIMULATE_ELEMENTS_BALANCE_H
 
-#include "model/base/crew.h"
+#include "model/base/thread_pool.h"
 #include "simulate/elements/element_light.h"
 #include "simulate/elements/outside_cells.h"
 
@@ -33,7 +33,7 @@ struct pp_balance {
     struct pp_element_tree *tree; /* none of these is owned */
     const struct pp_light_room *room;
     struct pp_outside_cells *cells;
-    struct pp_crew *crew;
+    struct pp_thread_pool *pool;
     struct pp_balance_accuracy accuracy;
     struct pp_balance_row *rows; /* by element; of undivided ones only */
     int row_count, row_room;

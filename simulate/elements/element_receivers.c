@@ -121,14 +121,14 @@ struct pp_element_light_accuracy pp_element_receivers_accuracy(int level)
                                               .least_factor = 1e-3 / finer};
 }
 
-static bool take_by_openings(void *data, int member, int index)
+static bool take_by_openings(void *data, int worker, int index)
 {
     const struct pp_element_receivers *receivers = data;
     const struct pp_balance *balance = receivers->balance;
     struct pp_element_receiver *receiver = &receivers->list[index];
     struct pp_taker taker = {receiver->at.position, receiver->at.normal, -1};
     struct pp_opening_light_accuracy accuracy = of_openings(receivers->level);
-    (void)member;
+    (void)worker;
     pp_light_sum_clear(&receiver->openings);
     if (has_room(balance->room->facets)) {
         pp_opening_light_add(balance->room, &taker, &accuracy, &receiver->openings);
@@ -140,7 +140,7 @@ static bool take_by_openings(void *data, int member, int index)
     return true;
 }
 
-static bool take_by_elements(void *data, int member, int index)
+static bool take_by_elements(void *data, int worker, int index)
 {
     const struct pp_element_receivers *receivers = data;
     const struct pp_balance *balance = receivers->balance;
@@ -148,7 +148,7 @@ static bool take_by_elements(void *data, int member, int index)
     struct pp_taker taker = {receiver->at.position, receiver->at.normal, -1};
     struct pp_element_light_accuracy accuracy =
         pp_element_receivers_accuracy(receivers->level);
-    (void)member;
+    (void)worker;
     accuracy.tolerance = 0.5 * balance->accuracy.even * receiver->df;
     accuracy.divided = receiver->df > 0.0
                            ? 0.008 / ldexp(1.0, receivers->level) * receiver->df
@@ -178,13 +178,13 @@ static enum pp_status by_openings(struct pp_element_receivers *receivers, int fi
 {
     struct pp_balance *balance = receivers->balance;
     enum pp_status status = PP_OK;
-    pp_crew_run(balance->crew, first, end, take_by_openings, receivers);
+    pp_thread_pool_run(balance->pool, first, end, take_by_openings, receivers);
     for (int i = first; status == PP_OK && i < end; i++)
         status = pp_outside_cells_resolve(balance->cells, balance->room,
                                           &receivers->list[i].openings, err);
     if (status == PP_OK)
         status =
-            pp_outside_cells_gather(balance->cells, balance->room, balance->crew, err);
+            pp_outside_cells_gather(balance->cells, balance->room, balance->pool, err);
     if (status == PP_OK)
         pp_balance_solve(balance);
     return status;
@@ -193,7 +193,8 @@ static enum pp_status by_openings(struct pp_element_receivers *receivers, int fi
 static enum pp_status by_elements(struct pp_element_receivers *receivers, int first,
                                   int end, struct pp_error *err)
 {
-    pp_crew_run(receivers->balance->crew, first, end, take_by_elements, receivers);
+    pp_thread_pool_run(receivers->balance->pool, first, end, take_by_elements,
+                       receivers);
     for (int i = first; i < end; i++) {
         set_value(receivers->balance, &receivers->list[i]);
         if (receivers->list[i].elements.failed)

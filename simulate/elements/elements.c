@@ -34,7 +34,7 @@ struct pp_elements {
     struct pp_outside_cells cells;
     struct pp_light_room room;
     struct pp_balance balance;
-    struct pp_crew *crew;
+    struct pp_thread_pool *pool;
     struct pp_element_receivers receivers;
     int asked;
     int level; /* how many are done */
@@ -175,7 +175,7 @@ static enum pp_status make(struct pp_elements *elements, const struct pp_world *
         status = pp_outdoors_init(&elements->outdoors, world, light,
                                   elements->facets->reach_m, err);
     if (status == PP_OK)
-        status = pp_crew_create(&elements->crew, elements->options.threads, err);
+        status = pp_thread_pool_create(&elements->pool, elements->options.threads, err);
     if (status != PP_OK)
         return status;
     elements->decorations = world->decorations;
@@ -184,7 +184,7 @@ static enum pp_status make(struct pp_elements *elements, const struct pp_world *
     elements->balance = (struct pp_balance){.tree = elements->tree,
                                             .room = &elements->room,
                                             .cells = &elements->cells,
-                                            .crew = elements->crew};
+                                            .pool = elements->pool};
     return PP_OK;
 }
 
@@ -227,7 +227,7 @@ void pp_elements_destroy(struct pp_elements *elements)
     pp_element_tree_destroy(elements->tree);
     pp_element_sight_destroy(elements->sight);
     pp_facets_destroy(elements->facets);
-    pp_crew_destroy(elements->crew);
+    pp_thread_pool_destroy(elements->pool);
     free(elements->now);
     free(elements->before);
     free(elements);

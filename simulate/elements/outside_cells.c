@@ -163,13 +163,13 @@ struct cell_work {
     const struct pp_light_room *room;
 };
 
-static bool gather_one(void *data, int member, int index)
+static bool gather_one(void *data, int worker, int index)
 {
     const struct cell_work *g = data;
     struct pp_outside_cell *cell = &g->cells->list[index];
     const struct pp_facet *facets = g->room->facets->list;
     struct pp_vec3 normal = pp_vec(0.0, 0.0, 1.0);
-    (void)member;
+    (void)worker;
     if (cell->side >= 0)
         normal = pp_vec_scale(facets[cell->side / 2].normal, cell->side % 2 ? -1 : 1);
     for (int i = 0; i < cell->place_count; i++) {
@@ -185,13 +185,14 @@ static bool gather_one(void *data, int member, int index)
 
 enum pp_status pp_outside_cells_gather(struct pp_outside_cells *cells,
                                        const struct pp_light_room *room,
-                                       struct pp_crew *crew, struct pp_error *err)
+                                       struct pp_thread_pool *pool,
+                                       struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     while (status == PP_OK && cells->gathered < cells->count) {
         struct cell_work g = {cells, room};
         int first = cells->gathered, end = cells->count;
-        pp_crew_run(crew, first, end, gather_one, &g);
+        pp_thread_pool_run(pool, first, end, gather_one, &g);
         cells->gathered = end;
         for (int i = first; status == PP_OK && i < end; i++) {
             /* Cells move where there are more of them. */

@@ -9,7 +9,7 @@
 #ifndef PP_SIMULATE_ELEMENTS_OUTSIDE_CELLS_H
 #define PP_SIMULATE_ELEMENTS_OUTSIDE_CELLS_H
 
-#include "model/base/crew.h"
+#include "model/base/thread_pool.h"
 #include "simulate/elements/light_ray.h"
 
 enum { PP_OUTSIDE_CELL_PLACES = 4 };
@@ -46,7 +46,8 @@ enum pp_status pp_outside_cells_resolve(struct pp_outside_cells *cells,
 /* All cells gather that have not, and those that they come to. */
 enum pp_status pp_outside_cells_gather(struct pp_outside_cells *cells,
                                        const struct pp_light_room *room,
-                                       struct pp_crew *crew, struct pp_error *err);
+                                       struct pp_thread_pool *pool,
+                                       struct pp_error *err);
 
 /* What a place outdoors takes from `directions` directions; `turn` sets them off from
  * those of others. part as in light_ray.h. */

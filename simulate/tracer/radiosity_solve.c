@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "model/base/crew.h"
+#include "model/base/thread_pool.h"
 #include "model/geometry/bounds.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
@@ -286,7 +286,7 @@ static void fill_beside(struct pp_radiosity *radiosity,
             radiosity->values[i] = in_figure > 0 ? sum / in_figure : 0.0;
 }
 
-/* The patches that are lit, by any member of a crew. */
+/* The patches that are lit, by any worker of a pool. */
 struct lighting {
     const struct pp_radiosity *radiosity;
     struct radiosity_patch *patches;
@@ -296,9 +296,9 @@ struct lighting {
     uint64_t seed;
 };
 
-static bool light_one(void *data, int member, int i)
+static bool light_one(void *data, int worker, int i)
 {
-    (void)member;
+    (void)worker;
     const struct lighting *lighting = data;
     struct radiosity_patch *patch = &lighting->patches[i];
     if (patch->in_figure)
@@ -313,13 +313,14 @@ static bool light_one(void *data, int member, int i)
 static void work_out(struct pp_radiosity *radiosity, struct radiosity_patch *patches,
                      const struct pp_light_scene *scene,
                      const struct pp_environment *environment,
-                     const struct pp_sobol *sobol, uint64_t seed, struct pp_crew *crew)
+                     const struct pp_sobol *sobol, uint64_t seed,
+                     struct pp_thread_pool *pool)
 {
     const struct pp_world *world = scene->world;
     int count = radiosity->count;
     struct lighting lighting = {radiosity, patches, scene, environment, sobol, seed};
     place_patches(patches, radiosity, scene, world);
-    pp_crew_run(crew, 0, count, light_one, &lighting);
+    pp_thread_pool_run(pool, 0, count, light_one, &lighting);
     exchange(radiosity->values, patches, count, scene);
     for (int i = 0; i < world->surface_count; i++)
         for (int side = 0; side < 2; side++) {
@@ -357,15 +358,15 @@ enum pp_status pp_radiosity_solve(struct pp_radiosity **result,
         radiosity->values = calloc((size_t)radiosity->count, sizeof *radiosity->values);
         patches = calloc((size_t)radiosity->count, sizeof *patches);
     }
-    struct pp_crew *crew = NULL;
+    struct pp_thread_pool *pool = NULL;
     enum pp_status status = radiosity->grids && radiosity->values && patches
-                                ? pp_crew_create(&crew, threads, err)
+                                ? pp_thread_pool_create(&pool, threads, err)
                                 : pp_fail_memory(err);
     if (status == PP_OK)
-        work_out(radiosity, patches, scene, environment, sobol, seed, crew);
+        work_out(radiosity, patches, scene, environment, sobol, seed, pool);
     else
         pp_radiosity_destroy(radiosity);
-    pp_crew_destroy(crew);
+    pp_thread_pool_destroy(pool);
     free(patches);
     *result = status == PP_OK ? radiosity : NULL;
     return status;

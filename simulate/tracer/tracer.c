@@ -108,8 +108,8 @@ static double shared_of(const struct pp_tracer *tracer, struct pp_path_state *pa
 }
 
 static enum pp_status prepare(const void *client, int stage, int first, int count,
-                              const struct pp_counts *wanted, struct pp_crew *crew,
-                              struct pp_error *err)
+                              const struct pp_counts *wanted,
+                              struct pp_thread_pool *pool, struct pp_error *err)
 {
     const struct pp_tracer *tracer = client;
     uint32_t *each = malloc((size_t)count * sizeof *each);
@@ -118,7 +118,7 @@ static enum pp_status prepare(const void *client, int stage, int first, int coun
     for (int i = 0; i < count; i++)
         each[i] = wanted[i].of[SHARED];
     enum pp_status status =
-        pp_shared_light_extend(tracer->shared, stage, first, count, each, crew, err);
+        pp_shared_light_extend(tracer->shared, stage, first, count, each, pool, err);
     free(each);
     return status;
 }

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "model/base/crew.h"
+#include "model/base/thread_pool.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
 #include "simulate/transport/light_path.h"
@@ -113,7 +113,7 @@ static void fill_patch(struct pp_window_table *table, struct pp_radiance_state *
     }
 }
 
-/* The patches of one window, to be filled by any member of a crew. */
+/* The patches of one window, to be filled by any worker of a pool. */
 struct filling {
     struct pp_window_store *store;
     const struct pp_light_scene *scene;
@@ -123,9 +123,9 @@ struct filling {
     int window;
 };
 
-static bool fill(void *data, int member, int patch)
+static bool fill(void *data, int worker, int patch)
 {
-    (void)member;
+    (void)worker;
     const struct filling *filling = data;
     struct pp_window_store *store = filling->store;
     int window = filling->window;
@@ -153,13 +153,14 @@ static uint32_t samples_of(const struct pp_window_store *store)
 
 static void fill_all(struct pp_window_store *store, const struct pp_light_scene *scene,
                      const struct pp_environment *environment,
-                     const struct pp_sobol *sobol, uint64_t seed, struct pp_crew *crew)
+                     const struct pp_sobol *sobol, uint64_t seed,
+                     struct pp_thread_pool *pool)
 {
     for (int i = 0; i < store->count; i++) {
         const struct pp_window_table *table = &store->tables[i];
         int patches = table->radiance ? table->columns * table->rows : 0;
         struct filling filling = {store, scene, environment, sobol, seed, i};
-        pp_crew_run(crew, 0, patches, fill, &filling);
+        pp_thread_pool_run(pool, 0, patches, fill, &filling);
     }
 }
 
@@ -190,7 +191,7 @@ enum pp_status pp_window_store_create(struct pp_window_store **result,
         return PP_OK;
     struct pp_window_store *store = calloc(1, sizeof *store);
     struct pp_sobol *sobol = malloc(sizeof *sobol);
-    struct pp_crew *crew = NULL;
+    struct pp_thread_pool *pool = NULL;
     enum pp_status status = store && sobol ? PP_OK : pp_fail_memory(err);
     if (status == PP_OK) {
         pp_sobol_init(sobol);
@@ -201,12 +202,12 @@ enum pp_status pp_window_store_create(struct pp_window_store **result,
     if (status == PP_OK)
         status = lay_out(store, scene, sobol, seed, err);
     if (status == PP_OK)
-        status = pp_crew_create(&crew, threads, err);
+        status = pp_thread_pool_create(&pool, threads, err);
     if (status == PP_OK) {
         store->samples = samples_of(store);
-        fill_all(store, scene, environment, sobol, seed, crew);
+        fill_all(store, scene, environment, sobol, seed, pool);
     }
-    pp_crew_destroy(crew);
+    pp_thread_pool_destroy(pool);
     free(sobol);
     if (status != PP_OK) {
         pp_window_store_destroy(store);

@@ -8,8 +8,8 @@
 #include <string.h>
 #include <time.h>
 
-#include "model/base/crew.h"
 #include "model/base/deal.h"
+#include "model/base/thread_pool.h"
 
 enum { FIRST = 3, END = 240, RANKS_MOST = 4, MAIL_MOST = 4 * END };
 
@@ -29,11 +29,11 @@ struct taken {
 
 /* Some arithmetic, longer for some indices than for others, so that they overtake one
  * another. */
-static enum pp_status work(void *data, int member, int index, char **bytes,
+static enum pp_status work(void *data, int worker, int index, char **bytes,
                            size_t *length, struct pp_error *err)
 {
     const struct taken *taken = data;
-    (void)member;
+    (void)worker;
     if (index == taken->fails_a || index == taken->fails_b)
         return pp_fail(err, PP_BAD_INPUT, "index %d is wrong", index);
     if (taken->slow)
@@ -234,11 +234,11 @@ static enum pp_status post_receive(void *data, int *from, char **bytes, size_t *
     return PP_OK;
 }
 
-/* Crew work: the life of a rank. */
-static bool live(void *data, int member, int rank)
+/* Pool work: the life of a rank. */
+static bool live(void *data, int worker, int rank)
 {
     struct post *post = data;
-    (void)member;
+    (void)worker;
     int next;
     struct address address = {post, rank, 0};
     const struct pp_ranks ranks = {rank, post->count_of_ranks, post_send, post_receive,
@@ -258,14 +258,14 @@ static bool live(void *data, int member, int rank)
 static void deal_over_ranks(struct post *post, struct taken *taken, int ranks,
                             int threads)
 {
-    struct pp_crew *crew;
+    struct pp_thread_pool *pool;
     pthread_mutex_init(&post->mutex, NULL);
     post->count_of_ranks = ranks;
     post->threads = threads;
     post->taken = taken;
-    assert_int_equal(pp_crew_create(&crew, ranks, NULL), PP_OK);
-    pp_crew_run(crew, 0, ranks, live, post);
-    pp_crew_destroy(crew);
+    assert_int_equal(pp_thread_pool_create(&pool, ranks, NULL), PP_OK);
+    pp_thread_pool_run(pool, 0, ranks, live, post);
+    pp_thread_pool_destroy(pool);
     pthread_mutex_destroy(&post->mutex);
     for (int i = 0; i < post->count; i++)
         free(post->letters[i].bytes);

@@ -1,53 +1,53 @@
-/* test_crew.c - work dealt out to threads: each index once, whoever does it. */
+/* test_thread_pool.c - work dealt out to threads: each index once, whoever does it. */
 #include "tests/lib/near.h"
 
 #include <stdatomic.h>
 #include <string.h>
 
 #include "model/base/clock.h"
-#include "model/base/crew.h"
+#include "model/base/thread_pool.h"
 
 enum { MOST = 10007, MEMBERS_MOST = 9 };
 
-/* What was done, by index and by member. */
+/* What was done, by index and by worker. */
 struct done {
     atomic_int times[MOST];
     atomic_bool busy[MEMBERS_MOST];
-    atomic_int clashes; /* a member at work twice at the same time, or of no number */
-    int size;           /* of the crew */
+    atomic_int clashes; /* a worker at work twice at the same time, or of no number */
+    int size;           /* of the pool */
     int stop_at;        /* -1: nowhere */
 };
 
-static bool note(void *data, int member, int index)
+static bool note(void *data, int worker, int index)
 {
     struct done *done = data;
-    if (member < 0 || member >= done->size
-        || atomic_exchange(&done->busy[member], true)) {
+    if (worker < 0 || worker >= done->size
+        || atomic_exchange(&done->busy[worker], true)) {
         atomic_fetch_add(&done->clashes, 1);
         return false;
     }
     atomic_fetch_add(&done->times[index], 1);
-    atomic_store(&done->busy[member], false);
+    atomic_store(&done->busy[worker], false);
     return index != done->stop_at;
 }
 
 /* How indices are dealt out: one at a time, or by handfuls. */
-typedef int dealer(struct pp_crew *crew, int first, int end, pp_crew_work *work,
-                   void *data);
-static dealer *const dealers[] = {pp_crew_run, pp_crew_run_small};
+typedef int dealer(struct pp_thread_pool *pool, int first, int end,
+                   pp_thread_pool_work *work, void *data);
+static dealer *const dealers[] = {pp_thread_pool_run, pp_thread_pool_run_small};
 
-/* One run by a crew of that size: where it ended. */
+/* One run by a pool of that size: where it ended. */
 static int run(struct done *done, dealer *deal, int size, int first, int end,
                int stop_at)
 {
-    struct pp_crew *crew;
+    struct pp_thread_pool *pool;
     memset(done, 0, sizeof *done);
-    assert_int_equal(pp_crew_create(&crew, size, NULL), PP_OK);
-    assert_int_equal(pp_crew_size(crew), size);
+    assert_int_equal(pp_thread_pool_create(&pool, size, NULL), PP_OK);
+    assert_int_equal(pp_thread_pool_size(pool), size);
     done->size = size;
     done->stop_at = stop_at;
-    int next = deal(crew, first, end, note, done);
-    pp_crew_destroy(crew);
+    int next = deal(pool, first, end, note, done);
+    pp_thread_pool_destroy(pool);
     assert_int_equal(done->clashes, 0);
     return next;
 }
@@ -91,14 +91,14 @@ static void work_that_stops_leaves_no_gap(void **state)
         for (int stop_at = 0; stop_at < 400; stop_at += 37) {
             int next = run(&done, dealers[s / 4], sizes[s % 4], 0, MOST, stop_at);
             assert_true(next > stop_at);
-            if (s == 0) /* one member, one at a time */
+            if (s == 0) /* one worker, one at a time */
                 assert_int_equal(next, stop_at + 1);
             if (s == 4)
                 assert_true(next <= stop_at + 16);
             for (int i = 0; i < MOST; i++)
                 assert_int_equal(done.times[i], i < next);
         }
-    assert_int_equal(run(&done, pp_crew_run, 3, 0, MOST, MOST - 1), MOST);
+    assert_int_equal(run(&done, pp_thread_pool_run, 3, 0, MOST, MOST - 1), MOST);
 }
 
 /* Two indices, each of which is done when the other has begun. */
@@ -107,9 +107,9 @@ struct meeting {
     atomic_int met;
 };
 
-static bool meet(void *data, int member, int index)
+static bool meet(void *data, int worker, int index)
 {
-    (void)member, (void)index;
+    (void)worker, (void)index;
     struct meeting *meeting = data;
     double patience_s = pp_clock_s() + 20.0;
     atomic_fetch_add(&meeting->begun, 1);
@@ -122,55 +122,56 @@ static bool meet(void *data, int member, int index)
 static void two_members_work_at_the_same_time(void **state)
 {
     (void)state;
-    struct pp_crew *crew;
+    struct pp_thread_pool *pool;
     struct meeting meeting = {0};
-    assert_int_equal(pp_crew_create(&crew, 2, NULL), PP_OK);
-    assert_int_equal(pp_crew_run(crew, 0, 2, meet, &meeting), 2);
+    assert_int_equal(pp_thread_pool_create(&pool, 2, NULL), PP_OK);
+    assert_int_equal(pp_thread_pool_run(pool, 0, 2, meet, &meeting), 2);
     assert_int_equal(meeting.met, 2);
-    pp_crew_destroy(crew);
+    pp_thread_pool_destroy(pool);
 }
 
 /* A sum that is nobody's own. */
 struct shared_sum {
-    struct pp_crew *crew;
+    struct pp_thread_pool *pool;
     long sum;
 };
 
-static bool add(void *data, int member, int index)
+static bool add(void *data, int worker, int index)
 {
-    (void)member;
+    (void)worker;
     struct shared_sum *shared = data;
-    pp_crew_lock(shared->crew);
+    pp_thread_pool_lock(shared->pool);
     shared->sum += index;
-    pp_crew_unlock(shared->crew);
+    pp_thread_pool_unlock(shared->pool);
     return true;
 }
 
-/* Short runs, one after another: members come late, and to another run than the one they
+/* Short runs, one after another: workers come late, and to another run than the one they
  * were called to. */
 static void a_crew_works_again_and_again(void **state)
 {
     (void)state;
     struct shared_sum shared = {0};
     long expected = 0;
-    assert_int_equal(pp_crew_create(&shared.crew, 4, NULL), PP_OK);
+    assert_int_equal(pp_thread_pool_create(&shared.pool, 4, NULL), PP_OK);
     for (int k = 0; k < 3000; k++) {
         int count = k % 11;
-        assert_int_equal(pp_crew_run(shared.crew, 0, count, add, &shared), count);
+        assert_int_equal(pp_thread_pool_run(shared.pool, 0, count, add, &shared),
+                         count);
         expected += (long)count * (count - 1) / 2;
         assert_int_equal(shared.sum, expected);
     }
-    pp_crew_destroy(shared.crew);
+    pp_thread_pool_destroy(shared.pool);
 }
 
 static void without_a_number_it_has_the_processors(void **state)
 {
     (void)state;
-    struct pp_crew *crew;
-    assert_int_equal(pp_crew_create(&crew, 0, NULL), PP_OK);
-    assert_true(pp_crew_size(crew) >= 1);
-    pp_crew_destroy(crew);
-    pp_crew_destroy(NULL);
+    struct pp_thread_pool *pool;
+    assert_int_equal(pp_thread_pool_create(&pool, 0, NULL), PP_OK);
+    assert_true(pp_thread_pool_size(pool) >= 1);
+    pp_thread_pool_destroy(pool);
+    pp_thread_pool_destroy(NULL);
 }
 
 TEST_FILE
