@@ -7,7 +7,7 @@
 #include "cli/interrupt.h"
 #include "cli/job.h"
 #include "cli/message.h"
-#include "cli/ranks/deal_rooms.h"
+#include "cli/ranks/room_queue.h"
 #include "cli/watch.h"
 #include "studies/criteria/larger_house.h"
 #include "studies/study_report.h"
@@ -62,10 +62,10 @@ static enum pp_status compute(void *data, struct pp_error *err)
         pp_interrupt_watch();
     if (status == PP_OK)
         status =
-            pp_deal_rooms(&(struct pp_room_dealing){study->simulate ? all->count : 0,
-                                                    run->words->room.ranks, figures,
-                                                    simulate_room, run},
-                          err);
+            pp_room_queue_run(&(struct pp_room_queue){study->simulate ? all->count : 0,
+                                                      run->words->room.ranks, figures,
+                                                      simulate_room, run},
+                              err);
     for (int i = 0; i < all->count && status == PP_OK; i++) {
         struct pp_assessment *one = &all->list[i];
         status = pp_assessment_judge(one, &wanted, err);

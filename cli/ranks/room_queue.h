@@ -1,19 +1,19 @@
-/* deal_rooms.h - the simulations of many rooms, by this process one after the other, or
- * dealt out to ranks.
+/* room_queue.h - the simulations of many rooms, by this process one after the other, or
+ * by ranks.
  */
-#ifndef PP_CLI_RANKS_DEAL_ROOMS_H
-#define PP_CLI_RANKS_DEAL_ROOMS_H
+#ifndef PP_CLI_RANKS_ROOM_QUEUE_H
+#define PP_CLI_RANKS_ROOM_QUEUE_H
 
 #include "model/base/ranks.h"
 #include "model/results/report.h"
 
-/* What is simulated of a room goes to its report, and whether its time was over. */
+/* Results of a room's simulation: columns of its report; true if its time ran out. */
 struct pp_room_figures {
     struct pp_report *report;
     bool *by_clock;
 };
 
-struct pp_room_dealing {
+struct pp_room_queue {
     int count;                    /* of rooms; 0: nothing is simulated */
     const struct pp_ranks *ranks; /* NULL: this process alone */
 
@@ -27,9 +27,9 @@ struct pp_room_dealing {
     void *data;
 };
 
-/* Simulates all rooms; a single one by rank 0, with the threads of its options. Over ranks (deal.h) it ends as interrupted for others than 0,
+/* Simulates all rooms; a single one by rank 0, with the threads of its options. Over ranks (work_queue.h) it ends as interrupted for others than 0,
  * which has the columns of all rooms, the same as if it had been alone. */
-enum pp_status pp_deal_rooms(const struct pp_room_dealing *dealing,
-                             struct pp_error *err);
+enum pp_status pp_room_queue_run(const struct pp_room_queue *queue,
+                                 struct pp_error *err);
 
 #endif

@@ -1,11 +1,11 @@
-/* deal_rooms.c - one room a deal; what is sent are the simulation's columns. */
-#include "cli/ranks/deal_rooms.h"
+/* room_queue.c - one room an index; the bytes sent are the simulation's columns. */
+#include "cli/ranks/room_queue.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/interrupt.h"
-#include "model/base/deal.h"
+#include "model/base/work_queue.h"
 #include "cli/ranks/report_bytes.h"
 
 /* The first byte is whether the time was over. */
@@ -30,8 +30,8 @@ static enum pp_status pack(const struct pp_report *report, bool by_clock, char *
 static enum pp_status work(void *data, int worker, int room, char **bytes,
                            size_t *length, struct pp_error *err)
 {
-    const struct pp_room_dealing *dealing = data;
-    const struct pp_report *of = dealing->figures(dealing->data, room).report;
+    const struct pp_room_queue *queue = data;
+    const struct pp_report *of = queue->figures(queue->data, room).report;
     struct pp_report report = {.world = of->world,
                                .light = of->light,
                                .options = of->options,
@@ -41,8 +41,7 @@ static enum pp_status work(void *data, int worker, int room, char **bytes,
                                .finished = true};
     bool by_clock = false;
     (void)worker;
-    enum pp_status status =
-        dealing->simulate(dealing->data, room, &report, &by_clock, err);
+    enum pp_status status = queue->simulate(queue->data, room, &report, &by_clock, err);
     if (status == PP_OK)
         status = pack(&report, by_clock, bytes, length, err);
     pp_report_clear(&report);
@@ -52,8 +51,8 @@ static enum pp_status work(void *data, int worker, int room, char **bytes,
 static enum pp_status take(void *data, int room, const char *bytes, size_t length,
                            struct pp_error *err)
 {
-    const struct pp_room_dealing *dealing = data;
-    struct pp_room_figures figures = dealing->figures(dealing->data, room);
+    const struct pp_room_queue *queue = data;
+    struct pp_room_figures figures = queue->figures(queue->data, room);
     *figures.by_clock |= bytes[0] != 0;
     return pp_report_bytes_read(figures.report, bytes + 1, length - 1, err);
 }
@@ -65,35 +64,34 @@ static bool look(void *data, double done)
 }
 
 /* Those from `first` on, by this process. */
-static enum pp_status alone(const struct pp_room_dealing *dealing, int first,
+static enum pp_status alone(const struct pp_room_queue *queue, int first,
                             struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    for (int i = first; i < dealing->count && status == PP_OK; i++) {
-        struct pp_room_figures figures = dealing->figures(dealing->data, i);
-        status =
-            dealing->simulate(dealing->data, i, figures.report, figures.by_clock, err);
+    for (int i = first; i < queue->count && status == PP_OK; i++) {
+        struct pp_room_figures figures = queue->figures(queue->data, i);
+        status = queue->simulate(queue->data, i, figures.report, figures.by_clock, err);
     }
     return status;
 }
 
 /* After a stop, rooms that were not taken get what a process alone has of them: the watch
  * of the simulation ends each as soon as it has begun. */
-enum pp_status pp_deal_rooms(const struct pp_room_dealing *dealing,
-                             struct pp_error *err)
+enum pp_status pp_room_queue_run(const struct pp_room_queue *queue,
+                                 struct pp_error *err)
 {
     int next;
-    const struct pp_deal deal = {.end = dealing->count,
-                                 .threads = 1,
-                                 .work = work,
-                                 .take = take,
-                                 .look = look,
-                                 .data = (void *)dealing,
-                                 .ranks = dealing->ranks};
-    if (!dealing->ranks || (dealing->count <= 1 && dealing->ranks->rank == 0))
-        return alone(dealing, 0, err);
-    if (dealing->count <= 1)
+    const struct pp_work_queue rooms = {.end = queue->count,
+                                        .threads = 1,
+                                        .work = work,
+                                        .collect = take,
+                                        .goes_on = look,
+                                        .data = (void *)queue,
+                                        .ranks = queue->ranks};
+    if (!queue->ranks || (queue->count <= 1 && queue->ranks->rank == 0))
+        return alone(queue, 0, err);
+    if (queue->count <= 1)
         return pp_fail(err, PP_INTERRUPTED, "one room is rank 0's");
-    enum pp_status status = pp_deal_run(&deal, &next, err);
-    return status == PP_OK ? alone(dealing, next, err) : status;
+    enum pp_status status = pp_work_queue_run(&rooms, &next, err);
+    return status == PP_OK ? alone(queue, next, err) : status;
 }

@@ -1,4 +1,4 @@
-/* test_deal.c - numbered work dealt out: taken in order, and the same bytes whoever does
+/* test_work_queue.c - numbered work: collected in order, and the same bytes whoever does
  * it, by threads and by ranks that write to one another in this process. */
 #include "tests/lib/near.h"
 
@@ -8,14 +8,14 @@
 #include <string.h>
 #include <time.h>
 
-#include "model/base/deal.h"
 #include "model/base/thread_pool.h"
+#include "model/base/work_queue.h"
 
 enum { FIRST = 3, END = 240, RANKS_MOST = 4, MAIL_MOST = 4 * END };
 
 /* ---- the work ---- */
 
-/* What a deal gives: the bytes taken, one after the other. */
+/* The results of a queue: the bytes collected, one after the other. */
 struct taken {
     char bytes[20 * END];
     size_t length;
@@ -70,17 +70,17 @@ static bool look(void *data, double done)
 static const struct taken nothing = {
     .next = FIRST, .fails_a = -1, .fails_b = -1, .refused = -1, .stop = -1};
 
-static enum pp_status deal(struct taken *taken, int threads, struct pp_error *err)
+static enum pp_status run_queue(struct taken *taken, int threads, struct pp_error *err)
 {
     int next;
-    const struct pp_deal of = {.first = FIRST,
-                               .end = END,
-                               .threads = threads,
-                               .work = work,
-                               .take = take,
-                               .look = look,
-                               .data = taken};
-    enum pp_status status = pp_deal_run(&of, &next, err);
+    const struct pp_work_queue of = {.first = FIRST,
+                                     .end = END,
+                                     .threads = threads,
+                                     .work = work,
+                                     .collect = take,
+                                     .goes_on = look,
+                                     .data = taken};
+    enum pp_status status = pp_work_queue_run(&of, &next, err);
     assert_int_equal(next, taken->next);
     return status;
 }
@@ -116,7 +116,7 @@ static void threads_give_the_bytes_of_a_plain_loop(void **state)
     (void)state;
     for (int s = 0; s < 4; s++) {
         struct taken taken = nothing;
-        assert_int_equal(deal(&taken, sizes[s], NULL), PP_OK);
+        assert_int_equal(run_queue(&taken, sizes[s], NULL), PP_OK);
         assert_all(&taken);
     }
 }
@@ -130,7 +130,7 @@ static void the_first_index_that_fails_is_named_after_all_before_it_are_taken(
         struct taken taken = nothing;
         taken.fails_a = 97;
         taken.fails_b = 95;
-        assert_int_equal(deal(&taken, sizes[s], &err), PP_BAD_INPUT);
+        assert_int_equal(run_queue(&taken, sizes[s], &err), PP_BAD_INPUT);
         assert_string_equal(err.message, "index 95 is wrong");
         assert_int_equal(taken.next, 95);
     }
@@ -143,7 +143,7 @@ static void what_is_not_taken_ends_it(void **state)
         struct pp_error err = {0};
         struct taken taken = nothing;
         taken.refused = 41;
-        assert_int_equal(deal(&taken, sizes[s], &err), PP_SYSTEM);
+        assert_int_equal(run_queue(&taken, sizes[s], &err), PP_SYSTEM);
         assert_string_equal(err.message, "index 41 cannot be kept");
         assert_int_equal(taken.next, 41);
     }
@@ -155,7 +155,7 @@ static void a_stop_leaves_what_was_taken_without_a_gap(void **state)
     for (int s = 0; s < 4; s++) {
         struct taken taken = nothing;
         taken.stop = 50;
-        assert_int_equal(deal(&taken, sizes[s], NULL), PP_OK);
+        assert_int_equal(run_queue(&taken, sizes[s], NULL), PP_OK);
         assert_true(sizes[s] == 1 ? taken.next == 50 : taken.next >= 50);
         assert_prefix(&taken);
     }
@@ -165,8 +165,9 @@ static void nothing_to_deal_is_done_at_once(void **state)
 {
     (void)state;
     int next = 0;
-    const struct pp_deal none = {.first = 7, .end = 7, .work = work, .take = take};
-    assert_int_equal(pp_deal_run(&none, &next, NULL), PP_OK);
+    const struct pp_work_queue none = {
+        .first = 7, .end = 7, .work = work, .collect = take};
+    assert_int_equal(pp_work_queue_run(&none, &next, NULL), PP_OK);
     assert_int_equal(next, 7);
 }
 
@@ -243,15 +244,15 @@ static bool live(void *data, int worker, int rank)
     struct address address = {post, rank, 0};
     const struct pp_ranks ranks = {rank, post->count_of_ranks, post_send, post_receive,
                                    &address};
-    const struct pp_deal of = {.first = FIRST,
-                               .end = END,
-                               .threads = post->threads,
-                               .work = work,
-                               .take = take,
-                               .look = look,
-                               .data = post->taken,
-                               .ranks = &ranks};
-    post->status[rank] = pp_deal_run(&of, &next, rank == 0 ? &post->err : NULL);
+    const struct pp_work_queue of = {.first = FIRST,
+                                     .end = END,
+                                     .threads = post->threads,
+                                     .work = work,
+                                     .collect = take,
+                                     .goes_on = look,
+                                     .data = post->taken,
+                                     .ranks = &ranks};
+    post->status[rank] = pp_work_queue_run(&of, &next, rank == 0 ? &post->err : NULL);
     return true;
 }
 
