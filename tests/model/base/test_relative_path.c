@@ -1,5 +1,5 @@
-/* test_folder_way.c - ways between folders that are there, each walked. */
-#include "model/base/folder_way.h"
+/* test_relative_path.c - ways between folders that are there, each walked. */
+#include "model/base/relative_path.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,12 +44,12 @@ static int clear(void **state)
 
 static void assert_way(const char *from, const char *to, const char *wanted)
 {
-    char file[256], moved[256], *way = NULL;
+    char file[256], moved[256], *prefix = NULL;
     snprintf(file, sizeof file, "%s/%s/room.xml", top, from);
     snprintf(moved, sizeof moved, "%s/%s/sized.xml", top, to);
-    assert_int_equal(pp_folder_way(&way, file, moved, NULL), PP_OK);
-    assert_string_equal(way, wanted);
-    free(way);
+    assert_int_equal(pp_relative_path_prefix(&prefix, file, moved, NULL), PP_OK);
+    assert_string_equal(prefix, wanted);
+    free(prefix);
 }
 
 static void ways_lead_up_to_what_is_common_and_down(void **state)
@@ -82,23 +82,24 @@ static void a_folder_that_is_not_there_changes_nothing(void **state)
     assert_way("a", "none", "");
 }
 
-/* From any of the folders, the way and the name of a file in any other lead to that file. */
+/* From any of the folders, the prefix and the name of a file in any other lead to that file. */
 static void every_way_can_be_walked(void **state)
 {
     (void)state;
     for (int i = 0; i < FOLDERS; i++)
         for (int k = 0; k < FOLDERS; k++) {
-            char file[256], moved[256], walked[1024], *way;
+            char file[256], moved[256], walked[1024], *prefix;
             struct stat there, met;
             snprintf(file, sizeof file, "%s/%s/x", top, folders[i]);
             snprintf(moved, sizeof moved, "%s/%s/y", top, folders[k]);
-            assert_int_equal(pp_folder_way(&way, file, moved, NULL), PP_OK);
-            snprintf(walked, sizeof walked, "%s/%s/%s.", top, folders[k], way);
+            assert_int_equal(pp_relative_path_prefix(&prefix, file, moved, NULL),
+                             PP_OK);
+            snprintf(walked, sizeof walked, "%s/%s/%s.", top, folders[k], prefix);
             file[strlen(file) - 1] = '\0';
             assert_int_equal(stat(file, &there), 0);
             assert_int_equal(stat(walked, &met), 0);
             assert_true(there.st_ino == met.st_ino && there.st_dev == met.st_dev);
-            free(way);
+            free(prefix);
         }
 }
 

@@ -1,5 +1,5 @@
-/* folder_way.c - see folder_way.h. */
-#include "model/base/folder_way.h"
+/* relative_path.c - see relative_path.h. */
+#include "model/base/relative_path.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,12 +28,12 @@ static size_t common(const char *a, const char *b)
     }
 }
 
-enum pp_status pp_folder_way(char **way, const char *file, const char *moved,
-                             struct pp_error *err)
+enum pp_status pp_relative_path_prefix(char **prefix, const char *file,
+                                       const char *moved, struct pp_error *err)
 {
     char *from = whole_folder_of(file), *to = whole_folder_of(moved);
     size_t length;
-    FILE *out = open_memstream(way, &length);
+    FILE *out = open_memstream(prefix, &length);
     if (out && from && to) {
         size_t shared = common(from, to);
         for (const char *at = to + shared; *at; at++)
