@@ -1,8 +1,8 @@
 /* path_turn.c - see path_turn.h. */
 #include "simulate/transport/path_turn.h"
 
-#include "simulate/sampling/choose.h"
 #include "simulate/sampling/lobe.h"
+#include "simulate/sampling/sample_discrete.h"
 
 void pp_path_turn_note_met(struct pp_light_path *path, enum pp_space space)
 {
@@ -27,7 +27,7 @@ enum pp_lobe pp_path_turn_choose_lobe(const struct pp_lobes *lobes, double u,
         total += chance[i] = pp_rgb_most(lobes->share[i]);
     if (!(total > 0.0))
         return PP_LOBE_COUNT;
-    int chosen = pp_choose_by(chance, PP_LOBE_COUNT, u * total);
+    int chosen = pp_sample_discrete(chance, PP_LOBE_COUNT, u * total);
     *throughput = pp_rgb_scale(pp_rgb_times(*throughput, lobes->share[chosen]),
                                total / chance[chosen]);
     return (enum pp_lobe)chosen;
