@@ -74,8 +74,8 @@ static const struct pp_niche_light *niches_from(const struct pp_path_state *stat
                : NULL;
 }
 
-bool pp_path_is_brought(const struct pp_path_state *state, struct pp_vec3 from,
-                        const struct pp_light_hit *met)
+bool pp_path_counted_by_nee(const struct pp_path_state *state, struct pp_vec3 from,
+                            const struct pp_light_hit *met)
 {
     return state->niches && state->light.scene->parts[met->part].niche >= 0
            && niches_from(state, from);
@@ -175,7 +175,7 @@ static double gathered(struct pp_path_state *state, const struct pp_light_ray *r
 {
     struct pp_light_hit met;
     if (pp_radiance_state_meet_by(&state->light, ray, nearest, &met) != PP_MEETS_PART
-        || pp_path_is_brought(state, ray->from, &met))
+        || pp_path_counted_by_nee(state, ray->from, &met))
         return 0.0;
     double guess = pp_path_guess(state, &met);
     return cells ? pp_gather_cells_left(state->cells, ray, &met, guess) : guess;

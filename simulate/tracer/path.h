@@ -95,10 +95,9 @@ struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
                                          struct pp_vec3 point, struct pp_vec3 normal,
                                          int vertex, uint32_t directions);
 
-/* Has next-event estimation at a point the light of what a ray has met that comes straight
- * from there? */
-bool pp_path_is_brought(const struct pp_path_state *state, struct pp_vec3 from,
-                        const struct pp_light_hit *met);
+/* True if next-event estimation at `from` already counts the light of this hit. */
+bool pp_path_counted_by_nee(const struct pp_path_state *state, struct pp_vec3 from,
+                            const struct pp_light_hit *met);
 
 /* Add the samples of the paths from state->light.index to `end`, one after the other; the
  * index is `end` afterwards. Gathered light and its correction are internally reflected,

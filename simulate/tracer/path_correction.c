@@ -147,7 +147,7 @@ static double gathered(const struct pp_path_state *state, const struct path_fan 
 {
     if (!arm->at_once)
         return guess;
-    if (!fan->gathers || pp_path_is_brought(state, fan->from, &arm->met))
+    if (!fan->gathers || pp_path_counted_by_nee(state, fan->from, &arm->met))
         return 0.0;
     return fan->cells ? pp_gather_cells_left(state->cells, &arm->ray, &arm->met, guess)
                       : guess;

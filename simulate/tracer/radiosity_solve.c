@@ -183,10 +183,10 @@ static void light_patch(struct radiosity_patch *patch,
             patch->point, n, pp_lobe_sample_in_frame(part->a, part->b, n, u[0], u[1]),
             PP_INDOORS};
         enum pp_meeting meeting = pp_radiance_state_meet(&state.light, &ray, &met);
-        patch->seen[i] =
-            meeting == PP_MEETS_PART && !pp_path_is_brought(&state, patch->point, &met)
-                ? pp_radiosity_nearest(radiosity, scene, &met)
-                : -1;
+        patch->seen[i] = meeting == PP_MEETS_PART
+                                 && !pp_path_counted_by_nee(&state, patch->point, &met)
+                             ? pp_radiosity_nearest(radiosity, scene, &met)
+                             : -1;
     }
 }
 
