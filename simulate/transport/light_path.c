@@ -9,7 +9,7 @@
 #include "simulate/transport/light_images.h"
 #include "simulate/transport/light_sources.h"
 #include "simulate/transport/light_windows.h"
-#include "simulate/transport/path_turn.h"
+#include "simulate/transport/path_scatter.h"
 #include "simulate/transport/window_store.h"
 
 enum {
@@ -267,12 +267,12 @@ static bool go_on(struct pp_radiance_state *state, struct pp_light_path *path,
     double u[4]; /* direction (2), lobe, Russian roulette */
     pp_sobol_sequence_draw(&state->sequence, state->index, path->vertex * PP_DRAWS, 4,
                            u);
-    enum pp_lobe lobe = pp_path_turn_choose_lobe(lobes, u[2], &path->throughput);
+    enum pp_lobe lobe = pp_path_scatter_choose_lobe(lobes, u[2], &path->throughput);
     if (lobe == PP_LOBE_COUNT
-        || !pp_path_turn_by_lobe(state, path, lobes, lobe, hit, u[0], u[1]))
+        || !pp_path_scatter_by_lobe(state, path, lobes, lobe, hit, u[0], u[1]))
         return false;
     bool diffuse = lobe == PP_LOBE_DIFFUSE || lobe == PP_LOBE_THROUGH_DIFFUSE;
-    return pp_path_turn_survives(
+    return pp_path_scatter_survives(
         path, diffuse ? path->least : LEAST_GLOSS * path->least, u[3]);
 }
 
@@ -295,7 +295,7 @@ static struct pp_rgb follow_lobe(struct pp_radiance_state *state,
         state->index = index * count + i;
         pp_sobol_sequence_draw(&state->sequence, state->index,
                                branch.vertex++ * PP_DRAWS, 2, u);
-        if (pp_path_turn_by_lobe(state, &branch, lobes, lobe, hit, u[0], u[1]))
+        if (pp_path_scatter_by_lobe(state, &branch, lobes, lobe, hit, u[0], u[1]))
             sum = pp_rgb_add(sum, pp_light_path_follow(state, &branch, NULL));
     }
     state->index = index;
@@ -362,7 +362,7 @@ static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *
         .vertex = path->vertex,
         .depth = path->depth,
         .split = path->split};
-    pp_path_turn_note_met(path, hit->space);
+    pp_path_scatter_note_met(path, hit->space);
     if (pp_rgb_is_black(albedo))
         return false;
     struct pp_rgb here = direct_light(state, &shading, path);
@@ -377,8 +377,9 @@ static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *
         pp_lobe_frame(hit->normal, &frame.x, &frame.y);
     path->depth++;
     path->split = false;
-    double chance = pp_path_turn_matt(state, path, shading.point, &frame, hit->space);
-    return pp_path_turn_survives(path, path->least, chance);
+    double chance =
+        pp_path_scatter_diffuse(state, path, shading.point, &frame, hit->space);
+    return pp_path_scatter_survives(path, path->least, chance);
 }
 
 /* The ground, a diffuse surface outdoors. No cache is asked for its light, and it does not
@@ -394,7 +395,7 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
     uint32_t count =
         path->split ? GROUND_DIRECTIONS * (uint32_t)state->options.source_most : 1;
     double share = pp_outside_light_ground(&state->environment->light) / count, chance;
-    pp_path_turn_note_met(path, hit->space);
+    pp_path_scatter_note_met(path, hit->space);
     if (state->options.ground_counts && path->depth++ >= state->options.bounces)
         return false;
     path->throughput = pp_rgb_scale(path->throughput, share);
@@ -404,14 +405,15 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
     for (uint32_t i = 1; i < count; i++) {
         struct pp_light_path branch = *path;
         state->index = index * count + i;
-        pp_path_turn_matt(state, &branch, hit->point, &level, hit->space);
+        pp_path_scatter_diffuse(state, &branch, hit->point, &level, hit->space);
         branch.vertex = pp_path_vertex_branch(path->vertex, PP_DRAWS);
         *total = pp_rgb_add(*total, pp_light_path_follow(state, &branch, NULL));
     }
     state->index = index * count;
-    chance = pp_path_turn_matt(state, path, hit->point, &level, hit->space);
+    chance = pp_path_scatter_diffuse(state, path, hit->point, &level, hit->space);
     state->index = index;
-    return count > 1 || pp_path_turn_survives(path, LEAST_GROUND * path->least, chance);
+    return count > 1
+           || pp_path_scatter_survives(path, LEAST_GROUND * path->least, chance);
 }
 
 /* How a ray has come to a reflector, for light that was sampled by way of it. */

@@ -1,16 +1,16 @@
-/* path_turn.c - see path_turn.h. */
-#include "simulate/transport/path_turn.h"
+/* path_scatter.c - see path_scatter.h. */
+#include "simulate/transport/path_scatter.h"
 
 #include "simulate/sampling/lobe.h"
 #include "simulate/sampling/sample_discrete.h"
 
-void pp_path_turn_note_met(struct pp_light_path *path, enum pp_space space)
+void pp_path_scatter_note_met(struct pp_light_path *path, enum pp_space space)
 {
     if (path->first_met == PP_MET_NOTHING)
         path->first_met = space == PP_INDOORS ? PP_MET_INSIDE : PP_MET_OUTSIDE;
 }
 
-bool pp_path_turn_survives(struct pp_light_path *path, double least, double u)
+bool pp_path_scatter_survives(struct pp_light_path *path, double least, double u)
 {
     double chance = pp_rgb_most(path->throughput) / least;
     if (chance >= 1.0)
@@ -19,8 +19,8 @@ bool pp_path_turn_survives(struct pp_light_path *path, double least, double u)
     return u < chance;
 }
 
-enum pp_lobe pp_path_turn_choose_lobe(const struct pp_lobes *lobes, double u,
-                                      struct pp_rgb *throughput)
+enum pp_lobe pp_path_scatter_choose_lobe(const struct pp_lobes *lobes, double u,
+                                         struct pp_rgb *throughput)
 {
     double chance[PP_LOBE_COUNT], total = 0.0;
     for (int i = 0; i < PP_LOBE_COUNT; i++)
@@ -67,10 +67,10 @@ static void note_sampled(const struct pp_radiance_state *state,
     }
 }
 
-bool pp_path_turn_by_lobe(const struct pp_radiance_state *state,
-                          struct pp_light_path *path, const struct pp_lobes *lobes,
-                          enum pp_lobe lobe, const struct pp_light_hit *hit, double u,
-                          double v)
+bool pp_path_scatter_by_lobe(const struct pp_radiance_state *state,
+                             struct pp_light_path *path, const struct pp_lobes *lobes,
+                             enum pp_lobe lobe, const struct pp_light_hit *hit,
+                             double u, double v)
 {
     double factor;
     if (!pp_scatter_sample(lobes, lobe, u, v, &path->ray.to, &factor))
@@ -78,7 +78,7 @@ bool pp_path_turn_by_lobe(const struct pp_radiance_state *state,
     path->throughput = pp_rgb_scale(path->throughput, factor);
     bool through = pp_scatter_goes_through(lobe);
     if (!through)
-        pp_path_turn_note_met(path, hit->space);
+        pp_path_scatter_note_met(path, hit->space);
     path->ray.from = hit->point;
     path->ray.off = through ? pp_vec_scale(lobes->frame.z, -1.0) : lobes->frame.z;
     path->ray.space = pp_light_scene_parts_space(state->scene, hit, through);
@@ -86,9 +86,9 @@ bool pp_path_turn_by_lobe(const struct pp_radiance_state *state,
     return true;
 }
 
-double pp_path_turn_matt(const struct pp_radiance_state *state,
-                         struct pp_light_path *path, struct pp_vec3 from,
-                         const struct pp_frame *frame, enum pp_space space)
+double pp_path_scatter_diffuse(const struct pp_radiance_state *state,
+                               struct pp_light_path *path, struct pp_vec3 from,
+                               const struct pp_frame *frame, enum pp_space space)
 {
     double u[4]; /* direction (2), none, Russian roulette */
     pp_sobol_sequence_draw(&state->sequence, state->index, path->vertex * PP_DRAWS, 4,
