@@ -18,7 +18,7 @@
 #include "simulate/render/overture.h"
 #include "simulate/render/render_cache.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/transport/window_store.h"
+#include "simulate/transport/opening_store.h"
 
 /* A slice of the work, and the time between two checkpoints. */
 static const double slice_s = 0.1, checkpoint_s = 30.0;
@@ -152,8 +152,8 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
         status = pp_render_view(&render.camera, &size, choice, made->scene, world, err);
     if (status == PP_OK && render.light.stored)
         status =
-            pp_window_store_create(&made->store, made->scene, made->environment,
-                                   options->study.seed, options->study.threads, err);
+            pp_opening_store_create(&made->store, made->scene, made->environment,
+                                    options->study.seed, options->study.threads, err);
     if (status != PP_OK)
         return status;
     render.width = size.width;
@@ -306,7 +306,7 @@ void pp_make_picture_clear(struct pp_made_picture *made)
     pp_render_destroy(made->render);
     pp_irradiance_cache_destroy(made->cache);
     free(made->marks);
-    pp_window_store_destroy(made->store);
+    pp_opening_store_destroy(made->store);
     pp_environment_destroy(made->environment);
     pp_light_scene_destroy(made->scene);
     *made = (struct pp_made_picture){0};

@@ -13,7 +13,7 @@ enum {
 struct pp_irradiance_cache {
     const struct pp_light_scene *scene;       /* not owned */
     const struct pp_environment *environment; /* not owned; NULL: of a description */
-    const struct pp_window_store *store;      /* not owned; may be NULL */
+    const struct pp_opening_store *store;     /* not owned; may be NULL */
     struct pp_radiance_options light;
     struct pp_cache_options options;
     struct pp_thread_pool *pool;

@@ -8,9 +8,9 @@
 #include "simulate/scene/environment.h"
 #include "simulate/transport/light_images.h"
 #include "simulate/transport/light_sources.h"
-#include "simulate/transport/light_windows.h"
+#include "simulate/transport/opening_store.h"
 #include "simulate/transport/path_scatter.h"
-#include "simulate/transport/window_store.h"
+#include "simulate/transport/sample_openings.h"
 
 enum {
     /* A path ends here where nothing ever absorbs. */
@@ -60,12 +60,12 @@ struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
  * path. */
 static struct pp_rgb light_outside(struct pp_radiance_state *state,
                                    const struct pp_shading_point *shading,
-                                   const struct pp_window_sample *sample,
+                                   const struct pp_opening_sample *sample,
                                    enum pp_first_met *first_met)
 {
     const struct pp_light_scene *scene = state->scene;
     const struct pp_light_ray *ray = &sample->ray;
-    const struct pp_pane *pane = &scene->panes[sample->window];
+    const struct pp_pane *pane = &scene->panes[sample->opening];
     struct pp_rgb radiance = pp_rgb_grey(0.0);
     struct pp_light_hit hit;
     enum pp_meeting meeting;
@@ -83,12 +83,13 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
     }
     if (meeting == PP_MEETS_LEAK
         || (state->options.stored && state->store
-            && pp_window_table_radiance(&state->store->tables[sample->window],
-                                        &pane->target, ray->from, ray->to,
-                                        hit.distance_m, &radiance)))
+            && pp_opening_table_radiance(&state->store->tables[sample->opening],
+                                         &pane->target, ray->from, ray->to,
+                                         hit.distance_m, &radiance)))
         return radiance;
     struct pp_light_path path = pp_light_path_outside(
-        state, ray, pp_light_windows_vertex(shading, sample->window), shading->depth);
+        state, ray, pp_sample_openings_vertex(shading, sample->opening),
+        shading->depth);
     if (pp_light_path_arrive(state, &path, meeting, &hit, &radiance))
         radiance = pp_rgb_add(radiance, pp_light_path_follow(state, &path, NULL));
     *first_met = path.first_met;
@@ -101,7 +102,7 @@ static void add_images(struct pp_radiance_state *state,
                        struct pp_irradiance *sum)
 {
     struct pp_image_view view;
-    struct pp_window_sample sample;
+    struct pp_opening_sample sample;
     enum pp_first_met first_met;
     if (!pp_light_images_view(state, shading, &view)
         || !pp_light_images_sample(state, &view, &sample))
@@ -115,7 +116,7 @@ void pp_light_path_glass(struct pp_radiance_state *state,
                          struct pp_glass_view *view, struct pp_irradiance *sum)
 {
     struct pp_shading_point there;
-    struct pp_window_sample sample;
+    struct pp_opening_sample sample;
     enum pp_first_met first_met;
     if (!pp_light_images_in_glass(state, shading, view, &there, &sample))
         return;
@@ -125,7 +126,7 @@ void pp_light_path_glass(struct pp_radiance_state *state,
 
 /* The light of a niche's side, which is diffuse. */
 static void add_side(const struct pp_niche_light *niches,
-                     const struct pp_window_sample *sample, struct pp_rgb *sum)
+                     const struct pp_opening_sample *sample, struct pp_rgb *sum)
 {
     struct pp_rgb worth = pp_rgb_scale(sample->weight, 1.0 / PP_PI);
     double exitance = niches->exitance(niches->of, &sample->side, worth.g);
@@ -136,10 +137,10 @@ void pp_light_path_windows(struct pp_radiance_state *state,
                            const struct pp_shading_point *shading,
                            struct pp_irradiance *sum)
 {
-    struct pp_window_sampling sampling;
-    struct pp_window_sample sample;
-    pp_light_windows_begin(state, shading, &sampling);
-    while (pp_light_windows_next(state, &sampling, &sample)) {
+    struct pp_opening_sampling sampling;
+    struct pp_opening_sample sample;
+    pp_sample_openings_begin(state, shading, &sampling);
+    while (pp_sample_openings_next(state, &sampling, &sample)) {
         enum pp_first_met first_met;
         if (sample.on_side) {
             add_side(shading->niches, &sample, &sum->rest);
@@ -341,7 +342,7 @@ static void lobes_of(struct pp_radiance_state *state, const struct pp_light_path
     int window = scene->parts[hit->part].window;
     if (window < 0 || hit->back)
         return;
-    double weight = pp_light_windows_weight(state, path, window);
+    double weight = pp_sample_openings_weight(state, path, window);
     lobes->share[PP_LOBE_STRAIGHT] =
         pp_rgb_scale(lobes->share[PP_LOBE_STRAIGHT], weight);
     lobes->share[PP_LOBE_THROUGH_DIFFUSE] =

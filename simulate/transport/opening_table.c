@@ -1,12 +1,12 @@
-/* window_table.c - patches of an opening and bins of directions: laid out and read. */
-#include "simulate/transport/window_table.h"
+/* opening_table.c - patches of an opening and bins of directions: laid out and read. */
+#include "simulate/transport/opening_table.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 enum {
-    SIDE = PP_WINDOW_TABLE_SIDE,
-    BINS = PP_WINDOW_TABLE_BINS,
+    SIDE = PP_OPENING_TABLE_SIDE,
+    BINS = PP_OPENING_TABLE_BINS,
     MOST_PATCHES = 6, /* along either axis */
 };
 
@@ -19,12 +19,13 @@ static int patches_along(double length_m, double near_m)
     return count < 1.0 ? 1 : count > MOST_PATCHES ? MOST_PATCHES : (int)count;
 }
 
-enum pp_status pp_window_table_init(struct pp_window_table *table,
-                                    const struct pp_target *target, double near_m,
-                                    struct pp_error *err)
+enum pp_status pp_opening_table_init(struct pp_opening_table *table,
+                                     const struct pp_target *target, double near_m,
+                                     struct pp_error *err)
 {
-    *table = (struct pp_window_table){.columns = patches_along(target->width_m, near_m),
-                                      .rows = patches_along(target->height_m, near_m)};
+    *table =
+        (struct pp_opening_table){.columns = patches_along(target->width_m, near_m),
+                                  .rows = patches_along(target->height_m, near_m)};
     if (!isfinite(near_m))
         return PP_OK;
     size_t patches = (size_t)table->columns * (size_t)table->rows;
@@ -35,23 +36,23 @@ enum pp_status pp_window_table_init(struct pp_window_table *table,
     return table->radiance ? PP_OK : pp_fail_memory(err);
 }
 
-void pp_window_table_clear(struct pp_window_table *table)
+void pp_opening_table_clear(struct pp_opening_table *table)
 {
     free(table->radiance);
     table->radiance = NULL;
 }
 
-struct pp_vec3 pp_window_table_point(const struct pp_window_table *table,
-                                     const struct pp_target *target, int patch,
-                                     double u, double v)
+struct pp_vec3 pp_opening_table_point(const struct pp_opening_table *table,
+                                      const struct pp_target *target, int patch,
+                                      double u, double v)
 {
     double x = (patch % table->columns + u) / table->columns * target->width_m;
     double y = (patch / table->columns + v) / table->rows * target->height_m;
     return pp_target_point(target, x, y);
 }
 
-bool pp_window_table_direction(const struct pp_target *target, int bin, double u,
-                               double v, struct pp_vec3 *to)
+bool pp_opening_table_direction(const struct pp_target *target, int bin, double u,
+                                double v, struct pp_vec3 *to)
 {
     double x = (bin % SIDE + u) / SIDE * 2.0 - 1.0;
     double y = (bin / SIDE + v) / SIDE * 2.0 - 1.0;
@@ -72,8 +73,8 @@ static int kept_within(double x, int count)
     return i < 0 || !(x > 0.0) ? 0 : i < count ? i : count - 1;
 }
 
-static int patch_at(const struct pp_window_table *table, const struct pp_target *target,
-                    struct pp_vec3 point)
+static int patch_at(const struct pp_opening_table *table,
+                    const struct pp_target *target, struct pp_vec3 point)
 {
     struct pp_vec3 from = pp_vec_sub(point, target->corner);
     int column =
@@ -92,10 +93,10 @@ static int bin_of(const struct pp_target *target, struct pp_vec3 to)
     return row * SIDE + column;
 }
 
-bool pp_window_table_radiance(const struct pp_window_table *table,
-                              const struct pp_target *target, struct pp_vec3 point,
-                              struct pp_vec3 to, double distance_m,
-                              struct pp_rgb *radiance)
+bool pp_opening_table_radiance(const struct pp_opening_table *table,
+                               const struct pp_target *target, struct pp_vec3 point,
+                               struct pp_vec3 to, double distance_m,
+                               struct pp_rgb *radiance)
 {
     if (!table->radiance || distance_m < table->far_m)
         return false;

@@ -1,6 +1,6 @@
-/* window_store.c - the tables of all openings, filled by paths: for each bin of each
+/* opening_store.c - the tables of all openings, filled by paths: for each bin of each
  * patch the mean over several paths that leave the opening there. */
-#include "simulate/transport/window_store.h"
+#include "simulate/transport/opening_store.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -28,7 +28,7 @@ static double nearest(const struct pp_light_scene *scene, int window,
                       const struct pp_sobol *sobol, uint64_t seed)
 {
     const struct pp_target *target = target_of(scene, window);
-    const struct pp_window_table whole = {.columns = 1, .rows = 1};
+    const struct pp_opening_table whole = {.columns = 1, .rows = 1};
     struct pp_vec3 out = pp_vec_scale(target->normal, -1.0), a, b;
     struct pp_sobol_sequence sequence;
     double least = INFINITY;
@@ -38,9 +38,9 @@ static double nearest(const struct pp_light_scene *scene, int window,
         double u[4];
         struct pp_light_hit hit;
         pp_sobol_sequence_draw(&sequence, i, 0, 4, u);
-        struct pp_light_ray ray = {pp_window_table_point(&whole, target, 0, u[0], u[1]),
-                                   out, pp_lobe_sample_in_frame(a, b, out, u[2], u[3]),
-                                   PP_OUTDOORS};
+        struct pp_light_ray ray = {
+            pp_opening_table_point(&whole, target, 0, u[0], u[1]), out,
+            pp_lobe_sample_in_frame(a, b, out, u[2], u[3]), PP_OUTDOORS};
         enum pp_meeting meeting = pp_light_scene_meet(scene, &ray, &hit);
         if (meeting == PP_MEETS_PART || meeting == PP_MEETS_GROUND)
             least = fmin(least, hit.distance_m);
@@ -68,7 +68,7 @@ static bool outside_radiance(struct pp_radiance_state *state,
 
 /* A bin's sum over its paths, of radiances no nearer than the table has them; returns
  * how many of the paths met such a surface. */
-static int sample_bin(const struct pp_window_table *table,
+static int sample_bin(const struct pp_opening_table *table,
                       struct pp_radiance_state *state, int window, int patch, int bin,
                       uint32_t samples, struct pp_rgb *sum)
 {
@@ -81,8 +81,8 @@ static int sample_bin(const struct pp_window_table *table,
         struct pp_rgb radiance;
         state->index = (uint32_t)bin * samples + i;
         pp_sobol_sequence_draw(&state->sequence, state->index, 0, 4, u);
-        ray.from = pp_window_table_point(table, target, patch, u[0], u[1]);
-        if (!pp_window_table_direction(target, bin, u[2], u[3], &ray.to)
+        ray.from = pp_opening_table_point(table, target, patch, u[0], u[1]);
+        if (!pp_opening_table_direction(target, bin, u[2], u[3], &ray.to)
             || !outside_radiance(state, &ray, &radiance, &distance)
             || distance < table->far_m)
             continue;
@@ -94,10 +94,10 @@ static int sample_bin(const struct pp_window_table *table,
 
 /* The mean radiance of each bin; where no path of a bin met a surface, that of all
  * bins. */
-static void fill_patch(struct pp_window_table *table, struct pp_radiance_state *state,
+static void fill_patch(struct pp_opening_table *table, struct pp_radiance_state *state,
                        int window, int patch, uint32_t samples)
 {
-    enum { BINS = PP_WINDOW_TABLE_BINS };
+    enum { BINS = PP_OPENING_TABLE_BINS };
     struct pp_rgb *bins = &table->radiance[(size_t)patch * BINS];
     int met[BINS] = {0}, all = 0;
     struct pp_rgb sum = pp_rgb_grey(0.0);
@@ -115,7 +115,7 @@ static void fill_patch(struct pp_window_table *table, struct pp_radiance_state *
 
 /* The patches of one window, to be filled by any worker of a pool. */
 struct filling {
-    struct pp_window_store *store;
+    struct pp_opening_store *store;
     const struct pp_light_scene *scene;
     const struct pp_environment *environment;
     const struct pp_sobol *sobol;
@@ -127,7 +127,7 @@ static bool fill(void *data, int worker, int patch)
 {
     (void)worker;
     const struct filling *filling = data;
-    struct pp_window_store *store = filling->store;
+    struct pp_opening_store *store = filling->store;
     int window = filling->window;
     struct pp_radiance_state state = {.scene = filling->scene,
                                       .environment = filling->environment,
@@ -140,31 +140,31 @@ static bool fill(void *data, int worker, int patch)
 }
 
 /* As many paths for few large patches as for many small ones. */
-static uint32_t samples_of(const struct pp_window_store *store)
+static uint32_t samples_of(const struct pp_opening_store *store)
 {
     long bins = 1;
     for (int i = 0; i < store->count; i++)
         if (store->tables[i].radiance)
             bins += (long)store->tables[i].columns * store->tables[i].rows
-                    * PP_WINDOW_TABLE_BINS;
+                    * PP_OPENING_TABLE_BINS;
     long samples = PATHS / bins;
     return samples > LEAST_SAMPLES ? (uint32_t)samples : LEAST_SAMPLES;
 }
 
-static void fill_all(struct pp_window_store *store, const struct pp_light_scene *scene,
+static void fill_all(struct pp_opening_store *store, const struct pp_light_scene *scene,
                      const struct pp_environment *environment,
                      const struct pp_sobol *sobol, uint64_t seed,
                      struct pp_thread_pool *pool)
 {
     for (int i = 0; i < store->count; i++) {
-        const struct pp_window_table *table = &store->tables[i];
+        const struct pp_opening_table *table = &store->tables[i];
         int patches = table->radiance ? table->columns * table->rows : 0;
         struct filling filling = {store, scene, environment, sobol, seed, i};
         pp_thread_pool_run(pool, 0, patches, fill, &filling);
     }
 }
 
-static enum pp_status lay_out(struct pp_window_store *store,
+static enum pp_status lay_out(struct pp_opening_store *store,
                               const struct pp_light_scene *scene,
                               const struct pp_sobol *sobol, uint64_t seed,
                               struct pp_error *err)
@@ -176,20 +176,20 @@ static enum pp_status lay_out(struct pp_window_store *store,
             empty ? INFINITY
                   : nearest(scene, i, sobol, pp_hash(seed, (uint64_t)-1 - (uint64_t)i));
         status =
-            pp_window_table_init(&store->tables[i], target_of(scene, i), near, err);
+            pp_opening_table_init(&store->tables[i], target_of(scene, i), near, err);
     }
     return status;
 }
 
-enum pp_status pp_window_store_create(struct pp_window_store **result,
-                                      const struct pp_light_scene *scene,
-                                      const struct pp_environment *environment,
-                                      uint64_t seed, int threads, struct pp_error *err)
+enum pp_status pp_opening_store_create(struct pp_opening_store **result,
+                                       const struct pp_light_scene *scene,
+                                       const struct pp_environment *environment,
+                                       uint64_t seed, int threads, struct pp_error *err)
 {
     *result = NULL;
     if (scene->pane_count == 0)
         return PP_OK;
-    struct pp_window_store *store = calloc(1, sizeof *store);
+    struct pp_opening_store *store = calloc(1, sizeof *store);
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     struct pp_thread_pool *pool = NULL;
     enum pp_status status = store && sobol ? PP_OK : pp_fail_memory(err);
@@ -210,19 +210,19 @@ enum pp_status pp_window_store_create(struct pp_window_store **result,
     pp_thread_pool_destroy(pool);
     free(sobol);
     if (status != PP_OK) {
-        pp_window_store_destroy(store);
+        pp_opening_store_destroy(store);
         return status;
     }
     *result = store;
     return PP_OK;
 }
 
-void pp_window_store_destroy(struct pp_window_store *store)
+void pp_opening_store_destroy(struct pp_opening_store *store)
 {
     if (!store)
         return;
     for (int i = 0; store->tables && i < store->count; i++)
-        pp_window_table_clear(&store->tables[i]);
+        pp_opening_table_clear(&store->tables[i]);
     free(store->tables);
     free(store);
 }

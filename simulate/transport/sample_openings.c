@@ -1,20 +1,20 @@
-/* light_windows.c - directions to the panes, and what light along them is worth at the
+/* sample_openings.c - directions to the panes, and what light along them is worth at the
  * shading point. */
-#include "simulate/transport/light_windows.h"
+#include "simulate/transport/sample_openings.h"
 
 #include <math.h>
 
 #include "simulate/sampling/lobe.h"
 #include "simulate/scene/environment.h"
 
-/* Up to this many windows are all sampled. One of them at random was most of a path's
+/* Up to this many openings are all sampled. One of them at random was most of a path's
  * noise: all of them have a quarter less in the example studio. */
-enum { FEW_WINDOWS = 4 };
+enum { FEW_OPENINGS = 4 };
 
-int pp_light_windows_vertex(const struct pp_shading_point *shading, int window)
+int pp_sample_openings_vertex(const struct pp_shading_point *shading, int opening)
 {
     return pp_path_vertex_branch(pp_path_vertex_branch(shading->vertex, PP_DRAW_PANES),
-                                 window);
+                                 opening);
 }
 
 /* Was the sampler made for this target, point and normal? */
@@ -26,13 +26,14 @@ static bool is_made_for(const struct pp_polygon_sampler *sampler,
            && pp_vec_same(sampler->facing, shading->normal);
 }
 
-/* NULL where the window is out of sight. */
+/* NULL where the opening is out of sight. */
 static const struct pp_polygon_sampler *sampler_of(
-    struct pp_radiance_state *state, const struct pp_shading_point *shading, int window)
+    struct pp_radiance_state *state, const struct pp_shading_point *shading,
+    int opening)
 {
     const struct pp_target *target =
-        pp_openings_aim(&state->scene->panes[window], shading->niches);
-    struct pp_polygon_sampler *sampler = &state->samplers[window % PP_KEPT_SAMPLERS];
+        pp_openings_aim(&state->scene->panes[opening], shading->niches);
+    struct pp_polygon_sampler *sampler = &state->samplers[opening % PP_KEPT_SAMPLERS];
     if (is_made_for(sampler, target, shading))
         return sampler;
     if (!pp_sample_polygon_in_sight(target, shading->point, shading->normal))
@@ -44,51 +45,52 @@ static const struct pp_polygon_sampler *sampler_of(
 
 static bool samples_all(const struct pp_light_scene *scene, bool split)
 {
-    return split || scene->pane_count <= FEW_WINDOWS;
+    return split || scene->pane_count <= FEW_OPENINGS;
 }
 
-/* How many directions go to a window; on the average, where one window is chosen. */
+/* How many directions go to a opening; on the average, where one opening is chosen. */
 static double samples_of(const struct pp_radiance_state *state, bool split,
-                         uint32_t gloss_rays, int window, struct pp_vec3 point)
+                         uint32_t gloss_rays, int opening, struct pp_vec3 point)
 {
     const struct pp_light_scene *scene = state->scene;
     if (!samples_all(scene, split))
         return 1.0 / scene->pane_count;
     return gloss_rays
            * pp_path_vertex_direction_count(
-               state, split, pp_openings_angular_size(&scene->panes[window], point));
+               state, split, pp_openings_angular_size(&scene->panes[opening], point));
 }
 
-double pp_light_windows_weight(struct pp_radiance_state *state,
-                               const struct pp_light_path *path, int window)
+double pp_sample_openings_weight(struct pp_radiance_state *state,
+                                 const struct pp_light_path *path, int opening)
 {
     if (!state->options.windows || path->from_window || path->sampled_in == PP_OUTDOORS)
         return 1.0;
     if (path->sampled == PP_DIRECTLY_SAMPLED_ALL && path->mirror_path < 0)
         return 0.0;
-    double share = pp_path_vertex_image_weight(state, &path->arrival, window);
+    double share = pp_path_vertex_image_weight(state, &path->arrival, opening);
     if (path->sampled != PP_DIRECTLY_SAMPLED_GLOSS || path->mirror_path >= 0)
         return share;
     struct pp_shading_point shading = {.point = path->gloss_point,
                                        .normal = path->gloss_normal};
-    const struct pp_polygon_sampler *sampler = sampler_of(state, &shading, window);
+    const struct pp_polygon_sampler *sampler = sampler_of(state, &shading, opening);
     if (!sampler)
         return share;
     return share
            * pp_path_vertex_mis(path->gloss_pdf,
                                 samples_of(state, path->gloss_split, path->gloss_rays,
-                                           window, shading.point)
+                                           opening, shading.point)
                                     * pp_sample_polygon_pdf(sampler, path->ray.to));
 }
 
-/* The ray that leaves the window where the direction meets it, its weight multiplied by
+/* The ray that leaves the opening where the direction meets it, its weight multiplied by
  * the transmittance. Behind a diffusing pane the direction is another one. */
 static void leave(struct pp_radiance_state *state,
                   const struct pp_shading_point *shading,
-                  const struct pp_direction_sample *to, struct pp_window_sample *sample)
+                  const struct pp_direction_sample *to,
+                  struct pp_opening_sample *sample)
 {
     const struct pp_light_part *part =
-        &state->scene->parts[state->scene->panes[sample->window].part];
+        &state->scene->parts[state->scene->panes[sample->opening].part];
     const struct pp_material *material = &state->scene->materials[part->material[0]];
     struct pp_vec3 out = pp_vec_scale(part->normal, -1.0);
     struct pp_rgb transmittance = material->through_diffuse;
@@ -96,7 +98,8 @@ static void leave(struct pp_radiance_state *state,
     if (material->kind == PP_MATERIAL_TRANSLUCENT) {
         double u[2];
         pp_sobol_sequence_draw(&state->sequence, state->index,
-                               pp_light_windows_vertex(shading, sample->window), 2, u);
+                               pp_sample_openings_vertex(shading, sample->opening), 2,
+                               u);
         sample->ray.to = pp_lobe_sample_in_frame(part->a, part->b, out, u[0], u[1]);
     } else {
         transmittance =
@@ -117,7 +120,7 @@ static bool meets_pane(struct pp_radiance_state *state,
            && hit.part == pane->part;
 }
 
-/* Is the window seen from the shading point, whatever the direction, or the mouth of its
+/* Is the opening seen from the shading point, whatever the direction, or the mouth of its
  * niche? */
 static bool is_open(const struct pp_shading_point *shading, const struct pp_pane *pane)
 {
@@ -126,12 +129,12 @@ static bool is_open(const struct pp_shading_point *shading, const struct pp_pane
     return pane->seen_by_all && shading->space == PP_INDOORS;
 }
 
-/* Where a direction to the mouth of the window's niche ends: *to is moved to the pane, or
+/* Where a direction to the mouth of the opening's niche ends: *to is moved to the pane, or
  * the sample is on one of the niche's sides. */
 static void go_in(const struct pp_light_scene *scene, struct pp_direction_sample *to,
-                  struct pp_window_sample *sample)
+                  struct pp_opening_sample *sample)
 {
-    const struct pp_pane *pane = &scene->panes[sample->window];
+    const struct pp_pane *pane = &scene->panes[sample->opening];
     double further_m;
     int part = pp_convex_room_behind_mouth(pane, to->point, to->direction, &further_m);
     to->point = pp_vec_along(to->point, further_m, to->direction);
@@ -146,28 +149,28 @@ static void go_in(const struct pp_light_scene *scene, struct pp_direction_sample
                                              .space = PP_INDOORS};
 }
 
-/* One direction to a window, `weight` times; false where no light comes along it. */
-static bool sample_window(struct pp_radiance_state *state,
-                          const struct pp_window_sampling *sampling, double weight,
-                          const double u[2], struct pp_window_sample *sample)
+/* One direction to a opening, `weight` times; false where no light comes along it. */
+static bool sample_opening(struct pp_radiance_state *state,
+                           const struct pp_opening_sampling *sampling, double weight,
+                           const double u[2], struct pp_opening_sample *sample)
 {
     const struct pp_shading_point *shading = sampling->shading;
     const struct pp_polygon_sampler *sampler =
-        sampler_of(state, shading, sample->window);
+        sampler_of(state, shading, sample->opening);
     if (!sampler)
         return false;
     struct pp_direction_sample to = pp_sample_polygon_draw(sampler, u[0], u[1]);
     double cosine = pp_vec_dot(shading->normal, to.direction);
     if (!(cosine > 0.0))
         return false;
-    const struct pp_pane *pane = &state->scene->panes[sample->window];
+    const struct pp_pane *pane = &state->scene->panes[sample->opening];
     double samples = sampling->count;
     if (shading->lobes)
-        samples = samples_of(state, shading->split, shading->gloss_rays, sample->window,
-                             shading->point);
+        samples = samples_of(state, shading->split, shading->gloss_rays,
+                             sample->opening, shading->point);
     double share = 1.0;
     if (shading->arrival)
-        share = pp_path_vertex_image_weight(state, shading->arrival, sample->window);
+        share = pp_path_vertex_image_weight(state, shading->arrival, sample->opening);
     struct pp_rgb f =
         pp_path_vertex_brdf(shading, to.direction, samples / to.per_density, share);
     if (pp_rgb_is_black(f))
@@ -185,13 +188,13 @@ static bool sample_window(struct pp_radiance_state *state,
     return !pp_rgb_is_black(sample->weight);
 }
 
-bool pp_light_windows_aim(struct pp_radiance_state *state,
-                          const struct pp_shading_point *shading, int window,
-                          const double u[2], struct pp_window_sample *sample)
+bool pp_sample_openings_aim(struct pp_radiance_state *state,
+                            const struct pp_shading_point *shading, int opening,
+                            const double u[2], struct pp_opening_sample *sample)
 {
-    const struct pp_window_sampling one = {.shading = shading, .count = 1};
-    sample->window = window;
-    return sample_window(state, &one, 1.0, u, sample);
+    const struct pp_opening_sampling one = {.shading = shading, .count = 1};
+    sample->opening = opening;
+    return sample_opening(state, &one, 1.0, u, sample);
 }
 
 /* Where a ray from inside meets the pane; the pane is a rectangle. */
@@ -208,11 +211,11 @@ static bool meets_rectangle(const struct pp_target *target, struct pp_vec3 from,
     return x > 0.0 && x < target->width_m && y > 0.0 && y < target->height_m;
 }
 
-bool pp_light_windows_along(struct pp_radiance_state *state,
-                            const struct pp_shading_point *shading, int window,
-                            struct pp_vec3 to, struct pp_window_sample *sample)
+bool pp_sample_openings_along(struct pp_radiance_state *state,
+                              const struct pp_shading_point *shading, int opening,
+                              struct pp_vec3 to, struct pp_opening_sample *sample)
 {
-    const struct pp_pane *pane = &state->scene->panes[window];
+    const struct pp_pane *pane = &state->scene->panes[opening];
     struct pp_light_ray ray = pp_path_vertex_shadow_ray(shading, to);
     struct pp_direction_sample there = {.direction = to};
     struct pp_light_hit hit;
@@ -225,22 +228,22 @@ bool pp_light_windows_along(struct pp_radiance_state *state,
             return false;
         there.point = hit.point;
     }
-    sample->window = window;
+    sample->opening = opening;
     sample->on_side = false;
     sample->weight = pp_rgb_grey(1.0);
     leave(state, shading, &there, sample);
     return !pp_rgb_is_black(sample->weight);
 }
 
-/* The vertex for the random numbers of the directions to the first window. */
+/* The vertex for the random numbers of the directions to the first opening. */
 static int first_vertex(const struct pp_shading_point *shading)
 {
     return shading->vertex * PP_DRAWS + PP_DRAW_WINDOWS;
 }
 
-void pp_light_windows_begin(struct pp_radiance_state *state,
-                            const struct pp_shading_point *shading,
-                            struct pp_window_sampling *sampling)
+void pp_sample_openings_begin(struct pp_radiance_state *state,
+                              const struct pp_shading_point *shading,
+                              struct pp_opening_sampling *sampling)
 {
     int count = state->scene->pane_count;
     bool none = !state->options.windows || shading->space == PP_OUTDOORS || count == 0;
@@ -248,7 +251,7 @@ void pp_light_windows_begin(struct pp_radiance_state *state,
     sampling->all =
         shading->directions == 0 && samples_all(state->scene, shading->split);
     sampling->numbers = sampling->all || count == 1 ? 2 : 3;
-    sampling->window = -1;
+    sampling->opening = -1;
     sampling->end = none ? 0 : sampling->all ? count : 1;
     sampling->direction = sampling->count = 0;
     sampling->index = state->index;
@@ -262,12 +265,12 @@ void pp_light_windows_begin(struct pp_radiance_state *state,
                                    sampling->numbers, sampling->u);
 }
 
-/* Goes on to the next window; false where there is none. */
-static bool next_window(struct pp_radiance_state *state,
-                        struct pp_window_sampling *sampling)
+/* Goes on to the next opening; false where there is none. */
+static bool next_opening(struct pp_radiance_state *state,
+                         struct pp_opening_sampling *sampling)
 {
     const struct pp_shading_point *shading = sampling->shading;
-    if (++sampling->window >= sampling->end) {
+    if (++sampling->opening >= sampling->end) {
         state->index = sampling->index;
         return false;
     }
@@ -278,15 +281,15 @@ static bool next_window(struct pp_radiance_state *state,
             (shading->lobes ? shading->gloss_rays : 1)
             * pp_path_vertex_direction_count(
                 state, shading->split,
-                pp_openings_angular_size(&state->scene->panes[sampling->window],
+                pp_openings_angular_size(&state->scene->panes[sampling->opening],
                                          shading->point));
     return true;
 }
 
-/* The numbers of the direction in turn: two, or three where one of the windows is
+/* The numbers of the direction in turn: two, or three where one of the openings is
  * chosen. */
 static void draw(const struct pp_radiance_state *state,
-                 const struct pp_window_sampling *sampling, double u[3])
+                 const struct pp_opening_sampling *sampling, double u[3])
 {
     int vertex = first_vertex(sampling->shading);
     if (sampling->drawn) {
@@ -294,37 +297,37 @@ static void draw(const struct pp_radiance_state *state,
             u[k] = sampling->u[k][sampling->direction];
         return;
     }
-    if (sampling->all && sampling->window > 0)
-        vertex = pp_path_vertex_branch(vertex, sampling->window);
+    if (sampling->all && sampling->opening > 0)
+        vertex = pp_path_vertex_branch(vertex, sampling->opening);
     pp_sobol_sequence_draw(&state->sequence, state->index, vertex, sampling->numbers,
                            u);
 }
 
-bool pp_light_windows_next(struct pp_radiance_state *state,
-                           struct pp_window_sampling *sampling,
-                           struct pp_window_sample *sample)
+bool pp_sample_openings_next(struct pp_radiance_state *state,
+                             struct pp_opening_sampling *sampling,
+                             struct pp_opening_sample *sample)
 {
     const struct pp_shading_point *shading = sampling->shading;
     for (;;) {
-        if (sampling->direction == sampling->count && !next_window(state, sampling))
+        if (sampling->direction == sampling->count && !next_opening(state, sampling))
             return false;
         double u[3] = {0.0},
-               probability = 1.0; /* place in the window (2), choice of it */
+               probability = 1.0; /* place in the opening (2), choice of it */
         state->index = sampling->index * sampling->count + sampling->direction;
-        sample->window = sampling->window;
+        sample->opening = sampling->opening;
         draw(state, sampling, u);
         sampling->direction++;
         if (!sampling->all) {
             const struct pp_openings_viewer viewer = {state->environment->brightness,
                                                       shading->point, shading->normal,
                                                       shading->niches};
-            sample->window = pp_openings_choose(state->scene, &viewer, &state->shares,
-                                                u[2], &probability);
-            if (sample->window < 0)
+            sample->opening = pp_openings_choose(state->scene, &viewer, &state->shares,
+                                                 u[2], &probability);
+            if (sample->opening < 0)
                 continue;
         }
-        if (sample_window(state, sampling, 1.0 / (probability * sampling->count), u,
-                          sample))
+        if (sample_opening(state, sampling, 1.0 / (probability * sampling->count), u,
+                           sample))
             return true;
     }
 }
