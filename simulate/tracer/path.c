@@ -11,22 +11,22 @@
 #include "simulate/scene/light_scene_of_world.h"
 
 /* NULL where no niche is known. */
-static const struct pp_niche_light *niches_of(const struct pp_radiosity *radiosity)
+static const struct pp_niche_light *niches_of(const struct pp_control_variate *variate)
 {
-    return radiosity && radiosity->scene->convex && radiosity->scene->has_niches
-               ? &radiosity->niches
+    return variate && variate->scene->convex && variate->scene->has_niches
+               ? &variate->niches
                : NULL;
 }
 
 struct pp_path_state pp_path_state(const struct pp_light_scene *scene,
                                    const struct pp_environment *environment,
-                                   const struct pp_radiosity *radiosity)
+                                   const struct pp_control_variate *variate)
 {
     return (struct pp_path_state){.light = {.scene = scene,
                                             .environment = environment,
                                             .options = pp_radiance_state_defaults()},
-                                  .radiosity = radiosity,
-                                  .niches = niches_of(radiosity),
+                                  .variate = variate,
+                                  .niches = niches_of(variate),
                                   .glass = scene->glass_image_count > 0};
 }
 
@@ -205,7 +205,7 @@ void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
 {
     struct pp_frame frame = {.z = start->normal};
     pp_lobe_frame(start->normal, &frame.x, &frame.y);
-    while (state->radiosity && state->light.index < end) {
+    while (state->variate && state->light.index < end) {
         int count = pp_path_run_from(state->light.index, end, PP_RUN_MOST);
         if (!start->anywhere && count > 1) {
             gather_run(state, start, &frame, count, sum);

@@ -1,17 +1,17 @@
-/* radiosity.c - a radiosity solution read at a point. */
-#include "simulate/tracer/radiosity.h"
+/* control_variate.c - a radiosity solution read at a point. */
+#include "simulate/tracer/control_variate.h"
 
 #include <stdlib.h>
 
 #include "simulate/scene/light_scene_parts.h"
 
-void pp_radiosity_destroy(struct pp_radiosity *radiosity)
+void pp_control_variate_destroy(struct pp_control_variate *variate)
 {
-    if (!radiosity)
+    if (!variate)
         return;
-    free(radiosity->grids);
-    free(radiosity->values);
-    free(radiosity);
+    free(variate->grids);
+    free(variate->values);
+    free(variate);
 }
 
 /* A coordinate in patches, kept between the first and the last centre; its whole part
@@ -24,11 +24,11 @@ static double within(double x, int count, int *patch)
     return x - *patch;
 }
 
-double pp_radiosity_at(const struct pp_radiosity *radiosity,
-                       const struct pp_light_scene *scene,
-                       const struct pp_light_hit *hit)
+double pp_control_variate_at(const struct pp_control_variate *variate,
+                             const struct pp_light_scene *scene,
+                             const struct pp_light_hit *hit)
 {
-    const struct pp_radiosity_grid *grid = &radiosity->grids[hit->part][hit->back];
+    const struct pp_control_variate_grid *grid = &variate->grids[hit->part][hit->back];
     if (grid->first < 0)
         return 0.0;
     const struct pp_light_part *part = &scene->parts[hit->part];
@@ -38,26 +38,26 @@ double pp_radiosity_at(const struct pp_radiosity *radiosity,
     double t = within((pp_vec_dot(hit->point, part->b) - grid->b0) * grid->per_b,
                       grid->rows, &row);
     int right = column + 1 < grid->columns, above = row + 1 < grid->rows;
-    const double *low = &radiosity->values[grid->first + row * grid->columns + column];
+    const double *low = &variate->values[grid->first + row * grid->columns + column];
     const double *high = low + above * grid->columns;
     double below = low[0] + s * (low[right] - low[0]);
     double over = high[0] + s * (high[right] - high[0]);
     return below + t * (over - below);
 }
 
-double pp_radiosity_of_side(void *radiosity, const struct pp_light_hit *side,
-                            double worth)
+double pp_control_variate_of_side(void *variate, const struct pp_light_hit *side,
+                                  double worth)
 {
     (void)worth;
-    const struct pp_radiosity *solution = radiosity;
-    return pp_radiosity_at(solution, solution->scene, side);
+    const struct pp_control_variate *solution = variate;
+    return pp_control_variate_at(solution, solution->scene, side);
 }
 
-int pp_radiosity_nearest(const struct pp_radiosity *radiosity,
-                         const struct pp_light_scene *scene,
-                         const struct pp_light_hit *hit)
+int pp_control_variate_nearest(const struct pp_control_variate *variate,
+                               const struct pp_light_scene *scene,
+                               const struct pp_light_hit *hit)
 {
-    const struct pp_radiosity_grid *grid = &radiosity->grids[hit->part][hit->back];
+    const struct pp_control_variate_grid *grid = &variate->grids[hit->part][hit->back];
     if (grid->first < 0)
         return -1;
     const struct pp_light_part *part = &scene->parts[hit->part];

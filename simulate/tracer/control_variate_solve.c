@@ -1,6 +1,6 @@
-/* radiosity_solve.c - patches laid out, lit by the openings along sampled directions,
+/* control_variate_solve.c - patches laid out, lit by the openings along sampled directions,
  * and the exchange between them iterated. */
-#include "simulate/tracer/radiosity_solve.h"
+#include "simulate/tracer/control_variate_solve.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -23,7 +23,7 @@ enum {
 };
 
 /* A patch while the exchange is worked out. */
-struct radiosity_patch {
+struct variate_patch {
     struct pp_vec3 point;
     int part;
     bool back;
@@ -79,8 +79,8 @@ static bool has_side(const struct pp_light_part *part, const struct pp_surface *
 }
 
 /* Grids for all sides that the room sees; returns how many patches they have. */
-static int lay_out(struct pp_radiosity *radiosity, const struct pp_light_scene *scene,
-                   const struct pp_world *world)
+static int lay_out(struct pp_control_variate *variate,
+                   const struct pp_light_scene *scene, const struct pp_world *world)
 {
     double area = 0.0;
     for (int i = 0; i < world->surface_count; i++)
@@ -90,7 +90,7 @@ static int lay_out(struct pp_radiosity *radiosity, const struct pp_light_scene *
     int count = 0;
     for (int i = 0; i < scene->part_count; i++)
         for (int side = 0; side < 2; side++) {
-            struct pp_radiosity_grid *grid = &radiosity->grids[i][side];
+            struct pp_control_variate_grid *grid = &variate->grids[i][side];
             const struct pp_light_part *part = &scene->parts[i];
             grid->first = -1;
             if (part->window >= 0 || !has_side(part, &world->surfaces[i], side))
@@ -110,19 +110,19 @@ static int lay_out(struct pp_radiosity *radiosity, const struct pp_light_scene *
     return count;
 }
 
-static void place_patches(struct radiosity_patch *patches,
-                          const struct pp_radiosity *radiosity,
+static void place_patches(struct variate_patch *patches,
+                          const struct pp_control_variate *variate,
                           const struct pp_light_scene *scene,
                           const struct pp_world *world)
 {
     for (int i = 0; i < world->surface_count; i++)
         for (int side = 0; side < 2; side++) {
-            const struct pp_radiosity_grid *grid = &radiosity->grids[i][side];
+            const struct pp_control_variate_grid *grid = &variate->grids[i][side];
             const struct pp_light_part *part = &scene->parts[i];
             for (int k = 0; grid->first >= 0 && k < grid->columns * grid->rows; k++) {
                 double a = grid->a0 + k % grid->columns / grid->per_a;
                 double b = grid->b0 + k / grid->columns / grid->per_b;
-                struct radiosity_patch *patch = &patches[grid->first + k];
+                struct variate_patch *patch = &patches[grid->first + k];
                 patch->part = i;
                 patch->back = side == 1;
                 patch->in_figure =
@@ -133,37 +133,37 @@ static void place_patches(struct radiosity_patch *patches,
 }
 
 static const struct pp_material *material_of(const struct pp_light_scene *scene,
-                                             const struct radiosity_patch *patch)
+                                             const struct variate_patch *patch)
 {
     return &scene->materials[scene->parts[patch->part].material[patch->back]];
 }
 
 /* A patch that notes the sides of niches that it sees. */
 struct noting {
-    struct radiosity_patch *patch;
-    const struct pp_radiosity *radiosity;
+    struct variate_patch *patch;
+    const struct pp_control_variate *variate;
 };
 
 /* Nothing yet: what they give off is worked out by the exchange. */
 static double note_side(void *of, const struct pp_light_hit *side, double worth)
 {
     const struct noting *noting = of;
-    struct radiosity_patch *patch = noting->patch;
+    struct variate_patch *patch = noting->patch;
     patch->sides[patch->side_count] =
-        pp_radiosity_nearest(noting->radiosity, noting->radiosity->scene, side);
+        pp_control_variate_nearest(noting->variate, noting->variate->scene, side);
     patch->worth[patch->side_count++] = worth;
     return 0.0;
 }
 
 /* The irradiance of the patch by the openings, and the patches that its rays meet. */
-static void light_patch(struct radiosity_patch *patch,
-                        const struct pp_radiosity *radiosity,
+static void light_patch(struct variate_patch *patch,
+                        const struct pp_control_variate *variate,
                         const struct pp_light_scene *scene,
                         const struct pp_environment *environment,
                         const struct pp_sobol *sobol, uint64_t seed)
 {
     struct pp_path_state state = pp_path_state(scene, environment, NULL);
-    struct noting noting = {patch, radiosity};
+    struct noting noting = {patch, variate};
     const struct pp_niche_light niches = {note_side, &noting};
     if (scene->convex && scene->has_niches)
         state.niches = &niches;
@@ -185,13 +185,13 @@ static void light_patch(struct radiosity_patch *patch,
         enum pp_meeting meeting = pp_radiance_state_meet(&state.light, &ray, &met);
         patch->seen[i] = meeting == PP_MEETS_PART
                                  && !pp_path_counted_by_nee(&state, patch->point, &met)
-                             ? pp_radiosity_nearest(radiosity, scene, &met)
+                             ? pp_control_variate_nearest(variate, scene, &met)
                              : -1;
     }
 }
 
 /* The irradiance of the patch by other patches, per exitance as `values`. */
-static double exchanged(const struct radiosity_patch *patch, const double *values)
+static double exchanged(const struct variate_patch *patch, const double *values)
 {
     double sum = 0.0, sides = 0.0;
     for (int k = 0; k < LOBE_SAMPLES; k++)
@@ -204,7 +204,7 @@ static double exchanged(const struct radiosity_patch *patch, const double *value
 
 /* Gauss-Seidel iteration: each patch gathers from those that its rays meet, in turn,
  * until the solution changes by less than 1e-4. */
-static void exchange(double *values, const struct radiosity_patch *patches, int count,
+static void exchange(double *values, const struct variate_patch *patches, int count,
                      const struct pp_light_scene *scene)
 {
     for (int i = 0; i < count; i++)
@@ -225,14 +225,14 @@ static void exchange(double *values, const struct radiosity_patch *patches, int 
 
 /* The patch so many columns and rows from number i of the grid; NULL: none is there, or
  * it lies beside the figure. */
-static const struct radiosity_patch *neighbour(const struct radiosity_patch *patches,
-                                               const struct pp_radiosity_grid *grid,
-                                               int i, int columns, int rows)
+static const struct variate_patch *neighbour(const struct variate_patch *patches,
+                                             const struct pp_control_variate_grid *grid,
+                                             int i, int columns, int rows)
 {
     int column = i % grid->columns + columns, row = i / grid->columns + rows;
     if (column < 0 || column >= grid->columns || row < 0 || row >= grid->rows)
         return NULL;
-    const struct radiosity_patch *patch =
+    const struct variate_patch *patch =
         &patches[grid->first + row * grid->columns + column];
     return patch->in_figure ? patch : NULL;
 }
@@ -241,8 +241,8 @@ static const struct radiosity_patch *neighbour(const struct radiosity_patch *pat
  * patch's own: it becomes the mean over a patch and its neighbours, by weights 1, 2, 1
  * along either axis. Neighbours count in opposite pairs, so that a linear course is
  * kept. Measured over 40 rooms: half as many samples then do as well. */
-static void smooth(struct pp_radiosity *radiosity, struct radiosity_patch *patches,
-                   const struct pp_radiosity_grid *grid)
+static void smooth(struct pp_control_variate *variate, struct variate_patch *patches,
+                   const struct pp_control_variate_grid *grid)
 {
     static const struct {
         int columns, rows;
@@ -250,46 +250,46 @@ static void smooth(struct pp_radiosity *radiosity, struct radiosity_patch *patch
     } pairs[] = {{1, 0, 2.0}, {0, 1, 2.0}, {1, 1, 1.0}, {1, -1, 1.0}};
     int end = grid->first + grid->columns * grid->rows;
     for (int i = grid->first; i < end; i++)
-        patches[i].exchanged = radiosity->values[i] - patches[i].own;
+        patches[i].exchanged = variate->values[i] - patches[i].own;
     for (int i = grid->first; i < end; i++) {
         double sum = 4.0 * patches[i].exchanged, weights = 4.0;
         for (int k = 0; k < 4; k++) {
             int columns = pairs[k].columns, rows = pairs[k].rows;
-            const struct radiosity_patch *one =
+            const struct variate_patch *one =
                 neighbour(patches, grid, i - grid->first, columns, rows);
-            const struct radiosity_patch *other =
+            const struct variate_patch *other =
                 neighbour(patches, grid, i - grid->first, -columns, -rows);
             if (!one || !other)
                 continue;
             sum += pairs[k].weight * (one->exchanged + other->exchanged);
             weights += 2.0 * pairs[k].weight;
         }
-        radiosity->values[i] = patches[i].own + sum / weights;
+        variate->values[i] = patches[i].own + sum / weights;
     }
 }
 
 /* Patches beside the figure (outside the corner of an L) get the mean of those in it,
  * for the interpolation. */
-static void fill_beside(struct pp_radiosity *radiosity,
-                        const struct radiosity_patch *patches,
-                        const struct pp_radiosity_grid *grid)
+static void fill_beside(struct pp_control_variate *variate,
+                        const struct variate_patch *patches,
+                        const struct pp_control_variate_grid *grid)
 {
     int count = grid->columns * grid->rows, in_figure = 0;
     double sum = 0.0;
     for (int i = grid->first; i < grid->first + count; i++)
         if (patches[i].in_figure) {
-            sum += radiosity->values[i];
+            sum += variate->values[i];
             in_figure++;
         }
     for (int i = grid->first; i < grid->first + count; i++)
         if (!patches[i].in_figure)
-            radiosity->values[i] = in_figure > 0 ? sum / in_figure : 0.0;
+            variate->values[i] = in_figure > 0 ? sum / in_figure : 0.0;
 }
 
 /* The patches that are lit, by any worker of a pool. */
 struct lighting {
-    const struct pp_radiosity *radiosity;
-    struct radiosity_patch *patches;
+    const struct pp_control_variate *variate;
+    struct variate_patch *patches;
     const struct pp_light_scene *scene;
     const struct pp_environment *environment;
     const struct pp_sobol *sobol;
@@ -300,9 +300,9 @@ static bool light_one(void *data, int worker, int i)
 {
     (void)worker;
     const struct lighting *lighting = data;
-    struct radiosity_patch *patch = &lighting->patches[i];
+    struct variate_patch *patch = &lighting->patches[i];
     if (patch->in_figure)
-        light_patch(patch, lighting->radiosity, lighting->scene, lighting->environment,
+        light_patch(patch, lighting->variate, lighting->scene, lighting->environment,
                     lighting->sobol, pp_hash(lighting->seed, (uint64_t)i));
     else
         for (int k = 0; k < LOBE_SAMPLES; k++)
@@ -310,33 +310,33 @@ static bool light_one(void *data, int worker, int i)
     return true;
 }
 
-static void work_out(struct pp_radiosity *radiosity, struct radiosity_patch *patches,
+static void work_out(struct pp_control_variate *variate, struct variate_patch *patches,
                      const struct pp_light_scene *scene,
                      const struct pp_environment *environment,
                      const struct pp_sobol *sobol, uint64_t seed,
                      struct pp_thread_pool *pool)
 {
     const struct pp_world *world = scene->world;
-    int count = radiosity->count;
-    struct lighting lighting = {radiosity, patches, scene, environment, sobol, seed};
-    place_patches(patches, radiosity, scene, world);
+    int count = variate->count;
+    struct lighting lighting = {variate, patches, scene, environment, sobol, seed};
+    place_patches(patches, variate, scene, world);
     pp_thread_pool_run(pool, 0, count, light_one, &lighting);
-    exchange(radiosity->values, patches, count, scene);
+    exchange(variate->values, patches, count, scene);
     for (int i = 0; i < world->surface_count; i++)
         for (int side = 0; side < 2; side++) {
-            const struct pp_radiosity_grid *grid = &radiosity->grids[i][side];
+            const struct pp_control_variate_grid *grid = &variate->grids[i][side];
             if (grid->first < 0)
                 continue;
-            smooth(radiosity, patches, grid);
-            fill_beside(radiosity, patches, grid);
+            smooth(variate, patches, grid);
+            fill_beside(variate, patches, grid);
         }
 }
 
-enum pp_status pp_radiosity_solve(struct pp_radiosity **result,
-                                  const struct pp_light_scene *scene,
-                                  const struct pp_environment *environment,
-                                  const struct pp_sobol *sobol, uint64_t seed,
-                                  int threads, struct pp_error *err)
+enum pp_status pp_control_variate_solve(struct pp_control_variate **result,
+                                        const struct pp_light_scene *scene,
+                                        const struct pp_environment *environment,
+                                        const struct pp_sobol *sobol, uint64_t seed,
+                                        int threads, struct pp_error *err)
 {
     const struct pp_world *world = scene->world;
     *result = NULL;
@@ -346,28 +346,28 @@ enum pp_status pp_radiosity_solve(struct pp_radiosity **result,
     if (surfaces == 0 || surfaces > MOST_SURFACES)
         return PP_OK;
 
-    struct pp_radiosity *radiosity = calloc(1, sizeof *radiosity);
-    if (!radiosity)
+    struct pp_control_variate *variate = calloc(1, sizeof *variate);
+    if (!variate)
         return pp_fail_memory(err);
-    radiosity->scene = scene;
-    radiosity->niches = (struct pp_niche_light){pp_radiosity_of_side, radiosity};
-    radiosity->grids = calloc((size_t)scene->part_count, sizeof *radiosity->grids);
-    struct radiosity_patch *patches = NULL;
-    if (radiosity->grids) {
-        radiosity->count = lay_out(radiosity, scene, world);
-        radiosity->values = calloc((size_t)radiosity->count, sizeof *radiosity->values);
-        patches = calloc((size_t)radiosity->count, sizeof *patches);
+    variate->scene = scene;
+    variate->niches = (struct pp_niche_light){pp_control_variate_of_side, variate};
+    variate->grids = calloc((size_t)scene->part_count, sizeof *variate->grids);
+    struct variate_patch *patches = NULL;
+    if (variate->grids) {
+        variate->count = lay_out(variate, scene, world);
+        variate->values = calloc((size_t)variate->count, sizeof *variate->values);
+        patches = calloc((size_t)variate->count, sizeof *patches);
     }
     struct pp_thread_pool *pool = NULL;
-    enum pp_status status = radiosity->grids && radiosity->values && patches
+    enum pp_status status = variate->grids && variate->values && patches
                                 ? pp_thread_pool_create(&pool, threads, err)
                                 : pp_fail_memory(err);
     if (status == PP_OK)
-        work_out(radiosity, patches, scene, environment, sobol, seed, pool);
+        work_out(variate, patches, scene, environment, sobol, seed, pool);
     else
-        pp_radiosity_destroy(radiosity);
+        pp_control_variate_destroy(variate);
     pp_thread_pool_destroy(pool);
     free(patches);
-    *result = status == PP_OK ? radiosity : NULL;
+    *result = status == PP_OK ? variate : NULL;
     return status;
 }
