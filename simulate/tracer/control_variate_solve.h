@@ -7,7 +7,7 @@
 #include "simulate/scene/environment.h"
 #include "simulate/tracer/control_variate.h"
 
-/* On success *radiosity is the caller's; NULL where the room has so many surfaces that
+/* On success *variate is the caller's; NULL where the room has so many surfaces that
  * a solution would not pay. */
 enum pp_status pp_control_variate_solve(struct pp_control_variate **variate,
                                         const struct pp_light_scene *scene,

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "simulate/elements/form_factor.h"
+#include "simulate/radiosity/form_factor.h"
 #include "simulate/tracer/path.h"
 #include "tests/lib/guessed_room.h"
 
