@@ -259,9 +259,9 @@ static double sum_areas(const struct pp_fragments *fragments)
     return sum;
 }
 
-bool pp_beam_space_is_spent(const struct pp_beam_space *space)
+bool pp_beam_budget_exhausted(const struct pp_beam_space *space)
 {
-    return space->visits_most > 0 && space->visits > space->visits_most;
+    return space->work_budget > 0 && space->work > space->work_budget;
 }
 
 /* Takes what any obstruction hides out of the open part, until nothing is left. */
@@ -273,10 +273,10 @@ static enum pp_status subtract_all(struct beam_look *look, struct pp_beam_space 
     int count = find_skylines(look, space->rings, space->xy, space->lights);
     do {
         for (int i = 0; i < count && status == PP_OK; i++) {
-            space->visits += open->count;
+            space->work += open->count;
             status = pp_fragments_subtract(open, &space->rings[i], err);
         }
-        if (pp_beam_space_is_spent(space))
+        if (pp_beam_budget_exhausted(space))
             return status;
         const struct beam_node *leaf = open->count > 0 ? next_leaf(look) : NULL;
         if (status != PP_OK || !leaf)
@@ -299,9 +299,9 @@ static enum pp_status cover_all(struct beam_look *look, struct pp_beam_space *sp
         find_skylines(look, space->rings + count,
                       space->xy + count * PP_FRAGMENT_CORNERS, space->lights + count);
     enum pp_status status = PP_OK;
-    for (int i = 0; i < count && status == PP_OK && !pp_beam_space_is_spent(space);
+    for (int i = 0; i < count && status == PP_OK && !pp_beam_budget_exhausted(space);
          i++) {
-        space->visits += space->open.count;
+        space->work += space->open.count;
         status = pp_fragments_cover(&space->open, space->rings, i, err);
     }
     return status;
