@@ -1,4 +1,4 @@
-/* test_sights.c - what the room's own faces and what stands in it can hide of an opening. */
+/* test_self_occlusion.c - what the room's own faces and what stands in it can hide of an opening. */
 #include <string.h>
 
 #include "methods/view/elevation.h"

@@ -1,8 +1,9 @@
-/* sights.c - holds the corners of openings against the planes of faces, and those of faces
+/* self_occlusion.c - holds the corners of openings against the planes of faces, and those of faces
  * against the planes of glass. */
-#include "model/room/build/sights.h"
+#include "model/room/build/self_occlusion.h"
 
-static void find_sights(struct pp_opening *opening, const struct pp_world *world)
+static void find_self_occlusion(struct pp_opening *opening,
+                                const struct pp_world *world)
 {
     opening->faces_open_in = opening->faces_open_out = true;
     for (int i = 0; i < world->face_count; i++) {
@@ -12,12 +13,12 @@ static void find_sights(struct pp_opening *opening, const struct pp_world *world
     }
 }
 
-enum pp_status pp_build_sights(struct pp_resolver *r, struct pp_error *err)
+enum pp_status pp_build_self_occlusion(struct pp_resolver *r, struct pp_error *err)
 {
     (void)err;
     struct pp_world *world = r->world;
     for (int i = 0; i < world->opening_count; i++)
-        find_sights(&world->openings[i], world);
+        find_self_occlusion(&world->openings[i], world);
     world->is_empty = true;
     for (int i = 0; i < world->surface_count; i++)
         world->is_empty &=
