@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "studies/sizing/last_good.h"
+#include "studies/sizing/root_bracket.h"
 
 static const double share_tolerance[] = {
     [PP_SKY_DUES_VSC] = 1e-6, [PP_SKY_DUES_LIT_AREA] = 1e-4};
@@ -58,10 +58,10 @@ enum pp_status pp_block_height_find(struct pp_block_height *found,
         .height_m = NAN,
         .deciding = -1};
     struct height_search search = {found, task};
-    struct pp_last_good_range range = {.low = lowest_m,
-                                       .high = task->most_m,
-                                       .near_value = share_tolerance[task->rule.of],
-                                       .near_argument = height_tolerance_m};
+    struct pp_root_bracket_range range = {.low = lowest_m,
+                                          .high = task->most_m,
+                                          .near_value = share_tolerance[task->rule.of],
+                                          .near_argument = height_tolerance_m};
     enum pp_status status =
         pp_building_set_state(task->building, PP_STATE_PROPOSED, err);
     if (status == PP_OK)
@@ -82,7 +82,8 @@ enum pp_status pp_block_height_find(struct pp_block_height *found,
         return PP_OK;
     }
     if (status == PP_OK)
-        status = pp_last_good_find(&found->height_m, &range, surplus_at, &search, err);
+        status =
+            pp_root_bracket_find(&found->height_m, &range, surplus_at, &search, err);
     return status;
 }
 

@@ -4,7 +4,7 @@
  * What each has falls as the block rises. `before` is the site as existing, or where the
  * file has no states, the site with the block as low as 2 mm.
  *
- * The height at which the first has no more than its due (last_good.h) is found to 1e-6 of
+ * The height at which the first has no more than its due (root_bracket.h) is found to 1e-6 of
  * the share of a vertical sky component, to 1e-4 of that of a lit area, whose line is
  * known to a millimetre; and where it falls by a step, to 10 um below that.
  */

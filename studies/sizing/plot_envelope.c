@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "studies/sizing/last_good.h"
+#include "studies/sizing/root_bracket.h"
 
 static const double lowest_m = 0.002; /* nothing, and yet a block */
 static const double share_tolerance = 1e-6;
@@ -110,10 +110,10 @@ static enum pp_status find_alone(struct envelope_search *search, struct pp_error
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < search->found->dues.count && status == PP_OK; i++) {
-        struct pp_last_good_range range = {.low = 0.0,
-                                           .high = steepest_rad,
-                                           .near_value = share_tolerance,
-                                           .near_argument = angle_tolerance_rad};
+        struct pp_root_bracket_range range = {.low = 0.0,
+                                              .high = steepest_rad,
+                                              .near_value = share_tolerance,
+                                              .near_argument = angle_tolerance_rad};
         double altitude_rad = steepest_rad;
         search->number = i;
         status = alone_at(search, range.high, &range.at_high, err);
@@ -121,7 +121,7 @@ static enum pp_status find_alone(struct envelope_search *search, struct pp_error
             status = alone_at(search, range.low, &range.at_low, err);
             if (status == PP_OK)
                 status =
-                    pp_last_good_find(&altitude_rad, &range, alone_at, search, err);
+                    pp_root_bracket_find(&altitude_rad, &range, alone_at, search, err);
         }
         search->tangents[i] =
             altitude_rad < steepest_rad ? tan(altitude_rad) : INFINITY;
@@ -134,10 +134,10 @@ static enum pp_status find_together(struct envelope_search *search,
                                     struct pp_error *err)
 {
     struct pp_plot_envelope *found = search->found;
-    struct pp_last_good_range range = {.low = 1.0,
-                                       .high = 1.0,
-                                       .near_value = share_tolerance,
-                                       .near_argument = factor_tolerance};
+    struct pp_root_bracket_range range = {.low = 1.0,
+                                          .high = 1.0,
+                                          .near_value = share_tolerance,
+                                          .near_argument = factor_tolerance};
     found->factor = 1.0;
     enum pp_status status = together_at(search, 1.0, &range.at_low, err);
     range.at_high = range.at_low;
@@ -151,7 +151,7 @@ static enum pp_status find_together(struct envelope_search *search,
         status = together_at(search, range.high, &range.at_high, err);
     }
     if (status == PP_OK && range.at_high < -share_tolerance)
-        status = pp_last_good_find(&found->factor, &range, together_at, search, err);
+        status = pp_root_bracket_find(&found->factor, &range, together_at, search, err);
     return status;
 }
 

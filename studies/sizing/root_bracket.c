@@ -1,13 +1,14 @@
-/* last_good.c - see last_good.h. */
-#include "studies/sizing/last_good.h"
+/* root_bracket.c - see root_bracket.h. */
+#include "studies/sizing/root_bracket.h"
 
 #include <math.h>
 
 enum { STEPS_MOST = 60 };
 
-enum pp_status pp_last_good_find(double *found, const struct pp_last_good_range *range,
-                                 pp_last_good_value *value_at, void *context,
-                                 struct pp_error *err)
+enum pp_status pp_root_bracket_find(double *found,
+                                    const struct pp_root_bracket_range *range,
+                                    pp_root_bracket_value *value_at, void *context,
+                                    struct pp_error *err)
 {
     double low = range->low, high = range->high;
     double at_low = range->at_low, at_high = range->at_high, value;
