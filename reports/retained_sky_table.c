@@ -1,5 +1,5 @@
-/* sky_dues_table.c - see sky_dues_table.h. */
-#include "reports/sky_dues_table.h"
+/* retained_sky_table.c - see retained_sky_table.h. */
+#include "reports/retained_sky_table.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,9 +8,10 @@
 #include "model/geometry/vec.h"
 #include "reports/parts/print.h"
 
-void pp_sky_dues_table_say(char *text, size_t size, const struct pp_sky_dues_rule *rule)
+void pp_retained_sky_table_say(char *text, size_t size,
+                               const struct pp_retained_sky_rule *rule)
 {
-    bool vsc = rule->of == PP_SKY_DUES_VSC;
+    bool vsc = rule->of == PP_RETAINED_SKY_VSC;
     pp_text_append(text, size, "%.3g of its %s", rule->keep,
                    vsc ? "vertical sky component" : "lit area");
     if (isfinite(rule->enough))
@@ -18,22 +19,22 @@ void pp_sky_dues_table_say(char *text, size_t size, const struct pp_sky_dues_rul
 }
 
 /* VSC in per cent, areas in m2. */
-static double unit_of(enum pp_sky_dues_of of)
+static double unit_of(enum pp_retained_sky_of of)
 {
-    return of == PP_SKY_DUES_VSC ? 100.0 : 1.0;
+    return of == PP_RETAINED_SKY_VSC ? 100.0 : 1.0;
 }
 
-static double ratio_of(const struct pp_sky_due *due)
+static double ratio_of(const struct pp_retained_sky_place *due)
 {
     return due->before > 0.0 ? due->after / due->before : NAN;
 }
 
 /* Room, window and line; of rooms, the room alone. */
-static bool fill_names(struct pp_table *table, const struct pp_sky_dues *dues,
-                       enum pp_sky_dues_of of)
+static bool fill_names(struct pp_table *table, const struct pp_retained_sky *dues,
+                       enum pp_retained_sky_of of)
 {
     static const char *const headings[] = {"room", "window", "line"};
-    table->key_count = of == PP_SKY_DUES_VSC ? 3 : 1;
+    table->key_count = of == PP_RETAINED_SKY_VSC ? 3 : 1;
     for (int c = 0; c < table->key_count; c++) {
         struct pp_table_column *column = pp_table_add(table, NULL, NULL, headings[c]);
         if (!column)
@@ -61,20 +62,21 @@ static bool fill_marks(struct pp_table *table, const char *group, int count,
     return true;
 }
 
-bool pp_sky_dues_table_fill(struct pp_table *table, const struct pp_sky_dues *dues,
-                            enum pp_sky_dues_of of, int deciding,
-                            const double *altitudes_rad)
+bool pp_retained_sky_table_fill(struct pp_table *table,
+                                const struct pp_retained_sky *dues,
+                                enum pp_retained_sky_of of, int deciding,
+                                const double *altitudes_rad)
 {
     static const char *const headings[] = {"before", "now", "then", "ratio", "plane"};
-    const char *group =
-        of == PP_SKY_DUES_VSC ? "vertical sky component, %" : "area that sees sky, m2";
+    const char *group = of == PP_RETAINED_SKY_VSC ? "vertical sky component, %"
+                                                  : "area that sees sky, m2";
     double unit = unit_of(of);
     bool good = fill_names(table, dues, of);
     for (int c = 0; c < (altitudes_rad ? 5 : 4) && good; c++) {
         struct pp_table_column *column = pp_table_add(table, group, group, headings[c]);
         good = column != NULL;
         for (int i = 0; i < dues->count && good; i++) {
-            const struct pp_sky_due *due = &dues->list[i];
+            const struct pp_retained_sky_place *due = &dues->list[i];
             const double values[] = {unit * due->before, unit * due->now,
                                      unit * due->after, ratio_of(due),
                                      altitudes_rad ? altitudes_rad[i] / PP_RAD : NAN};
@@ -89,14 +91,14 @@ bool pp_sky_dues_table_fill(struct pp_table *table, const struct pp_sky_dues *du
     return good && fill_marks(table, group, dues->count, deciding);
 }
 
-static struct json_object *due_object(const struct pp_sky_due *due,
-                                      enum pp_sky_dues_of of,
+static struct json_object *due_object(const struct pp_retained_sky_place *due,
+                                      enum pp_retained_sky_of of,
                                       const double *altitude_rad, bool decides)
 {
     struct json_object *object = json_object_new_object();
     double unit = unit_of(of);
     bool good = object && pp_json_text(object, "room", due->room);
-    if (of == PP_SKY_DUES_VSC)
+    if (of == PP_RETAINED_SKY_VSC)
         good = good
                && pp_json_text(object, "window", due->window[0] ? due->window : NULL)
                && pp_json_add(object, "line", json_object_new_int(due->line));
@@ -112,12 +114,14 @@ static struct json_object *due_object(const struct pp_sky_due *due,
     return pp_json_whole(object, good);
 }
 
-bool pp_sky_dues_table_json(struct json_object *object, const struct pp_sky_dues *dues,
-                            enum pp_sky_dues_of of, int deciding,
-                            const double *altitudes_rad)
+bool pp_retained_sky_table_json(struct json_object *object,
+                                const struct pp_retained_sky *dues,
+                                enum pp_retained_sky_of of, int deciding,
+                                const double *altitudes_rad)
 {
     struct json_object *list = json_object_new_array();
-    bool good = pp_json_add(object, of == PP_SKY_DUES_VSC ? "windows" : "rooms", list);
+    bool good =
+        pp_json_add(object, of == PP_RETAINED_SKY_VSC ? "windows" : "rooms", list);
     for (int i = 0; i < dues->count && good; i++)
         good = pp_json_append(list, due_object(&dues->list[i], of,
                                                altitudes_rad ? &altitudes_rad[i] : NULL,
@@ -125,7 +129,8 @@ bool pp_sky_dues_table_json(struct json_object *object, const struct pp_sky_dues
     return good;
 }
 
-void pp_sky_dues_table_point(const struct pp_sky_dues_rule *rule, int width, FILE *out)
+void pp_retained_sky_table_point(const struct pp_retained_sky_rule *rule, int width,
+                                 FILE *out)
 {
     char text[128];
     if (!(rule->french_m > 0.0))

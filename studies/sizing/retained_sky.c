@@ -1,5 +1,5 @@
-/* sky_dues.c - see sky_dues.h. */
-#include "studies/sizing/sky_dues.h"
+/* retained_sky.c - see retained_sky.h. */
+#include "studies/sizing/retained_sky.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,20 +13,21 @@
 
 static const double next_to_nothing = 1e-6; /* who has less before keeps nothing */
 
-const char *const pp_sky_dues_words[] = {"vsc", "lit-area", NULL};
+const char *const pp_retained_sky_words[] = {"vsc", "lit-area", NULL};
 
-static enum pp_status add(struct pp_sky_dues *dues, const struct pp_sky_dues_rule *rule,
+static enum pp_status add(struct pp_retained_sky *retained,
+                          const struct pp_retained_sky_rule *rule,
                           const struct pp_world *world, int place,
                           const struct pp_opening *opening, double value,
                           struct pp_error *err)
 {
     enum pp_status status =
-        pp_array_append(&dues->list, dues->count, sizeof *dues->list, err);
+        pp_array_append(&retained->list, retained->count, sizeof *retained->list, err);
     if (status != PP_OK)
         return status;
-    struct pp_sky_due *due = &dues->list[dues->count++];
-    *due =
-        (struct pp_sky_due){.place = place, .before = NAN, .now = value, .after = NAN};
+    struct pp_retained_sky_place *due = &retained->list[retained->count++];
+    *due = (struct pp_retained_sky_place){
+        .place = place, .before = NAN, .now = value, .after = NAN};
     if (opening) {
         due->line = opening->line;
         due->middle = pp_placement_to_building(
@@ -47,9 +48,9 @@ static bool is_called(const char *own, const char *wanted)
 }
 
 /* With `only`, the windows of its line alone. */
-static enum pp_status add_windows(struct pp_sky_dues *dues,
-                                  const struct pp_sky_dues_rule *rule,
-                                  const struct pp_sky_due *only,
+static enum pp_status add_windows(struct pp_retained_sky *retained,
+                                  const struct pp_retained_sky_rule *rule,
+                                  const struct pp_retained_sky_place *only,
                                   const struct pp_world *world, int place,
                                   struct pp_error *err)
 {
@@ -63,28 +64,28 @@ static enum pp_status add_windows(struct pp_sky_dues *dues,
             continue;
         status = pp_vertical_sky_at_point(&share, world, opening, rule->french_m, err);
         if (status == PP_OK)
-            status = add(dues, rule, world, place, opening, share, err);
+            status = add(retained, rule, world, place, opening, share, err);
     }
     return status;
 }
 
-static enum pp_status add_lit_area(struct pp_sky_dues *dues,
-                                   const struct pp_sky_dues_rule *rule,
+static enum pp_status add_lit_area(struct pp_retained_sky *retained,
+                                   const struct pp_retained_sky_rule *rule,
                                    const struct pp_world *world, int place,
                                    struct pp_error *err)
 {
     struct pp_lit_area area;
     enum pp_status status = pp_lit_line_find(&area, world, PP_LIT_NO_SKY, err);
     if (status == PP_OK)
-        status = add(dues, rule, world, place, NULL, area.lit_m2, err);
+        status = add(retained, rule, world, place, NULL, area.lit_m2, err);
     pp_lit_area_clear(&area);
     return status;
 }
 
 /* All that count in one room. */
-static enum pp_status add_room(struct pp_sky_dues *dues,
-                               const struct pp_sky_dues_rule *rule,
-                               const struct pp_sky_due *only,
+static enum pp_status add_room(struct pp_retained_sky *retained,
+                               const struct pp_retained_sky_rule *rule,
+                               const struct pp_retained_sky_place *only,
                                struct pp_building *building, int index,
                                struct pp_error *err)
 {
@@ -99,32 +100,32 @@ static enum pp_status add_room(struct pp_sky_dues *dues,
     pp_mistakes_clear(&mistakes);
     int place = pp_building_place(building, index);
     if (status == PP_OK && is_called(world->name, rule->room))
-        status = rule->of == PP_SKY_DUES_VSC
-                     ? add_windows(dues, rule, only, world, place, err)
-                     : add_lit_area(dues, rule, world, place, err);
+        status = rule->of == PP_RETAINED_SKY_VSC
+                     ? add_windows(retained, rule, only, world, place, err)
+                     : add_lit_area(retained, rule, world, place, err);
     pp_world_destroy(world);
     return status;
 }
 
-static enum pp_status add_all(struct pp_sky_dues *dues,
-                              const struct pp_sky_dues_rule *rule,
-                              const struct pp_sky_due *only,
+static enum pp_status add_all(struct pp_retained_sky *retained,
+                              const struct pp_retained_sky_rule *rule,
+                              const struct pp_retained_sky_place *only,
                               struct pp_building *building, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < pp_building_room_count(building) && status == PP_OK; i++)
         if (!only || pp_building_place(building, i) == only->place)
-            status = add_room(dues, rule, only, building, i, err);
+            status = add_room(retained, rule, only, building, i, err);
     return status;
 }
 
-enum pp_status pp_sky_dues_list(struct pp_sky_dues *dues,
-                                const struct pp_sky_dues_rule *rule,
-                                struct pp_building *building, struct pp_error *err)
+enum pp_status pp_retained_sky_list(struct pp_retained_sky *retained,
+                                    const struct pp_retained_sky_rule *rule,
+                                    struct pp_building *building, struct pp_error *err)
 {
-    *dues = (struct pp_sky_dues){0};
-    enum pp_status status = add_all(dues, rule, NULL, building, err);
-    if (status != PP_OK || dues->count > 0)
+    *retained = (struct pp_retained_sky){0};
+    enum pp_status status = add_all(retained, rule, NULL, building, err);
+    if (status != PP_OK || retained->count > 0)
         return status;
     return rule->window
                ? pp_fail(err, PP_BAD_INPUT, "no upright window%s is named \"%.60s\"",
@@ -134,14 +135,14 @@ enum pp_status pp_sky_dues_list(struct pp_sky_dues *dues,
 
 /* Values of the building as it stands, in the order of the list. Both are in the order of
  * rooms and lines; windows of one line follow one another alike. */
-static enum pp_status measure(struct pp_sky_dues *dues, bool before,
-                              const struct pp_sky_dues_rule *rule,
+static enum pp_status measure(struct pp_retained_sky *retained, bool before,
+                              const struct pp_retained_sky_rule *rule,
                               struct pp_building *building, struct pp_error *err)
 {
-    struct pp_sky_dues then = {0};
+    struct pp_retained_sky then = {0};
     enum pp_status status = add_all(&then, rule, NULL, building, err);
-    for (int i = 0, k = 0; i < dues->count && status == PP_OK; i++) {
-        struct pp_sky_due *due = &dues->list[i];
+    for (int i = 0, k = 0; i < retained->count && status == PP_OK; i++) {
+        struct pp_retained_sky_place *due = &retained->list[i];
         while (
             k < then.count
             && (then.list[k].place < due->place
@@ -151,55 +152,57 @@ static enum pp_status measure(struct pp_sky_dues *dues, bool before,
                     && then.list[k].line == due->line;
         *(before ? &due->before : &due->after) = same ? then.list[k++].now : 0.0;
     }
-    pp_sky_dues_clear(&then);
+    pp_retained_sky_clear(&then);
     return status;
 }
 
-enum pp_status pp_sky_dues_before(struct pp_sky_dues *dues,
-                                  const struct pp_sky_dues_rule *rule,
-                                  struct pp_building *building, struct pp_error *err)
+enum pp_status pp_retained_sky_before(struct pp_retained_sky *retained,
+                                      const struct pp_retained_sky_rule *rule,
+                                      struct pp_building *building,
+                                      struct pp_error *err)
 {
-    return measure(dues, true, rule, building, err);
+    return measure(retained, true, rule, building, err);
 }
 
-enum pp_status pp_sky_dues_after(struct pp_sky_dues *dues,
-                                 const struct pp_sky_dues_rule *rule,
-                                 struct pp_building *building, struct pp_error *err)
-{
-    return measure(dues, false, rule, building, err);
-}
-
-enum pp_status pp_sky_dues_after_one(struct pp_sky_dues *dues, int number,
-                                     const struct pp_sky_dues_rule *rule,
+enum pp_status pp_retained_sky_after(struct pp_retained_sky *retained,
+                                     const struct pp_retained_sky_rule *rule,
                                      struct pp_building *building, struct pp_error *err)
 {
-    struct pp_sky_due *due = &dues->list[number];
-    struct pp_sky_dues then = {0};
+    return measure(retained, false, rule, building, err);
+}
+
+enum pp_status pp_retained_sky_after_one(struct pp_retained_sky *retained, int number,
+                                         const struct pp_retained_sky_rule *rule,
+                                         struct pp_building *building,
+                                         struct pp_error *err)
+{
+    struct pp_retained_sky_place *due = &retained->list[number];
+    struct pp_retained_sky then = {0};
     int alike = 0; /* windows of its line before it */
     while (alike < number && due[-alike - 1].place == due->place
            && due[-alike - 1].line == due->line)
         alike++;
     enum pp_status status = add_all(&then, rule, due, building, err);
     due->after = alike < then.count ? then.list[alike].now : 0.0;
-    pp_sky_dues_clear(&then);
+    pp_retained_sky_clear(&then);
     return status;
 }
 
-double pp_sky_dues_surplus_of(const struct pp_sky_due *due,
-                              const struct pp_sky_dues_rule *rule)
+double pp_retained_sky_surplus_of(const struct pp_retained_sky_place *due,
+                                  const struct pp_retained_sky_rule *rule)
 {
     return due->before > next_to_nothing
                ? due->after / fmin(rule->keep * due->before, rule->enough) - 1.0
                : INFINITY;
 }
 
-double pp_sky_dues_surplus(const struct pp_sky_dues *dues,
-                           const struct pp_sky_dues_rule *rule, int *deciding)
+double pp_retained_sky_surplus(const struct pp_retained_sky *retained,
+                               const struct pp_retained_sky_rule *rule, int *deciding)
 {
     double least = INFINITY;
     *deciding = -1;
-    for (int i = 0; i < dues->count; i++) {
-        double own = pp_sky_dues_surplus_of(&dues->list[i], rule);
+    for (int i = 0; i < retained->count; i++) {
+        double own = pp_retained_sky_surplus_of(&retained->list[i], rule);
         if (own < least) {
             least = own;
             *deciding = i;
@@ -208,8 +211,8 @@ double pp_sky_dues_surplus(const struct pp_sky_dues *dues,
     return least;
 }
 
-void pp_sky_dues_clear(struct pp_sky_dues *dues)
+void pp_retained_sky_clear(struct pp_retained_sky *retained)
 {
-    free(dues->list);
-    *dues = (struct pp_sky_dues){0};
+    free(retained->list);
+    *retained = (struct pp_retained_sky){0};
 }

@@ -1,26 +1,26 @@
-/* sky_dues.h - what the windows or the rooms about a site have of the sky, and what they are
- * due of it.
+/* retained_sky.h - light from the sky that windows or rooms around a site retain, and the
+ * share that they have to retain.
  *
  * A window has its vertical sky component (criteria/windows/vertical_sky.h), a room the
  * area of its working plane that sees sky, before the no-sky line (studies/lit_line.h).
- * Each is due a
- * share of what it has before something is built; a window with enough is due no more:
+ * Each has to retain
+ * a share of its value before building; a window with enough needs no more:
  *
  *     due = min(keep before, enough)       [BR209]: keep = 0.8; of VSC, enough = 27 %
  */
-#ifndef PP_STUDIES_SIZING_SKY_DUES_H
-#define PP_STUDIES_SIZING_SKY_DUES_H
+#ifndef PP_STUDIES_SIZING_RETAINED_SKY_H
+#define PP_STUDIES_SIZING_RETAINED_SKY_H
 
 #include "model/base/error.h"
 #include "model/room/building.h"
 
-enum pp_sky_dues_of { PP_SKY_DUES_VSC, PP_SKY_DUES_LIT_AREA };
+enum pp_retained_sky_of { PP_RETAINED_SKY_VSC, PP_RETAINED_SKY_LIT_AREA };
 
 /* "vsc", "lit-area", NULL. */
-extern const char *const pp_sky_dues_words[];
+extern const char *const pp_retained_sky_words[];
 
-struct pp_sky_dues_rule {
-    enum pp_sky_dues_of of;
+struct pp_retained_sky_rule {
+    enum pp_retained_sky_of of;
     const char *room;   /* only rooms of that name count; NULL: all */
     const char *window; /* only windows of that name count, of VSC; NULL: all */
     double keep;        /* share that each keeps, above 0, below 1 */
@@ -29,7 +29,7 @@ struct pp_sky_dues_rule {
 };
 
 /* An upright window, or a room, that counts. */
-struct pp_sky_due {
+struct pp_retained_sky_place {
     char room[64],
         window[64];  /* names, cut; may be empty, and of a room the window's is */
     int place, line; /* the room's in its building; the window's, of a room 0 */
@@ -40,42 +40,44 @@ struct pp_sky_due {
                                 * it, and with what was found */
 };
 
-struct pp_sky_dues {
-    struct pp_sky_due *list;
+struct pp_retained_sky {
+    struct pp_retained_sky_place *list;
     int count;
 };
 
 /* Lists what counts in the building as it stands, with what it has `now`, and nothing
  * before and after. PP_BAD_INPUT where nothing counts, or a room makes no sense. To be
  * cleared in any case. */
-enum pp_status pp_sky_dues_list(struct pp_sky_dues *dues,
-                                const struct pp_sky_dues_rule *rule,
-                                struct pp_building *building, struct pp_error *err);
+enum pp_status pp_retained_sky_list(struct pp_retained_sky *retained,
+                                    const struct pp_retained_sky_rule *rule,
+                                    struct pp_building *building, struct pp_error *err);
 
 /* Fills in `before` or `after`: what they have with the building as it stands, which may
  * be another state. Who is not there has 0. */
-enum pp_status pp_sky_dues_before(struct pp_sky_dues *dues,
-                                  const struct pp_sky_dues_rule *rule,
-                                  struct pp_building *building, struct pp_error *err);
-enum pp_status pp_sky_dues_after(struct pp_sky_dues *dues,
-                                 const struct pp_sky_dues_rule *rule,
-                                 struct pp_building *building, struct pp_error *err);
-
-/* `after` of that one alone, by its number in the list. */
-enum pp_status pp_sky_dues_after_one(struct pp_sky_dues *dues, int number,
-                                     const struct pp_sky_dues_rule *rule,
+enum pp_status pp_retained_sky_before(struct pp_retained_sky *retained,
+                                      const struct pp_retained_sky_rule *rule,
+                                      struct pp_building *building,
+                                      struct pp_error *err);
+enum pp_status pp_retained_sky_after(struct pp_retained_sky *retained,
+                                     const struct pp_retained_sky_rule *rule,
                                      struct pp_building *building,
                                      struct pp_error *err);
 
+/* `after` of that one alone, by its number in the list. */
+enum pp_status pp_retained_sky_after_one(struct pp_retained_sky *retained, int number,
+                                         const struct pp_retained_sky_rule *rule,
+                                         struct pp_building *building,
+                                         struct pp_error *err);
+
 /* What one has after over its due, less 1; INFINITY where it had nothing before. */
-double pp_sky_dues_surplus_of(const struct pp_sky_due *due,
-                              const struct pp_sky_dues_rule *rule);
+double pp_retained_sky_surplus_of(const struct pp_retained_sky_place *due,
+                                  const struct pp_retained_sky_rule *rule);
 
 /* The least, over all that had anything before, of what one has after over its due,
  * less 1; INFINITY where none had. *deciding is whose it is, -1: nobody's. */
-double pp_sky_dues_surplus(const struct pp_sky_dues *dues,
-                           const struct pp_sky_dues_rule *rule, int *deciding);
+double pp_retained_sky_surplus(const struct pp_retained_sky *retained,
+                               const struct pp_retained_sky_rule *rule, int *deciding);
 
-void pp_sky_dues_clear(struct pp_sky_dues *dues);
+void pp_retained_sky_clear(struct pp_retained_sky *retained);
 
 #endif
