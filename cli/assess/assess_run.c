@@ -9,7 +9,7 @@
 #include "cli/message.h"
 #include "cli/ranks/room_queue.h"
 #include "cli/watch.h"
-#include "studies/criteria/larger_house.h"
+#include "studies/criteria/facade_sensitivity.h"
 #include "studies/study_report.h"
 
 static struct pp_room_figures figures(void *data, int room)
@@ -25,7 +25,7 @@ static enum pp_status simulate_room(const void *data, int room,
 {
     const struct pp_assess_run *run = data;
     struct pp_study_options own = run->words->room.study;
-    own.seconds *= 1.0 - PP_LARGER_HOUSE_SHARE;
+    own.seconds *= 1.0 - PP_FACADE_SENSITIVITY_SHARE;
     return run->all.list[room].has_factors
                ? pp_study_report_traced(report, &own, by_clock, err)
                : PP_OK;
@@ -70,7 +70,7 @@ static enum pp_status compute(void *data, struct pp_error *err)
         struct pp_assessment *one = &all->list[i];
         status = pp_assessment_judge(one, &wanted, err);
         if (status == PP_OK)
-            status = pp_larger_house_doubt(one, &wanted, err);
+            status = pp_facade_sensitivity_check(one, &wanted, err);
     }
     return status;
 }

@@ -1,5 +1,5 @@
-/* larger_house.c - see larger_house.h. */
-#include "studies/criteria/larger_house.h"
+/* facade_sensitivity.c - see facade_sensitivity.h. */
+#include "studies/criteria/facade_sensitivity.h"
 
 #include <math.h>
 #include <string.h>
@@ -78,7 +78,7 @@ static enum pp_status judge_other(struct pp_assessment *assessment,
     struct pp_assess_options wanted = *options;
     struct pp_assessment other;
     coarser.error *= COARSER;
-    coarser.seconds *= PP_LARGER_HOUSE_SHARE;
+    coarser.seconds *= PP_FACADE_SENSITIVITY_SHARE;
     wanted.study = &coarser;
     wanted.verdicts_only = true;
     enum pp_status status = pp_assessment_begin(&other, room, 1, NULL, &wanted, err);
@@ -94,9 +94,9 @@ static enum pp_status judge_other(struct pp_assessment *assessment,
     return status;
 }
 
-enum pp_status pp_larger_house_doubt(struct pp_assessment *assessment,
-                                     const struct pp_assess_options *options,
-                                     struct pp_error *err)
+enum pp_status pp_facade_sensitivity_check(struct pp_assessment *assessment,
+                                           const struct pp_assess_options *options,
+                                           struct pp_error *err)
 {
     const struct pp_study_room *own = assessment->room;
     if (!options->study->simulate || !assessment->report.finished
