@@ -13,7 +13,7 @@
 #include "methods/pair.h"
 #include "methods/reflected/light_bound.h"
 #include "methods/selection.h"
-#include "methods/usual_pair.h"
+#include "methods/default_methods.h"
 
 /* Below this, starting threads costs more than it saves. */
 enum { SERIAL_MAX = 64 };
@@ -256,7 +256,7 @@ static enum pp_status add_choice(struct pp_report *report,
 /* The pair in place of the usual one, where that does not cover the room. */
 static enum pp_status stand_in(struct pp_report *report, struct pp_error *err)
 {
-    const struct pp_usual_pair pair = pp_usual_pair(
+    const struct pp_default_methods pair = pp_default_methods(
         report->world, &report->light, report->receivers, report->receiver_count);
     if (!pair.instead)
         return PP_OK;

@@ -1,6 +1,6 @@
-/* usual_pair.c - asks the internal part of each pair whether it covers the room; the direct
+/* default_methods.c - asks the internal part of each pair whether it covers the room; the direct
  * part, exact, covers all. */
-#include "methods/usual_pair.h"
+#include "methods/default_methods.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -37,11 +37,12 @@ static bool is_refused(char *why, size_t size, const struct pp_method *method,
     return false;
 }
 
-struct pp_usual_pair pp_usual_pair(const struct pp_world *world,
-                                   const struct pp_outside_light *light,
-                                   const struct pp_receiver *receivers, int count)
+struct pp_default_methods pp_default_methods(const struct pp_world *world,
+                                             const struct pp_outside_light *light,
+                                             const struct pp_receiver *receivers,
+                                             int count)
 {
-    struct pp_usual_pair pair = {.name = pairs[0].name};
+    struct pp_default_methods pair = {.name = pairs[0].name};
     const struct pp_method *first = pairs[0].internal;
     bool refused = is_refused(pair.why, sizeof pair.why, first, world, light, NULL);
     for (int i = 0; i < count && !refused; i++)
