@@ -5,7 +5,7 @@
 
 #include "bench/bench.h"
 #include "model/base/clock.h"
-#include "simulate/render/overture.h"
+#include "simulate/render/cache_warm_up.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/render/render.h"
 #include "simulate/scene/environment.h"
@@ -46,17 +46,17 @@ static struct pp_irradiance_cache *grown(const struct pp_light_scene *scene,
                                          struct pp_cache_options wanted)
 {
     struct pp_irradiance_cache *cache;
-    struct pp_overture *overture;
+    struct pp_cache_warm_up *warm_up;
     struct pp_error err;
     wanted.bounces = BOUNCES;
     wanted.threads = options->threads;
     must(pp_irradiance_cache_create(&cache, scene, environment, options->store,
                                     &options->light, &wanted, &err),
          &err);
-    must(pp_overture_create(&overture, cache, scene, options, 0, &err), &err);
-    while (!pp_overture_done(overture))
-        must(pp_overture_advance(overture, 1.0, &err), &err);
-    pp_overture_destroy(overture);
+    must(pp_cache_warm_up_create(&warm_up, cache, scene, options, 0, &err), &err);
+    while (!pp_cache_warm_up_done(warm_up))
+        must(pp_cache_warm_up_advance(warm_up, 1.0, &err), &err);
+    pp_cache_warm_up_destroy(warm_up);
     return cache;
 }
 
