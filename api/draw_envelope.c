@@ -89,7 +89,7 @@ static const struct pp_world *find_deciding(int *opening,
 {
     if (found->deciding < 0)
         return NULL;
-    const struct pp_sky_due *due = &found->dues.list[found->deciding];
+    const struct pp_retained_sky_place *due = &found->retained.list[found->deciding];
     for (int i = 0; i < rooms->count; i++) {
         const struct pp_study_room *room = &rooms->list[i];
         if (pp_building_place(room->building, room->index) != due->place)

@@ -7,8 +7,8 @@
 #include "simulate/scene/environment.h"
 #include "simulate/scene/light_scene_of_description.h"
 #include "simulate/scene/light_scene_of_world.h"
+#include "simulate/transport/opening_store.h"
 #include "simulate/transport/radiance.h"
-#include "simulate/transport/window_store.h"
 
 enum { SEEDS = 32 };
 
@@ -19,7 +19,7 @@ struct outcome {
 
 static struct outcome measure(const struct pp_light_scene *scene,
                               const struct pp_environment *environment,
-                              const struct pp_window_store *store,
+                              const struct pp_opening_store *store,
                               struct pp_radiance_options options, struct pp_vec3 point,
                               uint32_t paths)
 {
@@ -113,12 +113,12 @@ static void openings(const char *name, const char *xml)
     struct pp_world *world = world_of(&light, xml);
     struct pp_light_scene *scene;
     struct pp_environment *environment;
-    struct pp_window_store *store;
+    struct pp_opening_store *store;
     struct pp_error err;
     must(pp_light_scene_of_world(&scene, world, &err), &err);
     must(pp_light_scene_under(&environment, scene, &light, &err), &err);
     double start = processor_s(), log_sum = 0.0;
-    must(pp_window_store_create(&store, scene, environment, 1, 1, &err), &err);
+    must(pp_opening_store_create(&store, scene, environment, 1, 1, &err), &err);
     printf("%s (store: %.3f s)\n", name, processor_s() - start);
     printf("  %5s  %-19s %-19s %-19s  saves\n", "y", "aimed at, stored", "followed",
            "found by chance");
@@ -141,7 +141,7 @@ static void openings(const char *name, const char *xml)
     }
     printf("  in the mean (geometric) time to equal error is %.1f times less\n",
            exp(log_sum / world->receiver_count));
-    pp_window_store_destroy(store);
+    pp_opening_store_destroy(store);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);

@@ -5,12 +5,12 @@
 
 #include "bench/bench.h"
 #include "model/base/clock.h"
-#include "simulate/render/overture.h"
+#include "simulate/render/cache_warm_up.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/render/render.h"
 #include "simulate/scene/environment.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/transport/window_store.h"
+#include "simulate/transport/opening_store.h"
 #include "studies/pictures/default_view.h"
 
 enum {
@@ -46,17 +46,17 @@ static struct pp_irradiance_cache *grown(const struct pp_light_scene *scene,
                                          struct pp_cache_options wanted)
 {
     struct pp_irradiance_cache *cache;
-    struct pp_overture *overture;
+    struct pp_cache_warm_up *warm_up;
     struct pp_error err;
     wanted.bounces = BOUNCES;
     wanted.threads = options->threads;
     must(pp_irradiance_cache_create(&cache, scene, environment, options->store,
                                     &options->light, &wanted, &err),
          &err);
-    must(pp_overture_create(&overture, cache, scene, options, 0, &err), &err);
-    while (!pp_overture_done(overture))
-        must(pp_overture_advance(overture, 1.0, &err), &err);
-    pp_overture_destroy(overture);
+    must(pp_cache_warm_up_create(&warm_up, cache, scene, options, 0, &err), &err);
+    while (!pp_cache_warm_up_done(warm_up))
+        must(pp_cache_warm_up_advance(warm_up, 1.0, &err), &err);
+    pp_cache_warm_up_destroy(warm_up);
     return cache;
 }
 
@@ -196,13 +196,13 @@ static double deep_room(int samples, struct pp_cache_options wanted, int threads
                 "glazing='clear-single'/></room>");
     struct pp_light_scene *scene;
     struct pp_environment *environment;
-    struct pp_window_store *store;
+    struct pp_opening_store *store;
     struct pp_render *render;
     struct pp_error err;
     double start = pp_clock_s(), spent = processor_s();
     must(pp_light_scene_of_world(&scene, world, &err), &err);
     must(pp_light_scene_under(&environment, scene, &light, &err), &err);
-    must(pp_window_store_create(&store, scene, environment, 0, threads, &err), &err);
+    must(pp_opening_store_create(&store, scene, environment, 0, threads, &err), &err);
     struct pp_render_options options = picture_of(scene, world);
     options.store = store;
     options.samples = samples;
@@ -229,7 +229,7 @@ static double deep_room(int samples, struct pp_cache_options wanted, int threads
                    * error_of(pp_render_picture(render), scene, environment, &options));
     pp_render_destroy(render);
     pp_irradiance_cache_destroy(cache);
-    pp_window_store_destroy(store);
+    pp_opening_store_destroy(store);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);

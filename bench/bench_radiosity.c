@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "bench/bench.h"
-#include "simulate/elements/elements.h"
+#include "simulate/radiosity/radiosity.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/tracer/tracer.h"
 
@@ -43,13 +43,13 @@ static double trace(const struct pp_world *world, const struct pp_outside_light 
 
 /* RMS relative distance from the truth, and RMS relative error stated; relative to 0.2 % at
  * least, as a point may lie inside the partition. */
-static void compare(const struct pp_elements *elements, int points, const double *truth,
-                    double *off, double *stated)
+static void compare(const struct pp_radiosity *elements, int points,
+                    const double *truth, double *off, double *stated)
 {
     double sum[2] = {0.0};
     for (int i = 0; i < points; i++) {
         struct pp_reading of[PP_COMPONENT_COUNT];
-        pp_elements_read(elements, i, of);
+        pp_radiosity_read(elements, i, of);
         double least = fmax(truth[i], 0.002);
         double distance = (of[PP_DF].value - truth[i]) / least;
         double error = of[PP_DF].std_error / least;
@@ -69,20 +69,20 @@ static void bench_room(const char *name, const char *inside)
     struct pp_world *world = world_of(&light, xml);
     int points =
         world->receiver_count < MOST_POINTS ? world->receiver_count : (int)MOST_POINTS;
-    const struct pp_elements_options options = {.error = 1e-9, .threads = 1};
-    struct pp_elements *elements;
+    const struct pp_radiosity_options options = {.error = 1e-9, .threads = 1};
+    struct pp_radiosity *elements;
     struct pp_error err;
     double path_s = trace(world, &light, points, 0.01, coarse), taken = 0.0;
     trace(world, &light, points, 0.002, truth);
     printf("%s, %d points; the path tracer to 1 %%: %.3f s\n", name, points, path_s);
-    must(pp_elements_create(&elements, world, &light, world->receivers, points,
-                            &options, &err),
+    must(pp_radiosity_create(&elements, world, &light, world->receivers, points,
+                             &options, &err),
          &err);
     for (int level = 0; level < LEVELS; level++) {
         double start = processor_s(), off, stated;
-        must(pp_elements_advance(elements, &err), &err);
+        must(pp_radiosity_advance(elements, &err), &err);
         taken += processor_s() - start;
-        struct pp_elements_size size = pp_elements_size(elements);
+        struct pp_radiosity_size size = pp_radiosity_size(elements);
         compare(elements, points, truth, &off, &stated);
         printf(
             "  level %d: %5d elements, %5d cells outside, %8lld terms; %.2f s in all, "
@@ -93,7 +93,7 @@ static void bench_room(const char *name, const char *inside)
             printf(", stated %.2f %%", 100.0 * stated);
         printf("\n");
     }
-    pp_elements_destroy(elements);
+    pp_radiosity_destroy(elements);
     pp_world_destroy(world);
 }
 

@@ -6,7 +6,7 @@
 
 #include "bench/bench.h"
 #include "model/base/clock.h"
-#include "model/base/crew.h"
+#include "model/base/thread_pool.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/tracer/tracer.h"
 #include "tests/lib/random_rooms.h"
@@ -152,11 +152,11 @@ enum { ROUNDS = 8, PROCESSORS_MOST = 64 };
 
 static void bench_threads(void)
 {
-    struct pp_crew *crew;
+    struct pp_thread_pool *pool;
     struct pp_error err;
-    must(pp_crew_create(&crew, 0, &err), &err);
-    int most = pp_crew_size(crew);
-    pp_crew_destroy(crew);
+    must(pp_thread_pool_create(&pool, 0, &err), &err);
+    int most = pp_thread_pool_size(pool);
+    pp_thread_pool_destroy(pool);
     char *xml = grown_room(64, 4, 0);
     double best[2 * PROCESSORS_MOST + 1];
     int end = 2 * (most < PROCESSORS_MOST ? most : PROCESSORS_MOST);

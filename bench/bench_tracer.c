@@ -8,7 +8,7 @@
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/scene/light_scene_parts.h"
-#include "simulate/tracer/radiosity_solve.h"
+#include "simulate/tracer/control_variate_solve.h"
 #include "simulate/tracer/path.h"
 #include "simulate/tracer/tracer.h"
 #include "tests/lib/random_rooms.h"
@@ -124,12 +124,12 @@ static void bench_random_rooms(void)
 static void run_randomisations(const struct pp_world *world,
                                const struct pp_light_scene *scene,
                                const struct pp_environment *environment,
-                               const struct pp_radiosity *radiosity,
+                               const struct pp_control_variate *variate,
                                const struct pp_sobol *sobol, uint32_t paths,
                                bool every_ray, struct pp_path_state *path_state,
                                struct pp_ray_log *log)
 {
-    *path_state = pp_path_state(scene, environment, radiosity);
+    *path_state = pp_path_state(scene, environment, variate);
     path_state->light.every_ray = every_ray;
     path_state->light.log = log;
     for (int i = 0; i < world->receiver_count; i++)
@@ -163,21 +163,22 @@ static void bench_rays(const char *name, const struct pp_world *world,
     struct pp_error err;
     struct pp_light_scene *scene;
     struct pp_environment *environment;
-    struct pp_radiosity *radiosity;
+    struct pp_control_variate *variate;
     static struct pp_sobol sobol;
     pp_sobol_init(&sobol);
     must(pp_light_scene_of_world_matt(&scene, world, &err), &err);
     must(pp_light_scene_under(&environment, scene, light, &err), &err);
-    must(pp_radiosity_solve(&radiosity, scene, environment, &sobol, 1, 1, &err), &err);
+    must(pp_control_variate_solve(&variate, scene, environment, &sobol, 1, 1, &err),
+         &err);
     struct pp_path_state path_state;
-    run_randomisations(world, scene, environment, radiosity, &sobol, paths, every_ray,
+    run_randomisations(world, scene, environment, variate, &sobol, paths, every_ray,
                        &path_state, NULL);
     struct pp_ray_log log = {NULL, 0, path_state.light.rays};
     log.rays = malloc(sizeof *log.rays * (size_t)path_state.light.rays);
     float(*bare)[6] = malloc(sizeof *bare * (size_t)path_state.light.rays);
     if (!log.rays || !bare)
         exit(3);
-    run_randomisations(world, scene, environment, radiosity, &sobol, paths, every_ray,
+    run_randomisations(world, scene, environment, variate, &sobol, paths, every_ray,
                        &path_state, &log);
     for (long i = 0; i < log.count; i++) {
         struct pp_vec3 p = pp_vec_along(log.rays[i].from, 1e-5, log.rays[i].off);
@@ -190,8 +191,8 @@ static void bench_rays(const char *name, const struct pp_world *world,
     long hits = 0;
     for (int repeat = 0; repeat < 3; repeat++) {
         double start = processor_s();
-        run_randomisations(world, scene, environment, radiosity, &sobol, paths,
-                           every_ray, &path_state, NULL);
+        run_randomisations(world, scene, environment, variate, &sobol, paths, every_ray,
+                           &path_state, NULL);
         traced = fmin(traced, processor_s() - start);
         start = processor_s();
         for (long i = 0; i < log.count; i++) {
@@ -209,7 +210,7 @@ static void bench_rays(const char *name, const struct pp_world *world,
            1e9 * kernels / log.count, kernels / traced);
     free(bare);
     free(log.rays);
-    pp_radiosity_destroy(radiosity);
+    pp_control_variate_destroy(variate);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
 }

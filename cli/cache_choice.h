@@ -36,7 +36,7 @@ enum pp_status pp_cache_choice_open(struct pp_irradiance_cache **cache,
                                     const struct pp_cache_choice *words,
                                     const struct pp_light_scene *scene,
                                     const struct pp_environment *environment,
-                                    const struct pp_window_store *store,
+                                    const struct pp_opening_store *store,
                                     const struct pp_radiance_options *light,
                                     uint64_t seed, int threads, struct pp_error *err);
 

@@ -51,7 +51,7 @@ enum pp_exit pp_command_run(const struct pp_command *command, int argc, char **a
                             const struct pp_ranks *ranks)
 {
     struct pp_error err;
-    if (ranks && ranks->rank > 0 && !command->deals)
+    if (ranks && ranks->rank > 0 && !command->uses_ranks)
         return PP_EXIT_DONE;
     void *options = calloc(1, command->size);
     if (!options) {
@@ -59,7 +59,7 @@ enum pp_exit pp_command_run(const struct pp_command *command, int argc, char **a
         return pp_message_error(&err);
     }
     command->init(options);
-    if (command->deals)
+    if (command->uses_ranks)
         *(const struct pp_ranks **)((char *)options + command->ranks_place) = ranks;
     enum pp_exit exit_status = run_with(command, options, argc, argv);
     command->clear(options);

@@ -30,16 +30,16 @@ struct pp_command {
     void (*clear)(void *options); /* in any case */
     int words_before_files; /* how many operands are not yet files: 1 for a kind */
 
-    /* Does it deal its work out to ranks? Then a const struct pp_ranks * is at that
+    /* Does it share its work among ranks? Then a const struct pp_ranks * is at that
      * place of the options, set behind init: NULL where there are none. */
-    bool deals;
+    bool uses_ranks;
     size_t ranks_place;
 };
 
 void pp_command_help(const struct pp_command *command, FILE *out);
 
 /* argv[0] is the command's name. Prints its help, or says what is wrong with its words,
- * or runs it. ranks: NULL where this process is alone; of a command that does not deal,
+ * or runs it. ranks: NULL where this process is alone; of a command that does not share work,
  * only rank 0 does anything. */
 enum pp_exit pp_command_run(const struct pp_command *command, int argc, char **argv,
                             const struct pp_ranks *ranks);

@@ -13,10 +13,10 @@
 #include "methods/pair.h"
 #include "methods/reflected/light_bound.h"
 #include "methods/selection.h"
-#include "methods/usual_pair.h"
+#include "methods/default_methods.h"
 
-/* So many points take less time than waking the other members of a crew. */
-enum { LONE_POINTS = 64 };
+/* Below this, starting threads costs more than it saves. */
+enum { SERIAL_MAX = 64 };
 
 /* One component of an answer as a reading; the report keeps the text of its why. */
 static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *report,
@@ -46,7 +46,7 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
     return why ? PP_OK : pp_fail_memory(err);
 }
 
-/* The answers for the receivers, which the crew's members share. */
+/* The answers for the receivers, which the pool's workers share. */
 struct answering {
     const struct pp_method_run *run;
     const struct pp_receiver *receivers;
@@ -54,9 +54,9 @@ struct answering {
     atomic_bool failed;
 };
 
-static bool answer_one(void *data, int member, int i)
+static bool answer_one(void *data, int worker, int i)
 {
-    (void)member;
+    (void)worker;
     struct answering *to = data;
     if (pp_method_run_answer(to->run, to->receivers + i, to->answers + i, NULL)
         != PP_OK)
@@ -71,10 +71,10 @@ static enum pp_status answer_points(const struct pp_method_run *run,
 {
     struct answering answering = {run, report->receivers, answers, false};
     int count = report->receiver_count;
-    if (count > LONE_POINTS)
-        pp_crew_run(run->company.crew, 0, count, answer_one, &answering);
+    if (count > SERIAL_MAX)
+        pp_thread_pool_run(run->shared.pool, 0, count, answer_one, &answering);
     /* In order where they are few, or again, for the message of the first failure. */
-    bool ordered = count <= LONE_POINTS || answering.failed;
+    bool ordered = count <= SERIAL_MAX || answering.failed;
     enum pp_status status = PP_OK;
     for (int i = 0; ordered && i < count && status == PP_OK; i++)
         status = pp_method_run_answer(run, report->receivers + i, answers + i, err);
@@ -205,7 +205,7 @@ static bool create_steps(struct pp_method_answer *answers, struct pp_report *rep
 static enum pp_status add_method(struct pp_report *report,
                                  const struct pp_method *method,
                                  const struct pp_variant *variant,
-                                 struct pp_method_company company, struct pp_error *err)
+                                 struct pp_method_shared shared, struct pp_error *err)
 {
     enum pp_component component = pp_component_steps_given(method);
     if (pp_report_find(report, component, variant ? variant->name : method->name))
@@ -213,7 +213,7 @@ static enum pp_status add_method(struct pp_report *report,
 
     struct pp_method_run run;
     enum pp_status status =
-        pp_method_run_init(&run, method, variant, report, company, err);
+        pp_method_run_init(&run, method, variant, report, shared, err);
     if (status != PP_OK)
         return status;
     struct pp_method_answer *answers =
@@ -237,15 +237,15 @@ static enum pp_status add_method(struct pp_report *report,
 static enum pp_status add_choice(struct pp_report *report,
                                  const struct pp_choice *choice,
                                  const struct pp_variant *variant,
-                                 struct pp_method_company company, struct pp_error *err)
+                                 struct pp_method_shared shared, struct pp_error *err)
 {
     const struct pp_method *method = choice->method, *internal = choice->internal;
     bool of_internal = variant && variant->method == internal;
     enum pp_status status =
-        add_method(report, method, of_internal ? NULL : variant, company, err);
+        add_method(report, method, of_internal ? NULL : variant, shared, err);
     if (status != PP_OK || !internal)
         return status;
-    status = add_method(report, internal, of_internal ? variant : NULL, company, err);
+    status = add_method(report, internal, of_internal ? variant : NULL, shared, err);
     return status == PP_OK
                ? pp_pair_add(report,
                              variant && !of_internal ? variant->name : method->name,
@@ -256,7 +256,7 @@ static enum pp_status add_choice(struct pp_report *report,
 /* The pair in place of the usual one, where that does not cover the room. */
 static enum pp_status stand_in(struct pp_report *report, struct pp_error *err)
 {
-    const struct pp_usual_pair pair = pp_usual_pair(
+    const struct pp_default_methods pair = pp_default_methods(
         report->world, &report->light, report->receivers, report->receiver_count);
     if (!pair.instead)
         return PP_OK;
@@ -275,26 +275,26 @@ enum pp_status pp_methods_evaluate(struct pp_report *report, const char *selecti
         report->options && report->options->variants ? report->options->variants
                                                      : &none;
     struct pp_selection parsed;
-    struct pp_method_company company = {0};
+    struct pp_method_shared shared = {0};
     enum pp_status status = pp_selection_parse(&parsed, selection, err);
     if (status == PP_OK)
-        status = pp_crew_create(&company.crew, report->threads, err);
+        status = pp_thread_pool_create(&shared.pool, report->threads, err);
     if (status == PP_OK)
-        status = pp_beams_create(&company.beams, report->world, err);
+        status = pp_beams_create(&shared.beams, report->world, err);
     for (int i = 0; i < variants->count && status == PP_OK; i++)
         status = pp_selection_include(&parsed, variants->list[i].method, err);
     for (int i = 0; i < parsed.count && status == PP_OK; i++) {
         const struct pp_choice *choice = &parsed.choices[i];
-        status = add_choice(report, choice, NULL, company, err);
+        status = add_choice(report, choice, NULL, shared, err);
         for (int k = 0; k < variants->count && status == PP_OK; k++)
             if (variants->list[k].method == choice->method
                 || variants->list[k].method == choice->internal)
-                status = add_choice(report, choice, &variants->list[k], company, err);
+                status = add_choice(report, choice, &variants->list[k], shared, err);
     }
     if (status == PP_OK && parsed.usual)
         status = stand_in(report, err);
-    pp_beams_destroy(company.beams);
-    pp_crew_destroy(company.crew);
+    pp_beams_destroy(shared.beams);
+    pp_thread_pool_destroy(shared.pool);
     pp_selection_clear(&parsed);
     return status;
 }

@@ -15,8 +15,7 @@ enum pp_status pp_method_run_init(struct pp_method_run *run,
                                   const struct pp_method *method,
                                   const struct pp_variant *variant,
                                   const struct pp_report *report,
-                                  struct pp_method_company company,
-                                  struct pp_error *err)
+                                  struct pp_method_shared shared, struct pp_error *err)
 {
     static const struct pp_method_options no_options;
     const struct pp_world *world = report->world;
@@ -25,7 +24,7 @@ enum pp_status pp_method_run_init(struct pp_method_run *run,
                                   .varied = variant,
                                   .world = world,
                                   .light = &report->light,
-                                  .company = company};
+                                  .shared = shared};
     enum pp_status status = pp_formulary_create(
         &run->formulary, method->formulae, variant ? &variant->formula : NULL, err);
     if (status != PP_OK)
@@ -192,11 +191,11 @@ static bool plane_sum_at(void *data, int opening, const struct pp_receiver *rece
          failed =
              add_opening(sum->run, opening, receiver, &answer, &used, NULL) != PP_OK;
     if (failed || answer.why) {
-        pp_crew_lock(sum->run->company.crew);
+        pp_thread_pool_lock(sum->run->shared.pool);
         sum->failed |= failed;
         if (!failed && comes_before(&answer, &sum->refusal))
             sum->refusal = answer;
-        pp_crew_unlock(sum->run->company.crew);
+        pp_thread_pool_unlock(sum->run->shared.pool);
         return false;
     }
     bool direct = sum->run->method->gives == PP_GIVES_DIRECT;
@@ -218,8 +217,8 @@ static enum pp_status sum_averages(const struct pp_method_run *run,
     if (!parts)
         return pp_fail_memory(err);
     enum pp_status status =
-        pp_opening_averages(parts, known, run->method, run->company.beams, run->light,
-                            run->tools, run->company.crew, err);
+        pp_opening_averages(parts, known, run->method, run->shared.beams, run->light,
+                            run->tools, run->shared.pool, err);
     for (int i = 0; i < world->opening_count; i++)
         add_part(&answer->amounts, parts + i, run->factors[i]);
     free(parts);
@@ -258,7 +257,7 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
     if (run->method->average) {
         bool known;
         enum pp_status status = sum_averages(run, answer, &known, err);
-        if (status == PP_OK && pp_beams_gave_up(run->company.beams)) {
+        if (status == PP_OK && pp_beams_gave_up(run->shared.beams)) {
             *answer = (struct pp_method_answer){
                 .why =
                     "what stands outside is in too many pieces for an average within "
@@ -277,7 +276,7 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
         centres[i] = pp_plane_centre_of(&run->world->openings[i]);
     enum pp_status status =
         pp_plane_average(mean, &stopped, run->world, centres, count, plane_sum_at, &sum,
-                         PP_AVERAGE_ERROR, PP_AVERAGE_POINTS, run->company.crew, err);
+                         PP_AVERAGE_ERROR, PP_AVERAGE_POINTS, run->shared.pool, err);
     free(centres);
     if (status != PP_OK)
         return status;

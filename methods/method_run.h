@@ -6,7 +6,7 @@
 
 #include "methods/method.h"
 #include "methods/variant.h"
-#include "model/base/crew.h"
+#include "model/base/thread_pool.h"
 #include "model/results/report.h"
 
 /* The relative error that an average by points is estimated to have, and the most of
@@ -15,9 +15,9 @@
 enum { PP_AVERAGE_POINTS = 2000 };
 
 /* What the methods of one evaluation share; not owned. */
-struct pp_method_company {
+struct pp_method_shared {
     struct pp_beams *beams; /* of the world */
-    struct pp_crew *crew;
+    struct pp_thread_pool *pool;
 };
 
 /* A method as published or with a variant of a formula. */
@@ -30,7 +30,7 @@ struct pp_method_run {
     double *factors; /* product of the missing corrections, one for each opening */
     void *tools;     /* made by the method; NULL for a room that it refuses */
     struct pp_formulary *formulary;
-    struct pp_method_company company;
+    struct pp_method_shared shared;
     bool roughly; /* by evaluate_roughly, for an average */
 };
 
@@ -49,8 +49,7 @@ enum pp_status pp_method_run_init(struct pp_method_run *run,
                                   const struct pp_method *method,
                                   const struct pp_variant *variant,
                                   const struct pp_report *report,
-                                  struct pp_method_company company,
-                                  struct pp_error *err);
+                                  struct pp_method_shared shared, struct pp_error *err);
 void pp_method_run_clear(struct pp_method_run *run);
 
 /* The sum over the openings for a receiver (NULL: for the room), or why there is none.

@@ -1,7 +1,7 @@
 /* selection.h - which methods a user asks for: a list separated by commas of
  *
  *     default   exact+bre, brs-table+bre, average-df; the same as NULL. Where exact+bre does
- *               not cover the room, the pair that stands in its place too (usual_pair.h)
+ *               not cover the room, the pair that stands in its place too (default_methods.h)
  *     all       every direct method with bre, exact with every internal one, all whole
  *     A+B       direct component by A, internally reflected by B, and both components
  *     NAME      one method, with the components that it gives

@@ -5,7 +5,7 @@
 #include "reports/parts/json.h"
 #include "reports/parts/print.h"
 #include "reports/parts/table.h"
-#include "reports/sky_dues_table.h"
+#include "reports/retained_sky_table.h"
 
 static const char *const verdicts[] = {[PP_BLOCK_HEIGHT_FOUND] = "found",
                                        [PP_BLOCK_HEIGHT_ANY] = "any",
@@ -15,9 +15,9 @@ static void say_verdict(char *text, size_t size, const struct pp_block_height *f
                         const struct pp_block_height_task *task)
 {
     char name[64], due[80] = "";
-    const char *who = task->rule.of == PP_SKY_DUES_VSC ? "window" : "room";
+    const char *who = task->rule.of == PP_RETAINED_SKY_VSC ? "window" : "room";
     pp_text_excerpt(name, sizeof name, task->block);
-    pp_sky_dues_table_say(due, sizeof due, &task->rule);
+    pp_retained_sky_table_say(due, sizeof due, &task->rule);
     pp_text_append(text, size, "\"%s\" is %.2f m high; ", name, found->now_m);
     switch (found->verdict) {
     case PP_BLOCK_HEIGHT_FOUND:
@@ -48,9 +48,9 @@ enum pp_status pp_block_height_report(const struct pp_block_height *found,
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
     fputc('\n', out);
-    pp_table_init(&table, found->dues.count);
-    bool good = pp_sky_dues_table_fill(&table, &found->dues, task->rule.of,
-                                       found->deciding, NULL);
+    pp_table_init(&table, found->retained.count);
+    bool good = pp_retained_sky_table_fill(&table, &found->retained, task->rule.of,
+                                           found->deciding, NULL);
     if (good)
         pp_table_print(&table, width, out);
     pp_table_clear(&table);
@@ -62,7 +62,7 @@ enum pp_status pp_block_height_report(const struct pp_block_height *found,
             : "before: the site without the block; now: as the file has it; "
               "then: with the block at the height found [BR209]",
         2, 2, width, out);
-    pp_sky_dues_table_point(&task->rule, width, out);
+    pp_retained_sky_table_point(&task->rule, width, out);
     return good ? PP_OK : pp_fail_memory(err);
 }
 
@@ -73,7 +73,7 @@ enum pp_status pp_block_height_report_json(const struct pp_block_height *found,
     struct json_object *object = json_object_new_object();
     bool good = object && pp_json_text(object, "format", "pepperpot-height-1")
                 && pp_json_text(object, "block", task->block)
-                && pp_json_text(object, "of", pp_sky_dues_words[task->rule.of])
+                && pp_json_text(object, "of", pp_retained_sky_words[task->rule.of])
                 && pp_json_text(object, "verdict", verdicts[found->verdict])
                 && pp_json_number(object, "keep", task->rule.keep)
                 && pp_json_number(object, "enough", 100.0 * task->rule.enough)
@@ -81,7 +81,7 @@ enum pp_status pp_block_height_report_json(const struct pp_block_height *found,
                     || pp_json_number(object, "vsc_point_french", task->rule.french_m))
                 && pp_json_number(object, "now", found->now_m)
                 && pp_json_number(object, "height", found->height_m)
-                && pp_sky_dues_table_json(object, &found->dues, task->rule.of,
-                                          found->deciding, NULL);
+                && pp_retained_sky_table_json(object, &found->retained, task->rule.of,
+                                              found->deciding, NULL);
     return pp_json_print(out, pp_json_whole(object, good), err);
 }

@@ -7,7 +7,7 @@
 #include "reports/parts/format.h"
 #include "reports/parts/json.h"
 #include "reports/parts/print.h"
-#include "reports/sky_dues_table.h"
+#include "reports/retained_sky_table.h"
 
 static const char *const verdicts[] = {[PP_PLOT_ENVELOPE_FOUND] = "found",
                                        [PP_PLOT_ENVELOPE_ANY] = "any",
@@ -18,7 +18,7 @@ static void say_verdict(char *text, size_t size, const struct pp_plot_envelope *
 {
     char name[64], due[80] = "";
     pp_text_excerpt(name, sizeof name, task->block);
-    pp_sky_dues_table_say(due, sizeof due, &task->rule);
+    pp_retained_sky_table_say(due, sizeof due, &task->rule);
     pp_text_append(text, size, "On the plot of \"%s\" ", name);
     switch (found->verdict) {
     case PP_PLOT_ENVELOPE_FOUND:
@@ -88,9 +88,9 @@ enum pp_status pp_plot_envelope_report(const struct pp_plot_envelope *found,
         print_plan(&found->cells, out);
     }
     fputc('\n', out);
-    pp_table_init(&table, found->dues.count);
-    bool good = pp_sky_dues_table_fill(&table, &found->dues, task->rule.of,
-                                       found->deciding, found->altitudes_rad);
+    pp_table_init(&table, found->retained.count);
+    bool good = pp_retained_sky_table_fill(&table, &found->retained, task->rule.of,
+                                           found->deciding, found->altitudes_rad);
     if (good)
         pp_table_print(&table, width, out);
     pp_table_clear(&table);
@@ -104,7 +104,7 @@ enum pp_status pp_plot_envelope_report(const struct pp_plot_envelope *found,
               "the envelope [BR209]; plane: its altitude, degrees, where it limits "
               "the envelope",
         2, 2, width, out);
-    pp_sky_dues_table_point(&task->rule, width, out);
+    pp_retained_sky_table_point(&task->rule, width, out);
     return good ? PP_OK : pp_fail_memory(err);
 }
 
@@ -159,8 +159,8 @@ enum pp_status pp_plot_envelope_report_json(const struct pp_plot_envelope *found
                     || pp_json_number(object, "vsc_point_french", task->rule.french_m))
                 && pp_json_number(object, "volume", found->volume_m3)
                 && pp_json_number(object, "factor", found->factor)
-                && pp_sky_dues_table_json(object, &found->dues, task->rule.of,
-                                          found->deciding, found->altitudes_rad);
+                && pp_retained_sky_table_json(object, &found->retained, task->rule.of,
+                                              found->deciding, found->altitudes_rad);
     if (good)
         good = pp_json_add(object, "cells", list);
     else

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "methods/daylight_curves.h"
+#include "methods/default_methods.h"
 #include "methods/selection.h"
-#include "methods/usual_pair.h"
 #include "model/room/section.h"
 #include "studies/plane_figures.h"
 #include "studies/study_report.h"
@@ -165,8 +165,8 @@ static enum pp_status by_hand(struct pp_plan_study *study,
     struct pp_selection selection;
     enum pp_status status = pp_selection_parse(&selection, options->methods, err);
     if (status == PP_OK && selection.usual) {
-        const struct pp_usual_pair pair =
-            pp_usual_pair(room->world, &room->light, NULL, 0);
+        const struct pp_default_methods pair =
+            pp_default_methods(room->world, &room->light, NULL, 0);
         if (pair.instead)
             snprintf(study->note, sizeof study->note,
                      "%s in place of %s, which does not cover this room (%s).",

@@ -7,9 +7,9 @@
 #include "cli/interrupt.h"
 #include "cli/job.h"
 #include "cli/message.h"
-#include "cli/ranks/deal_rooms.h"
+#include "cli/ranks/room_queue.h"
 #include "cli/watch.h"
-#include "studies/criteria/larger_house.h"
+#include "studies/criteria/facade_sensitivity.h"
 #include "studies/study_report.h"
 
 static struct pp_room_figures figures(void *data, int room)
@@ -25,7 +25,7 @@ static enum pp_status simulate_room(const void *data, int room,
 {
     const struct pp_assess_run *run = data;
     struct pp_study_options own = run->words->room.study;
-    own.seconds *= 1.0 - PP_LARGER_HOUSE_SHARE;
+    own.seconds *= 1.0 - PP_FACADE_SENSITIVITY_SHARE;
     return run->all.list[room].has_factors
                ? pp_study_report_traced(report, &own, by_clock, err)
                : PP_OK;
@@ -62,15 +62,15 @@ static enum pp_status compute(void *data, struct pp_error *err)
         pp_interrupt_watch();
     if (status == PP_OK)
         status =
-            pp_deal_rooms(&(struct pp_room_dealing){study->simulate ? all->count : 0,
-                                                    run->words->room.ranks, figures,
-                                                    simulate_room, run},
-                          err);
+            pp_room_queue_run(&(struct pp_room_queue){study->simulate ? all->count : 0,
+                                                      run->words->room.ranks, figures,
+                                                      simulate_room, run},
+                              err);
     for (int i = 0; i < all->count && status == PP_OK; i++) {
         struct pp_assessment *one = &all->list[i];
         status = pp_assessment_judge(one, &wanted, err);
         if (status == PP_OK)
-            status = pp_larger_house_doubt(one, &wanted, err);
+            status = pp_facade_sensitivity_check(one, &wanted, err);
     }
     return status;
 }

@@ -67,6 +67,6 @@ const struct pp_command pp_command_assess = {
     .check = pp_assess_words_check,
     .run = run,
     .clear = pp_assess_words_clear,
-    .deals = true,
+    .uses_ranks = true,
     .ranks_place = PLACE(room.ranks),
 };

@@ -8,7 +8,7 @@
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/output.h"
-#include "model/base/deal.h"
+#include "model/base/work_queue.h"
 #include "studies/atlas/atlas_renewal.h"
 #include "studies/atlas/atlas_room.h"
 
@@ -39,12 +39,12 @@ static enum pp_status open_source(struct row_source *source,
     return pp_atlas_room_columns(&source->columns, &source->design, err);
 }
 
-/* Rows of a room, as the bytes that are dealt for. */
-static enum pp_status rows_of(void *data, int member, int room, char **rows,
+/* Rows of a room, as the bytes of the queue. */
+static enum pp_status rows_of(void *data, int worker, int room, char **rows,
                               size_t *length, struct pp_error *err)
 {
     const struct row_source *source = ((struct sweep *)data)->source;
-    (void)member;
+    (void)worker;
     if (source->table)
         return pp_atlas_renewal_rows(rows, length, &source->columns, &source->design,
                                      source->table, room, err);
@@ -70,24 +70,24 @@ static bool look(void *data, double done)
     return !watch->look || watch->look(watch->data, done, NAN);
 }
 
-/* Deals rooms first to end - 1 out. *next: the room after the last that was taken. */
-static enum pp_status deal(struct sweep *sweep, int first, int end,
-                           const struct pp_room_options *options, int *next,
-                           struct pp_error *err)
+/* Works out the rooms [first, end). *next: the room after the last that was collected. */
+static enum pp_status run_queue(struct sweep *sweep, int first, int end,
+                                const struct pp_room_options *options, int *next,
+                                struct pp_error *err)
 {
     sweep->watch = &options->study.watch;
-    const struct pp_deal dealing = {.first = first,
-                                    .end = end,
-                                    .threads = options->study.threads,
-                                    .work = rows_of,
-                                    .take = take,
-                                    .look = look,
-                                    .data = sweep,
-                                    .ranks = options->ranks};
+    const struct pp_work_queue queue = {.first = first,
+                                        .end = end,
+                                        .threads = options->study.threads,
+                                        .work = rows_of,
+                                        .collect = take,
+                                        .goes_on = look,
+                                        .data = sweep,
+                                        .ranks = options->ranks};
     pp_interrupt_watch();
     if (sweep->watch->begin)
         sweep->watch->begin(sweep->watch->data, "atlas");
-    enum pp_status status = pp_deal_run(&dealing, next, err);
+    enum pp_status status = pp_work_queue_run(&queue, next, err);
     if (sweep->watch->end)
         sweep->watch->end(sweep->watch->data);
     return status;
@@ -99,7 +99,7 @@ static enum pp_status follow(const struct row_source *source,
                              struct pp_error *err)
 {
     int next;
-    return deal(&(struct sweep){.source = source}, 0, 0, options, &next, err);
+    return run_queue(&(struct sweep){.source = source}, 0, 0, options, &next, err);
 }
 
 static bool is_rank_0(const struct pp_room_options *options)
@@ -121,8 +121,8 @@ static enum pp_status go_on(struct pp_atlas_file *file, const struct row_source 
     if (status != PP_OK)
         return status;
     int next;
-    status = deal(&(struct sweep){.source = source, .file = file}, file->rooms, rooms,
-                  options, &next, err);
+    status = run_queue(&(struct sweep){.source = source, .file = file}, file->rooms,
+                       rooms, options, &next, err);
     return pp_atlas_file_close(file, status, err);
 }
 
@@ -160,8 +160,8 @@ static enum pp_status print_anew(FILE *out, const struct row_source *source, int
         return pp_fail_memory(err);
     fputs(head, out);
     free(head);
-    return deal(&(struct sweep){.source = source, .out = out}, 0, rooms, options, next,
-                err);
+    return run_queue(&(struct sweep){.source = source, .out = out}, 0, rooms, options,
+                     next, err);
 }
 
 static enum pp_status renew(const struct pp_atlas_making *making,

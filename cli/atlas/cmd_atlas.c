@@ -240,6 +240,6 @@ const struct pp_command pp_command_atlas = {
     .check = check,
     .run = run,
     .clear = clear,
-    .deals = true,
+    .uses_ranks = true,
     .ranks_place = PLACE(room.ranks),
 };

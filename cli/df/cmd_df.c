@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "cli/command.h"
-#include "cli/ranks/deal_rooms.h"
+#include "cli/ranks/room_queue.h"
 #include "cli/df/engine_choice.h"
 #include "cli/format_option.h"
 #include "cli/df/formula_option.h"
@@ -221,10 +221,10 @@ static enum pp_status compute(void *data, struct pp_error *err)
     if (status == PP_OK && results->options->simulate)
         pp_interrupt_watch();
     if (status == PP_OK)
-        status = pp_deal_rooms(
-            &(struct pp_room_dealing){results->options->simulate ? results->count : 0,
-                                      run->options->room.ranks, figures, simulate_room,
-                                      run},
+        status = pp_room_queue_run(
+            &(struct pp_room_queue){results->options->simulate ? results->count : 0,
+                                    run->options->room.ranks, figures, simulate_room,
+                                    run},
             err);
     for (int i = 0; i < results->count && status == PP_OK && run->options->margin; i++)
         status = add_margin(&results->list[i], &rooms->list[i], run->options, err);
@@ -421,6 +421,6 @@ const struct pp_command pp_command_df = {
     .check = check,
     .run = run,
     .clear = clear,
-    .deals = true,
+    .uses_ranks = true,
     .ranks_place = PLACE(room.ranks),
 };

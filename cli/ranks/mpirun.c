@@ -10,7 +10,7 @@
 
 #include "cli/message.h"
 #include "cli/ranks/mpirun_module.h"
-#include "model/base/deal_ranks.h"
+#include "model/base/work_ranks.h"
 
 #define MODULE "pepperpot-mpi.so"
 
@@ -80,7 +80,7 @@ enum pp_exit pp_mpirun_end(struct pp_mpirun *mpirun, enum pp_exit status)
         return status;
     bool other = mpirun->ranks.rank > 0;
     if (!other)
-        pp_deal_ranks_dismiss(&mpirun->ranks);
+        pp_work_ranks_dismiss(&mpirun->ranks);
     mpirun->end(mpirun->ranks.data);
     return other ? PP_EXIT_DONE : status;
 }

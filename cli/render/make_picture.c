@@ -14,11 +14,11 @@
 #include "model/base/clock.h"
 #include "model/base/read_file.h"
 #include "simulate/cache/cache_file.h"
+#include "simulate/render/cache_warm_up.h"
 #include "simulate/render/checkpoint.h"
-#include "simulate/render/overture.h"
 #include "simulate/render/render_cache.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/transport/window_store.h"
+#include "simulate/transport/opening_store.h"
 
 /* A slice of the work, and the time between two checkpoints. */
 static const double slice_s = 0.1, checkpoint_s = 30.0;
@@ -33,17 +33,17 @@ enum { RANDOMISATIONS = 32 };
 #define CHECKPOINT_MOST ((size_t)1 << 32)
 
 /* Lets the cache grow until it has all that the picture asks for. */
-static enum pp_status grow(struct pp_overture *overture, bool quiet,
+static enum pp_status grow(struct pp_cache_warm_up *warm_up, bool quiet,
                            struct pp_error *err)
 {
     struct pp_progress progress;
     enum pp_status status = PP_OK;
     pp_progress_begin(&progress, "irradiance cache", quiet);
-    while (status == PP_OK && !pp_overture_done(overture)) {
-        status = pp_overture_advance(overture, slice_s, err);
-        pp_progress_show(&progress, pp_overture_progress(overture), NAN);
+    while (status == PP_OK && !pp_cache_warm_up_done(warm_up)) {
+        status = pp_cache_warm_up_advance(warm_up, slice_s, err);
+        pp_progress_show(&progress, pp_cache_warm_up_progress(warm_up), NAN);
         /* Half a cache would not grow on to the same one. */
-        if (status == PP_OK && pp_interrupt_came() && !pp_overture_done(overture))
+        if (status == PP_OK && pp_interrupt_came() && !pp_cache_warm_up_done(warm_up))
             status = pp_fail(err, PP_INTERRUPTED,
                              "interrupted while the irradiance cache grew, of which "
                              "nothing is kept; there is no picture");
@@ -94,7 +94,7 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
                                  const struct pp_room_options *options,
                                  struct pp_error *err)
 {
-    struct pp_overture *overture = NULL;
+    struct pp_cache_warm_up *warm_up = NULL;
     enum pp_status status = pp_cache_choice_open(
         &made->cache, &choice->cache, made->scene, made->environment, made->store,
         &render->light, options->study.seed, options->study.threads, err);
@@ -103,10 +103,10 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
         status = take_records(made->cache, choice->checkpoint, err);
     if (status == PP_OK)
         status =
-            pp_overture_create(&overture, made->cache, made->scene, render, 0, err);
+            pp_cache_warm_up_create(&warm_up, made->cache, made->scene, render, 0, err);
     if (status == PP_OK)
-        status = grow(overture, options->quiet, err);
-    pp_overture_destroy(overture);
+        status = grow(warm_up, options->quiet, err);
+    pp_cache_warm_up_destroy(warm_up);
     if (status == PP_OK)
         status = pp_cache_choice_save(&choice->cache, made->cache, err);
     if (status != PP_OK)
@@ -152,8 +152,8 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
         status = pp_render_view(&render.camera, &size, choice, made->scene, world, err);
     if (status == PP_OK && render.light.stored)
         status =
-            pp_window_store_create(&made->store, made->scene, made->environment,
-                                   options->study.seed, options->study.threads, err);
+            pp_opening_store_create(&made->store, made->scene, made->environment,
+                                    options->study.seed, options->study.threads, err);
     if (status != PP_OK)
         return status;
     render.width = size.width;
@@ -306,7 +306,7 @@ void pp_make_picture_clear(struct pp_made_picture *made)
     pp_render_destroy(made->render);
     pp_irradiance_cache_destroy(made->cache);
     free(made->marks);
-    pp_window_store_destroy(made->store);
+    pp_opening_store_destroy(made->store);
     pp_environment_destroy(made->environment);
     pp_light_scene_destroy(made->scene);
     *made = (struct pp_made_picture){0};

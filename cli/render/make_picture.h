@@ -11,7 +11,7 @@ struct pp_made_picture {
     struct pp_picture errors; /* its pixels' standard errors; empty: not asked for */
     struct pp_light_scene *scene;
     struct pp_environment *environment;
-    struct pp_window_store *store;
+    struct pp_opening_store *store;
     struct pp_irradiance_cache *cache; /* NULL: by paths */
     struct pp_render *render;
     double (*marks)[2];

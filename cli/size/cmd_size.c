@@ -14,7 +14,7 @@
 #include "cli/watch.h"
 #include "cli/size/size_block.h"
 #include "cli/size/size_options.h"
-#include "model/base/folder_way.h"
+#include "model/base/relative_path.h"
 #include "cli/format_option.h"
 
 static const char about[] =
@@ -31,7 +31,7 @@ static enum pp_status move_text(char **text, size_t *length, const char *file,
                                 const char *path, struct pp_error *err)
 {
     char *way = NULL, *moved = NULL;
-    enum pp_status status = pp_folder_way(&way, file, path, err);
+    enum pp_status status = pp_relative_path_prefix(&way, file, path, err);
     if (status == PP_OK)
         status = pp_room_text_move(&moved, length, *text, *length, way, err);
     free(way);

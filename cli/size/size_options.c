@@ -31,9 +31,9 @@ static enum pp_status read_height(const char *text, void *place, struct pp_error
 
 static enum pp_status read_of(const char *text, void *place, struct pp_error *err)
 {
-    for (int i = 0; pp_sky_dues_words[i]; i++)
-        if (strcmp(text, pp_sky_dues_words[i]) == 0) {
-            *(enum pp_sky_dues_of *)place = (enum pp_sky_dues_of)i;
+    for (int i = 0; pp_retained_sky_words[i]; i++)
+        if (strcmp(text, pp_retained_sky_words[i]) == 0) {
+            *(enum pp_retained_sky_of *)place = (enum pp_retained_sky_of)i;
             return PP_OK;
         }
     return pp_fail(err, PP_BAD_INPUT, "vsc or lit-area");
@@ -118,7 +118,7 @@ static enum pp_status settle_block(struct pp_size_options *options,
 {
     const struct pp_size_request *request = &options->request;
     const struct pp_room_options *room = &options->room;
-    struct pp_sky_dues_rule *rule = &options->rule;
+    struct pp_retained_sky_rule *rule = &options->rule;
     const char *other = request->target > 0.0          ? "target"
                         : request->criterion           ? "for"
                         : request->by                  ? "by"
@@ -135,7 +135,7 @@ static enum pp_status settle_block(struct pp_size_options *options,
     if (other)
         return pp_fail(err, PP_BAD_INPUT,
                        "--%s does not go with --%s; expected one of them", other, own);
-    if (options->envelope && rule->of == PP_SKY_DUES_LIT_AREA)
+    if (options->envelope && rule->of == PP_RETAINED_SKY_LIT_AREA)
         return pp_fail(err, PP_BAD_INPUT,
                        "--envelope is by windows' sky; expected --of vsc");
     if (options->obstruction && options->draw)
@@ -146,7 +146,7 @@ static enum pp_status settle_block(struct pp_size_options *options,
     if (options->obstruction && options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
                        "csv is the format of --envelope; expected text or json");
-    if (rule->of == PP_SKY_DUES_LIT_AREA
+    if (rule->of == PP_RETAINED_SKY_LIT_AREA
         && (rule->window || rule->enough > 0.0 || rule->french_m > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "--%s is of windows, and a lit area is a room's; expected "
@@ -176,15 +176,15 @@ const char *pp_size_options_block(const struct pp_size_options *options)
 /* An option of a block's rule that was given without a block; NULL: none. */
 static const char *stray_rule(const struct pp_size_options *options)
 {
-    const struct pp_sky_dues_rule *rule = &options->rule;
-    return options->highest_m > 0.0           ? "highest"
-           : options->draw                    ? "draw"
-           : rule->window                     ? "window-name"
-           : rule->keep > 0.0                 ? "keep"
-           : rule->enough > 0.0               ? "enough"
-           : rule->french_m > 0.0             ? "vsc-point-french"
-           : rule->of == PP_SKY_DUES_LIT_AREA ? "of"
-                                              : NULL;
+    const struct pp_retained_sky_rule *rule = &options->rule;
+    return options->highest_m > 0.0               ? "highest"
+           : options->draw                        ? "draw"
+           : rule->window                         ? "window-name"
+           : rule->keep > 0.0                     ? "keep"
+           : rule->enough > 0.0                   ? "enough"
+           : rule->french_m > 0.0                 ? "vsc-point-french"
+           : rule->of == PP_RETAINED_SKY_LIT_AREA ? "of"
+                                                  : NULL;
 }
 
 /* A criterion is judged by figures of its own, at points of its own. */

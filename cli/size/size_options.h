@@ -6,8 +6,8 @@
 
 #include "cli/room_options.h"
 #include "reports/parts/format.h"
+#include "studies/sizing/retained_sky.h"
 #include "studies/sizing/size_room.h"
-#include "studies/sizing/sky_dues.h"
 
 struct pp_size_options {
     struct pp_room_options room;
@@ -17,7 +17,7 @@ struct pp_size_options {
     const char *envelope;    /* the block on whose plot the largest envelope is; NULL */
     const char *draw;        /* the file that the envelope is drawn to; NULL: none */
     double highest_m;        /* of either */
-    struct pp_sky_dues_rule
+    struct pp_retained_sky_rule
         rule; /* what each window or room keeps then; its room is set by
                * pp_size_options_settle */
     enum pp_format format;

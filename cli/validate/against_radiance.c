@@ -8,7 +8,7 @@
 #include "cli/interrupt.h"
 #include "cli/job.h"
 #include "cli/message.h"
-#include "cli/ranks/deal_rooms.h"
+#include "cli/ranks/room_queue.h"
 #include "cli/validate/rtrace_factors.h"
 #include "cli/validate/run_suite.h"
 #include "model/base/read_file.h"
@@ -207,9 +207,9 @@ static enum pp_status compare_rooms(void *data, struct pp_error *err)
     for (int i = 0; i < run->rooms->count && status == PP_OK; i++)
         status = begin(run, &run->rooms->list[i], err);
     pp_interrupt_watch();
-    return status == PP_OK ? pp_deal_rooms(
-               &(struct pp_room_dealing){run->count, run->options->ranks, figures,
-                                         simulate, run},
+    return status == PP_OK ? pp_room_queue_run(
+               &(struct pp_room_queue){run->count, run->options->ranks, figures,
+                                       simulate, run},
                err)
                            : status;
 }

@@ -239,8 +239,8 @@ static enum pp_exit run(void *values, char **operands, int count)
     struct pp_terminal_watch watch;
     char **files = operands + options->words;
     int file_count = count - options->words;
-    bool deals = !options->suite || options->suite->of_rooms;
-    if (options->room.ranks && options->room.ranks->rank > 0 && !deals)
+    bool uses_ranks = !options->suite || options->suite->of_rooms;
+    if (options->room.ranks && options->room.ranks->rank > 0 && !uses_ranks)
         return PP_EXIT_DONE;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
     return options->suite && !options->suite->of_rooms
@@ -267,6 +267,6 @@ const struct pp_command pp_command_validate = {
     .check = check,
     .run = run,
     .clear = clear,
-    .deals = true,
+    .uses_ranks = true,
     .ranks_place = PLACE(room.ranks),
 };

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "cli/interrupt.h"
-#include "cli/ranks/deal_rooms.h"
+#include "cli/ranks/room_queue.h"
 #include "cli/validate/run_suite.h"
 #include "reports/df_result.h"
 #include "simulate/cache/irradiance_cache.h"
@@ -64,9 +64,9 @@ static enum pp_status find_cases(void *data, struct pp_known_cases *cases,
     pp_interrupt_watch();
     if (status == PP_OK)
         status =
-            pp_deal_rooms(&(struct pp_room_dealing){run->count, run->options->ranks,
-                                                    figures, simulate, run},
-                          err);
+            pp_room_queue_run(&(struct pp_room_queue){run->count, run->options->ranks,
+                                                      figures, simulate, run},
+                              err);
     for (int i = 0; i < run->count && status == PP_OK; i++)
         pp_room_cases_of_engines(cases, run->results[i].file, &run->results[i].report);
     return status;

@@ -1,12 +1,12 @@
 /* validate_rooms.c - all that is traced, room by room and world by world, is one list of
- * reports, which is dealt out; what is compared stays with rank 0. */
+ * reports, which ranks share; rank 0 does the comparison. */
 #include "cli/validate/validate_rooms.h"
 
 #include <stdlib.h>
 
 #include "cli/interrupt.h"
 #include "cli/job.h"
-#include "cli/ranks/deal_rooms.h"
+#include "cli/ranks/room_queue.h"
 #include "cli/terminal.h"
 #include "cli/validate/run_suite.h"
 #include "reports/df_result.h"
@@ -135,10 +135,10 @@ static enum pp_status trace(struct rooms_run *run, struct pp_error *err)
     if (status != PP_OK)
         return status;
     pp_interrupt_watch();
-    return pp_deal_rooms(&(struct pp_room_dealing){run->traced_count,
-                                                   run->options->ranks, figures,
-                                                   simulate, run},
-                         err);
+    return pp_room_queue_run(&(struct pp_room_queue){run->traced_count,
+                                                     run->options->ranks, figures,
+                                                     simulate, run},
+                             err);
 }
 
 static bool is_finished(const void *data)

@@ -6,7 +6,7 @@
 
 #include "methods/average/beam_tree.h"
 #include "model/geometry/clip.h"
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 
 enum pp_status pp_beam_create(struct pp_beam **made, const struct pp_world *world,
                               const struct pp_opening *opening, bool with_outside,
@@ -78,13 +78,13 @@ static bool lies_beside(const struct face_extent *extent, const struct pp_vec3 *
                         const struct pp_vec3 *high, double a, double b)
 {
     double near = a * low->z, far = a * high->z;
-    if (high->x - pp_smaller(near, far) <= extent->low[0]
-        || low->x - pp_larger(near, far) >= extent->high[0])
+    if (high->x - pp_min(near, far) <= extent->low[0]
+        || low->x - pp_max(near, far) >= extent->high[0])
         return true;
     near = b * low->z;
     far = b * high->z;
-    return high->y - pp_smaller(near, far) <= extent->low[1]
-           || low->y - pp_larger(near, far) >= extent->high[1];
+    return high->y - pp_min(near, far) <= extent->low[1]
+           || low->y - pp_max(near, far) >= extent->high[1];
 }
 
 static struct face_extent extent_of(const struct pp_fragments *fragments)
@@ -259,9 +259,9 @@ static double sum_areas(const struct pp_fragments *fragments)
     return sum;
 }
 
-bool pp_beam_space_is_spent(const struct pp_beam_space *space)
+bool pp_beam_budget_exhausted(const struct pp_beam_space *space)
 {
-    return space->visits_most > 0 && space->visits > space->visits_most;
+    return space->work_budget > 0 && space->work > space->work_budget;
 }
 
 /* Takes what any obstruction hides out of the open part, until nothing is left. */
@@ -273,10 +273,10 @@ static enum pp_status subtract_all(struct beam_look *look, struct pp_beam_space 
     int count = find_skylines(look, space->rings, space->xy, space->lights);
     do {
         for (int i = 0; i < count && status == PP_OK; i++) {
-            space->visits += open->count;
+            space->work += open->count;
             status = pp_fragments_subtract(open, &space->rings[i], err);
         }
-        if (pp_beam_space_is_spent(space))
+        if (pp_beam_budget_exhausted(space))
             return status;
         const struct beam_node *leaf = open->count > 0 ? next_leaf(look) : NULL;
         if (status != PP_OK || !leaf)
@@ -299,9 +299,9 @@ static enum pp_status cover_all(struct beam_look *look, struct pp_beam_space *sp
         find_skylines(look, space->rings + count,
                       space->xy + count * PP_FRAGMENT_CORNERS, space->lights + count);
     enum pp_status status = PP_OK;
-    for (int i = 0; i < count && status == PP_OK && !pp_beam_space_is_spent(space);
+    for (int i = 0; i < count && status == PP_OK && !pp_beam_budget_exhausted(space);
          i++) {
-        space->visits += space->open.count;
+        space->work += space->open.count;
         status = pp_fragments_cover(&space->open, space->rings, i, err);
     }
     return status;

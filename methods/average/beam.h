@@ -29,9 +29,9 @@ struct pp_beam_space {
     double (*xy)[2];
     struct pp_fragment_ring *rings;
     double (*lights)[2]; /* reflectance and exitance of the rings */
-    /* Of rings to fragments in all looks so far, which is what they cost; beyond the most
-     * (0: no bound) a look ends, and its areas are none. */
-    long long visits, visits_most;
+    /* Comparisons of rings with fragments so far, in all directions, which is nearly all of
+     * the time. Beyond the budget (0: unlimited) a direction ends without areas. */
+    long long work, work_budget;
 };
 
 /* Parts of the opening in the face's plane, m2. */
@@ -49,13 +49,13 @@ enum pp_status pp_beam_create(struct pp_beam **beam, const struct pp_world *worl
 void pp_beam_destroy(struct pp_beam *beam); /* NULL is allowed */
 
 /* For the direction u, a unit vector from the plane to the light: upwards and out
- * through the opening. Several threads may ask one beam. */
+ * through the opening. Several threads may use one beam. */
 enum pp_status pp_beam_areas(struct pp_beam_areas *areas, const struct pp_beam *beam,
                              struct pp_beam_space *space, struct pp_vec3 u,
                              struct pp_error *err);
 
-/* Have looks come to the bound of their cost? */
-bool pp_beam_space_is_spent(const struct pp_beam_space *space);
+/* True once the work has exceeded its budget. */
+bool pp_beam_budget_exhausted(const struct pp_beam_space *space);
 
 void pp_beam_space_clear(struct pp_beam_space *space);
 

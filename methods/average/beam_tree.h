@@ -1,5 +1,5 @@
-/* beam_tree.h - the pieces outside by where they stand, so that one direction looks only at
- * those which may lie before the opening along it. For beam.c and beam_pieces.c only.
+/* beam_tree.h - a hierarchy of the pieces outside, so that one direction tests only those which
+ * may lie before the opening along it. For beam.c and beam_pieces.c only.
  */
 #ifndef PP_METHODS_AVERAGE_BEAM_TREE_H
 #define PP_METHODS_AVERAGE_BEAM_TREE_H

@@ -18,9 +18,9 @@ enum { FIRST = 1 << 9, MOST = 1 << 15 };
 
 enum { GLASSES = 4 }; /* of which means are kept */
 
-/* What the looks through an opening may cost: one to two seconds. Before a terrain of 100,000
- * triangles 12,000 looks cost a 200th of that, before as many leaves 400 looks all of it. */
-static const long long visits_most = 200000000;
+/* Work budget of an opening, one to two seconds. Before a terrain of 100,000 triangles 12,000
+ * directions take 1/200 of it; before as many leaves 400 directions take all of it. */
+static const long long work_budget = 200000000;
 
 struct pp_kept_beam {
     struct pp_beam *beam; /* NULL: not made yet */
@@ -124,7 +124,7 @@ static void grow(struct pp_kept_beam *kept)
 bool pp_beams_gave_up(const struct pp_beams *beams)
 {
     for (int i = 0; i < 2 * beams->world->opening_count; i++)
-        if (pp_beam_space_is_spent(&beams->list[i].space))
+        if (pp_beam_budget_exhausted(&beams->list[i].space))
             return true;
     return false;
 }
@@ -134,8 +134,8 @@ enum pp_status pp_kept_beam_areas(struct pp_beam_areas *areas,
                                   struct pp_error *err)
 {
     *areas = (struct pp_beam_areas){0};
-    kept->space.visits_most = visits_most;
-    if (pp_beam_space_is_spent(&kept->space))
+    kept->space.work_budget = work_budget;
+    if (pp_beam_budget_exhausted(&kept->space))
         return PP_OK;
     if (2 * kept->count >= kept->places && kept->places < MOST)
         grow(kept);

@@ -32,8 +32,8 @@ enum pp_status pp_kept_beam_areas(struct pp_beam_areas *areas,
                                   struct pp_kept_beam *kept, struct pp_vec3 u,
                                   struct pp_error *err);
 
-/* Has a beam given up, as what stands outside is in too many pieces for a mean within
- * seconds? No mean is to be used then. */
+/* True if a beam has exhausted its budget, as obstructions have too many pieces for a mean
+ * within seconds. No mean is valid then. */
 bool pp_beams_gave_up(const struct pp_beams *beams);
 
 /* The means that were kept of the beam's light through that glass, under the one sky that

@@ -10,7 +10,7 @@ struct averages {
     struct pp_beams *beams;
     const struct pp_outside_light *light;
     const void *tools;
-    struct pp_crew *crew;
+    struct pp_thread_pool *pool;
 
     /* The first opening without an average, and what became of it; by the lock. */
     int first;
@@ -18,9 +18,9 @@ struct averages {
     struct pp_error err;
 };
 
-static bool average_one(void *data, int member, int i)
+static bool average_one(void *data, int worker, int i)
 {
-    (void)member;
+    (void)worker;
     struct averages *averages = data;
     struct pp_error err = {0};
     bool known = false;
@@ -29,13 +29,13 @@ static bool average_one(void *data, int member, int i)
         averages->tools, averages->parts + i, &known, &err);
     if (status == PP_OK && known)
         return true;
-    pp_crew_lock(averages->crew);
+    pp_thread_pool_lock(averages->pool);
     if (i < averages->first) {
         averages->first = i;
         averages->status = status;
         averages->err = err;
     }
-    pp_crew_unlock(averages->crew);
+    pp_thread_pool_unlock(averages->pool);
     return false;
 }
 
@@ -43,13 +43,13 @@ enum pp_status pp_opening_averages(struct pp_part *parts, bool *known,
                                    const struct pp_method *method,
                                    struct pp_beams *beams,
                                    const struct pp_outside_light *light,
-                                   const void *tools, struct pp_crew *crew,
+                                   const void *tools, struct pp_thread_pool *pool,
                                    struct pp_error *err)
 {
     int count = pp_beams_world(beams)->opening_count;
     struct averages averages = {parts, method, beams,         light,
-                                tools, crew,   .first = count};
-    pp_crew_run(crew, 0, count, average_one, &averages);
+                                tools, pool,   .first = count};
+    pp_thread_pool_run(pool, 0, count, average_one, &averages);
     *known = averages.first == count;
     return averages.status == PP_OK
                ? PP_OK

@@ -57,7 +57,7 @@ static int integrand_at(unsigned dim, const double *square, void *data, unsigned
     return 0;
 }
 
-/* The integrals over all pieces, which the crew's members share. */
+/* The integrals over all pieces, which the pool's workers share. */
 struct piece_integrals {
     const struct pp_plane_wedges *pieces;
     const struct integral *like;
@@ -68,9 +68,9 @@ struct piece_integrals {
 
 /* Of a piece that is not known well enough. All pieces are asked, whoever stops: what a
  * function notes on the way is then the same each time. */
-static bool integrate_piece(void *data, int member, int i)
+static bool integrate_piece(void *data, int worker, int i)
 {
-    (void)member;
+    (void)worker;
     const struct piece_integrals *integrals = data;
     const double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
     double error[PP_PLANE_VALUES];
@@ -94,11 +94,11 @@ static bool integrate_piece(void *data, int member, int i)
 
 /* The integrals summed in the order of the pieces. False: stopped. */
 static bool integrate(double sum[PP_PLANE_VALUES], struct piece_integrals *integrals,
-                      struct pp_crew *crew)
+                      struct pp_thread_pool *pool)
 {
     int count = integrals->pieces->count;
     bool stopped = false;
-    pp_crew_run(crew, 0, count, integrate_piece, integrals);
+    pp_thread_pool_run(pool, 0, count, integrate_piece, integrals);
     for (int k = 0; k < PP_PLANE_VALUES; k++)
         sum[k] = 0.0;
     for (int i = 0; i < count; i++) {
@@ -114,7 +114,7 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
                                 const struct pp_plane_centre *centres, int count,
                                 pp_plane_function *function, void *data,
                                 double relative_error, int most_points,
-                                struct pp_crew *crew, struct pp_error *err)
+                                struct pp_thread_pool *pool, struct pp_error *err)
 {
     double area_m2 = pp_region_area(&world->plane);
     if (!(area_m2 > 0.0))
@@ -141,14 +141,14 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
         .z = world->working_plane_m, .function = function, .data = data};
     struct piece_integrals integrals = {&pieces, &integral, 1e300, FIRST_POINTS, of};
     double sum[PP_PLANE_VALUES];
-    bool done = integrate(sum, &integrals, crew);
+    bool done = integrate(sum, &integrals, pool);
     double total = 0.0;
     for (int k = 0; k < PP_PLANE_VALUES; k++)
         total += sum[k];
     integrals.absolute = relative_error / 8.0 * total / sqrt(pieces.count);
     integrals.points = most_points > FIRST_POINTS ? most_points : FIRST_POINTS;
     if (done && total > 0.0)
-        done = integrate(sum, &integrals, crew);
+        done = integrate(sum, &integrals, pool);
     for (int k = 0; k < PP_PLANE_VALUES; k++)
         mean[k] = sum[k] / area_m2;
     *stopped = !done;

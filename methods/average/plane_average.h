@@ -4,7 +4,7 @@
 #define PP_METHODS_AVERAGE_PLANE_AVERAGE_H
 
 #include "methods/average/plane_wedges.h"
-#include "model/base/crew.h"
+#include "model/base/thread_pool.h"
 #include "model/room/world.h"
 
 enum { PP_PLANE_VALUES = 2 };
@@ -20,7 +20,7 @@ typedef bool pp_plane_function(void *data, int centre,
  *
  * Each centre's light is integrated in its own wedges (plane_wedges.h). A wedge is refined
  * until its estimated error is its part of relative_error/8 times the sum of all
- * integrals, or until it has had about most_points. The members of `crew` share the
+ * integrals, or until it has had about most_points. The workers of `pool` share the
  * wedges; the points and the sum do not depend on how many there are.
  *
  * With a relative error of 1e-3 and 2000 points, averages by brs-table and protractor in 50
@@ -34,6 +34,6 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
                                 const struct pp_plane_centre *centres, int count,
                                 pp_plane_function *function, void *data,
                                 double relative_error, int most_points,
-                                struct pp_crew *crew, struct pp_error *err);
+                                struct pp_thread_pool *pool, struct pp_error *err);
 
 #endif

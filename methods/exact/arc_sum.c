@@ -3,7 +3,7 @@
 
 #include <stddef.h>
 
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 
 /* Gauss-Legendre rules on 0 to 1: the lower half of the nodes, and their weights. */
 struct arc_rule {
@@ -76,14 +76,13 @@ static double stretch_of(const struct pp_arc_spacing *spacing, const struct arc_
         const struct pp_arc_bend *bend = &spacing->bends[i];
         double from = fabs(pp_vec_dot(bend->axis, a->u));
         double to = fabs(pp_vec_dot(bend->axis, b->u));
-        stretch = pp_larger(
-            stretch, fabs(to - from) / (2.0 * (pp_smaller(from, to) + bend->width)));
+        stretch =
+            pp_max(stretch, fabs(to - from) / (2.0 * (pp_min(from, to) + bend->width)));
     }
     if (spacing->cusp) {
-        double near = pp_larger(pp_vec_dot(*spacing->cusp, a->u),
-                                pp_vec_dot(*spacing->cusp, b->u));
-        stretch =
-            pp_larger(stretch, chord / (sqrt(pp_larger(0.0, 2.0 - 2.0 * near)) + 0.1));
+        double near =
+            pp_max(pp_vec_dot(*spacing->cusp, a->u), pp_vec_dot(*spacing->cusp, b->u));
+        stretch = pp_max(stretch, chord / (sqrt(pp_max(0.0, 2.0 - 2.0 * near)) + 0.1));
     }
     return stretch;
 }

@@ -3,7 +3,7 @@
 #include "methods/fitted/fitted_position.h"
 
 #include "methods/fitted/fitted_constants.h"
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 
 #define SECTION                                                                        \
     {"w_r", PP_UNIT_METRE, "breadth of the room along the opening's wall"},            \
@@ -116,9 +116,9 @@ struct pp_fitted_place pp_fitted_position_of(const struct pp_world *world,
             struct pp_vec3 from =
                 pp_vec_sub(world->surfaces[i].outline.vertices[k], middle);
             double along = pp_vec_dot(from, opening->along);
-            deep = pp_larger(deep, pp_vec_dot(from, in));
-            left = pp_smaller(left, along);
-            right = pp_larger(right, along);
+            deep = pp_max(deep, pp_vec_dot(from, in));
+            left = pp_min(left, along);
+            right = pp_max(right, along);
         }
     struct pp_fitted_place place = {
         .d_r = deep, .w_r = right - left, .h_r = world->height_m};

@@ -6,7 +6,7 @@
 
 #include "model/base/array.h"
 #include "model/geometry/angle.h"
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 #include "model/light/glass_curve.h"
 
 enum { RINGS = 180, CELLS = 240 };
@@ -74,7 +74,7 @@ static void fill_ring(double up_to[CELLS + 1], int ring,
         struct pp_vec3 u = direction(frame, theta, sides[k].aside);
         if (u.z > 0.0)
             light[k] = pp_sky_luminance(sky, u) * weight
-                       * pp_glass_curve_transmittance(losses, pp_smaller(cosine, 1.0));
+                       * pp_glass_curve_transmittance(losses, pp_min(cosine, 1.0));
     }
     for (int k = asked; k < CELLS; k++)
         light[k] = light[CELLS - 1 - k];

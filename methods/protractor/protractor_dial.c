@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "model/geometry/gauss.h"
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 
 static const double between_semicircles_rad = 10.0 * PP_RAD;
 
@@ -27,7 +27,7 @@ static double read_table(const double *values, const double *slopes, double last
                          double x)
 {
     double step = last / PP_DIAL_STEPS;
-    double place = pp_within(x / step, 0.0, PP_DIAL_STEPS);
+    double place = pp_clamp(x / step, 0.0, PP_DIAL_STEPS);
     int i = place < PP_DIAL_STEPS ? (int)place : PP_DIAL_STEPS - 1;
     return hermite(place - i, step, values[i], slopes[i], values[i + 1], slopes[i + 1]);
 }

@@ -3,7 +3,7 @@
 #include "methods/reflected/interior.h"
 
 #include "methods/reflected/well.h"
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 
 /* Twice the signed area of triangle o a b, seen against the polygon's normal. */
 static double twice_area(const struct pp_polygon *polygon, struct pp_vec3 o,
@@ -32,8 +32,8 @@ double pp_interior_area_below(const struct pp_polygon *polygon, double z)
     const struct pp_vec3 *vertices = polygon->vertices;
     double lowest = vertices[0].z, highest = lowest;
     for (int i = 1; i < polygon->count; i++) {
-        lowest = pp_smaller(vertices[i].z, lowest);
-        highest = pp_larger(vertices[i].z, highest);
+        lowest = pp_min(vertices[i].z, lowest);
+        highest = pp_max(vertices[i].z, highest);
     }
     if (lowest >= z)
         return 0.0;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 #include "model/geometry/tolerance.h"
 
 /* The block in bounds; false: nothing of it is seen. */
@@ -25,12 +25,12 @@ static bool bound_block(struct pp_block_bound *bound, const struct pp_block_view
             if (k >> e & 1)
                 p = pp_vec_add(p, edges[e]);
         double x = p.x / p.y, z = p.z / p.y, from = pp_vec_dot(p, p);
-        near = pp_smaller(p.y, near);
-        far = pp_larger(p.y, far);
-        square = pp_smaller(from, square);
-        bound->left = pp_smaller(x, bound->left);
-        bound->right = pp_larger(x, bound->right);
-        bound->high = pp_larger(z, bound->high);
+        near = pp_min(p.y, near);
+        far = pp_max(p.y, far);
+        square = pp_min(from, square);
+        bound->left = pp_min(x, bound->left);
+        bound->right = pp_max(x, bound->right);
+        bound->high = pp_max(z, bound->high);
     }
     /* Sides flush with the room's are set off into the block. */
     bound->distance_m = sqrt(square) - 2.0 * PP_SET_OFF_M;

@@ -12,7 +12,7 @@
 #include "model/base/array.h"
 #include "model/geometry/area_moments.h"
 #include "model/geometry/frame.h"
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 
 /* The opening's own frame at the point: x along, y out through the glass, z up. */
 struct opening_frame {
@@ -96,10 +96,10 @@ static struct pp_elevation_part through_rectangle(const struct pp_opening *openi
     for (int k = 0; k < 2; k++) {
         struct pp_vec3 a = in_frame(frame, outlines[k]->vertices[0]);
         struct pp_vec3 b = in_frame(frame, outlines[k]->vertices[2]);
-        seen.left = pp_larger(seen.left, pp_smaller(a.x, b.x) / a.y);
-        seen.right = pp_smaller(seen.right, pp_larger(a.x, b.x) / a.y);
-        seen.low = pp_larger(seen.low, pp_smaller(a.z, b.z) / a.y);
-        seen.high = pp_smaller(seen.high, pp_larger(a.z, b.z) / a.y);
+        seen.left = pp_max(seen.left, pp_min(a.x, b.x) / a.y);
+        seen.right = pp_min(seen.right, pp_max(a.x, b.x) / a.y);
+        seen.low = pp_max(seen.low, pp_min(a.z, b.z) / a.y);
+        seen.high = pp_min(seen.high, pp_max(a.z, b.z) / a.y);
     }
     return seen;
 }

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "model/base/array.h"
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 
 static void measure(struct pp_fragment *fragment)
 {
@@ -14,8 +14,8 @@ static void measure(struct pp_fragment *fragment)
         double low = fragment->xy[0][axis], high = low;
         for (int i = 1; i < fragment->count; i++) {
             double at = fragment->xy[i][axis];
-            low = pp_smaller(at, low);
-            high = pp_larger(at, high);
+            low = pp_min(at, low);
+            high = pp_max(at, high);
         }
         fragment->low[axis] = low;
         fragment->high[axis] = high;
@@ -86,8 +86,8 @@ void pp_fragments_close_ring(struct pp_fragment_ring *ring, double (*xy)[2], int
     for (int axis = 0; axis < 2; axis++) {
         double low = xy[0][axis], high = low;
         for (int i = 1; i < count; i++) {
-            low = pp_smaller(xy[i][axis], low);
-            high = pp_larger(xy[i][axis], high);
+            low = pp_min(xy[i][axis], low);
+            high = pp_max(xy[i][axis], high);
         }
         ring->low[axis] = low;
         ring->high[axis] = high;

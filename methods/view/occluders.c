@@ -6,7 +6,7 @@
 
 #include "model/base/array.h"
 #include "model/geometry/clip.h"
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 
 /* Coordinates in the view's plane that agree to this share of its extent count as
  * equal: some roundings of a double. */
@@ -180,8 +180,8 @@ static enum pp_status collect_surface(struct pp_occluders *inside,
     for (int i = 0; i < outline->count; i++) {
         double depth =
             pp_vec_dot(pp_vec_sub(outline->vertices[i], view->eye), view->toward);
-        nearest = pp_smaller(depth, nearest);
-        farthest = pp_larger(depth, farthest);
+        nearest = pp_min(depth, nearest);
+        farthest = pp_max(depth, farthest);
     }
     if (!(farthest > PP_OCCLUDERS_COPLANAR_M))
         return PP_OK;

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "model/base/array.h"
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 
 enum { DEEPEST = 12 }; /* halvings of one straight edge */
 
@@ -166,11 +166,11 @@ enum pp_status pp_waldram_squares_outline(struct pp_region *outline,
 /* The mean height of an edge from y0 to y1 over a square's foot, within the square. */
 static double mean_within(double y0, double y1, double height)
 {
-    double low = pp_smaller(y0, y1), high = pp_larger(y0, y1);
-    double from = pp_within(low, 0.0, height), to = pp_within(high, 0.0, height);
+    double low = pp_min(y0, y1), high = pp_max(y0, y1);
+    double from = pp_clamp(low, 0.0, height), to = pp_clamp(high, 0.0, height);
     if (!(to > from))
         return from;
-    return ((to - from) * (from + to) / 2.0 + pp_larger(high - height, 0.0) * height)
+    return ((to - from) * (from + to) / 2.0 + pp_max(high - height, 0.0) * height)
            / (high - low);
 }
 
@@ -187,13 +187,13 @@ static void add_below(struct square_field *field, int column, const double *p,
                       const double *q)
 {
     double left = column * field->width, right = (column + 1) * field->width;
-    double from = pp_within(p[0], left, right), to = pp_within(q[0], left, right);
+    double from = pp_clamp(p[0], left, right), to = pp_clamp(q[0], left, right);
     if (from == to)
         return;
     double rise = q[1] - p[1], run = q[0] - p[0], height = field->height;
     double y0 = p[1] + (from - p[0]) / run * rise;
     double y1 = p[1] + (to - p[0]) / run * rise;
-    double top = pp_larger(y0, y1), bottom = pp_smaller(y0, y1);
+    double top = pp_max(y0, y1), bottom = pp_min(y0, y1);
     double *parts = field->parts + (column - field->first) * field->rows;
     int row = 0;
     for (; row < field->rows && bottom - row * height >= height; row++)
@@ -264,8 +264,8 @@ enum pp_status pp_waldram_squares_count_outline(struct pp_waldram_count *count,
     for (int r = 0; r < outline->count; r++)
         for (int i = 0; i < outline->rings[r].count; i++) {
             double x = outline->rings[r].xy[i][0];
-            low = pp_smaller(x, low);
-            high = pp_larger(x, high);
+            low = pp_min(x, low);
+            high = pp_max(x, high);
         }
 
     if (low < high) { /* else nothing is visible */

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 
 /* Light polarised across the plane of incidence and along it: worked out side by side,
  * by the compiler's own vectors. */
@@ -62,10 +62,10 @@ void pp_glass_optics(const struct pp_glass *glass, double cos_incidence,
         *reflectance = 1.0; /* grazing: the limit, which the formula has as 0/0 */
     } else {
         double t, r;
-        clear_stack(glass, pp_smaller(cos_incidence, 1.0), &t, &r);
+        clear_stack(glass, pp_min(cos_incidence, 1.0), &t, &r);
         *transmittance = glass->scale * t;
         /* A glazing clearer than its stack can't reflect all that the stack does. */
-        *reflectance = pp_smaller(r, 1.0 - glass->scale * t);
+        *reflectance = pp_min(r, 1.0 - glass->scale * t);
     }
 }
 

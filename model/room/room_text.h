@@ -30,7 +30,7 @@ enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
                                  const struct pp_text_edit *edits, int edit_count,
                                  struct pp_error *err);
 
-/* The text with `way` put before the path of each mesh that is relative, as folder_way.h has
+/* The text with `way` put before the path of each mesh that is relative, as relative_path.h has
  * it of a room file that moves. *moved is the caller's. */
 enum pp_status pp_room_text_move(char **moved, size_t *moved_length, const char *text,
                                  size_t length, const char *way, struct pp_error *err);

@@ -21,7 +21,7 @@
 #include "model/room/outside/meshes.h"
 #include "model/room/outside/shades.h"
 #include "model/room/build/reveals.h"
-#include "model/room/build/sights.h"
+#include "model/room/build/self_occlusion.h"
 #include "model/room/outside/skylines.h"
 #include "model/room/build/watertight.h"
 #include "model/room/build/working_plane.h"
@@ -139,7 +139,7 @@ static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
         pp_build_free_surfaces, pp_build_fittings,       pp_build_covers,
         pp_build_inner_walls,   pp_build_shades,         pp_build_gardens,
         pp_build_working_plane, pp_build_receivers,      find_triangles,
-        pp_build_meshes,        pp_build_sights};
+        pp_build_meshes,        pp_build_self_occlusion};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);

@@ -204,7 +204,7 @@ static enum pp_status take_all(struct pp_irradiance_cache *cache,
             status = pp_cache_layer_put(&cache->layers[i], &entry, err);
         }
     for (int i = 0; status == PP_OK && i < PP_CACHE_DEPTHS; i++)
-        status = pp_cache_smooth_layer(&cache->layers[i], cache->crew, err);
+        status = pp_cache_smooth_layer(&cache->layers[i], cache->pool, err);
     return status;
 }
 

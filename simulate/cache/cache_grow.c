@@ -110,7 +110,7 @@ static struct pp_radiance_state state_of(const struct pp_irradiance_cache *cache
     return state;
 }
 
-/* A chunk of rays that the crew's members share. */
+/* A chunk of rays that the pool's workers share. */
 struct request_rays {
     const struct pp_irradiance_cache *cache;
     pp_cache_ray *ray_of;
@@ -122,9 +122,9 @@ struct request_rays {
 
 /* Follows a ray without next-event estimation, and notes where it asks for
  * irradiance. */
-static bool trace_one(void *data, int member, int i)
+static bool trace_one(void *data, int worker, int i)
 {
-    (void)member;
+    (void)worker;
     const struct request_rays *chunk = data;
     const struct pp_irradiance_cache *cache = chunk->cache;
     struct ray_requests *wanted = &chunk->requests[i];
@@ -163,7 +163,7 @@ static enum pp_status request_along(struct pp_irradiance_cache *cache,
     for (size_t first = 0; status == PP_OK && first < count; first += RAY_CHUNK) {
         int n = count - first < RAY_CHUNK ? (int)(count - first) : RAY_CHUNK;
         struct request_rays chunk = {cache, ray_of, list, first, depth, rays_requests};
-        pp_crew_run_small(cache->crew, 0, n, trace_one, &chunk);
+        pp_thread_pool_run_small(cache->pool, 0, n, trace_one, &chunk);
         int wanted = 0;
         for (int i = 0; i < n; i++)
             wanted += rays_requests[i].count;
@@ -297,25 +297,25 @@ static double guess_of(const struct pp_irradiance_cache *cache,
     return guess > 0.0 ? guess : FIRST_GUESS * cache->size_m;
 }
 
-/* The requests of a chunk, or the open ones, which the crew's members look at. */
+/* The requests of a chunk, or the open ones, which the pool's workers look at. */
 struct look {
     const struct pp_irradiance_cache *cache;
     struct pp_cache_layer *layer;
 };
 
-static bool look_at(void *data, int member, int i)
+static bool look_at(void *data, int worker, int i)
 {
-    (void)member;
+    (void)worker;
     const struct look *look = data;
     struct pp_cache_request *request = &look->layer->requests[look->layer->next + i];
     request->guess_m = (float)guess_of(look->cache, look->layer, &request->place);
     return true;
 }
 
-static bool look_at_open(void *data, int member, int i)
+static bool look_at_open(void *data, int worker, int i)
 {
     const struct look *look = data;
-    return look_at(data, member, look->layer->open[i]);
+    return look_at(data, worker, look->layer->open[i]);
 }
 
 /* Lists the open requests of the chunk, in their order. */
@@ -324,7 +324,7 @@ static void find_open(struct pp_irradiance_cache *cache, struct pp_cache_layer *
 {
     struct look look = {cache, layer};
     layer->open_count = 0;
-    pp_crew_run_small(cache->crew, 0, count, look_at, &look);
+    pp_thread_pool_run_small(cache->pool, 0, count, look_at, &look);
     for (int i = 0; i < count; i++)
         if (layer->requests[layer->next + i].guess_m >= 0.0f)
             layer->open[layer->open_count++] = i;
@@ -351,7 +351,7 @@ static int choose(struct pp_irradiance_cache *cache, struct pp_cache_layer *laye
     for (; i < layer->open_count && count < PP_CACHE_BATCH; i++) {
         if (i == looked) {
             int end = i + LOOK < layer->open_count ? i + LOOK : layer->open_count;
-            looked = pp_crew_run_small(cache->crew, i, end, look_at_open, &look);
+            looked = pp_thread_pool_run_small(cache->pool, i, end, look_at_open, &look);
         }
         const struct pp_cache_request *request =
             &layer->requests[layer->next + layer->open[i]];
@@ -367,16 +367,16 @@ static int choose(struct pp_irradiance_cache *cache, struct pp_cache_layer *laye
     return count;
 }
 
-/* The records of a batch, which the crew's members work out. */
+/* The records of a batch, which the pool's workers work out. */
 struct batch_records {
     struct pp_irradiance_cache *cache;
     int depth;
     const struct pp_cache_request *const *chosen;
-    struct pp_cache_hemisphere_cell *cells; /* of a hemisphere for each member */
+    struct pp_cache_hemisphere_cell *cells; /* of a hemisphere for each worker */
     struct pp_cache_entry *entries;
 };
 
-static bool compute_one(void *data, int member, int i)
+static bool compute_one(void *data, int worker, int i)
 {
     const struct batch_records *records = data;
     struct pp_irradiance_cache *cache = records->cache;
@@ -389,7 +389,7 @@ static bool compute_one(void *data, int member, int i)
     state.ambient = &ambient;
     size_t cells = (size_t)settings->side * (size_t)settings->side;
     pp_cache_record_compute(settings, &state, place,
-                            records->cells + (size_t)member * cells,
+                            records->cells + (size_t)worker * cells,
                             &records->entries[i]);
     records->entries[i].is.depth = depth;
     return true;
@@ -406,12 +406,12 @@ static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
         return PP_OK;
     size_t side = (size_t)layer->settings.side;
     struct pp_cache_hemisphere_cell *cells =
-        malloc((size_t)pp_crew_size(cache->crew) * side * side * sizeof *cells);
+        malloc((size_t)pp_thread_pool_size(cache->pool) * side * side * sizeof *cells);
     struct pp_cache_entry *entries = calloc(PP_CACHE_BATCH, sizeof *entries);
     enum pp_status status = cells && entries ? PP_OK : pp_fail_memory(err);
     struct batch_records records = {cache, depth, chosen, cells, entries};
     if (status == PP_OK)
-        pp_crew_run(cache->crew, 0, count, compute_one, &records);
+        pp_thread_pool_run(cache->pool, 0, count, compute_one, &records);
     for (int i = 0; status == PP_OK && i < count; i++)
         status = pp_cache_layer_add(layer, &entries[i], err);
     layer->again = true;
@@ -454,7 +454,7 @@ static enum pp_status step(struct pp_irradiance_cache *cache, struct pp_error *e
     if (layer->next < layer->request_count)
         return PP_OK;
     if (!layer->again)
-        return pp_cache_smooth_layer(layer, cache->crew, err);
+        return pp_cache_smooth_layer(layer, cache->pool, err);
     /* Neighbours have limited each other: is every request still covered? Each gets a
      * record of its own at last, so that this comes to an end. */
     layer->again = false;

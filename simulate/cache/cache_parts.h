@@ -2,7 +2,7 @@
 #ifndef PP_SIMULATE_CACHE_CACHE_PARTS_H
 #define PP_SIMULATE_CACHE_CACHE_PARTS_H
 
-#include "model/base/crew.h"
+#include "model/base/thread_pool.h"
 #include "simulate/cache/cache_layer.h"
 
 enum {
@@ -13,10 +13,10 @@ enum {
 struct pp_irradiance_cache {
     const struct pp_light_scene *scene;       /* not owned */
     const struct pp_environment *environment; /* not owned; NULL: of a description */
-    const struct pp_window_store *store;      /* not owned; may be NULL */
+    const struct pp_opening_store *store;     /* not owned; may be NULL */
     struct pp_radiance_options light;
     struct pp_cache_options options;
-    struct pp_crew *crew;
+    struct pp_thread_pool *pool;
     bool *left_out; /* by material */
     double size_m;  /* of the scene, or of its room */
     struct pp_sobol sobol;

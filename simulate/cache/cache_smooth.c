@@ -133,13 +133,13 @@ static void smooth(struct fit *fit, struct pp_cache_entry *entry)
     entry->value = pp_rgb(fmax(x[0][0], 0.0), fmax(x[1][0], 0.0), fmax(x[2][0], 0.0));
 }
 
-/* Records that the crew's members fit: each reads what the others say as they are. */
+/* Records that the pool's workers fit: each reads what the others say as they are. */
 struct fitting {
     struct pp_cache_layer *layer;
-    int *met; /* of a fit, by member */
+    int *met; /* of a fit, by worker */
 };
 
-static bool fit_one(void *data, int member, int i)
+static bool fit_one(void *data, int worker, int i)
 {
     const struct fitting *fitting = data;
     struct pp_cache_layer *layer = fitting->layer;
@@ -148,22 +148,22 @@ static bool fit_one(void *data, int member, int i)
                       .entry = entry,
                       .number = i,
                       .met =
-                          fitting->met + (size_t)member * (size_t)layer->entry_count};
+                          fitting->met + (size_t)worker * (size_t)layer->entry_count};
     if (entry->is.radii_m[0] > 0.0 && pp_rgb_luminance(entry->is.value) > 0.0)
         smooth(&fit, entry);
     return true;
 }
 
-enum pp_status pp_cache_smooth_layer(struct pp_cache_layer *layer, struct pp_crew *crew,
-                                     struct pp_error *err)
+enum pp_status pp_cache_smooth_layer(struct pp_cache_layer *layer,
+                                     struct pp_thread_pool *pool, struct pp_error *err)
 {
-    size_t count = (size_t)layer->entry_count * (size_t)pp_crew_size(crew);
+    size_t count = (size_t)layer->entry_count * (size_t)pp_thread_pool_size(pool);
     struct fitting fitting = {layer, malloc((count + 1) * sizeof *fitting.met)};
     if (!fitting.met)
         return pp_fail_memory(err);
     for (size_t i = 0; i < count; i++)
         fitting.met[i] = -1;
-    pp_crew_run_small(crew, 0, layer->entry_count, fit_one, &fitting);
+    pp_thread_pool_run_small(pool, 0, layer->entry_count, fit_one, &fitting);
     free(fitting.met);
     return PP_OK;
 }

@@ -28,12 +28,12 @@
 #ifndef PP_SIMULATE_CACHE_CACHE_SMOOTH_H
 #define PP_SIMULATE_CACHE_CACHE_SMOOTH_H
 
-#include "model/base/crew.h"
+#include "model/base/thread_pool.h"
 #include "simulate/cache/cache_layer.h"
 
 /* Fits all records of the layer to their neighbours, whatever they were fitted to
  * before. */
-enum pp_status pp_cache_smooth_layer(struct pp_cache_layer *layer, struct pp_crew *crew,
-                                     struct pp_error *err);
+enum pp_status pp_cache_smooth_layer(struct pp_cache_layer *layer,
+                                     struct pp_thread_pool *pool, struct pp_error *err);
 
 #endif

@@ -42,7 +42,7 @@ struct cached_point {
 
 struct pp_cached_points {
     const struct pp_light_scene *scene;
-    const struct pp_window_store *store;
+    const struct pp_opening_store *store;
     struct pp_irradiance_cache *cache;
     struct pp_cached_options options;
     struct cached_point *points; /* the receivers, then the average if it is wanted */
@@ -232,7 +232,7 @@ static enum pp_status make(struct pp_cached_points *points,
 
 enum pp_status pp_cached_points_create(
     struct pp_cached_points **result, const struct pp_light_scene *scene,
-    const struct pp_window_store *store, struct pp_irradiance_cache *cache,
+    const struct pp_opening_store *store, struct pp_irradiance_cache *cache,
     const struct pp_receiver *receivers, int receiver_count,
     const struct pp_cached_options *options, struct pp_error *err)
 {

@@ -36,7 +36,7 @@ struct pp_cached_points;
  * to the cache. */
 enum pp_status pp_cached_points_create(
     struct pp_cached_points **points, const struct pp_light_scene *scene,
-    const struct pp_window_store *store, struct pp_irradiance_cache *cache,
+    const struct pp_opening_store *store, struct pp_irradiance_cache *cache,
     const struct pp_receiver *receivers, int receiver_count,
     const struct pp_cached_options *options, struct pp_error *err);
 void pp_cached_points_destroy(struct pp_cached_points *points); /* NULL is allowed */

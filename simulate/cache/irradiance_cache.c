@@ -194,7 +194,7 @@ static enum pp_status make(struct pp_irradiance_cache *cache, struct pp_error *e
 enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **result,
                                           const struct pp_light_scene *scene,
                                           const struct pp_environment *environment,
-                                          const struct pp_window_store *store,
+                                          const struct pp_opening_store *store,
                                           const struct pp_radiance_options *light,
                                           const struct pp_cache_options *options,
                                           struct pp_error *err)
@@ -212,7 +212,7 @@ enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **result,
     cache->light = *light;
     cache->light.bounces = -1;
     cache->options = *options;
-    status = pp_crew_create(&cache->crew, options->threads, err);
+    status = pp_thread_pool_create(&cache->pool, options->threads, err);
     if (status == PP_OK)
         status = make(cache, err);
     cache->options.materials = NULL; /* the caller's: `left_out` has what they say */
@@ -236,7 +236,7 @@ void pp_irradiance_cache_destroy(struct pp_irradiance_cache *cache)
         free(layer->requests);
         free(layer->open);
     }
-    pp_crew_destroy(cache->crew);
+    pp_thread_pool_destroy(cache->pool);
     free(cache->left_out);
     free(cache);
 }

@@ -64,7 +64,7 @@ struct pp_irradiance_cache;
 enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **cache,
                                           const struct pp_light_scene *scene,
                                           const struct pp_environment *environment,
-                                          const struct pp_window_store *store,
+                                          const struct pp_opening_store *store,
                                           const struct pp_radiance_options *light,
                                           const struct pp_cache_options *options,
                                           struct pp_error *err);

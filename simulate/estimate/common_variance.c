@@ -49,9 +49,9 @@ static int find_nearest(int nearest[PP_COMMON_VARIANCE_NEAREST],
     return count;
 }
 
-static bool ask(void *data, int member, int index)
+static bool ask(void *data, int worker, int index)
 {
-    (void)member;
+    (void)worker;
     const struct neighbourhood *of = data;
     int nearest[PP_COMMON_VARIANCE_NEAREST];
     struct pp_sampled list[PP_COMMON_VARIANCE_NEAREST];
@@ -71,7 +71,7 @@ double pp_common_variance_of_near(const struct pp_planner *planner,
                                calloc((size_t)asked + 1, sizeof *of.common)};
     if (!of.common)
         return 1.0; /* on the safe side */
-    pp_crew_run(pp_planner_crew(planner), 0, asked, ask, &of);
+    pp_thread_pool_run(pp_planner_crew(planner), 0, asked, ask, &of);
     double sum = 0.0;
     for (int i = 0; i < asked; i++)
         sum += of.common[i];

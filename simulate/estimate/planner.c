@@ -64,9 +64,9 @@ static enum pp_status begin(struct pp_planner *planner, struct pp_error *err)
     return status;
 }
 
-static void *state_of(const struct pp_planner *planner, int member)
+static void *state_of(const struct pp_planner *planner, int worker)
 {
-    return planner->states + (size_t)member * planner->state_step;
+    return planner->states + (size_t)worker * planner->state_step;
 }
 
 enum pp_status pp_planner_create(struct pp_planner **result,
@@ -89,17 +89,17 @@ enum pp_status pp_planner_create(struct pp_planner **result,
     planner->points = calloc((size_t)points + 1, sizeof *planner->points);
     status = planner->points ? begin(planner, err) : pp_fail_memory(err);
     if (status == PP_OK)
-        status = pp_crew_create(&planner->crew, options->threads, err);
-    int members = status == PP_OK ? pp_crew_size(planner->crew) : 0;
+        status = pp_thread_pool_create(&planner->pool, options->threads, err);
+    int workers = status == PP_OK ? pp_thread_pool_size(planner->pool) : 0;
     planner->state_step = (sampler->state_size / APART + 2) * APART;
-    planner->states = calloc((size_t)members + 1, planner->state_step);
+    planner->states = calloc((size_t)workers + 1, planner->state_step);
     if (status == PP_OK && !planner->states)
         status = pp_fail_memory(err);
     if (status != PP_OK) {
         pp_planner_destroy(planner);
         return status;
     }
-    for (int i = 0; i < members; i++)
+    for (int i = 0; i < workers; i++)
         sampler->begin(client, state_of(planner, i));
     *result = planner;
     return PP_OK;
@@ -113,7 +113,7 @@ void pp_planner_destroy(struct pp_planner *planner)
         for (int stage = 0; stage < PP_FINISHED; stage++)
             free(planner->points[i].stages[stage]);
     free(planner->points);
-    pp_crew_destroy(planner->crew);
+    pp_thread_pool_destroy(planner->pool);
     free(planner->states);
     free(planner->units);
     free(planner);
@@ -156,9 +156,9 @@ static double wanted_error(const struct pp_planner *planner, int index)
 }
 
 /* What a point needs by its pilot. */
-static bool foresee(void *data, int member, int index)
+static bool foresee(void *data, int worker, int index)
 {
-    (void)member;
+    (void)worker;
     struct pp_planner *planner = data;
     struct pp_planned_point *point = &planner->points[index];
     struct pp_sampled pilot = pp_planner_stage(planner, index, PP_PILOT);
@@ -176,7 +176,7 @@ static bool foresee_all(struct pp_planner *planner)
     planner->greatest = 0.0;
     for (int i = 0; i < planner->point_count && planner->options.least_share > 0.0; i++)
         planner->greatest = fmax(planner->greatest, pilot_value(planner, i));
-    pp_crew_run_small(planner->crew, 0, planner->point_count, foresee, planner);
+    pp_thread_pool_run_small(planner->pool, 0, planner->point_count, foresee, planner);
     for (int i = 0; i < planner->point_count; i++)
         grows |= planner->points[i].grows;
     return grows;
@@ -213,9 +213,9 @@ static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *er
 }
 
 /* What the halves of a point need by each other's spread. */
-static bool foresee_halves(void *data, int member, int index)
+static bool foresee_halves(void *data, int worker, int index)
 {
-    (void)member;
+    (void)worker;
     struct pp_planner *planner = data;
     struct pp_sampled done = pp_planner_stage(planner, index, PP_FINAL);
     pp_plan_halves(&done, wanted_error(planner, index), planner->points[index].halves);
@@ -233,7 +233,8 @@ static enum pp_status top_up(struct pp_planner *planner, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     planner->topped_up = true;
-    pp_crew_run_small(planner->crew, 0, planner->point_count, foresee_halves, planner);
+    pp_thread_pool_run_small(planner->pool, 0, planner->point_count, foresee_halves,
+                             planner);
     for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
         struct pp_planned_point *point = &planner->points[i];
         status = make(point, PP_FINAL, 2 * larger_half(point), err);
@@ -302,7 +303,7 @@ static enum pp_status prepare(const struct pp_planner *planner, struct pp_error 
             most[k] = of[k] > most[k] ? of[k] : most[k];
     }
     return planner->sampler->prepare(planner->client, (int)planner->stage,
-                                     planner->block, BLOCK, wanted, planner->crew, err);
+                                     planner->block, BLOCK, wanted, planner->pool, err);
 }
 
 /* Lists the randomisations that are not done in this stage; none: unit_count 0. */
@@ -352,11 +353,11 @@ struct slice {
     double end_s;
 };
 
-static bool run_unit(void *data, int member, int index)
+static bool run_unit(void *data, int worker, int index)
 {
     const struct slice *slice = data;
     struct pp_planner *planner = slice->planner;
-    run(planner, planner->units[index], state_of(planner, member));
+    run(planner, planner->units[index], state_of(planner, worker));
     return pp_clock_s() < slice->end_s;
 }
 
@@ -375,17 +376,17 @@ enum pp_status pp_planner_advance(struct pp_planner *planner, double seconds,
                 return status;
             continue;
         }
-        planner->next_unit = pp_crew_run_small(planner->crew, planner->next_unit,
-                                               planner->unit_count, run_unit, &slice);
+        planner->next_unit = pp_thread_pool_run_small(
+            planner->pool, planner->next_unit, planner->unit_count, run_unit, &slice);
         if (pp_clock_s() >= slice.end_s)
             break;
     }
     return PP_OK;
 }
 
-struct pp_crew *pp_planner_crew(const struct pp_planner *planner)
+struct pp_thread_pool *pp_planner_crew(const struct pp_planner *planner)
 {
-    return planner->crew;
+    return planner->pool;
 }
 
 bool pp_planner_done(const struct pp_planner *planner)

@@ -15,7 +15,7 @@
 #ifndef PP_SIMULATE_ESTIMATE_PLANNER_H
 #define PP_SIMULATE_ESTIMATE_PLANNER_H
 
-#include "model/base/crew.h"
+#include "model/base/thread_pool.h"
 #include "simulate/estimate/plan.h"
 #include "simulate/estimate/planner_options.h"
 
@@ -39,7 +39,7 @@ enum pp_status pp_planner_advance(struct pp_planner *planner, double seconds,
 bool pp_planner_done(const struct pp_planner *planner);
 
 /* The threads at work, for more that belongs to it. */
-struct pp_crew *pp_planner_crew(const struct pp_planner *planner);
+struct pp_thread_pool *pp_planner_crew(const struct pp_planner *planner);
 
 /* The share of the work that is done, 0 to 1, by the present plan. */
 double pp_planner_progress(const struct pp_planner *planner);

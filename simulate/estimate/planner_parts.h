@@ -25,8 +25,8 @@ struct pp_planner {
     const void *client;               /* not owned */
     struct pp_planner_options options;
     struct pp_sobol sobol;
-    struct pp_crew *crew;
-    char *states; /* one for each of the crew, `state_step` bytes apart */
+    struct pp_thread_pool *pool;
+    char *states; /* one for each of the pool, `state_step` bytes apart */
     size_t state_step;
     struct pp_planned_point *points;
     int point_count, most_points;

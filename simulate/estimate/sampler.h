@@ -14,8 +14,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "model/base/crew.h"
 #include "model/base/error.h"
+#include "model/base/thread_pool.h"
 #include "simulate/sampling/sobol.h"
 
 enum { PP_ESTIMATORS_MOST = 4, PP_VALUES_MOST = 4, PP_SUMS_MOST = 7 };
@@ -68,11 +68,11 @@ struct pp_sampler {
     /* What points share, before they are followed: of the randomisations `first` to
      * first + count - 1 of a stage, which have seeds of their own, and of each the
      * greatest number of paths by estimator. What was made ready before is wanted no
-     * more, but for the same `first` of the same stage. crew: the threads at work. NULL:
+     * more, but for the same `first` of the same stage. pool: the threads at work. NULL:
      * nothing. */
     enum pp_status (*prepare)(const void *client, int stage, int first, int count,
-                              const struct pp_counts *wanted, struct pp_crew *crew,
-                              struct pp_error *err);
+                              const struct pp_counts *wanted,
+                              struct pp_thread_pool *pool, struct pp_error *err);
 
     /* A thread's own state. */
     size_t state_size;

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "simulate/sampling/choose.h"
+#include "simulate/sampling/sample_discrete.h"
 #include "simulate/sampling/sample_polygon.h"
 #include "simulate/scene/emitters.h"
 #include "simulate/scene/light_scene_parts.h"
@@ -115,8 +115,8 @@ struct pp_rgb pp_next_event_emitters(struct pp_path_trace *path,
     double u[3], probability;
     pp_path_trace_draw(path, 3, u);
     struct emitter_choice choice = {scene, at};
-    int chosen = pp_choose(emitter_importance, &choice, scene->emitter_count, 0.0, u[2],
-                           &probability);
+    int chosen = pp_sample_discrete_of(emitter_importance, &choice,
+                                       scene->emitter_count, 0.0, u[2], &probability);
     struct pp_emitter_sampler sampler;
     struct pp_direction_sample to;
     if (chosen < 0

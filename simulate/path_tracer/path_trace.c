@@ -3,7 +3,7 @@
 #include "simulate/path_tracer/path_trace.h"
 
 #include "simulate/path_tracer/next_event.h"
-#include "simulate/sampling/choose.h"
+#include "simulate/sampling/sample_discrete.h"
 #include "simulate/sampling/lobe.h"
 #include "simulate/scene/light_scene_parts.h"
 
@@ -79,7 +79,7 @@ enum pp_lobe pp_path_trace_scatter(struct pp_path_trace *path,
     pp_path_trace_draw(path, 3, u);
     for (int i = 0; i < PP_LOBE_COUNT; i++)
         total += albedo[i] = pp_rgb_most(lobes->share[i]);
-    int lobe = pp_choose_by(albedo, PP_LOBE_COUNT, u[2] * total);
+    int lobe = pp_sample_discrete(albedo, PP_LOBE_COUNT, u[2] * total);
     struct pp_vec3 wi;
     if (lobe < 0
         || !pp_scatter_sample(lobes, (enum pp_lobe)lobe, u[0], u[1], &wi, &factor))

@@ -2,8 +2,8 @@
 #include "simulate/photons/photon.h"
 
 #include "simulate/photons/photon_outside.h"
-#include "simulate/sampling/choose.h"
 #include "simulate/sampling/lobe.h"
+#include "simulate/sampling/sample_discrete.h"
 
 /* Russian roulette begins where a photon has this share of the mean flux of all. Measured:
  * 0.1 takes 20 % more work, 0.6 as much. */
@@ -104,7 +104,7 @@ void pp_photon_enter(struct pp_photon_state *state, const double *chances, int v
     double u[3], w[2]; /* place (2), opening; direction outside (2) */
     struct pp_photon photon = {.turns = 0};
     pp_photon_state_draw(state, vertex, 3, u);
-    int index = pp_choose_by(chances, sources->pane_count, u[2]);
+    int index = pp_sample_discrete(chances, sources->pane_count, u[2]);
     const struct pp_photon_source *source = &sources->list[index];
     photon.last = PP_PHOTON_FROM_OUTSIDE;
     photon.ray.from = pp_photon_sources_point(state->scene, source, u[0], u[1]);

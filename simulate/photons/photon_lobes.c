@@ -1,8 +1,8 @@
 /* photon_lobes.c - see photon_lobes.h. */
 #include "simulate/photons/photon_lobes.h"
 
-#include "simulate/sampling/choose.h"
 #include "simulate/sampling/lobe.h"
+#include "simulate/sampling/sample_discrete.h"
 
 struct pp_lobes pp_photon_lobes_at(const struct pp_photon_state *state,
                                    const struct pp_light_hit *hit, struct pp_vec3 to)
@@ -31,7 +31,7 @@ enum pp_lobe pp_photon_lobes_choose(const struct pp_lobes *lobes, const double *
     double survival = total < least ? total / least : 1.0;
     if (!(total > 0.0) || !(u < survival))
         return PP_LOBE_COUNT;
-    int chosen = pp_choose_by(left, PP_LOBE_COUNT, u / survival * total);
+    int chosen = pp_sample_discrete(left, PP_LOBE_COUNT, u / survival * total);
     *throughput = pp_rgb_scale(pp_rgb_times(*throughput, lobes->share[chosen]),
                                total / left[chosen] / survival);
     return (enum pp_lobe)chosen;

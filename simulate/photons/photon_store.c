@@ -86,15 +86,15 @@ static void follow(struct pp_photon_state *state, struct photon_set *set)
     }
 }
 
-/* What the members of a crew share: how many photons each set is to have. */
+/* What the workers of a pool share: how many photons each set is to have. */
 struct photon_extension {
     const struct pp_photon_store *store;
     const uint32_t *wanted;
 };
 
-static bool extend(void *data, int member, int index)
+static bool extend(void *data, int worker, int index)
 {
-    (void)member;
+    (void)worker;
     const struct photon_extension *to = data;
     const struct pp_photon_store *store = to->store;
     struct photon_set *set = &store->sets[index];
@@ -114,7 +114,7 @@ static bool extend(void *data, int member, int index)
 
 enum pp_status pp_photon_store_extend(struct pp_photon_store *store, int stage,
                                       int first, int count, const uint32_t *wanted,
-                                      struct pp_crew *crew, struct pp_error *err)
+                                      struct pp_thread_pool *pool, struct pp_error *err)
 {
     if (stage != store->stage || first != store->first)
         forget(store);
@@ -132,7 +132,7 @@ enum pp_status pp_photon_store_extend(struct pp_photon_store *store, int stage,
     if (status != PP_OK)
         return status;
     struct photon_extension extension = {store, wanted};
-    pp_crew_run(crew, 0, count, extend, &extension);
+    pp_thread_pool_run(pool, 0, count, extend, &extension);
     for (int i = 0; i < count; i++)
         if (store->sets[i].status != PP_OK)
             return pp_fail_memory(err);

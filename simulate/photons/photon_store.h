@@ -8,7 +8,7 @@
 #ifndef PP_SIMULATE_PHOTONS_PHOTON_STORE_H
 #define PP_SIMULATE_PHOTONS_PHOTON_STORE_H
 
-#include "model/base/crew.h"
+#include "model/base/thread_pool.h"
 #include "simulate/photons/photon.h"
 
 struct pp_photon_store;
@@ -24,7 +24,8 @@ void pp_photon_store_destroy(struct pp_photon_store *store); /* NULL is allowed 
  * says; those of other stages, or from another `first`, are forgotten. */
 enum pp_status pp_photon_store_extend(struct pp_photon_store *store, int stage,
                                       int first, int count, const uint32_t *wanted,
-                                      struct pp_crew *crew, struct pp_error *err);
+                                      struct pp_thread_pool *pool,
+                                      struct pp_error *err);
 
 /* The places of one of these photons but for what openings send straight, and how
  * many. */

@@ -163,8 +163,8 @@ static void follow(const void *client, void *data, const struct pp_path_range *r
 }
 
 static enum pp_status prepare(const void *client, int stage, int first, int count,
-                              const struct pp_counts *wanted, struct pp_crew *crew,
-                              struct pp_error *err)
+                              const struct pp_counts *wanted,
+                              struct pp_thread_pool *pool, struct pp_error *err)
 {
     const struct pp_photons *photons = client;
     uint32_t *each = malloc((size_t)count * sizeof *each);
@@ -173,7 +173,7 @@ static enum pp_status prepare(const void *client, int stage, int first, int coun
     for (int i = 0; i < count; i++)
         each[i] = wanted[i].of[PHOTONS];
     enum pp_status status =
-        pp_photon_store_extend(photons->store, stage, first, count, each, crew, err);
+        pp_photon_store_extend(photons->store, stage, first, count, each, pool, err);
     free(each);
     return status;
 }

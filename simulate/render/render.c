@@ -234,9 +234,9 @@ struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile)
 }
 
 /* What pixel i of the tile at hand shows. */
-static bool show_pixel(void *data, int member, int i)
+static bool show_pixel(void *data, int worker, int i)
 {
-    (void)member;
+    (void)worker;
     struct pp_render *render = data;
     int x, y;
     place_of(render, i, &x, &y);
@@ -256,7 +256,8 @@ static enum pp_status draw_tile(struct pp_render *render, int tile,
     enum pp_status status = pp_planner_advance(render->planner, INFINITY, err);
     if (status != PP_OK)
         return status;
-    pp_crew_run_small(pp_planner_crew(render->planner), 0, count, show_pixel, render);
+    pp_thread_pool_run_small(pp_planner_crew(render->planner), 0, count, show_pixel,
+                             render);
     render->tile_done[tile] = 1;
     render->done_count++;
     return PP_OK;

@@ -39,9 +39,9 @@ struct pp_render_options {
                          * on, so that each pixel has a standard error; 0: a single one,
                          * which has the least noise and states none */
     struct pp_radiance_options light;
-    const struct pp_window_store *store; /* not owned; NULL: none */
-    const struct pp_ambient *ambient;    /* not owned; NULL: none */
-    uint64_t ambient_hash;               /* a hash of what the ambient store holds */
+    const struct pp_opening_store *store; /* not owned; NULL: none */
+    const struct pp_ambient *ambient;     /* not owned; NULL: none */
+    uint64_t ambient_hash;                /* a hash of what the ambient store holds */
     uint64_t seed;
     int threads; /* 0: as many as the machine has processors */
 };

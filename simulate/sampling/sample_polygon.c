@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 #include "simulate/sampling/triangle.h"
 
 /* Any part of the unit square gets about this share of the mean density at least, so
@@ -41,8 +41,8 @@ static bool any_corner_before(const struct pp_target *target, struct pp_vec3 fro
 {
     if (target->rectangle) {
         struct pp_vec3 to = pp_vec_sub(target->corner, from);
-        double reach = pp_larger(0.0, target->width_m * pp_vec_dot(n, target->along))
-                       + pp_larger(0.0, target->height_m * pp_vec_dot(n, target->up));
+        double reach = pp_max(0.0, target->width_m * pp_vec_dot(n, target->along))
+                       + pp_max(0.0, target->height_m * pp_vec_dot(n, target->up));
         return pp_vec_dot(n, to) + reach > 0.0;
     }
     for (int i = 0; i < target->triangle_count; i++)
@@ -88,11 +88,10 @@ static double importance_when_near(const struct pp_target *target, struct pp_vec
                                    double middle_weight)
 {
     struct pp_vec3 d = pp_vec_sub(target->corner, from);
-    double off = pp_larger(pp_target_height(target, from), LEAST_HEIGHT_M);
+    double off = pp_max(pp_target_height(target, from), LEAST_HEIGHT_M);
     double x0 = pp_vec_dot(d, target->along), x1 = x0 + target->width_m;
     double y0 = pp_vec_dot(d, target->up), y1 = y0 + target->height_m;
-    double x = pp_larger(x0, pp_smaller(x1, 0.0)),
-           y = pp_larger(y0, pp_smaller(y1, 0.0));
+    double x = pp_max(x0, pp_min(x1, 0.0)), y = pp_max(y0, pp_min(y1, 0.0));
     double z[2] = {1.0, 0.0};
     turn(z, 1.0, x1, y1, off);
     turn(z, -1.0, x0, y1, off);
@@ -105,7 +104,7 @@ static double importance_when_near(const struct pp_target *target, struct pp_vec
         pp_vec_along(pp_vec_along(pp_vec_scale(target->normal, -off), x, target->along),
                      y, target->up);
     double weight = receiver_weight(nearest, pp_vec_length(nearest), n, brightness);
-    return solid * pp_larger(pp_larger(weight, middle_weight), LEAST_CHOICE);
+    return solid * pp_max(pp_max(weight, middle_weight), LEAST_CHOICE);
 }
 
 double pp_sample_polygon_importance(const struct pp_target *target, struct pp_vec3 from,
@@ -121,9 +120,8 @@ double pp_sample_polygon_importance(const struct pp_target *target, struct pp_ve
         return importance_when_near(target, from, n, brightness, weight);
     /* Between the far field and the half space that a near opening fills. */
     double slant = pp_target_height(target, from) / length;
-    double solid =
-        target->area_m2 * pp_larger(slant, 0.05) / (square + target->area_m2);
-    return solid * pp_larger(weight, LEAST_CHOICE);
+    double solid = target->area_m2 * pp_max(slant, 0.05) / (square + target->area_m2);
+    return solid * pp_max(weight, LEAST_CHOICE);
 }
 
 /* The weight of this corner of a rectangle: cosine times brightness, per solid angle
@@ -202,16 +200,16 @@ static struct pp_vec3 rectangle_by_solid_angle(const struct pp_polygon_sampler *
     sincos(u * sampler->solid + sampler->k, &sine, &cosine);
     double fu = (cosine * sampler->b0 - sampler->b1) / sine;
     double cu = copysign(1.0 / sqrt(fu * fu + sampler->b0 * sampler->b0), fu);
-    cu = pp_larger(-1.0, pp_smaller(1.0, cu));
-    double xu = -cu * z0 / sqrt(pp_larger(1.0 - cu * cu, 1e-300));
-    xu = pp_larger(sampler->x0, pp_smaller(sampler->x1, xu));
+    cu = pp_max(-1.0, pp_min(1.0, cu));
+    double xu = -cu * z0 / sqrt(pp_max(1.0 - cu * cu, 1e-300));
+    xu = pp_max(sampler->x0, pp_min(sampler->x1, xu));
 
     double d = sqrt(xu * xu + z2);
     double h0 = sampler->y0 / sqrt(d * d + sampler->y0 * sampler->y0);
     double h1 = sampler->y1 / sqrt(d * d + sampler->y1 * sampler->y1);
     double hv = h0 + v * (h1 - h0), hv2 = hv * hv;
     double yv = hv2 < 1.0 - 1e-12 ? hv * d / sqrt(1.0 - hv2) : sampler->y1;
-    yv = pp_larger(sampler->y0, pp_smaller(sampler->y1, yv));
+    yv = pp_max(sampler->y0, pp_min(sampler->y1, yv));
     return pp_target_point(sampler->target, xu - sampler->x0, yv - sampler->y0);
 }
 
@@ -251,19 +249,19 @@ static struct pp_vec3 spherical_triangle(struct pp_vec3 a, struct pp_vec3 b,
     double p = cosine - cos_alpha, q = sine + sin_alpha * cos_c;
     double top = (q * cosine - p * sine) * cos_alpha - q;
     double bottom = (q * sine + p * cosine) * sin_alpha;
-    double cos_b = pp_larger(-1.0, pp_smaller(1.0, top / bottom));
+    double cos_b = pp_max(-1.0, pp_min(1.0, top / bottom));
 
     struct pp_vec3 across = pp_vec_unit(pp_vec_along(c, -pp_vec_dot(c, a), a));
     struct pp_vec3 edge =
         pp_vec_add(pp_vec_scale(a, cos_b),
-                   pp_vec_scale(across, sqrt(pp_larger(0.0, 1.0 - cos_b * cos_b))));
+                   pp_vec_scale(across, sqrt(pp_max(0.0, 1.0 - cos_b * cos_b))));
     double z = 1.0 - v * (1.0 - pp_vec_dot(edge, b));
     struct pp_vec3 side = pp_vec_along(edge, -pp_vec_dot(edge, b), b);
     double length = pp_vec_length(side);
     if (!(length > 0.0))
         return b;
     return pp_vec_add(pp_vec_scale(b, z),
-                      pp_vec_scale(side, sqrt(pp_larger(0.0, 1.0 - z * z)) / length));
+                      pp_vec_scale(side, sqrt(pp_max(0.0, 1.0 - z * z)) / length));
 }
 
 static struct pp_direction_sample at_point(const struct pp_polygon_sampler *sampler,
@@ -296,7 +294,7 @@ static int choose_triangle(const struct pp_polygon_sampler *sampler, double *u,
         *size = sampler->by_area ? pp_triangle_area(target->triangles[i])
                                  : triangle_of_target(sampler, i);
         if (left < *size || i == target->triangle_count - 1) {
-            *u = *size > 0.0 ? pp_smaller(left / *size, 1.0) : 0.5;
+            *u = *size > 0.0 ? pp_min(left / *size, 1.0) : 0.5;
             *probability = *size / total;
             return i;
         }
@@ -316,7 +314,7 @@ static struct pp_direction_sample triangle_sample(
             pp_vec_unit(pp_vec_sub(t[1], sampler->from)),
             pp_vec_unit(pp_vec_sub(t[2], sampler->from)), size, u, v);
         double toward = -pp_vec_dot(direction, sampler->target->normal);
-        double r = sampler->distance_m / pp_larger(toward, 1e-12);
+        double r = sampler->distance_m / pp_max(toward, 1e-12);
         struct pp_direction_sample sample = {
             .point = pp_vec_along(sampler->from, r, direction),
             .direction = direction,
@@ -394,9 +392,8 @@ static double rectangle_pdf(const struct pp_polygon_sampler *sampler,
     const struct pp_target *target = sampler->target;
     const double(*w)[2] = sampler->corner_weight;
     struct pp_vec3 in = pp_vec_sub(at->point, target->corner);
-    double x =
-        pp_larger(0.0, pp_smaller(target->width_m, pp_vec_dot(in, target->along)));
-    double y = pp_larger(0.0, pp_smaller(target->height_m, pp_vec_dot(in, target->up)));
+    double x = pp_max(0.0, pp_min(target->width_m, pp_vec_dot(in, target->along)));
+    double y = pp_max(0.0, pp_min(target->height_m, pp_vec_dot(in, target->up)));
     double u = x / target->width_m, v = y / target->height_m;
     double size = target->area_m2 * per_area(sampler, at);
     if (!sampler->by_area) {

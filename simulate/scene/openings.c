@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "simulate/sampling/choose.h"
+#include "simulate/sampling/sample_discrete.h"
 #include "simulate/scene/light_scene_parts.h"
 
 static bool is_unobstructed(const struct pp_world *world,
@@ -136,10 +136,10 @@ int pp_openings_choose(const struct pp_light_scene *scene,
     }
     struct pane_choice choice = {scene, viewer};
     if (scene->pane_count > PP_OPENINGS_KEPT)
-        return pp_choose(importance_of, &choice, scene->pane_count, PP_CHOOSE_EVENLY, u,
-                         probability);
+        return pp_sample_discrete_of(importance_of, &choice, scene->pane_count,
+                                     PP_SAMPLE_DISCRETE_UNIFORM, u, probability);
     find_shares(shares, &choice);
-    return pp_choose_guessed(shares->of, scene->pane_count, u, probability);
+    return pp_sample_discrete_defensive(shares->of, scene->pane_count, u, probability);
 }
 
 double pp_openings_angular_size(const struct pp_pane *pane, struct pp_vec3 from)

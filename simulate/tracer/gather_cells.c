@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 #include "simulate/sampling/lanes.h"
 #include "simulate/scene/light_scene_parts.h"
 
@@ -29,8 +29,8 @@ struct cell_face {
 };
 
 struct pp_gather_cells {
-    const struct pp_light_scene *scene;   /* not owned */
-    const struct pp_radiosity *radiosity; /* not owned */
+    const struct pp_light_scene *scene;       /* not owned */
+    const struct pp_control_variate *variate; /* not owned */
     struct cell_face *faces;
     int lanes;    /* of all faces */
     double level; /* G is nowhere below it */
@@ -53,7 +53,7 @@ static void lay_out(struct pp_gather_cells *cells)
 {
     const struct pp_world *world = cells->scene->world;
     for (int i = 0; i < world->face_count; i++) {
-        const struct pp_radiosity_grid *grid = &cells->radiosity->grids[i][0];
+        const struct pp_control_variate_grid *grid = &cells->variate->grids[i][0];
         struct cell_face *face = &cells->faces[i];
         double width = grid->columns / grid->per_a, height = grid->rows / grid->per_b;
         *face = (struct cell_face){.first = cells->lanes,
@@ -74,16 +74,16 @@ static double least_guess(const struct pp_gather_cells *cells)
 {
     double least = INFINITY;
     for (int i = 0; i < cells->scene->world->face_count; i++) {
-        const struct pp_radiosity_grid *grid = &cells->radiosity->grids[i][0];
+        const struct pp_control_variate_grid *grid = &cells->variate->grids[i][0];
         for (int k = 0; k < grid->columns * grid->rows; k++)
-            least = pp_smaller(least, cells->radiosity->values[grid->first + k]);
+            least = pp_min(least, cells->variate->values[grid->first + k]);
     }
     return least;
 }
 
 enum pp_status pp_gather_cells_create(struct pp_gather_cells **result,
                                       const struct pp_light_scene *scene,
-                                      const struct pp_radiosity *radiosity,
+                                      const struct pp_control_variate *variate,
                                       struct pp_error *err)
 {
     *result = NULL;
@@ -91,7 +91,7 @@ enum pp_status pp_gather_cells_create(struct pp_gather_cells **result,
     if (!cells)
         return pp_fail_memory(err);
     cells->scene = scene;
-    cells->radiosity = radiosity;
+    cells->variate = variate;
     cells->faces = calloc((size_t)scene->world->face_count, sizeof *cells->faces);
     if (!cells->faces) {
         pp_gather_cells_destroy(cells);
@@ -151,7 +151,8 @@ static void draw_face(const struct pp_gather_cells *cells,
         at[Z * cells->lanes] = hit.point.z;
         if (face->plain || is_seen(cells, light, number, hit.point))
             at[GUESS * cells->lanes] =
-                pp_radiosity_at(cells->radiosity, cells->scene, &hit) - cells->level;
+                pp_control_variate_at(cells->variate, cells->scene, &hit)
+                - cells->level;
     }
 }
 

@@ -21,7 +21,7 @@
 #define PP_SIMULATE_TRACER_GATHER_CELLS_H
 
 #include "model/base/error.h"
-#include "simulate/tracer/radiosity.h"
+#include "simulate/tracer/control_variate.h"
 #include "simulate/transport/radiance_state.h"
 
 struct pp_gather_cells;
@@ -30,7 +30,7 @@ struct pp_gather_cells;
  * *cells is the caller's. */
 enum pp_status pp_gather_cells_create(struct pp_gather_cells **cells,
                                       const struct pp_light_scene *scene,
-                                      const struct pp_radiosity *radiosity,
+                                      const struct pp_control_variate *variate,
                                       struct pp_error *err);
 void pp_gather_cells_destroy(struct pp_gather_cells *cells); /* NULL is allowed */
 

@@ -11,22 +11,22 @@
 #include "simulate/scene/light_scene_of_world.h"
 
 /* NULL where no niche is known. */
-static const struct pp_niche_light *niches_of(const struct pp_radiosity *radiosity)
+static const struct pp_niche_light *niches_of(const struct pp_control_variate *variate)
 {
-    return radiosity && radiosity->scene->convex && radiosity->scene->has_niches
-               ? &radiosity->niches
+    return variate && variate->scene->convex && variate->scene->has_niches
+               ? &variate->niches
                : NULL;
 }
 
 struct pp_path_state pp_path_state(const struct pp_light_scene *scene,
                                    const struct pp_environment *environment,
-                                   const struct pp_radiosity *radiosity)
+                                   const struct pp_control_variate *variate)
 {
     return (struct pp_path_state){.light = {.scene = scene,
                                             .environment = environment,
                                             .options = pp_radiance_state_defaults()},
-                                  .radiosity = radiosity,
-                                  .niches = niches_of(radiosity),
+                                  .variate = variate,
+                                  .niches = niches_of(variate),
                                   .glass = scene->glass_image_count > 0};
 }
 
@@ -74,8 +74,8 @@ static const struct pp_niche_light *niches_from(const struct pp_path_state *stat
                : NULL;
 }
 
-bool pp_path_is_brought(const struct pp_path_state *state, struct pp_vec3 from,
-                        const struct pp_light_hit *met)
+bool pp_path_counted_by_nee(const struct pp_path_state *state, struct pp_vec3 from,
+                            const struct pp_light_hit *met)
 {
     return state->niches && state->light.scene->parts[met->part].niche >= 0
            && niches_from(state, from);
@@ -175,7 +175,7 @@ static double gathered(struct pp_path_state *state, const struct pp_light_ray *r
 {
     struct pp_light_hit met;
     if (pp_radiance_state_meet_by(&state->light, ray, nearest, &met) != PP_MEETS_PART
-        || pp_path_is_brought(state, ray->from, &met))
+        || pp_path_counted_by_nee(state, ray->from, &met))
         return 0.0;
     double guess = pp_path_guess(state, &met);
     return cells ? pp_gather_cells_left(state->cells, ray, &met, guess) : guess;
@@ -205,7 +205,7 @@ void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
 {
     struct pp_frame frame = {.z = start->normal};
     pp_lobe_frame(start->normal, &frame.x, &frame.y);
-    while (state->radiosity && state->light.index < end) {
+    while (state->variate && state->light.index < end) {
         int count = pp_path_run_from(state->light.index, end, PP_RUN_MOST);
         if (!start->anywhere && count > 1) {
             gather_run(state, start, &frame, count, sum);

@@ -6,7 +6,7 @@
  *     B = M + rho (E + K B)                                                        (1)
  *
  * (M their own, E the irradiance by the openings, K the irradiance by other surfaces'
- * exitance), and a coarse radiosity solution G (radiosity.h) as control variate:
+ * exitance), and a coarse radiosity solution G (control_variate.h) as control variate:
  *
  *     direct      light that comes in by an opening straight to the point, by
  *                 next-event estimation
@@ -51,8 +51,8 @@
 #define PP_SIMULATE_TRACER_PATH_H
 
 #include "simulate/scene/images/glass_images.h"
+#include "simulate/tracer/control_variate.h"
 #include "simulate/tracer/gather_cells.h"
-#include "simulate/tracer/radiosity.h"
 #include "simulate/tracer/shared_density.h"
 #include "simulate/transport/irradiance.h"
 #include "simulate/transport/radiance_state.h"
@@ -66,8 +66,8 @@ struct pp_light {
 /* What a thread needs to follow paths. */
 struct pp_path_state {
     struct pp_radiance_state light;
-    const struct pp_radiosity
-        *radiosity; /* the control variate; not owned; NULL: none */
+    const struct pp_control_variate
+        *variate; /* the control variate; not owned; NULL: none */
     const struct pp_niche_light *niches; /* by it; not owned; NULL: none are aimed at */
     const struct pp_shared_density *shared; /* not owned; NULL: nothing is shared */
     const struct pp_gather_cells *cells;    /* not owned; NULL: rays gather all */
@@ -79,7 +79,7 @@ struct pp_path_state {
 /* For paths in that scene and light; the sequence is still to be set. */
 struct pp_path_state pp_path_state(const struct pp_light_scene *scene,
                                    const struct pp_environment *environment,
-                                   const struct pp_radiosity *radiosity);
+                                   const struct pp_control_variate *variate);
 
 /* Where paths start: at a point, or anywhere on the working plane. */
 struct pp_start {
@@ -95,10 +95,9 @@ struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
                                          struct pp_vec3 point, struct pp_vec3 normal,
                                          int vertex, uint32_t directions);
 
-/* Has next-event estimation at a point the light of what a ray has met that comes straight
- * from there? */
-bool pp_path_is_brought(const struct pp_path_state *state, struct pp_vec3 from,
-                        const struct pp_light_hit *met);
+/* True if next-event estimation at `from` already counts the light of this hit. */
+bool pp_path_counted_by_nee(const struct pp_path_state *state, struct pp_vec3 from,
+                            const struct pp_light_hit *met);
 
 /* Add the samples of the paths from state->light.index to `end`, one after the other; the
  * index is `end` afterwards. Gathered light and its correction are internally reflected,

@@ -147,7 +147,7 @@ static double gathered(const struct pp_path_state *state, const struct path_fan 
 {
     if (!arm->at_once)
         return guess;
-    if (!fan->gathers || pp_path_is_brought(state, fan->from, &arm->met))
+    if (!fan->gathers || pp_path_counted_by_nee(state, fan->from, &arm->met))
         return 0.0;
     return fan->cells ? pp_gather_cells_left(state->cells, &arm->ray, &arm->met, guess)
                       : guess;
@@ -222,7 +222,7 @@ static bool survives(const struct pp_path_state *state, struct path_arm *arm,
     const struct pp_radiance_state *light = &state->light;
     double u, left = first > 0.0 ? arm->importance / first : arm->throughput;
     double chance =
-        state->radiosity ? GOING_ON * left : arm->throughput / light->options.least;
+        state->variate ? GOING_ON * left : arm->throughput / light->options.least;
     if (vertex == 1 || chance >= 1.0)
         return true;
     pp_sobol_sequence_draw(&light->sequence, light->index,
@@ -239,8 +239,8 @@ static bool step(struct pp_path_state *state, struct path_arm *arm, int vertex,
 {
     const struct pp_material *material =
         &state->light.scene->materials[arm->met.material];
-    uint32_t lobes = state->radiosity ? LOBES : 1;
-    uint32_t openings = state->radiosity ? OPENINGS : 1;
+    uint32_t lobes = state->variate ? LOBES : 1;
+    uint32_t openings = state->variate ? OPENINGS : 1;
     *sum += arm->throughput
             * (PP_PI * material->radiance.g - pp_path_guess(state, &arm->met));
     arm->throughput *= material->diffuse.g;
@@ -304,7 +304,7 @@ static double correction(struct pp_path_state *state, const struct path_fan *fan
 void pp_path_correction(struct pp_path_state *state, const struct pp_start *start,
                         uint32_t end, double *sum)
 {
-    uint32_t lobes = state->radiosity && !state->shared ? FIRST_LOBES : 1;
+    uint32_t lobes = state->variate && !state->shared ? FIRST_LOBES : 1;
     struct path_fan fan = {.frame = {.z = start->normal},
                            .lobes = lobes,
                            .throughput = 1.0,

@@ -23,8 +23,9 @@ static inline int pp_path_run_from(uint32_t index, uint32_t end, uint32_t most)
 static inline double pp_path_guess(const struct pp_path_state *state,
                                    const struct pp_light_hit *met)
 {
-    return state->radiosity ? pp_radiosity_at(state->radiosity, state->light.scene, met)
-                            : 0.0;
+    return state->variate
+               ? pp_control_variate_at(state->variate, state->light.scene, met)
+               : 0.0;
 }
 
 /* A light path along a ray, from `vertex` on; openings are left out, which are sampled

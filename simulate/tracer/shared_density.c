@@ -24,8 +24,8 @@ struct density_patch {
 };
 
 struct pp_shared_density {
-    const struct pp_light_scene *scene;   /* not owned */
-    const struct pp_radiosity *radiosity; /* not owned */
+    const struct pp_light_scene *scene;       /* not owned */
+    const struct pp_control_variate *variate; /* not owned */
     struct density_patch *patches;
     double *values; /* p by patch, 1/m2 */
     double *below;  /* by patch: the probability of those before it */
@@ -36,7 +36,7 @@ static void place_patches(struct pp_shared_density *density)
 {
     const struct pp_light_scene *scene = density->scene;
     for (int i = 0; i < scene->part_count; i++) {
-        const struct pp_radiosity_grid *grid = &density->radiosity->grids[i][0];
+        const struct pp_control_variate_grid *grid = &density->variate->grids[i][0];
         for (int k = 0; grid->first >= 0 && k < grid->columns * grid->rows; k++)
             density->patches[grid->first + k] = (struct density_patch){
                 .part = i,
@@ -65,9 +65,9 @@ bool pp_shared_density_serves(const struct pp_shared_density *density,
 static void weigh_patches(struct pp_shared_density *density)
 {
     const struct pp_light_scene *scene = density->scene;
-    const double *values = density->radiosity->values;
+    const double *values = density->variate->values;
     double plane_z = scene->world->working_plane_m - scene->centre.z;
-    int count = density->radiosity->count;
+    int count = density->variate->count;
     double mean = 0.0, area = 0.0, total = 0.0;
     for (int i = 0; i < count; i++) {
         double cell = density->patches[i].width_m * density->patches[i].height_m;
@@ -97,7 +97,7 @@ static void weigh_patches(struct pp_shared_density *density)
 /* The patch that u in (0, 1) falls to. */
 static int patch_of(const struct pp_shared_density *density, double u)
 {
-    int low = 0, high = density->radiosity->count;
+    int low = 0, high = density->variate->count;
     while (high - low > 1) {
         int middle = (low + high) / 2;
         if (density->below[middle] < u)
@@ -110,18 +110,18 @@ static int patch_of(const struct pp_shared_density *density, double u)
 
 enum pp_status pp_shared_density_create(struct pp_shared_density **result,
                                         const struct pp_light_scene *scene,
-                                        const struct pp_radiosity *radiosity,
+                                        const struct pp_control_variate *variate,
                                         struct pp_error *err)
 {
     *result = NULL;
-    if (!radiosity || !scene->convex)
+    if (!variate || !scene->convex)
         return PP_OK;
     struct pp_shared_density *density = calloc(1, sizeof *density);
     if (!density)
         return pp_fail_memory(err);
     density->scene = scene;
-    density->radiosity = radiosity;
-    size_t count = (size_t)radiosity->count;
+    density->variate = variate;
+    size_t count = (size_t)variate->count;
     density->patches = calloc(count, sizeof *density->patches);
     density->values = calloc(count, sizeof *density->values);
     density->below = calloc(count, sizeof *density->below);
@@ -161,7 +161,7 @@ double pp_shared_density_left(const struct pp_shared_density *density,
                               const struct pp_light_ray *ray,
                               const struct pp_light_hit *met)
 {
-    int patch = pp_radiosity_nearest(density->radiosity, density->scene, met);
+    int patch = pp_control_variate_nearest(density->variate, density->scene, met);
     if (patch < 0)
         return 1.0;
     struct pp_vec3 to = pp_vec_sub(met->point, ray->from);

@@ -25,7 +25,7 @@
 #define PP_SIMULATE_TRACER_SHARED_DENSITY_H
 
 #include "model/base/error.h"
-#include "simulate/tracer/radiosity.h"
+#include "simulate/tracer/control_variate.h"
 
 /* The greatest weight c in (1). Measured: from 6 to 25 the work to an error changes by less
  * than a tenth; but of 6,000 points in random rooms 0.08, 0.2 and 0.6 % end with more than
@@ -45,7 +45,7 @@ struct pp_shared_density;
  * *density is the caller's; NULL where nothing can be shared. */
 enum pp_status pp_shared_density_create(struct pp_shared_density **density,
                                         const struct pp_light_scene *scene,
-                                        const struct pp_radiosity *radiosity,
+                                        const struct pp_control_variate *variate,
                                         struct pp_error *err);
 void pp_shared_density_destroy(struct pp_shared_density *density); /* NULL is allowed */
 

@@ -103,15 +103,15 @@ static void draw_net(struct pp_path_state *state, const struct pp_sobol *sobol,
     pp_gather_cells_draw(state->cells, &state->light, u, net);
 }
 
-/* What the members of a crew share: how many points each set is to have. */
+/* What the workers of a pool share: how many points each set is to have. */
 struct extension {
     const struct pp_shared_lights *lights;
     const uint32_t *wanted;
 };
 
-static bool extend(void *data, int member, int set)
+static bool extend(void *data, int worker, int set)
 {
-    (void)member;
+    (void)worker;
     const struct extension *to = data;
     const struct pp_shared_lights *lights = to->lights;
     const int count = (int)to->wanted[set];
@@ -152,7 +152,7 @@ static enum pp_status reserve_net(struct shared_set *set,
 
 enum pp_status pp_shared_light_extend(struct pp_shared_lights *lights, int stage,
                                       int first, int count, const uint32_t *wanted,
-                                      struct pp_crew *crew, struct pp_error *err)
+                                      struct pp_thread_pool *pool, struct pp_error *err)
 {
     if (stage != lights->stage || first != lights->first)
         forget(lights);
@@ -173,7 +173,7 @@ enum pp_status pp_shared_light_extend(struct pp_shared_lights *lights, int stage
     if (status != PP_OK)
         return status;
     struct extension extension = {lights, wanted};
-    pp_crew_run(crew, 0, count, extend, &extension);
+    pp_thread_pool_run(pool, 0, count, extend, &extension);
     return PP_OK;
 }
 

@@ -12,13 +12,13 @@
 #ifndef PP_SIMULATE_TRACER_SHARED_LIGHT_H
 #define PP_SIMULATE_TRACER_SHARED_LIGHT_H
 
-#include "model/base/crew.h"
+#include "model/base/thread_pool.h"
 #include "simulate/tracer/path.h"
 #include "simulate/tracer/shared_density.h"
 
 struct pp_shared_lights;
 
-/* For paths like this one, whose scene, light, radiosity, cells and density (path->shared,
+/* For paths like this one, whose scene, light, control variate, cells and density (path->shared,
  * not NULL) must live as long, and sobol too. On success *lights is the caller's. */
 enum pp_status pp_shared_light_create(struct pp_shared_lights **lights,
                                       const struct pp_path_state *path,
@@ -30,7 +30,8 @@ void pp_shared_light_destroy(struct pp_shared_lights *lights); /* NULL is allowe
  * says; those of other stages, or from another `first`, are forgotten. */
 enum pp_status pp_shared_light_extend(struct pp_shared_lights *lights, int stage,
                                       int first, int count, const uint32_t *wanted,
-                                      struct pp_crew *crew, struct pp_error *err);
+                                      struct pp_thread_pool *pool,
+                                      struct pp_error *err);
 
 /* The points of one of these randomisations. */
 const struct pp_shared_light *pp_shared_light_list(

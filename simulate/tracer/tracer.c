@@ -11,8 +11,8 @@
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/unsampled.h"
+#include "simulate/tracer/control_variate_solve.h"
 #include "simulate/tracer/path.h"
-#include "simulate/tracer/radiosity_solve.h"
 #include "simulate/tracer/shared_light.h"
 #include "simulate/transport/light_images.h"
 
@@ -61,7 +61,7 @@ struct traced_point {
 struct pp_tracer {
     const struct pp_light_scene *scene;
     const struct pp_environment *environment;
-    struct pp_radiosity *radiosity;
+    struct pp_control_variate *variate;
     struct pp_shared_density *density; /* NULL: each point's correction is its own */
     struct pp_gather_cells *cells;     /* NULL there too, */
     struct pp_shared_lights *shared;   /* and this */
@@ -79,7 +79,7 @@ static void begin(const void *client, void *state)
 {
     const struct pp_tracer *tracer = client;
     struct pp_path_state *path = state;
-    *path = pp_path_state(tracer->scene, tracer->environment, tracer->radiosity);
+    *path = pp_path_state(tracer->scene, tracer->environment, tracer->variate);
     path->light.every_ray = tracer->every_ray;
     path->shared = tracer->density;
     path->cells = tracer->cells;
@@ -108,8 +108,8 @@ static double shared_of(const struct pp_tracer *tracer, struct pp_path_state *pa
 }
 
 static enum pp_status prepare(const void *client, int stage, int first, int count,
-                              const struct pp_counts *wanted, struct pp_crew *crew,
-                              struct pp_error *err)
+                              const struct pp_counts *wanted,
+                              struct pp_thread_pool *pool, struct pp_error *err)
 {
     const struct pp_tracer *tracer = client;
     uint32_t *each = malloc((size_t)count * sizeof *each);
@@ -118,7 +118,7 @@ static enum pp_status prepare(const void *client, int stage, int first, int coun
     for (int i = 0; i < count; i++)
         each[i] = wanted[i].of[SHARED];
     enum pp_status status =
-        pp_shared_light_extend(tracer->shared, stage, first, count, each, crew, err);
+        pp_shared_light_extend(tracer->shared, stage, first, count, each, pool, err);
     free(each);
     return status;
 }
@@ -352,11 +352,11 @@ static struct traced_point point_of(const struct pp_tracer *tracer,
 static enum pp_status share(struct pp_tracer *tracer, uint64_t seed,
                             struct pp_error *err)
 {
-    enum pp_status status = pp_shared_density_create(&tracer->density, tracer->scene,
-                                                     tracer->radiosity, err);
+    enum pp_status status =
+        pp_shared_density_create(&tracer->density, tracer->scene, tracer->variate, err);
     if (status == PP_OK && tracer->density)
-        status = pp_gather_cells_create(&tracer->cells, tracer->scene,
-                                        tracer->radiosity, err);
+        status =
+            pp_gather_cells_create(&tracer->cells, tracer->scene, tracer->variate, err);
     if (status != PP_OK || !tracer->density)
         return status;
     struct pp_path_state path;
@@ -384,9 +384,9 @@ enum pp_status pp_tracer_create(struct pp_tracer **result,
     pp_sobol_init(&tracer->sobol);
     enum pp_status status = PP_OK;
     if (!options->direct)
-        status =
-            pp_radiosity_solve(&tracer->radiosity, scene, environment, &tracer->sobol,
-                               pp_hash(seed, 1), options->threads, err);
+        status = pp_control_variate_solve(&tracer->variate, scene, environment,
+                                          &tracer->sobol, pp_hash(seed, 1),
+                                          options->threads, err);
     if (status == PP_OK && !options->direct && !options->alone)
         status = share(tracer, pp_hash(seed, 2), err);
     tracer->sampler = options->direct  ? of_direct_light()
@@ -427,7 +427,7 @@ void pp_tracer_destroy(struct pp_tracer *tracer)
     pp_shared_light_destroy(tracer->shared);
     pp_shared_density_destroy(tracer->density);
     pp_gather_cells_destroy(tracer->cells);
-    pp_radiosity_destroy(tracer->radiosity);
+    pp_control_variate_destroy(tracer->variate);
     free(tracer);
 }
 

@@ -72,7 +72,7 @@ static bool is_narrow(const struct pp_radiance_state *state,
 
 bool pp_light_images_sample(struct pp_radiance_state *state,
                             const struct pp_image_view *view,
-                            struct pp_window_sample *sample)
+                            struct pp_opening_sample *sample)
 {
     struct pp_shading_point there = view->there;
     enum pp_lobe lobe = view->lobes.gloss ? PP_LOBE_GLOSS : PP_LOBE_MIRROR;
@@ -83,11 +83,11 @@ bool pp_light_images_sample(struct pp_radiance_state *state,
     if (lobe == PP_LOBE_MIRROR || is_narrow(state, view)) {
         struct pp_vec3 to;
         if (!pp_scatter_sample(&view->lobes, lobe, u[0], u[1], &to, &factor)
-            || !pp_light_windows_along(state, &there, view->window, to, sample))
+            || !pp_sample_openings_along(state, &there, view->window, to, sample))
             return false;
         sample->weight =
             pp_rgb_scale(pp_rgb_times(sample->weight, view->lobes.share[lobe]), factor);
-    } else if (!pp_light_windows_aim(state, &there, view->window, u, sample)) {
+    } else if (!pp_sample_openings_aim(state, &there, view->window, u, sample)) {
         return false;
     }
     sample->weight = pp_rgb_times(sample->weight, view->weight);
@@ -98,7 +98,7 @@ bool pp_light_images_in_glass(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading,
                               struct pp_glass_view *view,
                               struct pp_shading_point *there,
-                              struct pp_window_sample *sample)
+                              struct pp_opening_sample *sample)
 {
     const struct pp_light_scene *scene = state->scene;
     struct pp_light_ray ray = pp_path_vertex_shadow_ray(shading, shading->normal);
@@ -129,7 +129,7 @@ bool pp_light_images_in_glass(struct pp_radiance_state *state,
                                        .space = hit.space,
                                        .vertex = vertex,
                                        .depth = shading->depth};
-    if (!pp_light_windows_along(state, there, pair->window, ray.to, sample))
+    if (!pp_sample_openings_along(state, there, pair->window, ray.to, sample))
         return false;
     sample->weight = pp_rgb_times(sample->weight, weight);
     return !pp_rgb_is_black(sample->weight);

@@ -13,7 +13,7 @@
 #define PP_SIMULATE_TRANSPORT_LIGHT_IMAGES_H
 
 #include "simulate/scene/images/glass_images.h"
-#include "simulate/transport/light_windows.h"
+#include "simulate/transport/sample_openings.h"
 
 /* A point of a reflector in which an image is looked for. */
 struct pp_image_view {
@@ -31,7 +31,7 @@ bool pp_light_images_view(struct pp_radiance_state *state,
 /* From there to the opening; false where no light comes along it. */
 bool pp_light_images_sample(struct pp_radiance_state *state,
                             const struct pp_image_view *view,
-                            struct pp_window_sample *sample);
+                            struct pp_opening_sample *sample);
 
 /* How often an image in glass is looked for: it brings little, but steadily. Measured in 93
  * rooms of openings in several walls, eight points at 1 %: with 1 they take 10 % more time,
@@ -44,6 +44,6 @@ bool pp_light_images_in_glass(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading,
                               struct pp_glass_view *view,
                               struct pp_shading_point *there,
-                              struct pp_window_sample *sample);
+                              struct pp_opening_sample *sample);
 
 #endif

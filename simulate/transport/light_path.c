@@ -8,9 +8,9 @@
 #include "simulate/scene/environment.h"
 #include "simulate/transport/light_images.h"
 #include "simulate/transport/light_sources.h"
-#include "simulate/transport/light_windows.h"
-#include "simulate/transport/path_turn.h"
-#include "simulate/transport/window_store.h"
+#include "simulate/transport/opening_store.h"
+#include "simulate/transport/path_scatter.h"
+#include "simulate/transport/sample_openings.h"
 
 enum {
     /* A path ends here where nothing ever absorbs. */
@@ -60,12 +60,12 @@ struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
  * path. */
 static struct pp_rgb light_outside(struct pp_radiance_state *state,
                                    const struct pp_shading_point *shading,
-                                   const struct pp_window_sample *sample,
+                                   const struct pp_opening_sample *sample,
                                    enum pp_first_met *first_met)
 {
     const struct pp_light_scene *scene = state->scene;
     const struct pp_light_ray *ray = &sample->ray;
-    const struct pp_pane *pane = &scene->panes[sample->window];
+    const struct pp_pane *pane = &scene->panes[sample->opening];
     struct pp_rgb radiance = pp_rgb_grey(0.0);
     struct pp_light_hit hit;
     enum pp_meeting meeting;
@@ -83,12 +83,13 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
     }
     if (meeting == PP_MEETS_LEAK
         || (state->options.stored && state->store
-            && pp_window_table_radiance(&state->store->tables[sample->window],
-                                        &pane->target, ray->from, ray->to,
-                                        hit.distance_m, &radiance)))
+            && pp_opening_table_radiance(&state->store->tables[sample->opening],
+                                         &pane->target, ray->from, ray->to,
+                                         hit.distance_m, &radiance)))
         return radiance;
     struct pp_light_path path = pp_light_path_outside(
-        state, ray, pp_light_windows_vertex(shading, sample->window), shading->depth);
+        state, ray, pp_sample_openings_vertex(shading, sample->opening),
+        shading->depth);
     if (pp_light_path_arrive(state, &path, meeting, &hit, &radiance))
         radiance = pp_rgb_add(radiance, pp_light_path_follow(state, &path, NULL));
     *first_met = path.first_met;
@@ -101,7 +102,7 @@ static void add_images(struct pp_radiance_state *state,
                        struct pp_irradiance *sum)
 {
     struct pp_image_view view;
-    struct pp_window_sample sample;
+    struct pp_opening_sample sample;
     enum pp_first_met first_met;
     if (!pp_light_images_view(state, shading, &view)
         || !pp_light_images_sample(state, &view, &sample))
@@ -115,7 +116,7 @@ void pp_light_path_glass(struct pp_radiance_state *state,
                          struct pp_glass_view *view, struct pp_irradiance *sum)
 {
     struct pp_shading_point there;
-    struct pp_window_sample sample;
+    struct pp_opening_sample sample;
     enum pp_first_met first_met;
     if (!pp_light_images_in_glass(state, shading, view, &there, &sample))
         return;
@@ -125,7 +126,7 @@ void pp_light_path_glass(struct pp_radiance_state *state,
 
 /* The light of a niche's side, which is diffuse. */
 static void add_side(const struct pp_niche_light *niches,
-                     const struct pp_window_sample *sample, struct pp_rgb *sum)
+                     const struct pp_opening_sample *sample, struct pp_rgb *sum)
 {
     struct pp_rgb worth = pp_rgb_scale(sample->weight, 1.0 / PP_PI);
     double exitance = niches->exitance(niches->of, &sample->side, worth.g);
@@ -136,10 +137,10 @@ void pp_light_path_windows(struct pp_radiance_state *state,
                            const struct pp_shading_point *shading,
                            struct pp_irradiance *sum)
 {
-    struct pp_window_sampling sampling;
-    struct pp_window_sample sample;
-    pp_light_windows_begin(state, shading, &sampling);
-    while (pp_light_windows_next(state, &sampling, &sample)) {
+    struct pp_opening_sampling sampling;
+    struct pp_opening_sample sample;
+    pp_sample_openings_begin(state, shading, &sampling);
+    while (pp_sample_openings_next(state, &sampling, &sample)) {
         enum pp_first_met first_met;
         if (sample.on_side) {
             add_side(shading->niches, &sample, &sum->rest);
@@ -267,12 +268,12 @@ static bool go_on(struct pp_radiance_state *state, struct pp_light_path *path,
     double u[4]; /* direction (2), lobe, Russian roulette */
     pp_sobol_sequence_draw(&state->sequence, state->index, path->vertex * PP_DRAWS, 4,
                            u);
-    enum pp_lobe lobe = pp_path_turn_choose_lobe(lobes, u[2], &path->throughput);
+    enum pp_lobe lobe = pp_path_scatter_choose_lobe(lobes, u[2], &path->throughput);
     if (lobe == PP_LOBE_COUNT
-        || !pp_path_turn_by_lobe(state, path, lobes, lobe, hit, u[0], u[1]))
+        || !pp_path_scatter_by_lobe(state, path, lobes, lobe, hit, u[0], u[1]))
         return false;
     bool diffuse = lobe == PP_LOBE_DIFFUSE || lobe == PP_LOBE_THROUGH_DIFFUSE;
-    return pp_path_turn_survives(
+    return pp_path_scatter_survives(
         path, diffuse ? path->least : LEAST_GLOSS * path->least, u[3]);
 }
 
@@ -295,7 +296,7 @@ static struct pp_rgb follow_lobe(struct pp_radiance_state *state,
         state->index = index * count + i;
         pp_sobol_sequence_draw(&state->sequence, state->index,
                                branch.vertex++ * PP_DRAWS, 2, u);
-        if (pp_path_turn_by_lobe(state, &branch, lobes, lobe, hit, u[0], u[1]))
+        if (pp_path_scatter_by_lobe(state, &branch, lobes, lobe, hit, u[0], u[1]))
             sum = pp_rgb_add(sum, pp_light_path_follow(state, &branch, NULL));
     }
     state->index = index;
@@ -341,7 +342,7 @@ static void lobes_of(struct pp_radiance_state *state, const struct pp_light_path
     int window = scene->parts[hit->part].window;
     if (window < 0 || hit->back)
         return;
-    double weight = pp_light_windows_weight(state, path, window);
+    double weight = pp_sample_openings_weight(state, path, window);
     lobes->share[PP_LOBE_STRAIGHT] =
         pp_rgb_scale(lobes->share[PP_LOBE_STRAIGHT], weight);
     lobes->share[PP_LOBE_THROUGH_DIFFUSE] =
@@ -362,7 +363,7 @@ static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *
                                        .vertex = path->vertex,
                                        .depth = path->depth,
                                        .split = path->split};
-    pp_path_turn_note_met(path, hit->space);
+    pp_path_scatter_note_met(path, hit->space);
     if (pp_rgb_is_black(albedo))
         return false;
     struct pp_rgb here = direct_light(state, &shading, path);
@@ -377,8 +378,9 @@ static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *
         pp_lobe_frame(hit->normal, &frame.x, &frame.y);
     path->depth++;
     path->split = false;
-    double chance = pp_path_turn_matt(state, path, shading.point, &frame, hit->space);
-    return pp_path_turn_survives(path, path->least, chance);
+    double chance =
+        pp_path_scatter_diffuse(state, path, shading.point, &frame, hit->space);
+    return pp_path_scatter_survives(path, path->least, chance);
 }
 
 /* The ground, a diffuse surface outdoors. No cache is asked for its light, and it does not
@@ -394,7 +396,7 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
     uint32_t count =
         path->split ? GROUND_DIRECTIONS * (uint32_t)state->options.source_most : 1;
     double share = pp_outside_light_ground(&state->environment->light) / count, chance;
-    pp_path_turn_note_met(path, hit->space);
+    pp_path_scatter_note_met(path, hit->space);
     if (state->options.ground_counts && path->depth++ >= state->options.bounces)
         return false;
     path->throughput = pp_rgb_scale(path->throughput, share);
@@ -404,14 +406,15 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
     for (uint32_t i = 1; i < count; i++) {
         struct pp_light_path branch = *path;
         state->index = index * count + i;
-        pp_path_turn_matt(state, &branch, hit->point, &level, hit->space);
+        pp_path_scatter_diffuse(state, &branch, hit->point, &level, hit->space);
         branch.vertex = pp_path_vertex_branch(path->vertex, PP_DRAWS);
         *total = pp_rgb_add(*total, pp_light_path_follow(state, &branch, NULL));
     }
     state->index = index * count;
-    chance = pp_path_turn_matt(state, path, hit->point, &level, hit->space);
+    chance = pp_path_scatter_diffuse(state, path, hit->point, &level, hit->space);
     state->index = index;
-    return count > 1 || pp_path_turn_survives(path, LEAST_GROUND * path->least, chance);
+    return count > 1
+           || pp_path_scatter_survives(path, LEAST_GROUND * path->least, chance);
 }
 
 /* How a ray has come to a reflector, for light that was sampled by way of it. */

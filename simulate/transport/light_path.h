@@ -3,7 +3,7 @@
  *
  * Paths run backwards, from the eye or a sensor. At each surface that scatters, light
  * of concentrated emitters and windows is added by next-event estimation
- * (light_sources.h, light_windows.h); then the path goes on by one of the material's
+ * (light_sources.h, sample_openings.h); then the path goes on by one of the material's
  * lobes. If its own ray comes to an emitter or a window that was sampled directly from
  * where the ray starts, that light counts nothing after a diffuse lobe, and after a gloss
  * by the weights of multiple importance sampling.

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "simulate/sampling/choose.h"
+#include "simulate/sampling/sample_discrete.h"
 
 enum {
     /* Up to this many emitters, all are sampled at the first surface; of more, one. */
@@ -206,8 +206,8 @@ static struct pp_rgb sample_connections(struct pp_radiance_state *state,
     pp_sobol_sequence_draw(&state->sequence, state->index,
                            pp_path_vertex_branch(vertex, 0), 1, &u);
     struct connections connections = {state->scene, shading, group.first};
-    int chosen = pp_choose(importance_of, &connections, group.end - group.first, 0.0, u,
-                           &probability);
+    int chosen = pp_sample_discrete_of(importance_of, &connections,
+                                       group.end - group.first, 0.0, u, &probability);
     if (chosen < 0)
         return sum;
     return pp_rgb_scale(sample_connection(state, shading, group.first + chosen, vertex),

@@ -142,7 +142,7 @@ struct pp_shading_point {
     const struct pp_arrival
         *arrival;        /* by which the gloss is seen; NULL: another way */
     uint32_t directions; /* to windows, each to one that is chosen by its importance; 0:
-                          * by light_windows.h's own rule */
+                          * by sample_openings.h's own rule */
     const struct pp_niche_light
         *niches; /* directions are to mouths; the point is in the
                                           * room. NULL: to panes; not owned */

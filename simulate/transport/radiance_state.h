@@ -17,7 +17,7 @@ struct pp_radiance_options {
     bool sources;       /* next-event estimation of concentrated emitters */
     bool windows;       /* next-event estimation of openings */
     bool stored;        /* the radiance of surfaces outside is read from a window store
-                   * (window_store.h) instead of being traced along each path */
+                   * (opening_store.h) instead of being traced along each path */
     double source_size; /* the angular size (size over distance) to which a source or
                          * window is stratified at a path's first scattering surface; 0:
                          * one direction a source */
@@ -50,7 +50,7 @@ struct pp_ambient {
 };
 
 struct pp_environment;
-struct pp_window_store;
+struct pp_opening_store;
 
 /* Rays for measuring how fast they could be at best; see bench/. */
 struct pp_ray_log {
@@ -68,10 +68,10 @@ struct pp_radiance_state {
     const struct pp_environment *environment; /* of a world; not owned; NULL: of a
                                                * description */
     struct pp_radiance_options options;
-    const struct pp_window_store *store; /* not owned; NULL: as if not `stored` */
-    const struct pp_ambient *ambient;    /* not owned; NULL: none */
-    struct pp_sobol_sequence sequence;   /* the randomisation */
-    uint32_t index;                      /* which path of it */
+    const struct pp_opening_store *store; /* not owned; NULL: as if not `stored` */
+    const struct pp_ambient *ambient;     /* not owned; NULL: none */
+    struct pp_sobol_sequence sequence;    /* the randomisation */
+    uint32_t index;                       /* which path of it */
     bool every_ray;         /* trace also where the answer is known beforehand */
     struct pp_ray_log *log; /* not owned; NULL: none */
 

@@ -5,8 +5,8 @@
 #include <stddef.h>
 #include <stdlib.h>
 
+#include "methods/default_methods.h"
 #include "methods/evaluate.h"
-#include "methods/usual_pair.h"
 #include "studies/criteria/plane_share.h"
 
 static const char traced[] = "traced", formula[] = "average-df";
@@ -23,7 +23,8 @@ enum pp_status pp_factors_by_hand(struct pp_report *report, struct pp_error *err
 {
     enum pp_status status = pp_methods_evaluate(report, formula, err);
     return status == PP_OK ? pp_methods_evaluate(
-               report, pp_usual_pair(report->world, &report->light, NULL, 0).name, err)
+               report, pp_default_methods(report->world, &report->light, NULL, 0).name,
+               err)
                            : status;
 }
 
@@ -69,7 +70,7 @@ const struct pp_column *pp_factors_of_grid(const struct pp_inquiry *inquiry,
             set_basis(findings, traced);
         return *why ? NULL : column;
     }
-    const char *pair = pp_usual_pair(report->world, &report->light, NULL, 0).name;
+    const char *pair = pp_default_methods(report->world, &report->light, NULL, 0).name;
     column = pp_report_find(report, PP_DF, pair);
     if (column && !missing(column, report->receiver_count)) {
         set_basis(findings, pair);
@@ -85,7 +86,8 @@ const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
 {
     const struct pp_report *report = inquiry->factors;
     const char *const names[] = {
-        traced, formula, pp_usual_pair(report->world, &report->light, NULL, 0).name};
+        traced, formula,
+        pp_default_methods(report->world, &report->light, NULL, 0).name};
     *why = pp_factors_refuse(inquiry);
     for (int i = 0; i < 3 && !*why; i++) {
         if (!gives_average(report, names[i]))

@@ -30,7 +30,7 @@ static enum pp_status load(struct pp_irradiance_cache *cache, const char *file,
 enum pp_status pp_cache_records_open(
     struct pp_irradiance_cache **cache, const char *file,
     const struct pp_light_scene *scene, const struct pp_environment *environment,
-    const struct pp_window_store *store, const struct pp_radiance_options *light,
+    const struct pp_opening_store *store, const struct pp_radiance_options *light,
     const struct pp_cache_options *options, struct pp_error *err)
 {
     enum pp_status status = pp_irradiance_cache_create(cache, scene, environment, store,

@@ -6,14 +6,14 @@
 #include "simulate/cache/cache_grow.h"
 #include "simulate/cache/cached_points.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/transport/window_store.h"
+#include "simulate/transport/opening_store.h"
 #include "studies/engines/cache_records.h"
 #include "studies/engines/engine.h"
 
 /* All that stands on the scene, in the order in which it is made. */
 struct cache_run {
     struct pp_environment *environment;
-    struct pp_window_store *store;
+    struct pp_opening_store *store;
     struct pp_irradiance_cache *cache;
     struct pp_cached_points *points;
 };
@@ -25,7 +25,7 @@ static void destroy(void *data)
         return;
     pp_cached_points_destroy(run->points);
     pp_irradiance_cache_destroy(run->cache);
-    pp_window_store_destroy(run->store);
+    pp_opening_store_destroy(run->store);
     pp_environment_destroy(run->environment);
     free(run);
 }
@@ -48,8 +48,8 @@ static enum pp_status make(struct cache_run *run, const struct pp_light_scene *s
     enum pp_status status =
         pp_light_scene_under(&run->environment, scene, &report->light, err);
     if (status == PP_OK)
-        status = pp_window_store_create(&run->store, scene, run->environment,
-                                        options->seed, options->threads, err);
+        status = pp_opening_store_create(&run->store, scene, run->environment,
+                                         options->seed, options->threads, err);
     if (status == PP_OK)
         status =
             pp_cache_records_open(&run->cache, options->cache_file, scene,

@@ -3,10 +3,10 @@
 
 #include <math.h>
 
-#include "studies/sizing/last_good.h"
+#include "studies/sizing/root_bracket.h"
 
 static const double share_tolerance[] = {
-    [PP_SKY_DUES_VSC] = 1e-6, [PP_SKY_DUES_LIT_AREA] = 1e-4};
+    [PP_RETAINED_SKY_VSC] = 1e-6, [PP_RETAINED_SKY_LIT_AREA] = 1e-4};
 static const double height_tolerance_m = 1e-5;
 static const double lowest_m = 0.002; /* nothing, and yet a block */
 
@@ -26,9 +26,9 @@ static enum pp_status look_before(struct pp_block_height *found,
         pp_building_has_states(task->building)
             ? pp_building_set_state(task->building, PP_STATE_EXISTING, err)
             : raise_block(task, lowest_m, err);
-    return status == PP_OK
-               ? pp_sky_dues_before(&found->dues, &task->rule, task->building, err)
-               : status;
+    return status == PP_OK ? pp_retained_sky_before(&found->retained, &task->rule,
+                                                    task->building, err)
+                           : status;
 }
 
 struct height_search {
@@ -44,8 +44,9 @@ static enum pp_status surplus_at(void *context, double height_m, double *value,
     struct pp_block_height *found = search->found;
     enum pp_status status = raise_block(task, height_m, err);
     if (status == PP_OK)
-        status = pp_sky_dues_after(&found->dues, &task->rule, task->building, err);
-    *value = pp_sky_dues_surplus(&found->dues, &task->rule, &found->deciding);
+        status =
+            pp_retained_sky_after(&found->retained, &task->rule, task->building, err);
+    *value = pp_retained_sky_surplus(&found->retained, &task->rule, &found->deciding);
     return status;
 }
 
@@ -58,14 +59,15 @@ enum pp_status pp_block_height_find(struct pp_block_height *found,
         .height_m = NAN,
         .deciding = -1};
     struct height_search search = {found, task};
-    struct pp_last_good_range range = {.low = lowest_m,
-                                       .high = task->most_m,
-                                       .near_value = share_tolerance[task->rule.of],
-                                       .near_argument = height_tolerance_m};
+    struct pp_root_bracket_range range = {.low = lowest_m,
+                                          .high = task->most_m,
+                                          .near_value = share_tolerance[task->rule.of],
+                                          .near_argument = height_tolerance_m};
     enum pp_status status =
         pp_building_set_state(task->building, PP_STATE_PROPOSED, err);
     if (status == PP_OK)
-        status = pp_sky_dues_list(&found->dues, &task->rule, task->building, err);
+        status =
+            pp_retained_sky_list(&found->retained, &task->rule, task->building, err);
     if (status == PP_OK)
         status = look_before(found, task, err);
     if (status == PP_OK)
@@ -82,12 +84,13 @@ enum pp_status pp_block_height_find(struct pp_block_height *found,
         return PP_OK;
     }
     if (status == PP_OK)
-        status = pp_last_good_find(&found->height_m, &range, surplus_at, &search, err);
+        status =
+            pp_root_bracket_find(&found->height_m, &range, surplus_at, &search, err);
     return status;
 }
 
 void pp_block_height_clear(struct pp_block_height *found)
 {
-    pp_sky_dues_clear(&found->dues);
+    pp_retained_sky_clear(&found->retained);
     *found = (struct pp_block_height){0};
 }

@@ -1,22 +1,22 @@
 /* block_height.h - how high a block may be so that the windows or the rooms about it keep
- * their due of the sky (sky_dues.h).
+ * their due of the sky (retained_sky.h).
  *
  * What each has falls as the block rises. `before` is the site as existing, or where the
  * file has no states, the site with the block as low as 2 mm.
  *
- * The height at which the first has no more than its due (last_good.h) is found to 1e-6 of
+ * The height at which the first has no more than its due (root_bracket.h) is found to 1e-6 of
  * the share of a vertical sky component, to 1e-4 of that of a lit area, whose line is
  * known to a millimetre; and where it falls by a step, to 10 um below that.
  */
 #ifndef PP_STUDIES_SIZING_BLOCK_HEIGHT_H
 #define PP_STUDIES_SIZING_BLOCK_HEIGHT_H
 
-#include "studies/sizing/sky_dues.h"
+#include "studies/sizing/retained_sky.h"
 
 struct pp_block_height_task {
     struct pp_building *building; /* its state and the block's height are changed */
     const char *block;            /* its name; the building has one so called */
-    struct pp_sky_dues_rule rule;
+    struct pp_retained_sky_rule rule;
     double most_m; /* the greatest height of interest */
 };
 
@@ -30,7 +30,7 @@ struct pp_block_height {
     enum pp_block_height_verdict verdict;
     double now_m;    /* as the file has it */
     double height_m; /* found; most_m where any will do, NAN where none will */
-    struct pp_sky_dues dues;
+    struct pp_retained_sky retained;
     int deciding; /* who has the least over his due; -1: nobody is due anything */
 };
 

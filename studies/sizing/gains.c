@@ -10,7 +10,7 @@
 #include "studies/sizing/gain_changes.h"
 #include "studies/criteria/en17037_grid.h"
 #include "methods/evaluate.h"
-#include "methods/usual_pair.h"
+#include "methods/default_methods.h"
 #include "model/base/text.h"
 
 /* A change that raises the average by a smaller share than this is left out; chosen, not
@@ -94,7 +94,7 @@ enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
                              const struct pp_outside_light *light, struct pp_error *err)
 {
     *gains = (struct pp_gains){.now = {NAN, NAN}};
-    const char *pair = pp_usual_pair(world, light, NULL, 0).name;
+    const char *pair = pp_default_methods(world, light, NULL, 0).name;
     enum pp_status status = evaluate(&gains->now, world, light, pair, err);
     if (isfinite(gains->now.average))
         gains->method = pair;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "studies/sizing/last_good.h"
+#include "studies/sizing/root_bracket.h"
 
 static const double lowest_m = 0.002; /* nothing, and yet a block */
 static const double share_tolerance = 1e-6;
@@ -21,7 +21,7 @@ struct envelope_search {
 };
 
 /* z of the plane of a window at the cell's nearest corner; INFINITY behind its wall. */
-static double plane_over(const struct pp_sky_due *due, double tangent,
+static double plane_over(const struct pp_retained_sky_place *due, double tangent,
                          const struct pp_building_cell *cell)
 {
     double nearest = INFINITY, farthest = -INFINITY;
@@ -45,8 +45,8 @@ static enum pp_status build_cells(const struct envelope_search *search,
     for (int c = 0; c < found->cells.count; c++) {
         struct pp_building_cell *cell = &found->cells.list[c];
         cell->height_m = task->most_m;
-        for (int i = 0; i < found->dues.count; i++)
-            cell->height_m = fmin(cell->height_m, plane_over(&found->dues.list[i],
+        for (int i = 0; i < found->retained.count; i++)
+            cell->height_m = fmin(cell->height_m, plane_over(&found->retained.list[i],
                                                              search->planes[i], cell)
                                                       - cell->corner.z);
         cell->height_m = fmax(cell->height_m, lowest_m);
@@ -60,7 +60,7 @@ static enum pp_status build_cells(const struct envelope_search *search,
 
 static void set_planes(const struct envelope_search *search, double tangent)
 {
-    for (int i = 0; i < search->found->dues.count; i++)
+    for (int i = 0; i < search->found->retained.count; i++)
         search->planes[i] = tangent;
 }
 
@@ -70,15 +70,15 @@ static enum pp_status alone_at(void *context, double altitude_rad, double *value
 {
     struct envelope_search *search = context;
     const struct pp_plot_envelope_task *task = search->task;
-    struct pp_sky_dues *dues = &search->found->dues;
+    struct pp_retained_sky *retained = &search->found->retained;
     set_planes(search, INFINITY);
     search->planes[search->number] =
         altitude_rad < steepest_rad ? tan(altitude_rad) : INFINITY;
     enum pp_status status = build_cells(search, err);
     if (status == PP_OK)
-        status = pp_sky_dues_after_one(dues, search->number, &task->rule,
-                                       task->building, err);
-    *value = pp_sky_dues_surplus_of(&dues->list[search->number], &task->rule);
+        status = pp_retained_sky_after_one(retained, search->number, &task->rule,
+                                           task->building, err);
+    *value = pp_retained_sky_surplus_of(&retained->list[search->number], &task->rule);
     return status;
 }
 
@@ -90,8 +90,9 @@ static enum pp_status surplus(const struct envelope_search *search, double *valu
     const struct pp_plot_envelope_task *task = search->task;
     enum pp_status status = build_cells(search, err);
     if (status == PP_OK)
-        status = pp_sky_dues_after(&found->dues, &task->rule, task->building, err);
-    *value = pp_sky_dues_surplus(&found->dues, &task->rule, &found->deciding);
+        status =
+            pp_retained_sky_after(&found->retained, &task->rule, task->building, err);
+    *value = pp_retained_sky_surplus(&found->retained, &task->rule, &found->deciding);
     return status;
 }
 
@@ -99,7 +100,7 @@ static enum pp_status together_at(void *context, double factor, double *value,
                                   struct pp_error *err)
 {
     struct envelope_search *search = context;
-    for (int i = 0; i < search->found->dues.count; i++)
+    for (int i = 0; i < search->found->retained.count; i++)
         search->planes[i] = factor * search->tangents[i];
     return surplus(search, value, err);
 }
@@ -109,11 +110,11 @@ static enum pp_status together_at(void *context, double factor, double *value,
 static enum pp_status find_alone(struct envelope_search *search, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    for (int i = 0; i < search->found->dues.count && status == PP_OK; i++) {
-        struct pp_last_good_range range = {.low = 0.0,
-                                           .high = steepest_rad,
-                                           .near_value = share_tolerance,
-                                           .near_argument = angle_tolerance_rad};
+    for (int i = 0; i < search->found->retained.count && status == PP_OK; i++) {
+        struct pp_root_bracket_range range = {.low = 0.0,
+                                              .high = steepest_rad,
+                                              .near_value = share_tolerance,
+                                              .near_argument = angle_tolerance_rad};
         double altitude_rad = steepest_rad;
         search->number = i;
         status = alone_at(search, range.high, &range.at_high, err);
@@ -121,7 +122,7 @@ static enum pp_status find_alone(struct envelope_search *search, struct pp_error
             status = alone_at(search, range.low, &range.at_low, err);
             if (status == PP_OK)
                 status =
-                    pp_last_good_find(&altitude_rad, &range, alone_at, search, err);
+                    pp_root_bracket_find(&altitude_rad, &range, alone_at, search, err);
         }
         search->tangents[i] =
             altitude_rad < steepest_rad ? tan(altitude_rad) : INFINITY;
@@ -134,10 +135,10 @@ static enum pp_status find_together(struct envelope_search *search,
                                     struct pp_error *err)
 {
     struct pp_plot_envelope *found = search->found;
-    struct pp_last_good_range range = {.low = 1.0,
-                                       .high = 1.0,
-                                       .near_value = share_tolerance,
-                                       .near_argument = factor_tolerance};
+    struct pp_root_bracket_range range = {.low = 1.0,
+                                          .high = 1.0,
+                                          .near_value = share_tolerance,
+                                          .near_argument = factor_tolerance};
     found->factor = 1.0;
     enum pp_status status = together_at(search, 1.0, &range.at_low, err);
     range.at_high = range.at_low;
@@ -151,7 +152,7 @@ static enum pp_status find_together(struct envelope_search *search,
         status = together_at(search, range.high, &range.at_high, err);
     }
     if (status == PP_OK && range.at_high < -share_tolerance)
-        status = pp_last_good_find(&found->factor, &range, together_at, search, err);
+        status = pp_root_bracket_find(&found->factor, &range, together_at, search, err);
     return status;
 }
 
@@ -163,8 +164,8 @@ static enum pp_status look_before(struct envelope_search *search, struct pp_erro
         pp_building_has_states(task->building)
             ? pp_building_set_state(task->building, PP_STATE_EXISTING, err)
             : build_cells(search, err);
-    return status == PP_OK ? pp_sky_dues_before(&search->found->dues, &task->rule,
-                                                task->building, err)
+    return status == PP_OK ? pp_retained_sky_before(&search->found->retained,
+                                                    &task->rule, task->building, err)
                            : status;
 }
 
@@ -201,7 +202,7 @@ static void settle(struct pp_plot_envelope *found, const struct envelope_search 
             cell->height_m = 0.0;
         found->volume_m3 += cell->width_m * cell->depth_m * cell->height_m;
     }
-    for (int i = 0; i < found->dues.count; i++)
+    for (int i = 0; i < found->retained.count; i++)
         found->altitudes_rad[i] = found->verdict == PP_PLOT_ENVELOPE_NONE ? NAN
                                   : isinf(search->planes[i])              ? INFINITY
                                                              : atan(search->planes[i]);
@@ -216,12 +217,13 @@ enum pp_status pp_plot_envelope_find(struct pp_plot_envelope *found,
     enum pp_status status =
         pp_building_set_state(task->building, PP_STATE_PROPOSED, err);
     if (status == PP_OK)
-        status = pp_sky_dues_list(&found->dues, &task->rule, task->building, err);
+        status =
+            pp_retained_sky_list(&found->retained, &task->rule, task->building, err);
     if (status == PP_OK)
         status = pp_plot_cells_lay(&found->cells, task->building, task->block, err);
     if (status != PP_OK)
         return status;
-    size_t count = (size_t)found->dues.count;
+    size_t count = (size_t)found->retained.count;
     found->altitudes_rad = calloc(count, sizeof *found->altitudes_rad);
     search.tangents = calloc(2 * count, sizeof *search.tangents);
     search.planes = search.tangents + count;
@@ -236,7 +238,7 @@ enum pp_status pp_plot_envelope_find(struct pp_plot_envelope *found,
 void pp_plot_envelope_clear(struct pp_plot_envelope *found)
 {
     pp_plot_cells_clear(&found->cells);
-    pp_sky_dues_clear(&found->dues);
+    pp_retained_sky_clear(&found->retained);
     free(found->altitudes_rad);
     *found = (struct pp_plot_envelope){0};
 }

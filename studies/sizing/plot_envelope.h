@@ -1,5 +1,5 @@
 /* plot_envelope.h - the largest envelope on a plot that leaves every window about it its due
- * of the sky (sky_dues.h).
+ * of the sky (retained_sky.h).
  *
  * As codes of building do, a plane for each window rises over the plot from the window's
  * middle, at z_i, away from its wall; the envelope is what lies below all of them, in cells
@@ -24,15 +24,15 @@
 #define PP_STUDIES_SIZING_PLOT_ENVELOPE_H
 
 #include "studies/sizing/plot_cells.h"
-#include "studies/sizing/sky_dues.h"
+#include "studies/sizing/retained_sky.h"
 
 struct pp_plot_envelope_task {
     struct pp_building
         *building;     /* its state, and the block, are changed: the cells take
                                    * its place */
     const char *block; /* whose footprint is the plot */
-    struct pp_sky_dues_rule rule; /* of VSC */
-    double most_m;                /* no cell is higher */
+    struct pp_retained_sky_rule rule; /* of VSC */
+    double most_m;                    /* no cell is higher */
 };
 
 enum pp_plot_envelope_verdict {
@@ -45,7 +45,7 @@ struct pp_plot_envelope {
     enum pp_plot_envelope_verdict verdict;
     struct pp_plot_cells cells; /* height_m: 0 where nothing may stand */
     double volume_m3;
-    struct pp_sky_dues dues;
+    struct pp_retained_sky retained;
     double *altitudes_rad; /* of the planes, atan(s tan a_i); INFINITY where a window
                             * limits nothing, NAN where none was found; owned */
     double factor;         /* s */

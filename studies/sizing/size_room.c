@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "methods/default_methods.h"
 #include "methods/evaluate.h"
 #include "methods/method.h"
-#include "methods/usual_pair.h"
 #include "studies/bands/report_bands.h"
 #include "studies/room_value.h"
 #include "studies/sizing/criterion_margin.h"
@@ -267,9 +267,10 @@ static void choose_method(struct valuation *valuation)
     by_hand->light = &valuation->room->light;
     by_hand->method = valuation->request->by;
     if (!by_hand->method)
-        by_hand->method = pp_usual_pair(valuation->room->world, &valuation->room->light,
-                                        by_hand->points, by_hand->point_count)
-                              .name;
+        by_hand->method =
+            pp_default_methods(valuation->room->world, &valuation->room->light,
+                               by_hand->points, by_hand->point_count)
+                .name;
 }
 
 /* Traces the room, and has its value by hand, where by_hand is not NULL, too. */

@@ -3,7 +3,7 @@
 #define PP_TESTS_LIB_GUESSED_ROOM_H
 
 #include "simulate/scene/light_scene_parts.h"
-#include "simulate/tracer/radiosity_solve.h"
+#include "simulate/tracer/control_variate_solve.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 
@@ -13,7 +13,7 @@ struct pp_test_guessed_room {
     struct pp_light_scene *scene;
     struct pp_environment *environment;
     struct pp_sobol sobol;
-    struct pp_radiosity *guess;
+    struct pp_control_variate *guess;
 };
 
 static inline void pp_test_guessed_room_init(struct pp_test_guessed_room *room,
@@ -23,14 +23,15 @@ static inline void pp_test_guessed_room_init(struct pp_test_guessed_room *room,
     room->scene = pp_test_matt_scene(room->world);
     room->environment = pp_test_light_on(room->scene, &room->light);
     pp_sobol_init(&room->sobol);
-    assert_int_equal(pp_radiosity_solve(&room->guess, room->scene, room->environment,
-                                        &room->sobol, 3, 1, NULL),
+    assert_int_equal(pp_control_variate_solve(&room->guess, room->scene,
+                                              room->environment, &room->sobol, 3, 1,
+                                              NULL),
                      PP_OK);
 }
 
 static inline void pp_test_guessed_room_clear(struct pp_test_guessed_room *room)
 {
-    pp_radiosity_destroy(room->guess);
+    pp_control_variate_destroy(room->guess);
     pp_environment_destroy(room->environment);
     pp_light_scene_destroy(room->scene);
     pp_world_destroy(room->world);

@@ -43,7 +43,7 @@ static inline struct pp_rgb pp_test_all_of(struct pp_irradiance e)
 /* Irradiance by `paths` paths in each of the sequences; environment: of a world. */
 static inline struct pp_test_mean pp_test_irradiance(
     const struct pp_light_scene *scene, const struct pp_environment *environment,
-    const struct pp_window_store *store, struct pp_radiance_options options,
+    const struct pp_opening_store *store, struct pp_radiance_options options,
     struct pp_vec3 point, struct pp_vec3 normal, uint32_t paths)
 {
     struct pp_rgb values[PP_TEST_SEEDS];

@@ -7,7 +7,7 @@
 
 #include "simulate/cache/cached_points.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/transport/window_store.h"
+#include "simulate/transport/opening_store.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 
@@ -17,7 +17,7 @@ static void read_all(const struct pp_world *world,
 {
     struct pp_light_scene *scene = NULL;
     struct pp_environment *environment = NULL;
-    struct pp_window_store *store = NULL;
+    struct pp_opening_store *store = NULL;
     struct pp_irradiance_cache *cache = NULL;
     struct pp_cached_points *points = NULL;
     const struct pp_radiance_options light = pp_cached_points_light();
@@ -25,7 +25,7 @@ static void read_all(const struct pp_world *world,
     const struct pp_cached_options wanted = {.error = 0.002, .seed = 1};
     assert_int_equal(pp_light_scene_of_world_matt(&scene, world, NULL), PP_OK);
     assert_int_equal(pp_light_scene_under(&environment, scene, outside, NULL), PP_OK);
-    assert_int_equal(pp_window_store_create(&store, scene, environment, 1, 0, NULL),
+    assert_int_equal(pp_opening_store_create(&store, scene, environment, 1, 0, NULL),
                      PP_OK);
     assert_int_equal(pp_irradiance_cache_create(&cache, scene, environment, store,
                                                 &light, &options, NULL),
@@ -40,7 +40,7 @@ static void read_all(const struct pp_world *world,
         pp_cached_points_read(points, i, readings[i]);
     pp_cached_points_destroy(points);
     pp_irradiance_cache_destroy(cache);
-    pp_window_store_destroy(store);
+    pp_opening_store_destroy(store);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
 }

@@ -7,8 +7,8 @@
 #include "simulate/cache/cached_points.h"
 #include "simulate/render/render.h"
 #include "simulate/scene/light_scene_of_world.h"
+#include "simulate/transport/opening_store.h"
 #include "simulate/transport/sensors.h"
-#include "simulate/transport/window_store.h"
 #include "tests/lib/light_scenes.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
@@ -91,7 +91,7 @@ static void of_points(const char *name, const struct pp_world *world,
 
 /* With one cache for all seeds: what it has wrong is in the truth too. */
 static void cached(const struct pp_world *world, const struct pp_light_scene *scene,
-                   const struct pp_window_store *store,
+                   const struct pp_opening_store *store,
                    struct pp_irradiance_cache *cache,
                    const struct pp_cached_options *options,
                    struct pp_reading (*readings)[4])
@@ -110,7 +110,7 @@ static void cached(const struct pp_world *world, const struct pp_light_scene *sc
 static void of_cached_points(const char *name, const struct pp_world *world,
                              const struct pp_light_scene *scene,
                              const struct pp_environment *outside,
-                             const struct pp_window_store *store)
+                             const struct pp_opening_store *store)
 {
     struct line line = {0};
     struct pp_irradiance_cache *cache;
@@ -260,8 +260,8 @@ static void values_lie_within_their_errors_in_every_client(void **state)
         struct pp_world *world = pp_test_lit_world(&light, rooms[i].xml);
         struct pp_light_scene *scene = pp_test_matt_scene(world);
         struct pp_environment *outside = pp_test_light_on(scene, &light);
-        struct pp_window_store *store;
-        assert_int_equal(pp_window_store_create(&store, scene, outside, 1, 0, NULL),
+        struct pp_opening_store *store;
+        assert_int_equal(pp_opening_store_create(&store, scene, outside, 1, 0, NULL),
                          PP_OK);
         of_points(rooms[i].name, world, &light);
         of_cached_points(rooms[i].name, world, scene, outside, store);
@@ -271,7 +271,7 @@ static void values_lie_within_their_errors_in_every_client(void **state)
                                          world->receivers[k].normal, 0};
         of_sensors(rooms[i].name, list, scene, outside);
         of_pixels(rooms[i].name, scene, outside);
-        pp_window_store_destroy(store);
+        pp_opening_store_destroy(store);
         pp_environment_destroy(outside);
         pp_light_scene_destroy(scene);
         pp_world_destroy(world);

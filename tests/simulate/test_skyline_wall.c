@@ -2,8 +2,8 @@
  * paths, photons and elements, through windows of its own wall and of another. */
 #include <stdio.h>
 
-#include "tests/lib/elements_of.h"
 #include "tests/lib/photons_of.h"
+#include "tests/lib/radiosity_of.h"
 #include "tests/lib/room_of.h"
 
 /* A street 8.3 m wide; its own side is 10.7 m high. */
@@ -78,7 +78,7 @@ static struct pp_reading (*by_photons(const struct pp_world *world,
 static struct pp_reading (*by_elements(const struct pp_world *world,
                                        const struct pp_outside_light *light))[4]
 {
-    const struct pp_elements_options options = {.threads = 1};
+    const struct pp_radiosity_options options = {.threads = 1};
     return pp_test_elements(world, light, receivers, POINTS, &options, NULL);
 }
 

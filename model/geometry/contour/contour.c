@@ -9,7 +9,7 @@
 
 #include "model/base/array.h"
 #include "model/geometry/contour/level_crossing.h"
-#include "model/geometry/larger.h"
+#include "model/geometry/min_max.h"
 
 /* Could the level cross the triangle, or come near it? Between the corners the function
  * may go on by half of what they differ. */
@@ -19,8 +19,8 @@ static bool is_near(const struct pp_field *field, int triangle)
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < 3; i++) {
         double value = field->values[t[i]];
-        low = pp_smaller(value, low);
-        high = pp_larger(value, high);
+        low = pp_min(value, low);
+        high = pp_max(value, high);
     }
     double more = 0.5 * (high - low);
     return low - more <= field->level && field->level <= high + more;

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "simulate/sampling/choose.h"
+#include "simulate/sampling/sample_discrete.h"
 #include "simulate/scene/light_scene_parts.h"
 
 /* An opening is before the glass, and a part of it is seen, if by more than this. */
@@ -235,8 +235,8 @@ int pp_glass_images_sample(const struct pp_light_scene *scene,
     if (!pp_vec_same(view->point, point) || !pp_vec_same(view->normal, normal))
         look_from(scene, view, point, normal, brightness);
     double probability;
-    int chosen =
-        pp_choose_guessed(view->share, scene->glass_image_count, u[2], &probability);
+    int chosen = pp_sample_discrete_defensive(view->share, scene->glass_image_count,
+                                              u[2], &probability);
     if (chosen < 0)
         return chosen;
     struct pp_glass_sight *sight = sight_of(scene, view, brightness, chosen);

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "simulate/sampling/choose.h"
+#include "simulate/sampling/sample_discrete.h"
 #include "simulate/scene/light_scene_parts.h"
 
 enum { MOST_IMAGES = 32 };
@@ -103,7 +103,8 @@ int pp_window_images_choose(const struct pp_light_scene *scene,
     *probability = 1.0;
     if (scene->window_image_count == 1)
         return importance[0] > 0.0 ? 0 : -1;
-    return pp_choose_guessed(importance, scene->window_image_count, u, probability);
+    return pp_sample_discrete_defensive(importance, scene->window_image_count, u,
+                                        probability);
 }
 
 bool pp_window_images_sample(const struct pp_light_scene *scene, int index,

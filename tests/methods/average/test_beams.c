@@ -96,15 +96,15 @@ static void a_space_that_is_spent_has_no_more_areas(void **state)
     (void)state;
     struct pp_world *world = room_before_a_block();
     struct pp_beam *beam;
-    struct pp_beam_space space = {.visits_most = 40};
+    struct pp_beam_space space = {.work_budget = 40};
     struct pp_beam_areas areas;
     struct dice dice = {5};
     assert_int_equal(pp_beam_create(&beam, world, world->openings, true, NULL), PP_OK);
-    int looks = 0;
-    while (!pp_beam_space_is_spent(&space) && ++looks < 1000)
+    int directions = 0;
+    while (!pp_beam_budget_exhausted(&space) && ++directions < 1000)
         assert_int_equal(pp_beam_areas(&areas, beam, &space, direction(&dice), NULL),
                          PP_OK);
-    assert_true(looks > 3 && looks < 1000);
+    assert_true(directions > 3 && directions < 1000);
     pp_beam_space_clear(&space);
     pp_beam_destroy(beam);
     pp_world_destroy(world);

@@ -45,18 +45,18 @@ static struct pp_world *l_shape(void)
 static bool average(double mean[PP_PLANE_VALUES], struct pp_world *world,
                     struct quantity *quantity)
 {
-    struct pp_crew *crew;
+    struct pp_thread_pool *pool;
     bool stopped;
-    assert_int_equal(pp_crew_create(&crew, quantity->threads, NULL), PP_OK);
+    assert_int_equal(pp_thread_pool_create(&pool, quantity->threads, NULL), PP_OK);
     /* As if from a window of 1 m at the near wall. */
     const struct pp_plane_centre centre = {.apex = {1.1, -0.5},
                                            .at = {1.1, 0.0},
                                            .facing = {0.0, 1.0},
                                            .tan_aside = INFINITY};
     assert_int_equal(pp_plane_average(mean, &stopped, world, &centre, 1, ask, quantity,
-                                      1e-3, 2000, crew, NULL),
+                                      1e-3, 2000, pool, NULL),
                      PP_OK);
-    pp_crew_destroy(crew);
+    pp_thread_pool_destroy(pool);
     return !stopped;
 }
 

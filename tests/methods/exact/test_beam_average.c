@@ -36,11 +36,11 @@ static void assert_same_mean(const char *body, int points, double share)
     snprintf(xml, sizeof xml, "<room version='1'>%s</room>", body);
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(&light, xml);
-    struct pp_crew *crew;
+    struct pp_thread_pool *pool;
     struct pp_beams *beams;
     assert_true(world->opening_count > 0);
     assert_int_equal(pp_beams_create(&beams, world, NULL), PP_OK);
-    assert_int_equal(pp_crew_create(&crew, 1, NULL), PP_OK);
+    assert_int_equal(pp_thread_pool_create(&pool, 1, NULL), PP_OK);
     for (int i = 0; i < world->opening_count; i++) {
         struct pointwise task = {world, &light, &world->openings[i]};
         struct pp_part part = {0};
@@ -48,7 +48,7 @@ static void assert_same_mean(const char *body, int points, double share)
         bool stopped, known;
         const struct pp_plane_centre centre = pp_plane_centre_of(task.opening);
         assert_int_equal(pp_plane_average(mean, &stopped, world, &centre, 1, at_point,
-                                          &task, 1e-5, points / 6, crew, NULL),
+                                          &task, 1e-5, points / 6, pool, NULL),
                          PP_OK);
         assert_false(stopped);
         assert_int_equal(pp_method_exact.average(beams, &light, task.opening, NULL,
@@ -60,7 +60,7 @@ static void assert_same_mean(const char *body, int points, double share)
         assert_near(part.sky, mean[0], share * sum);
         assert_near(part.external, mean[1], share * sum);
     }
-    pp_crew_destroy(crew);
+    pp_thread_pool_destroy(pool);
     pp_beams_destroy(beams);
     pp_world_destroy(world);
 }

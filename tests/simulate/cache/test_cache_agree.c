@@ -88,10 +88,10 @@ static double error_of(const struct pp_cache_layer *layer)
 
 static void smooth(struct pp_cache_layer *layer)
 {
-    struct pp_crew *crew;
-    assert_int_equal(pp_crew_create(&crew, 2, NULL), PP_OK);
-    assert_int_equal(pp_cache_smooth_layer(layer, crew, NULL), PP_OK);
-    pp_crew_destroy(crew);
+    struct pp_thread_pool *pool;
+    assert_int_equal(pp_thread_pool_create(&pool, 2, NULL), PP_OK);
+    assert_int_equal(pp_cache_smooth_layer(layer, pool, NULL), PP_OK);
+    pp_thread_pool_destroy(pool);
 }
 
 static void a_plane_of_light_stays_what_it_is(void **state)

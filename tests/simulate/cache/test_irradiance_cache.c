@@ -9,7 +9,7 @@
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/light_scene_of_description.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/transport/window_store.h"
+#include "simulate/transport/opening_store.h"
 #include "tests/lib/sampled_light.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
@@ -320,13 +320,13 @@ static struct pp_reading (*cached(const struct pp_world *world,
                                   const struct pp_cached_options *options))[4]
 {
     struct pp_light_scene *scene = NULL;
-    struct pp_window_store *store = NULL;
+    struct pp_opening_store *store = NULL;
     struct pp_irradiance_cache *cache = NULL;
     struct pp_cached_points *points = NULL;
     struct pp_radiance_options paths = pp_cached_points_light();
     assert_int_equal(pp_light_scene_of_world_matt(&scene, world, NULL), PP_OK);
     struct pp_environment *environment = pp_test_light_on(scene, light);
-    assert_int_equal(pp_window_store_create(&store, scene, environment, 1, 1, NULL),
+    assert_int_equal(pp_opening_store_create(&store, scene, environment, 1, 1, NULL),
                      PP_OK);
     assert_int_equal(pp_irradiance_cache_create(&cache, scene, environment, store,
                                                 &paths, cache_options, NULL),
@@ -343,7 +343,7 @@ static struct pp_reading (*cached(const struct pp_world *world,
         pp_cached_points_read(points, i < world->receiver_count ? i : -1, readings[i]);
     pp_cached_points_destroy(points);
     pp_irradiance_cache_destroy(cache);
-    pp_window_store_destroy(store);
+    pp_opening_store_destroy(store);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     return readings;
@@ -608,8 +608,8 @@ static void bounces_are_counted_from_the_point_on(void **state)
     options.constant = pp_rgb_grey(0.0);
     struct pp_light_scene *scene = scene_of(world);
     struct pp_environment *environment = pp_test_light_on(scene, &light);
-    struct pp_window_store *store = NULL;
-    assert_int_equal(pp_window_store_create(&store, scene, environment, 1, 1, NULL),
+    struct pp_opening_store *store = NULL;
+    assert_int_equal(pp_opening_store_create(&store, scene, environment, 1, 1, NULL),
                      PP_OK);
     struct pp_radiance_options paths = pp_radiance_state_defaults();
     paths.bounces = 1;
@@ -624,7 +624,7 @@ static void bounces_are_counted_from_the_point_on(void **state)
                     4.0 * hypot(one[i][PP_DF].std_error, known.error));
     }
     free(one);
-    pp_window_store_destroy(store);
+    pp_opening_store_destroy(store);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);

@@ -289,11 +289,11 @@ struct sharing {
 };
 
 static enum pp_status prepare(const void *client, int stage, int first, int count,
-                              const struct pp_counts *wanted, struct pp_crew *crew,
-                              struct pp_error *err)
+                              const struct pp_counts *wanted,
+                              struct pp_thread_pool *pool, struct pp_error *err)
 {
     struct ready *ready = ((const struct sharing *)client)->ready;
-    (void)crew;
+    (void)pool;
     (void)err;
     assert_in_range(count, 1, 128);
     if (stage != ready->stage || first != ready->first)

@@ -1,8 +1,8 @@
 /* test_render.c - pictures against what is known of the light in them. */
 #include "simulate/cache/cache_file.h"
 #include "simulate/cache/cache_grow.h"
+#include "simulate/render/cache_warm_up.h"
 #include "simulate/render/checkpoint.h"
-#include "simulate/render/overture.h"
 #include "simulate/render/render.h"
 
 #include "simulate/cache/cache_parts.h"
@@ -362,7 +362,7 @@ static void a_picture_does_not_depend_on_threads(void **state)
     clear(&scene);
 }
 
-/* ---- the overture ---- */
+/* ---- warming up the cache ---- */
 
 static struct pp_irradiance_cache *new_cache(const struct scene *scene,
                                              const struct pp_render_options *options,
@@ -382,23 +382,23 @@ static struct pp_irradiance_cache *grown(const struct scene *scene,
                                          int part_pixels, int threads, double slice_s)
 {
     struct pp_cache_options sparse = pp_irradiance_cache_defaults();
-    struct pp_overture *overture = NULL;
+    struct pp_cache_warm_up *warm_up = NULL;
     sparse.accuracy = 0.3;
     sparse.divisions = 64;
     sparse.supersamples = 0;
     sparse.bounces = 2;
     sparse.threads = threads;
     struct pp_irradiance_cache *cache = new_cache(scene, options, &sparse);
-    assert_int_equal(
-        pp_overture_create(&overture, cache, scene->light, options, part_pixels, NULL),
-        PP_OK);
-    while (!pp_overture_done(overture)) {
-        double progress = pp_overture_progress(overture);
+    assert_int_equal(pp_cache_warm_up_create(&warm_up, cache, scene->light, options,
+                                             part_pixels, NULL),
+                     PP_OK);
+    while (!pp_cache_warm_up_done(warm_up)) {
+        double progress = pp_cache_warm_up_progress(warm_up);
         assert_true(progress >= 0.0 && progress <= 1.0);
-        assert_int_equal(pp_overture_advance(overture, slice_s, NULL), PP_OK);
+        assert_int_equal(pp_cache_warm_up_advance(warm_up, slice_s, NULL), PP_OK);
     }
-    assert_near(pp_overture_progress(overture), 1.0, 0.0);
-    pp_overture_destroy(overture);
+    assert_near(pp_cache_warm_up_progress(warm_up), 1.0, 0.0);
+    pp_cache_warm_up_destroy(warm_up);
     return cache;
 }
 
@@ -540,12 +540,12 @@ static void see_picture(struct pp_irradiance_cache *cache,
                         const struct pp_light_scene *scene,
                         struct pp_render_options *options)
 {
-    struct pp_overture *overture;
-    assert_int_equal(pp_overture_create(&overture, cache, scene, options, 0, NULL),
+    struct pp_cache_warm_up *warm_up;
+    assert_int_equal(pp_cache_warm_up_create(&warm_up, cache, scene, options, 0, NULL),
                      PP_OK);
-    while (!pp_overture_done(overture))
-        assert_int_equal(pp_overture_advance(overture, 1.0, NULL), PP_OK);
-    pp_overture_destroy(overture);
+    while (!pp_cache_warm_up_done(warm_up))
+        assert_int_equal(pp_cache_warm_up_advance(warm_up, 1.0, NULL), PP_OK);
+    pp_cache_warm_up_destroy(warm_up);
     options->ambient = pp_irradiance_cache_ambient(cache);
     options->ambient_hash = pp_render_cache_hash(cache);
 }

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "simulate/elements/form_factor.h"
+#include "simulate/radiosity/form_factor.h"
 #include "simulate/tracer/path.h"
 #include "tests/lib/guessed_room.h"
 
@@ -20,7 +20,7 @@ static void guess(struct pp_test_guessed_room *room, int face, double there,
                   double elsewhere)
 {
     for (int i = 0; i < room->world->face_count; i++) {
-        const struct pp_radiosity_grid *grid = &room->guess->grids[i][0];
+        const struct pp_control_variate_grid *grid = &room->guess->grids[i][0];
         for (int k = 0; k < grid->columns * grid->rows; k++)
             room->guess->values[grid->first + k] = i == face ? there : elsewhere;
     }

@@ -2,8 +2,8 @@
 #include <math.h>
 
 #include "simulate/scene/light_scene_parts.h"
+#include "simulate/tracer/control_variate_solve.h"
 #include "simulate/tracer/path.h"
-#include "simulate/tracer/radiosity_solve.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 
@@ -176,10 +176,11 @@ static void images_are_what_rays_find(const char *room, double noise)
     struct pp_light_scene *scene = pp_test_matt_scene(world);
     struct pp_environment *environment = pp_test_light_on(scene, &light);
     struct pp_sobol sobol;
-    struct pp_radiosity *guess;
+    struct pp_control_variate *guess;
     pp_sobol_init(&sobol);
-    assert_int_equal(pp_radiosity_solve(&guess, scene, environment, &sobol, 3, 1, NULL),
-                     PP_OK);
+    assert_int_equal(
+        pp_control_variate_solve(&guess, scene, environment, &sobol, 3, 1, NULL),
+        PP_OK);
     struct pp_path_state paths = pp_path_state(scene, environment, guess);
     assert_true(paths.glass);
     struct found_light aimed = reflected(&paths, &sobol, &world->receivers[0], true);
@@ -187,7 +188,7 @@ static void images_are_what_rays_find(const char *room, double noise)
     double both = hypot(aimed.deviation, by_rays.deviation) / sqrt(NETS);
     assert_near(aimed.mean, by_rays.mean, 3.0 * both);
     assert_near(aimed.deviation / by_rays.deviation, 0.0, noise);
-    pp_radiosity_destroy(guess);
+    pp_control_variate_destroy(guess);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);

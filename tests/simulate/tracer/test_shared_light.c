@@ -45,15 +45,15 @@ static void clear(struct shared_room *room)
     pp_test_guessed_room_clear(&room->of);
 }
 
-/* By a crew of so many threads. */
+/* By a pool of so many threads. */
 static enum pp_status extended(struct shared_room *room, int stage, int first,
                                int count, const uint32_t *wanted, int threads)
 {
-    struct pp_crew *crew;
-    assert_int_equal(pp_crew_create(&crew, threads, NULL), PP_OK);
+    struct pp_thread_pool *pool;
+    assert_int_equal(pp_thread_pool_create(&pool, threads, NULL), PP_OK);
     enum pp_status status =
-        pp_shared_light_extend(room->lights, stage, first, count, wanted, crew, NULL);
-    pp_crew_destroy(crew);
+        pp_shared_light_extend(room->lights, stage, first, count, wanted, pool, NULL);
+    pp_thread_pool_destroy(pool);
     return status;
 }
 

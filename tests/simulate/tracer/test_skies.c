@@ -1,7 +1,7 @@
 /* test_skies.c - light from outside is an argument: one scene under many skies. */
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/scene/light_scene_parts.h"
-#include "simulate/transport/window_store.h"
+#include "simulate/transport/opening_store.h"
 #include "tests/lib/counted_builds.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/sampled_light.h"
@@ -96,17 +96,17 @@ static void so_is_coloured_light(void **state)
     builds = 0;
     for (int i = 0; i < 2; i++) {
         struct pp_environment *environment = NULL;
-        struct pp_window_store *store = NULL;
+        struct pp_opening_store *store = NULL;
         assert_int_equal(pp_light_scene_of_world(&scenes[i], i ? clear : world, NULL),
                          PP_OK);
         assert_int_equal(pp_light_scene_under(&environment, scenes[i], &light, NULL),
                          PP_OK);
         assert_int_equal(
-            pp_window_store_create(&store, scenes[i], environment, 1, 1, NULL), PP_OK);
+            pp_opening_store_create(&store, scenes[i], environment, 1, 1, NULL), PP_OK);
         means[i] = pp_test_irradiance(
             scenes[i], environment, store, pp_radiance_state_defaults(),
             world->receivers[0].position, world->receivers[0].normal, 64);
-        pp_window_store_destroy(store);
+        pp_opening_store_destroy(store);
         pp_environment_destroy(environment);
     }
     assert_int_equal(builds, 2);

@@ -1,7 +1,7 @@
 /* test_room_light.c - light in rooms, against the tracer and against itself. */
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/transport/window_store.h"
+#include "simulate/transport/opening_store.h"
 #include "tests/lib/sampled_light.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/sized.h"
@@ -25,8 +25,8 @@ static void assert_as_traced(const char *xml, double slack)
     struct pp_world *world = pp_test_lit_world(&light, xml);
     struct pp_light_scene *scene = scene_of(world);
     struct pp_environment *environment = pp_test_light_on(scene, &light);
-    struct pp_window_store *store = NULL;
-    assert_int_equal(pp_window_store_create(&store, scene, environment, 1, 1, NULL),
+    struct pp_opening_store *store = NULL;
+    assert_int_equal(pp_opening_store_create(&store, scene, environment, 1, 1, NULL),
                      PP_OK);
     struct pp_tracer_options options = {
         .error = PP_SIZED(0.005, 0.005, 0.01), .seed = 11, .threads = 1};
@@ -48,7 +48,7 @@ static void assert_as_traced(const char *xml, double slack)
         }
     }
     free(traced);
-    pp_window_store_destroy(store);
+    pp_opening_store_destroy(store);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
@@ -369,11 +369,11 @@ static struct pp_irradiance straight_in(const char *xml, bool stored,
     struct pp_world *world = pp_test_lit_world(&light, xml);
     struct pp_light_scene *scene = scene_of(world);
     struct pp_environment *environment = pp_test_light_on(scene, &light);
-    struct pp_window_store *store = NULL;
+    struct pp_opening_store *store = NULL;
     struct pp_sobol *sobol = malloc(sizeof *sobol);
     assert_non_null(sobol);
     pp_sobol_init(sobol);
-    assert_int_equal(pp_window_store_create(&store, scene, environment, 1, 1, NULL),
+    assert_int_equal(pp_opening_store_create(&store, scene, environment, 1, 1, NULL),
                      PP_OK);
     struct pp_radiance_state path_state = {.scene = scene,
                                            .environment = environment,
@@ -389,7 +389,7 @@ static struct pp_irradiance straight_in(const char *xml, bool stored,
         sum.outside = pp_rgb_along(sum.outside, 1.0 / PATHS, e.outside);
     }
     free(sobol);
-    pp_window_store_destroy(store);
+    pp_opening_store_destroy(store);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);
@@ -446,15 +446,15 @@ static void the_store_does_not_depend_on_threads(void **state)
     struct pp_environment *environment = pp_test_light_on(scene, &light);
     double seen[2];
     for (int i = 0; i < 2; i++) {
-        struct pp_window_store *store;
+        struct pp_opening_store *store;
         assert_int_equal(
-            pp_window_store_create(&store, scene, environment, 9, 1 + 2 * i, NULL),
+            pp_opening_store_create(&store, scene, environment, 9, 1 + 2 * i, NULL),
             PP_OK);
         seen[i] =
             pp_test_irradiance(scene, environment, store, pp_radiance_state_defaults(),
                                pp_vec(1.2, 2.3, 0.7), pp_vec(0.0, 0.0, 1.0), 8)
                 .value.g;
-        pp_window_store_destroy(store);
+        pp_opening_store_destroy(store);
     }
     assert_true(seen[0] == seen[1] && seen[0] > 0.0);
     pp_environment_destroy(environment);

@@ -31,7 +31,7 @@ static struct pp_building *building_of(const char *inside)
 }
 
 static struct pp_block_height height_by(struct pp_building *building,
-                                        struct pp_sky_dues_rule rule)
+                                        struct pp_retained_sky_rule rule)
 {
     const struct pp_block_height_task task = {
         .building = building, .block = "Terrace", .rule = rule, .most_m = 300.0};
@@ -45,7 +45,7 @@ static struct pp_block_height height_by(struct pp_building *building,
 static struct pp_block_height height_in(struct pp_building *building, double keep)
 {
     return height_by(building,
-                     (struct pp_sky_dues_rule){.keep = keep, .enough = INFINITY});
+                     (struct pp_retained_sky_rule){.keep = keep, .enough = INFINITY});
 }
 
 /* Vertical sky component before an endless obstruction of altitude a:
@@ -83,10 +83,11 @@ static void an_endless_terrace_may_rise_to_the_altitude_that_leaves_0_8(void **s
     assert_near(found.now_m, 9.0, 1e-12);
     double whole = component_over(0.0);
     assert_near(whole, 0.396177, 2e-6);
-    assert_near(found.dues.list[0].before, whole, 2e-6);
+    assert_near(found.retained.list[0].before, whole, 2e-6);
     double altitude = atan2(found.height_m - 2.85, 17.0);
     assert_near(component_over(altitude), 0.8 * whole, 1e-5);
-    assert_near(found.dues.list[0].after / found.dues.list[0].before, 0.8, 1e-5);
+    assert_near(found.retained.list[0].after / found.retained.list[0].before, 0.8,
+                1e-5);
     pp_block_height_clear(&found);
     pp_building_destroy(building);
 }
@@ -125,7 +126,7 @@ static void traced_sky_at_that_height_agrees(void **state)
     }
     double mean = sum / RAYS,
            error = sqrt((squares / RAYS - mean * mean) / (RAYS - 1.0));
-    assert_near(mean, 0.8 * found.dues.list[0].before, 3.0 * error);
+    assert_near(mean, 0.8 * found.retained.list[0].before, 3.0 * error);
     assert_true(error < 4e-3 * mean);
     pp_world_destroy(world);
     pp_mistakes_clear(&mistakes);
@@ -146,8 +147,8 @@ static void before_is_the_site_as_existing(void **state)
     struct pp_block_height on_empty = height_in(empty, 0.8),
                            on_built = height_in(built, 0.8);
     assert_true(on_built.height_m > on_empty.height_m + 1.0);
-    assert_near(on_built.dues.list[0].before, component_over(atan2(6.1 - 2.85, 17.0)),
-                2e-6);
+    assert_near(on_built.retained.list[0].before,
+                component_over(atan2(6.1 - 2.85, 17.0)), 2e-6);
     pp_block_height_clear(&on_empty);
     pp_block_height_clear(&on_built);
     pp_building_destroy(empty);
@@ -161,7 +162,7 @@ static void behind_the_house_it_may_be_any_height(void **state)
         "<block name='Terrace' x='0' y='9' width='9' depth='7' height='5'/>" ROOM);
     struct pp_block_height found = height_in(building, 0.99);
     assert_int_equal(found.verdict, PP_BLOCK_HEIGHT_ANY);
-    assert_near(found.dues.list[0].after, found.dues.list[0].before, 1e-12);
+    assert_near(found.retained.list[0].after, found.retained.list[0].before, 1e-12);
     pp_block_height_clear(&found);
     pp_building_destroy(building);
 }
@@ -179,14 +180,16 @@ static void the_no_sky_line_moves_as_similar_triangles_tell(void **state)
     (void)state;
     struct pp_building *building = building_of(TERRACE("", "9") ROOM);
     struct pp_block_height found = height_by(
-        building, (struct pp_sky_dues_rule){
-                      .of = PP_SKY_DUES_LIT_AREA, .keep = 0.8, .enough = INFINITY});
+        building, (struct pp_retained_sky_rule){
+                      .of = PP_RETAINED_SKY_LIT_AREA, .keep = 0.8, .enough = INFINITY});
     assert_int_equal(found.verdict, PP_BLOCK_HEIGHT_FOUND);
     assert_int_equal(found.deciding, 0);
-    assert_string_equal(found.dues.list[0].room, "Study");
-    assert_near(found.dues.list[0].before, 4.2 * 5.3, 1e-6);
-    assert_near(found.dues.list[0].now, 4.2 * 1.45 * 17.0 / (9.0 - 2.15 - 1.45), 5e-3);
-    assert_near(found.dues.list[0].after / found.dues.list[0].before, 0.8, 1e-4);
+    assert_string_equal(found.retained.list[0].room, "Study");
+    assert_near(found.retained.list[0].before, 4.2 * 5.3, 1e-6);
+    assert_near(found.retained.list[0].now, 4.2 * 1.45 * 17.0 / (9.0 - 2.15 - 1.45),
+                5e-3);
+    assert_near(found.retained.list[0].after / found.retained.list[0].before, 0.8,
+                1e-4);
     assert_near(found.height_m, 2.15 + 1.45 * (1.0 + 17.0 / (0.8 * 5.3)), 4e-3);
     pp_block_height_clear(&found);
     pp_building_destroy(building);
@@ -199,7 +202,7 @@ static void a_window_with_enough_is_due_no_more(void **state)
     (void)state;
     struct pp_building *building = building_of(TERRACE("", "9") ROOM);
     struct pp_block_height found =
-        height_by(building, (struct pp_sky_dues_rule){.keep = 0.8, .enough = 0.27});
+        height_by(building, (struct pp_retained_sky_rule){.keep = 0.8, .enough = 0.27});
     assert_int_equal(found.verdict, PP_BLOCK_HEIGHT_FOUND);
     double altitude = atan2(found.height_m - 2.85, 17.0);
     assert_near(component_over(altitude), 0.27, 5e-6);

@@ -33,7 +33,8 @@ static struct pp_building *building_of(const char *inside)
     return building;
 }
 
-static const struct pp_sky_dues_rule four_fifths = {.keep = 0.8, .enough = INFINITY};
+static const struct pp_retained_sky_rule four_fifths = {.keep = 0.8,
+                                                        .enough = INFINITY};
 
 static struct pp_plot_envelope envelope_in(struct pp_building *building, double most_m)
 {
@@ -108,10 +109,11 @@ static double share_with(struct pp_building *building, struct pp_plot_envelope *
         pp_building_divide_block(building, "Plot", cells, found->cells.count, NULL),
         PP_OK);
     assert_int_equal(pp_building_set_state(building, PP_STATE_PROPOSED, NULL), PP_OK);
-    struct pp_sky_dues dues;
-    assert_int_equal(pp_sky_dues_list(&dues, &four_fifths, building, NULL), PP_OK);
-    double share = dues.list[window].now / found->dues.list[window].before;
-    pp_sky_dues_clear(&dues);
+    struct pp_retained_sky retained;
+    assert_int_equal(pp_retained_sky_list(&retained, &four_fifths, building, NULL),
+                     PP_OK);
+    double share = retained.list[window].now / found->retained.list[window].before;
+    pp_retained_sky_clear(&retained);
     free(cells);
     return share;
 }
@@ -121,7 +123,7 @@ static void one_window_has_just_its_due_and_none_has_less(void **state)
     (void)state;
     struct pp_building *building = building_of(PLOT ROOM ROOM_ABOVE);
     struct pp_plot_envelope found = envelope_in(building, 300.0);
-    assert_int_equal(found.dues.count, 2);
+    assert_int_equal(found.retained.count, 2);
     int decides = found.deciding;
     assert_near(share_with(building, &found, decides, 1.0), 0.8, 1e-5);
     assert_true(share_with(building, &found, 1 - decides, 1.0) > 0.8);
@@ -160,7 +162,7 @@ static void traced_sky_over_the_cells_agrees(void **state)
     }
     double mean = sum / RAYS,
            error = sqrt((squares / RAYS - mean * mean) / (RAYS - 1.0));
-    assert_near(mean, 0.8 * found.dues.list[0].before, 3.0 * error);
+    assert_near(mean, 0.8 * found.retained.list[0].before, 3.0 * error);
     assert_true(error < 1e-2 * mean);
     pp_world_destroy(world);
     pp_mistakes_clear(&mistakes);

@@ -1,0 +1,35 @@
+/* room_queue.h - the simulations of many rooms, by this process one after the other, or
+ * by ranks.
+ */
+#ifndef PP_CLI_RANKS_ROOM_QUEUE_H
+#define PP_CLI_RANKS_ROOM_QUEUE_H
+
+#include "model/base/ranks.h"
+#include "model/results/report.h"
+
+/* Results of a room's simulation: columns of its report; true if its time ran out. */
+struct pp_room_figures {
+    struct pp_report *report;
+    bool *by_clock;
+};
+
+struct pp_room_queue {
+    int count;                    /* of rooms; 0: nothing is simulated */
+    const struct pp_ranks *ranks; /* NULL: this process alone */
+
+    /* The report of a room; it has the hand methods' columns. */
+    struct pp_room_figures (*figures)(void *data, int room);
+
+    /* Adds the simulation's columns to the report, which may be a copy without any
+     * columns; nothing else is changed. */
+    enum pp_status (*simulate)(const void *data, int room, struct pp_report *report,
+                               bool *by_clock, struct pp_error *err);
+    void *data;
+};
+
+/* Simulates all rooms; a single one by rank 0, with the threads of its options. Over ranks (work_queue.h) it ends as interrupted for others than 0,
+ * which has the columns of all rooms, the same as if it had been alone. */
+enum pp_status pp_room_queue_run(const struct pp_room_queue *queue,
+                                 struct pp_error *err);
+
+#endif

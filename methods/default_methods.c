@@ -1,0 +1,56 @@
+/* default_methods.c - asks the internal part of each pair whether it covers the room; the direct
+ * part, exact, covers all. */
+#include "methods/default_methods.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "methods/method.h"
+
+static const struct {
+    const char *name;
+    const struct pp_method *internal;
+} pairs[] = {{"exact+bre", &pp_method_bre},
+             {"exact+split-flux", &pp_method_split_flux}};
+
+/* Does the method refuse the room, seen from a receiver (NULL: as a whole)? Then the
+ * reason. */
+static bool is_refused(char *why, size_t size, const struct pp_method *method,
+                       const struct pp_world *world,
+                       const struct pp_outside_light *light,
+                       const struct pp_receiver *receiver)
+{
+    const char *reason =
+        method->refuses_room ? method->refuses_room(world, light, receiver) : NULL;
+    if (reason) {
+        snprintf(why, size, "%s: %s", method->name, reason);
+        return true;
+    }
+    for (int i = 0; i < world->opening_count && method->refuses; i++) {
+        reason = method->refuses(world, light, &world->openings[i], receiver);
+        if (!reason)
+            continue;
+        snprintf(why, size, "%s: the opening on line %d %s", method->name,
+                 world->openings[i].line, reason);
+        return true;
+    }
+    return false;
+}
+
+struct pp_default_methods pp_default_methods(const struct pp_world *world,
+                                             const struct pp_outside_light *light,
+                                             const struct pp_receiver *receivers,
+                                             int count)
+{
+    struct pp_default_methods pair = {.name = pairs[0].name};
+    const struct pp_method *first = pairs[0].internal;
+    bool refused = is_refused(pair.why, sizeof pair.why, first, world, light, NULL);
+    for (int i = 0; i < count && !refused; i++)
+        refused =
+            is_refused(pair.why, sizeof pair.why, first, world, light, &receivers[i]);
+    if (refused) {
+        pair.instead = pairs[0].name;
+        pair.name = pairs[1].name;
+    }
+    return pair;
+}

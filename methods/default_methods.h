@@ -1,0 +1,28 @@
+/* default_methods.h - the pair of methods used for daylight factors if the user has chosen
+ * none.
+ *
+ * exact+bre, or, where bre does not cover the room (another sky than the overcast
+ * one, glass that is not vertical, receivers that do not face up) exact+split-flux, which
+ * covers all. Command line, criteria, sizing and charts all use this pair.
+ */
+#ifndef PP_METHODS_DEFAULT_METHODS_H
+#define PP_METHODS_DEFAULT_METHODS_H
+
+#include "model/light/outside_light.h"
+#include "model/room/world.h"
+
+struct pp_default_methods {
+    const char *name;    /* as a selection has it: "exact+bre"; static */
+    const char *instead; /* the pair in whose place it stands, static; NULL: it is the
+                          * first choice */
+    char why[256];       /* the reason: "bre: the opening on line 12 slopes ..."; empty
+                          * without `instead` */
+};
+
+/* The pair for the room and the receivers (NULL and 0: the room alone). */
+struct pp_default_methods pp_default_methods(const struct pp_world *world,
+                                             const struct pp_outside_light *light,
+                                             const struct pp_receiver *receivers,
+                                             int count);
+
+#endif

@@ -1,0 +1,220 @@
+/* thread_pool.c - workers that sleep on a condition until there is work, and the indices they
+ * take from a common counter.
+ */
+#include "model/base/thread_pool.h"
+
+#include <pthread.h>
+#include <sched.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+
+/* Small work: the most indices that a worker takes at once, and the fewest times it does
+ * so, which keeps all workers busy to the end. */
+enum { BATCH_MOST = 16, BATCHES_LEAST = 16 };
+
+struct pool_worker {
+    struct pp_thread_pool *pool; /* not owned */
+    int number;                  /* from 1; 0 is the caller */
+    pthread_t thread;
+};
+
+struct pp_thread_pool {
+    int size;
+    struct pool_worker *workers; /* without the caller */
+    int started;                 /* number of these */
+
+    pthread_mutex_t mutex; /* of open, dismissed, number and at_work */
+    pthread_cond_t come;   /* there is work, or the pool is dismissed */
+    pthread_cond_t left;   /* no worker is at work */
+    bool open;             /* workers may join the work */
+    bool dismissed;
+    long number; /* of the work: no worker joins it twice */
+    int at_work; /* workers, without the caller */
+
+    /* The work at hand: written while no worker is at work. */
+    pp_thread_pool_work *work;
+    void *data;
+    int end;
+    int batch; /* indices that a worker takes at once */
+    atomic_int next;
+    atomic_bool stopped;
+
+    pthread_mutex_t own; /* the caller's: pp_thread_pool_lock */
+};
+
+/* Processors that this process may use, perhaps fewer than the machine's. */
+static int processors(void)
+{
+    cpu_set_t set;
+    int count = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+    return count > 1 ? count : 1;
+}
+
+enum pp_status pp_thread_pool_create(struct pp_thread_pool **result, int threads,
+                                     struct pp_error *err)
+{
+    *result = NULL;
+    struct pp_thread_pool *pool = calloc(1, sizeof *pool);
+    if (!pool)
+        return pp_fail_memory(err);
+    pool->size = threads > 0 ? threads : processors();
+    pool->workers = calloc((size_t)pool->size, sizeof *pool->workers);
+    if (!pool->workers) {
+        free(pool);
+        return pp_fail_memory(err);
+    }
+    pthread_mutex_init(&pool->mutex, NULL);
+    pthread_mutex_init(&pool->own, NULL);
+    pthread_cond_init(&pool->come, NULL);
+    pthread_cond_init(&pool->left, NULL);
+    *result = pool;
+    return PP_OK;
+}
+
+void pp_thread_pool_destroy(struct pp_thread_pool *pool)
+{
+    if (!pool)
+        return;
+    pthread_mutex_lock(&pool->mutex);
+    pool->dismissed = true;
+    pthread_cond_broadcast(&pool->come);
+    pthread_mutex_unlock(&pool->mutex);
+    for (int i = 0; i < pool->started; i++)
+        pthread_join(pool->workers[i].thread, NULL);
+    pthread_cond_destroy(&pool->left);
+    pthread_cond_destroy(&pool->come);
+    pthread_mutex_destroy(&pool->own);
+    pthread_mutex_destroy(&pool->mutex);
+    free(pool->workers);
+    free(pool);
+}
+
+int pp_thread_pool_size(const struct pp_thread_pool *pool)
+{
+    return pool->size;
+}
+
+/* Takes indices until there are none. No index is taken after one whose work has
+ * stopped the rest, but what was taken is done, so that those that are done are the first. */
+static void take(struct pp_thread_pool *pool, int worker)
+{
+    while (!atomic_load(&pool->stopped)) {
+        int first = atomic_fetch_add(&pool->next, pool->batch);
+        if (first >= pool->end)
+            break;
+        int left = pool->end - first;
+        int count = left < pool->batch ? left : pool->batch;
+        for (int i = first; i < first + count; i++)
+            if (!pool->work(pool->data, worker, i))
+                atomic_store(&pool->stopped, true);
+    }
+}
+
+static void *life(void *data)
+{
+    const struct pool_worker *worker = data;
+    struct pp_thread_pool *pool = worker->pool;
+    long seen = 0;
+    pthread_mutex_lock(&pool->mutex);
+    while (!pool->dismissed) {
+        if (!pool->open || pool->number == seen) {
+            pthread_cond_wait(&pool->come, &pool->mutex);
+            continue;
+        }
+        seen = pool->number;
+        pool->at_work++;
+        pthread_mutex_unlock(&pool->mutex);
+        take(pool, worker->number);
+        pthread_mutex_lock(&pool->mutex);
+        if (--pool->at_work == 0)
+            pthread_cond_signal(&pool->left);
+    }
+    pthread_mutex_unlock(&pool->mutex);
+    return NULL;
+}
+
+/* Starts workers until there are `wanted`. Signals are for the program's own thread. */
+static void start(struct pp_thread_pool *pool, int wanted)
+{
+    sigset_t all, before;
+    if (pool->started >= wanted)
+        return;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    while (pool->started < wanted) {
+        struct pool_worker *worker = &pool->workers[pool->started];
+        *worker = (struct pool_worker){.pool = pool, .number = pool->started + 1};
+        if (pthread_create(&worker->thread, NULL, life, worker) != 0)
+            break;
+        pool->started++;
+    }
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+}
+
+static void call(struct pp_thread_pool *pool)
+{
+    pthread_mutex_lock(&pool->mutex);
+    pool->open = true;
+    pool->number++;
+    pthread_cond_broadcast(&pool->come);
+    pthread_mutex_unlock(&pool->mutex);
+}
+
+/* Who comes from now on is too late; who is at work has an index to finish. */
+static void close_and_wait(struct pp_thread_pool *pool)
+{
+    pthread_mutex_lock(&pool->mutex);
+    pool->open = false;
+    while (pool->at_work > 0)
+        pthread_cond_wait(&pool->left, &pool->mutex);
+    pthread_mutex_unlock(&pool->mutex);
+}
+
+static int run(struct pp_thread_pool *pool, int first, int end, int batch,
+               pp_thread_pool_work *work, void *data)
+{
+    int count = end - first;
+    if (count <= 0)
+        return first;
+    pool->work = work;
+    pool->data = data;
+    pool->end = end;
+    pool->batch = batch;
+    atomic_store(&pool->next, first);
+    atomic_store(&pool->stopped, false);
+    int others = (count < pool->size ? count : pool->size) - 1;
+    if (others > 0) {
+        start(pool, others);
+        call(pool);
+    }
+    take(pool, 0);
+    if (others > 0)
+        close_and_wait(pool);
+    int next = atomic_load(&pool->next);
+    return next < end ? next : end;
+}
+
+int pp_thread_pool_run(struct pp_thread_pool *pool, int first, int end,
+                       pp_thread_pool_work *work, void *data)
+{
+    return run(pool, first, end, 1, work, data);
+}
+
+int pp_thread_pool_run_small(struct pp_thread_pool *pool, int first, int end,
+                             pp_thread_pool_work *work, void *data)
+{
+    int fair = (end - first) / (BATCHES_LEAST * pool->size);
+    int batch = fair < 1 ? 1 : fair > BATCH_MOST ? BATCH_MOST : fair;
+    return run(pool, first, end, batch, work, data);
+}
+
+void pp_thread_pool_lock(struct pp_thread_pool *pool)
+{
+    pthread_mutex_lock(&pool->own);
+}
+
+void pp_thread_pool_unlock(struct pp_thread_pool *pool)
+{
+    pthread_mutex_unlock(&pool->own);
+}

@@ -1,0 +1,58 @@
+/* work_results.h - results of a work queue by index, and whether each index is assigned, done
+ * or collected. */
+#ifndef PP_MODEL_BASE_WORK_RESULTS_H
+#define PP_MODEL_BASE_WORK_RESULTS_H
+
+#include "model/base/work_queue.h"
+
+/* The result of one index. */
+struct pp_work_result {
+    char *bytes; /* NULL where it failed */
+    size_t length;
+    enum pp_status status;
+    struct pp_error err;
+};
+
+struct pp_work_results;
+
+/* The queue must outlive the results. */
+enum pp_status pp_work_results_create(struct pp_work_results **results,
+                                      const struct pp_work_queue *queue,
+                                      struct pp_error *err);
+void pp_work_results_destroy(struct pp_work_results *results); /* NULL is allowed */
+
+/* Computes the result of an index. */
+void pp_work_results_work(const struct pp_work_queue *queue, int worker, int index,
+                          struct pp_work_result *result);
+
+/* Stores the result of an index and takes ownership of its bytes; then collects all results
+ * that follow one another from the first, and asks whether to go on. A second result of an
+ * index is dropped. */
+void pp_work_results_enter(struct pp_work_results *results, int index,
+                           const struct pp_work_result *result);
+
+/* Nothing more is to be assigned: all is taken, something failed, or it was stopped. */
+bool pp_work_results_is_over(const struct pp_work_results *results);
+
+/* Assigns up to `most` unassigned indices to `rank`, at the time `now_s`:
+ * *index and the following; returns how many, 0 where all are assigned. */
+int pp_work_results_assign(struct pp_work_results *results, int rank, int most,
+                           double now_s, int *index);
+
+/* Assigns `rank` the first index of another rank that has been silent for so long that it
+ * counts as lost. False: there is none. */
+bool pp_work_results_reassign(struct pp_work_results *results, int rank, double now_s,
+                              int *index);
+
+/* Notes a message from `rank` at the time `now_s`. */
+void pp_work_results_heard_from(struct pp_work_results *results, int rank,
+                                double now_s);
+
+/* Number of unassigned indices. */
+int pp_work_results_unassigned(const struct pp_work_results *results);
+
+/* *next: the index after the last that was collected. Returns the status of the queue. */
+enum pp_status pp_work_results_end(const struct pp_work_results *results, int *next,
+                                   struct pp_error *err);
+
+#endif

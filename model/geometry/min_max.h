@@ -1,0 +1,22 @@
+/* min_max.h - maximum, minimum and clamp of numbers, inline: unlike fmax and fmin, they do
+ * not skip an argument that is NaN. */
+#ifndef PP_MODEL_GEOMETRY_MIN_MAX_H
+#define PP_MODEL_GEOMETRY_MIN_MAX_H
+
+static inline double pp_max(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static inline double pp_min(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+/* x, limited to the range from `low` to `high`. */
+static inline double pp_clamp(double x, double low, double high)
+{
+    return x < low ? low : x > high ? high : x;
+}
+
+#endif

@@ -1,0 +1,31 @@
+/* cache_warm_up.h - fills the irradiance cache for a picture before rendering.
+ *
+ * As Radiance's overture does: the cache grows until it has what the middles of all
+ * pixels ask for, so that the picture interpolates between records and does not
+ * extrapolate; then it may be the ambient store. A large picture is processed in
+ * parts, first each pixel of a coarser one, over and over until no new record is made:
+ * memory is that of one part.
+ */
+#ifndef PP_SIMULATE_RENDER_CACHE_WARM_UP_H
+#define PP_SIMULATE_RENDER_CACHE_WARM_UP_H
+
+#include "simulate/render/render.h"
+
+struct pp_cache_warm_up;
+
+/* cache and scene must live as long as the warm-up. part_pixels: about how many a part
+ * has; 0: a million, which take some 100 MB. */
+enum pp_status pp_cache_warm_up_create(struct pp_cache_warm_up **warm_up,
+                                       struct pp_irradiance_cache *cache,
+                                       const struct pp_light_scene *scene,
+                                       const struct pp_render_options *options,
+                                       int part_pixels, struct pp_error *err);
+void pp_cache_warm_up_destroy(struct pp_cache_warm_up *warm_up); /* NULL is allowed */
+
+/* Works for about `seconds`; the records don't depend on how often. */
+enum pp_status pp_cache_warm_up_advance(struct pp_cache_warm_up *warm_up,
+                                        double seconds, struct pp_error *err);
+bool pp_cache_warm_up_done(const struct pp_cache_warm_up *warm_up);
+double pp_cache_warm_up_progress(const struct pp_cache_warm_up *warm_up); /* 0 to 1 */
+
+#endif

@@ -1,0 +1,71 @@
+/* sample_discrete.h - index i at random, with probability in proportion to importance. */
+#ifndef PP_SIMULATE_SAMPLING_SAMPLE_DISCRETE_H
+#define PP_SIMULATE_SAMPLING_SAMPLE_DISCRETE_H
+
+/* Index i with probability weights[i] / sum; left = u * sum, with u in [0, 1). -1 if no
+ * weight is above 0. */
+static inline int pp_sample_discrete(const double *weights, int count, double left)
+{
+    int chosen = -1;
+    for (int i = 0; i < count; i++) {
+        if (!(weights[i] > 0.0))
+            continue;
+        chosen = i;
+        if (left < weights[i])
+            break;
+        left -= weights[i];
+    }
+    return chosen;
+}
+
+/* Index i by u in [0, 1), and its *probability; -1 if no importance is above 0.
+ * importance(data, i) is called twice per i. Defensive sampling: the share `uniform` of the
+ * sum is added in equal parts to all importances above 0. */
+static inline int pp_sample_discrete_of(double (*importance)(const void *data, int i),
+                                        const void *data, int count, double uniform,
+                                        double u, double *probability)
+{
+    double total = 0.0;
+    int some = 0, chosen = -1;
+    for (int i = 0; i < count; i++) {
+        double share = importance(data, i);
+        total += share;
+        some += share > 0.0;
+    }
+    double raise = some > 0 ? uniform * total / some : 0.0;
+    total += some * raise;
+    double left = u * total;
+    for (int i = 0; i < count; i++) {
+        double share = importance(data, i);
+        if (!(share > 0.0))
+            continue;
+        share += raise;
+        chosen = i;
+        *probability = share / total;
+        if (left < share)
+            break;
+        left -= share;
+    }
+    return chosen;
+}
+
+/* Estimated importances may be wrong, so that a share of the probability is spread evenly.
+ * Without it a window that brought 7 % of a point's light, under a clear sky, had 0.5 % of the
+ * directions; of 6,400 values in 40 random rooms 14 were off by more than 4 standard errors,
+ * with it 3. */
+#define PP_SAMPLE_DISCRETE_UNIFORM 0.1
+
+static inline double pp_sample_discrete_estimate(const void *estimates, int i)
+{
+    return ((const double *)estimates)[i];
+}
+
+/* The same by estimates that are known. */
+static inline int pp_sample_discrete_defensive(const double *estimates, int count,
+                                               double u, double *probability)
+{
+    return pp_sample_discrete_of(pp_sample_discrete_estimate, estimates, count,
+                                 PP_SAMPLE_DISCRETE_UNIFORM, u, probability);
+}
+
+#endif

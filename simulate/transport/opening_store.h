@@ -1,0 +1,34 @@
+/* opening_store.h - the radiance outside each opening of a room, worked out once for a
+ * light from outside.
+ *
+ * Paths that leave by a opening then need no more than one ray outside: whether that
+ * meets a surface is still traced, so that silhouettes stay sharp, but the surface's
+ * radiance is read from the opening's table (opening_table.h).
+ */
+#ifndef PP_SIMULATE_TRANSPORT_OPENING_STORE_H
+#define PP_SIMULATE_TRANSPORT_OPENING_STORE_H
+
+#include <stdint.h>
+
+#include "model/base/error.h"
+#include "simulate/scene/environment.h"
+#include "simulate/scene/light_scene.h"
+#include "simulate/transport/opening_table.h"
+
+struct pp_opening_store {
+    struct pp_opening_table *tables; /* by opening */
+    int count;
+    uint32_t samples; /* paths of each bin */
+};
+
+/* environment: as of struct pp_radiance_state. NULL where there is nothing to work
+ * out. The same for any number of threads (0: as
+ * many as the machine has processors). */
+enum pp_status pp_opening_store_create(struct pp_opening_store **store,
+                                       const struct pp_light_scene *scene,
+                                       const struct pp_environment *environment,
+                                       uint64_t seed, int threads,
+                                       struct pp_error *err);
+void pp_opening_store_destroy(struct pp_opening_store *store); /* NULL is allowed */
+
+#endif

@@ -1,0 +1,67 @@
+/* sample_openings.h - next-event estimation of a room's openings: directions to an opening
+ * are sampled as to a lamp, whose radiance is the light of sky, ground and obstructions
+ * through it. Inside simulate/ only.
+ *
+ * Up to four openings, and those at the first surface of a path, are all sampled; of more,
+ * one, by importance. light_path.c finds the light outside:
+ *
+ *     pp_sample_openings_begin(state, &shading, &sampling);
+ *     while (pp_sample_openings_next(state, &sampling, &sample))
+ *         ... sample.weight times the light that comes along sample.ray ...
+ */
+#ifndef PP_SIMULATE_TRANSPORT_SAMPLE_OPENINGS_H
+#define PP_SIMULATE_TRANSPORT_SAMPLE_OPENINGS_H
+
+#include "simulate/transport/path_vertex.h"
+
+/* A direction to a opening, or to the mouth of its niche. */
+struct pp_opening_sample {
+    int opening;
+    struct pp_light_ray ray;  /* leaves it to the outside */
+    struct pp_rgb weight;     /* BRDF, cosine and transmittance over density */
+    bool on_side;             /* it ends in the niche, */
+    struct pp_light_hit side; /* here; no transmittance is in the weight then */
+};
+
+/* The directions to all openings that are sampled at one shading point. */
+struct pp_opening_sampling {
+    const struct pp_shading_point *shading; /* not owned */
+    bool all;                               /* openings one by one; else one of them */
+    int opening, end;                       /* the one in turn */
+    uint32_t direction, count;              /* the one in turn, of that opening's */
+    uint32_t index; /* the path's own, which `state` has again at the end */
+    int numbers;    /* random ones of each: 2 for its place, 1 for which opening */
+    bool drawn;     /* are the random numbers of all directions in u? */
+    double u[3][PP_RUN_MOST];
+};
+
+void pp_sample_openings_begin(struct pp_radiance_state *state,
+                              const struct pp_shading_point *shading,
+                              struct pp_opening_sampling *sampling);
+
+/* False at the end. While it is true state->index is the direction's own. */
+bool pp_sample_openings_next(struct pp_radiance_state *state,
+                             struct pp_opening_sampling *sampling,
+                             struct pp_opening_sample *sample);
+
+/* One direction to that opening, drawn by two numbers in (0, 1); false where no light
+ * comes along it. */
+bool pp_sample_openings_aim(struct pp_radiance_state *state,
+                            const struct pp_shading_point *shading, int opening,
+                            const double u[2], struct pp_opening_sample *sample);
+
+/* A direction that was drawn otherwise: false where it does not come to that opening
+ * first. The weight is the transmittance alone. */
+bool pp_sample_openings_along(struct pp_radiance_state *state,
+                              const struct pp_shading_point *shading, int opening,
+                              struct pp_vec3 to, struct pp_opening_sample *sample);
+
+/* The vertex for the random numbers of what follows behind a opening. */
+int pp_sample_openings_vertex(const struct pp_shading_point *shading, int opening);
+
+/* The weight of light that the path's own ray has found at the opening, by its inside: 0
+ * where next-event estimation has it, 1 where it has nothing of it. */
+double pp_sample_openings_weight(struct pp_radiance_state *state,
+                                 const struct pp_light_path *path, int opening);
+
+#endif

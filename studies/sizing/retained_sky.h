@@ -1,0 +1,83 @@
+/* retained_sky.h - light from the sky that windows or rooms around a site retain, and the
+ * share that they have to retain.
+ *
+ * A window has its vertical sky component (criteria/windows/vertical_sky.h), a room the
+ * area of its working plane that sees sky, before the no-sky line (studies/lit_line.h).
+ * Each has to retain
+ * a share of its value before building; a window with enough needs no more:
+ *
+ *     due = min(keep before, enough)       [BR209]: keep = 0.8; of VSC, enough = 27 %
+ */
+#ifndef PP_STUDIES_SIZING_RETAINED_SKY_H
+#define PP_STUDIES_SIZING_RETAINED_SKY_H
+
+#include "model/base/error.h"
+#include "model/room/building.h"
+
+enum pp_retained_sky_of { PP_RETAINED_SKY_VSC, PP_RETAINED_SKY_LIT_AREA };
+
+/* "vsc", "lit-area", NULL. */
+extern const char *const pp_retained_sky_words[];
+
+struct pp_retained_sky_rule {
+    enum pp_retained_sky_of of;
+    const char *room;   /* only rooms of that name count; NULL: all */
+    const char *window; /* only windows of that name count, of VSC; NULL: all */
+    double keep;        /* share that each keeps, above 0, below 1 */
+    double french_m;    /* as for pp_vertical_sky_at_point (vertical_sky.h); 0: none */
+    double enough;      /* who has that much has his due; INFINITY: nobody has */
+};
+
+/* An upright window, or a room, that counts. */
+struct pp_retained_sky_place {
+    char room[64],
+        window[64];  /* names, cut; may be empty, and of a room the window's is */
+    int place, line; /* the room's in its building; the window's, of a room 0 */
+    struct pp_vec3 middle,
+        outward;               /* of the window's outside, or where its component is
+                                     * taken, in the building's axes; of a room 0 */
+    double before, now, after; /* VSC (a fraction) or area (m2): before, as the file has
+                                * it, and with what was found */
+};
+
+struct pp_retained_sky {
+    struct pp_retained_sky_place *list;
+    int count;
+};
+
+/* Lists what counts in the building as it stands, with what it has `now`, and nothing
+ * before and after. PP_BAD_INPUT where nothing counts, or a room makes no sense. To be
+ * cleared in any case. */
+enum pp_status pp_retained_sky_list(struct pp_retained_sky *retained,
+                                    const struct pp_retained_sky_rule *rule,
+                                    struct pp_building *building, struct pp_error *err);
+
+/* Fills in `before` or `after`: what they have with the building as it stands, which may
+ * be another state. Who is not there has 0. */
+enum pp_status pp_retained_sky_before(struct pp_retained_sky *retained,
+                                      const struct pp_retained_sky_rule *rule,
+                                      struct pp_building *building,
+                                      struct pp_error *err);
+enum pp_status pp_retained_sky_after(struct pp_retained_sky *retained,
+                                     const struct pp_retained_sky_rule *rule,
+                                     struct pp_building *building,
+                                     struct pp_error *err);
+
+/* `after` of that one alone, by its number in the list. */
+enum pp_status pp_retained_sky_after_one(struct pp_retained_sky *retained, int number,
+                                         const struct pp_retained_sky_rule *rule,
+                                         struct pp_building *building,
+                                         struct pp_error *err);
+
+/* What one has after over its due, less 1; INFINITY where it had nothing before. */
+double pp_retained_sky_surplus_of(const struct pp_retained_sky_place *due,
+                                  const struct pp_retained_sky_rule *rule);
+
+/* The least, over all that had anything before, of what one has after over its due,
+ * less 1; INFINITY where none had. *deciding is whose it is, -1: nobody's. */
+double pp_retained_sky_surplus(const struct pp_retained_sky *retained,
+                               const struct pp_retained_sky_rule *rule, int *deciding);
+
+void pp_retained_sky_clear(struct pp_retained_sky *retained);
+
+#endif

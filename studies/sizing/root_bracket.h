@@ -1,0 +1,27 @@
+/* root_bracket.h - the largest argument at which a falling function is not below 0.
+ *
+ * Illinois variant of false position. Where the function jumps through 0 the interval shrinks
+ * to the jump, and its lower end is the answer.
+ */
+#ifndef PP_STUDIES_SIZING_ROOT_BRACKET_H
+#define PP_STUDIES_SIZING_ROOT_BRACKET_H
+
+#include "model/base/error.h"
+
+typedef enum pp_status pp_root_bracket_value(void *context, double at, double *value,
+                                             struct pp_error *err);
+
+struct pp_root_bracket_range {
+    double low, at_low;   /* an argument, and a value that is not below 0 */
+    double high, at_high; /* a greater one, and a value below 0 */
+    double near_value;    /* so near to 0, above or below, a value is 0 */
+    double near_argument; /* so near, two arguments are one */
+};
+
+/* The last call of the function is that at *found. */
+enum pp_status pp_root_bracket_find(double *found,
+                                    const struct pp_root_bracket_range *range,
+                                    pp_root_bracket_value *value_at, void *context,
+                                    struct pp_error *err);
+
+#endif
