@@ -65,8 +65,8 @@ static void print_head(const struct pp_compare_result *result, int width, FILE *
         pp_print_title(result->subject->room->world, result->subject->file, out);
     else
         fprintf(out, "%s\n", result->subject->file);
-    if (result->as_if)
-        pp_text_append(text, sizeof text, "Ours as if %s. ", result->as_if);
+    if (result->variant)
+        pp_text_append(text, sizeof text, "Ours as if %s. ", result->variant);
     if (result->other && result->compared.count < result->given)
         pp_text_append(text, sizeof text,
                        "%d of the %d points of the other program, evenly spread. ",
@@ -374,8 +374,8 @@ enum pp_status pp_compare_report_json(const struct pp_compare_result *result, FI
         good =
             pp_json_text(object, "other", result->other)
             && pp_json_add(object, "points-given", json_object_new_int(result->given));
-    if (good && result->as_if)
-        good = pp_json_text(object, "as-if", result->as_if);
+    if (good && result->variant)
+        good = pp_json_text(object, "as-if", result->variant);
     good = pp_json_add(object, "points", points) && good;
     for (int i = 0; i < result->compared.count && good; i++)
         good = pp_json_append(points, point_object(result, i));
