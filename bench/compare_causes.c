@@ -18,8 +18,8 @@
 #include "bench/bench.h"
 #include "bench/compare_foreign.h"
 #include "simulate/sampling/hash.h"
-#include "studies/compare/as_if_values.h"
 #include "studies/compare/compare.h"
+#include "studies/compare/variant_values.h"
 
 enum { MOST_POINTS = 16, ROOMS_MOST = 40 };
 /* A cause does at least that much by itself (root mean square of logarithms), or as much
@@ -71,7 +71,7 @@ static void open_room(struct room *room, const char *path)
     pp_study_room_set_points(&room->study, receivers, kept);
     struct pp_error err;
     const struct pp_compare_options options = {
-        .as_if = pp_as_if_nothing(),
+        .variant = pp_room_variant_nothing(),
         .tracing = {.error = 0.015, .seed = 1, .threads = 1},
         .traced_most = 20};
     const struct pp_compare_subject subject = pp_compare_subject_of_room(&room->study);
@@ -95,15 +95,16 @@ static bool is_felt(const struct room *room, const struct pp_suspect *suspect,
                     double ground, double sigma)
 {
     double values[PP_COMPARE_POINTS_MOST], errors[PP_COMPARE_POINTS_MOST];
-    const struct pp_as_if_tracing tracing = {.error = 0.015, .seed = 1, .threads = 1};
-    struct pp_as_if as_if = pp_as_if_nothing();
+    const struct pp_variant_tracing tracing = {.error = 0.015, .seed = 1, .threads = 1};
+    struct pp_room_variant variant = pp_room_variant_nothing();
     struct pp_error err;
     if (suspect->is_factor)
         return true;
-    must(pp_suspect_as_if(&as_if, suspect, ground, &err), &err);
-    if (pp_as_if_values(values, errors, &room->study, &as_if, &tracing, &err) != PP_OK)
+    must(pp_suspect_variant(&variant, suspect, ground, &err), &err);
+    if (pp_variant_values(values, errors, &room->study, &variant, &tracing, &err)
+        != PP_OK)
         return false; /* such as points on a floor with a step */
-    return as_if.dark || differs(room, values, sigma);
+    return variant.dark || differs(room, values, sigma);
 }
 
 /* One, two or three suspects, no two of a kind, and nothing beside no light at all;
@@ -245,22 +246,22 @@ static void trace_causes(double *theirs, double *truth,
                          uint64_t seed)
 {
     double errors[PP_COMPARE_POINTS_MOST];
-    struct pp_as_if as_if = pp_as_if_nothing();
+    struct pp_room_variant variant = pp_room_variant_nothing();
     const struct pp_suspect *const *list;
     struct pp_error err;
     pp_compare_suspects(room->compare, &list);
     for (int i = 0; i < count; i++) {
         if (list[causes[i]]->is_factor)
-            as_if.factor = factor;
+            variant.factor = factor;
         else
-            must(pp_suspect_as_if(&as_if, list[causes[i]], ground, &err), &err);
+            must(pp_suspect_variant(&variant, list[causes[i]], ground, &err), &err);
     }
-    const struct pp_as_if_tracing tracing = {
+    const struct pp_variant_tracing tracing = {
         .error = 0.006, .seed = seed, .threads = 1};
-    const struct pp_as_if_tracing ours = {.error = 0.015, .seed = 1, .threads = 1};
-    must(pp_as_if_values(theirs, errors, study, &as_if, &tracing, &err), &err);
+    const struct pp_variant_tracing ours = {.error = 0.015, .seed = 1, .threads = 1};
+    must(pp_variant_values(theirs, errors, study, &variant, &tracing, &err), &err);
     if (truth)
-        must(pp_as_if_values(truth, errors, study, &as_if, &ours, &err), &err);
+        must(pp_variant_values(truth, errors, study, &variant, &ours, &err), &err);
 }
 
 static double drawn_factor(uint64_t seed, int number)

@@ -20,7 +20,7 @@
 
 struct compare_options {
     struct pp_room_options room;
-    const char *as_if;
+    const char *variant;
     enum pp_other_unit unit;
     double noise;
     enum pp_format format;
@@ -54,7 +54,7 @@ static enum pp_status read_unit(const char *text, void *place, struct pp_error *
 static const struct pp_option compare_options[] = {
     {"as-if", 0, "SWITCHES",
      "Take the room as another program may: switches with commas between, below.",
-     pp_options_read_text, PLACE(as_if)},
+     pp_options_read_text, PLACE(variant)},
     {"as", 0, "UNIT",
      "What the other values are, where their column's name does not say it: percent, "
      "fraction or lux.",
@@ -105,8 +105,8 @@ static void help_on_switches(FILE *out)
     for (size_t i = 0; i < sizeof switches / sizeof switches[0]; i++)
         pp_options_help_word(switches[i][0], switches[i][1], out);
     fputs("\nNames for switches:\n", out);
-    const struct pp_as_if_preset *preset;
-    for (int i = 0; (preset = pp_as_if_preset_at(i)) != NULL; i++) {
+    const struct pp_room_variant_preset *preset;
+    for (int i = 0; (preset = pp_room_variant_preset_at(i)) != NULL; i++) {
         char text[200];
         snprintf(text, sizeof text, "%s (%s)", preset->what, preset->words);
         pp_options_help_word(preset->name, text, out);
@@ -151,7 +151,7 @@ static enum pp_status check(void *values, char **files, int file_count,
                             struct pp_error *err)
 {
     struct compare_options *options = values;
-    struct pp_as_if as_if = pp_as_if_nothing();
+    struct pp_room_variant variant = pp_room_variant_nothing();
     struct pp_error own = {0};
     bool is_scene = file_count > 0 && pp_compare_scene_is(files[0]);
     if (is_scene) {
@@ -162,14 +162,15 @@ static enum pp_status check(void *values, char **files, int file_count,
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file and the other program's values as CSV");
     }
-    if (file_count == 1 && !options->as_if)
+    if (file_count == 1 && !options->variant)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected the other program's values as CSV behind the room "
                        "file, or --as-if");
     if (file_count == 1 && options->noise > 0.0)
         return pp_fail(err, PP_BAD_INPUT,
                        "--noise is of the other program's values, which are missing");
-    if (options->as_if && pp_as_if_add(&as_if, options->as_if, &own) != PP_OK)
+    if (options->variant
+        && pp_room_variant_add(&variant, options->variant, &own) != PP_OK)
         return pp_fail(err, PP_BAD_INPUT, "--as-if: %s", own.message);
     if (options->room.study.error == 0.0)
         options->room.study.error = is_scene ? 0.01 : 0.005;
@@ -240,7 +241,7 @@ static enum pp_status ours(struct pp_compare **compare, struct compare_run *run,
                            bool plain, struct pp_error *err)
 {
     const struct pp_study_options *study = &run->options->room.study;
-    struct pp_compare_options options = {.as_if = pp_as_if_nothing(),
+    struct pp_compare_options options = {.variant = pp_room_variant_nothing(),
                                          .tracing = {.error = study->error,
                                                      .seed = study->seed,
                                                      .threads = study->threads,
@@ -248,8 +249,8 @@ static enum pp_status ours(struct pp_compare **compare, struct compare_run *run,
                                                      .data = run},
                                          .noise = run->options->noise};
     enum pp_status status = PP_OK;
-    if (run->options->as_if && !plain)
-        status = pp_as_if_add(&options.as_if, run->options->as_if, err);
+    if (run->options->variant && !plain)
+        status = pp_room_variant_add(&options.variant, run->options->variant, err);
     return status == PP_OK ? pp_compare_create(compare, &run->subject, &options, err)
                            : status;
 }
@@ -349,7 +350,7 @@ static enum pp_exit run_on(struct compare_run *run)
                                                      .scene = &run->scene.description};
     run->result.subject = &run->subject;
     run->result.other = run->other;
-    run->result.as_if = run->options->as_if;
+    run->result.variant = run->options->variant;
     run->result.given = run->values.count;
     if (status == PP_OK)
         exit_status = pp_job_run(

@@ -25,7 +25,7 @@ static void append_word(char *text, size_t room, const struct pp_compare_result 
     const struct pp_suspect *suspect = suspect_of(result, set, index);
     pp_text_append(text, room, "%s", suspect->word);
     if (suspect->is_factor)
-        pp_text_append(text, room, "=%.3g", exp(set->evidence.theta));
+        pp_text_append(text, room, "=%.3g", exp(set->likelihood.theta));
     else if (pp_suspect_is_fitted(suspect))
         pp_text_append(text, room, "=%.3g", set->value);
 }
@@ -65,8 +65,8 @@ static void print_head(const struct pp_compare_result *result, int width, FILE *
         pp_print_title(result->subject->room->world, result->subject->file, out);
     else
         fprintf(out, "%s\n", result->subject->file);
-    if (result->as_if)
-        pp_text_append(text, sizeof text, "Ours as if %s. ", result->as_if);
+    if (result->variant)
+        pp_text_append(text, sizeof text, "Ours as if %s. ", result->variant);
     if (result->other && result->compared.count < result->given)
         pp_text_append(text, sizeof text,
                        "%d of the %d points of the other program, evenly spread. ",
@@ -145,7 +145,7 @@ static void print_instead(const struct pp_compare_result *result, int width, FIL
 /* What is left, and what it looks like. */
 static void append_left(char text[TEXT_BYTES], const struct pp_compared *compared)
 {
-    const struct pp_evidence *noise = &compared->blame.sets[0].evidence;
+    const struct pp_likelihood *noise = &compared->blame.sets[0].likelihood;
     pp_text_append(text, TEXT_BYTES,
                    "%.1f %% root mean square, %+.1f %% in the mean. It scatters ",
                    100.0 * compared->left_rms, per_cent(compared->left));
@@ -198,7 +198,7 @@ static void append_missing(char text[TEXT_BYTES])
 }
 
 /* What to do about the noise; NULL: there is little. */
-static const char *cure_of_noise(const struct pp_evidence *noise)
+static const char *cure_of_noise(const struct pp_likelihood *noise)
 {
     return noise->sigma < PP_COMPARE_NOISY ? NULL
            : noise->near > 0.9
@@ -214,7 +214,7 @@ static void print_cures(const struct pp_compare_result *result, int width, FILE 
 {
     const struct pp_compared *compared = &result->compared;
     const struct pp_blame_set *set = &compared->blame.sets[0];
-    const char *noise = cure_of_noise(&set->evidence);
+    const char *noise = cure_of_noise(&set->likelihood);
     if (set->count > 0 || noise)
         fputs("\n  What to set right there\n\n", out);
     for (int i = 0; i < set->count; i++) {
@@ -347,8 +347,8 @@ static bool add_found(struct json_object *object,
            && pp_json_number(object, "difference-rms", 100.0 * compared->gap_rms)
            && pp_json_number(object, "left-mean", per_cent(compared->left))
            && pp_json_number(object, "left-rms", 100.0 * compared->left_rms)
-           && pp_json_number(object, "noise", 100.0 * set->evidence.sigma)
-           && pp_json_number(object, "noise-of-neighbours-alike", set->evidence.near)
+           && pp_json_number(object, "noise", 100.0 * set->likelihood.sigma)
+           && pp_json_number(object, "noise-of-neighbours-alike", set->likelihood.near)
            && pp_json_number(object, "noise-of-points", 100.0 * compared->over.noise)
            && pp_json_number(object, "left-smooth", 100.0 * compared->over.left)
            && pp_json_number(object, "left-limit", 100.0 * compared->over.limit)
@@ -358,7 +358,7 @@ static bool add_found(struct json_object *object,
            && pp_json_add(object, "not-detected", missing_array())
            && pp_json_add(
                object, "noise-may-hide-causes",
-               json_object_new_boolean(set->evidence.sigma > PP_COMPARE_HIDES));
+               json_object_new_boolean(set->likelihood.sigma > PP_COMPARE_HIDES));
 }
 
 enum pp_status pp_compare_report_json(const struct pp_compare_result *result, FILE *out,
@@ -374,8 +374,8 @@ enum pp_status pp_compare_report_json(const struct pp_compare_result *result, FI
         good =
             pp_json_text(object, "other", result->other)
             && pp_json_add(object, "points-given", json_object_new_int(result->given));
-    if (good && result->as_if)
-        good = pp_json_text(object, "as-if", result->as_if);
+    if (good && result->variant)
+        good = pp_json_text(object, "as-if", result->variant);
     good = pp_json_add(object, "points", points) && good;
     for (int i = 0; i < result->compared.count && good; i++)
         good = pp_json_append(points, point_object(result, i));

@@ -6,11 +6,11 @@
 
 struct pp_compare_result {
     const struct pp_compare_subject *subject; /* not owned */
-    const char *other; /* the other program's file; NULL: ours alone, as if */
-    const char *as_if; /* words; NULL: none */
-    int given;         /* how many points the file has */
+    const char *other;   /* the other program's file; NULL: ours alone, as if */
+    const char *variant; /* words; NULL: none */
+    int given;           /* how many points the file has */
     const double
-        *plain; /* ours as they are, with as_if and without a file; not owned */
+        *plain; /* ours as they are, with variant and without a file; not owned */
     const struct pp_suspect *const *suspects;
     int suspect_count;
     struct pp_compared compared; /* without a file: ours, errors and count alone */

@@ -61,10 +61,10 @@ void pp_radiosity_read(const struct pp_radiosity *radiosity, int index,
 
 /* How large the system is now. */
 struct pp_radiosity_size {
-    int level;              /* how many are done */
-    int radiosity, divided; /* undivided and divided ones */
-    int cells;              /* outside */
-    long long terms;        /* form factors in the equations */
+    int level;             /* how many are done */
+    int elements, divided; /* undivided and divided ones */
+    int cells;             /* outside */
+    long long terms;       /* form factors in the equations */
 };
 struct pp_radiosity_size pp_radiosity_size(const struct pp_radiosity *radiosity);
 

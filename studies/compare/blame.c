@@ -85,8 +85,9 @@ static void judge_roughly(struct blame_search *search,
                                candidate->level);
         pp_set_effects_lean(&search->effects);
         struct pp_supposition supposition = supposed(search, candidate);
-        double log_density = candidate->prior + candidate->width
-                             + pp_evidence_white(&search->question->data, &supposition);
+        double log_density =
+            candidate->prior + candidate->width
+            + pp_likelihood_white(&search->question->data, &supposition);
         if (log_density > candidate->log_density) {
             candidate->log_density = log_density;
             candidate->off = share;
@@ -105,10 +106,10 @@ static enum pp_status judge_fully(struct blame_search *search,
                            candidate->level);
     pp_set_effects_lean(&search->effects);
     struct pp_supposition supposition = supposed(search, candidate);
-    enum pp_status status = pp_evidence(&candidate->set.evidence,
-                                        &search->question->data, &supposition, err);
+    enum pp_status status = pp_likelihood(&candidate->set.likelihood,
+                                          &search->question->data, &supposition, err);
     candidate->log_density =
-        candidate->prior + candidate->width + candidate->set.evidence.log_density;
+        candidate->prior + candidate->width + candidate->set.likelihood.log_density;
     return status;
 }
 

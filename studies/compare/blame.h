@@ -2,7 +2,7 @@
  *
  * Of all sets of up to three suspects, no two of a kind, each has the probability
  *
- *     P(set) ~ density of the gap by (1) of evidence.h x product over kinds
+ *     P(set) ~ density of the gap by (1) of likelihood.h x product over kinds
  *
  * where a kind is at work with a probability of 0.12 beforehand (a common factor of 0.4),
  * each of its suspects as likely as the next: of two sets that explain as much the
@@ -24,7 +24,7 @@
 
 #include <stdbool.h>
 
-#include "studies/compare/evidence.h"
+#include "studies/compare/likelihood.h"
 #include "studies/compare/suspects.h"
 
 enum { PP_BLAME_MOST = 3 };
@@ -34,11 +34,11 @@ struct pp_blame_set {
     int count;
     double value; /* of its fitted suspect */
     double probability;
-    struct pp_evidence evidence; /* of what it leaves */
+    struct pp_likelihood likelihood; /* of what it leaves */
 };
 
 struct pp_blame_question {
-    struct pp_evidence_data data;
+    struct pp_likelihood_data data;
     const struct pp_suspect *const *suspects;
     int suspect_count;
 

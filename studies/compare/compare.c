@@ -41,7 +41,7 @@ struct pp_compare {
 static enum pp_status trace(struct pp_compare *compare, struct traced_set *set,
                             struct pp_error *err)
 {
-    struct pp_as_if as_if = compare->options.as_if;
+    struct pp_room_variant variant = compare->options.variant;
     enum pp_status status = PP_OK;
     size_t points = (size_t)compare->subject.count;
     set->values = calloc(2 * points + 1, sizeof *set->values);
@@ -49,11 +49,11 @@ static enum pp_status trace(struct pp_compare *compare, struct traced_set *set,
         return pp_fail_memory(err);
     set->errors = set->values + points;
     for (int i = 0; i < set->count && status == PP_OK; i++)
-        status = pp_suspect_as_if(&as_if, compare->suspects[set->suspects[i]],
-                                  set->value, err);
+        status = pp_suspect_variant(&variant, compare->suspects[set->suspects[i]],
+                                    set->value, err);
     if (status == PP_OK)
         status = pp_compare_subject_values(set->values, set->errors, &compare->subject,
-                                           &as_if, &compare->options.tracing, err);
+                                           &variant, &compare->options.tracing, err);
     return status;
 }
 
@@ -139,7 +139,7 @@ static enum pp_status subset_effect(struct pp_compare *compare,
             if (pp_suspect_is_fitted(suspect))
                 value = set->value;
             if (suspect->is_factor)
-                theta = set->evidence.theta;
+                theta = set->likelihood.theta;
             else
                 suspects[count++] = set->suspects[i];
         }
@@ -187,7 +187,7 @@ static enum pp_status weigh(struct pp_compared *compared, struct pp_compare *com
             (compared->theirs[i] + compare->dark) * exp(-effect[i]) - compare->dark;
     for (int i = 0; i < set->count; i++)
         if (compare->suspects[set->suspects[i]]->is_factor)
-            compared->factor = exp(set->evidence.theta);
+            compared->factor = exp(set->likelihood.theta);
     return PP_OK;
 }
 
@@ -261,7 +261,7 @@ bool pp_compare_is_sure(const struct pp_compared *compared, int suspect)
 {
     return compared->blame.probability[suspect] >= SURE
            && compared->blame.without[suspect] >= PP_COMPARE_HIDES
-           && compared->blame.sets[0].evidence.sigma < PP_COMPARE_HIDES
+           && compared->blame.sets[0].likelihood.sigma < PP_COMPARE_HIDES
            && pp_left_over_is_noise(&compared->over);
 }
 

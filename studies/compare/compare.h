@@ -13,8 +13,9 @@
 enum { PP_COMPARE_POINTS_MOST = 48, PP_COMPARE_LISTED_MOST = 6 };
 
 struct pp_compare_options {
-    struct pp_as_if as_if; /* as ours are to be taken before anything is suspected */
-    struct pp_as_if_tracing tracing;
+    struct pp_room_variant
+        variant; /* as ours are to be taken before anything is suspected */
+    struct pp_variant_tracing tracing;
     double noise;    /* of the other program (logarithm), as stated; 0: not known */
     int traced_most; /* sets of several suspects, of one explanation; 0: 40 */
 };

@@ -1,8 +1,8 @@
 /* compare_subject.c - see compare_subject.h. */
 #include "studies/compare/compare_subject.h"
 
-#include "studies/compare/as_if_scene.h"
-#include "studies/compare/as_if_values.h"
+#include "studies/compare/variant_scene.h"
+#include "studies/compare/variant_values.h"
 
 struct pp_compare_subject pp_compare_subject_of_room(const struct pp_study_room *room)
 {
@@ -15,12 +15,13 @@ struct pp_compare_subject pp_compare_subject_of_room(const struct pp_study_room 
 
 enum pp_status pp_compare_subject_values(double *values, double *errors,
                                          const struct pp_compare_subject *subject,
-                                         const struct pp_as_if *as_if,
-                                         const struct pp_as_if_tracing *tracing,
+                                         const struct pp_room_variant *variant,
+                                         const struct pp_variant_tracing *tracing,
                                          struct pp_error *err)
 {
     return subject->room
-               ? pp_as_if_values(values, errors, subject->room, as_if, tracing, err)
-               : pp_as_if_scene_values(values, errors, subject->scene, subject->points,
-                                       subject->count, as_if, tracing, err);
+               ? pp_variant_values(values, errors, subject->room, variant, tracing, err)
+               : pp_variant_scene_values(values, errors, subject->scene,
+                                         subject->points, subject->count, variant,
+                                         tracing, err);
 }

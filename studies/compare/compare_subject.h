@@ -4,8 +4,8 @@
 #define PP_STUDIES_COMPARE_COMPARE_SUBJECT_H
 
 #include "model/light/scene_description.h"
-#include "studies/compare/as_if.h"
-#include "studies/compare/as_if_tracing.h"
+#include "studies/compare/room_variant.h"
+#include "studies/compare/variant_tracing.h"
 #include "studies/study_room.h"
 
 struct pp_compare_subject {  /* owns nothing */
@@ -24,8 +24,8 @@ struct pp_compare_subject pp_compare_subject_of_room(const struct pp_study_room 
  * stop. */
 enum pp_status pp_compare_subject_values(double *values, double *errors,
                                          const struct pp_compare_subject *subject,
-                                         const struct pp_as_if *as_if,
-                                         const struct pp_as_if_tracing *tracing,
+                                         const struct pp_room_variant *variant,
+                                         const struct pp_variant_tracing *tracing,
                                          struct pp_error *err);
 
 #endif

@@ -251,15 +251,15 @@ bool pp_suspect_is_fitted(const struct pp_suspect *suspect)
     return !suspect->is_factor && !strchr(suspect->word, '=');
 }
 
-enum pp_status pp_suspect_as_if(struct pp_as_if *as_if,
-                                const struct pp_suspect *suspect, double value,
-                                struct pp_error *err)
+enum pp_status pp_suspect_variant(struct pp_room_variant *variant,
+                                  const struct pp_suspect *suspect, double value,
+                                  struct pp_error *err)
 {
     char word[64];
     if (!pp_suspect_is_fitted(suspect))
-        return pp_as_if_add(as_if, suspect->word, err);
+        return pp_room_variant_add(variant, suspect->word, err);
     snprintf(word, sizeof word, "%s=%.3f", suspect->word, value);
-    return pp_as_if_add(as_if, word, err);
+    return pp_room_variant_add(variant, word, err);
 }
 
 const struct pp_suspect *pp_suspects_at(int index)

@@ -1,5 +1,5 @@
 /* suspects.h - what another program may have taken otherwise: the list, each a switch of
- * ours that imitates it (as_if.h), with its words for people.
+ * ours that imitates it (room_variant.h), with its words for people.
  *
  * Suspects of one kind exclude each other. A common factor has no value of its own: it is
  * whatever fits best; so is the reflectance of the ground. */
@@ -36,8 +36,8 @@ const char *pp_suspects_missing_at(int index);
 bool pp_suspect_is_fitted(const struct pp_suspect *suspect);
 
 /* Its switch on top of those that are set; value: of a fitted one. Not of a factor. */
-enum pp_status pp_suspect_as_if(struct pp_as_if *as_if,
-                                const struct pp_suspect *suspect, double value,
-                                struct pp_error *err);
+enum pp_status pp_suspect_variant(struct pp_room_variant *variant,
+                                  const struct pp_suspect *suspect, double value,
+                                  struct pp_error *err);
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef PP_TESTS_STUDIES_COMPARE_COMPARED_ROOM_H
 #define PP_TESTS_STUDIES_COMPARE_COMPARED_ROOM_H
 
-#include "studies/compare/as_if_values.h"
+#include "studies/compare/variant_values.h"
 #include "tests/lib/room_of.h"
 
 struct pp_test_compared {
@@ -36,12 +36,12 @@ static inline void pp_test_compared_values(double *values, double *errors,
                                            const char *words, double error,
                                            uint64_t seed)
 {
-    struct pp_as_if as_if = pp_as_if_nothing();
+    struct pp_room_variant variant = pp_room_variant_nothing();
     struct pp_error err = {0};
-    const struct pp_as_if_tracing tracing = {
+    const struct pp_variant_tracing tracing = {
         .error = error, .seed = seed, .threads = 1};
-    if ((words && pp_as_if_add(&as_if, words, &err) != PP_OK)
-        || pp_as_if_values(values, errors, &room->study, &as_if, &tracing, &err)
+    if ((words && pp_room_variant_add(&variant, words, &err) != PP_OK)
+        || pp_variant_values(values, errors, &room->study, &variant, &tracing, &err)
                != PP_OK)
         fail_msg("%s", err.message);
 }

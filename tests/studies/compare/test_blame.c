@@ -204,7 +204,7 @@ static void a_factor_of_any_size_is_found(void **state)
         assert_named(gap, &factor, 1);
         struct pp_blame blame = blame_of(gap, &traced);
         /* Within three standard errors of a mean of 20 points. */
-        assert_near(blame.sets[0].evidence.theta, logarithms[k],
+        assert_near(blame.sets[0].likelihood.theta, logarithms[k],
                     3.0 * 0.015 / sqrt(POINTS));
         pp_blame_clear(&blame);
     }
@@ -252,9 +252,9 @@ static void noise_is_told_by_its_size_and_by_whether_neighbours_err_alike(void *
     }
     struct pp_blame of_rays = blame_of(rays, &traced);
     struct pp_blame of_cache = blame_of(cache, &traced);
-    assert_near(of_rays.sets[0].evidence.sigma, 0.03, 0.012);
-    assert_true(of_rays.sets[0].evidence.near < 0.5);
-    assert_true(of_cache.sets[0].evidence.near > 0.9);
+    assert_near(of_rays.sets[0].likelihood.sigma, 0.03, 0.012);
+    assert_true(of_rays.sets[0].likelihood.near < 0.5);
+    assert_true(of_cache.sets[0].likelihood.near > 0.9);
     pp_blame_clear(&of_rays);
     pp_blame_clear(&of_cache);
 }

@@ -26,7 +26,7 @@ static int set_up(void **state)
 {
     static struct fixture fixture;
     const struct pp_compare_options options = {
-        .as_if = pp_as_if_nothing(),
+        .variant = pp_room_variant_nothing(),
         .tracing = {.error = 0.02, .seed = 1, .threads = 1},
         .noise = 0.03}; /* theirs of 1 %, and both traced to 2 % */
     pp_test_compared_init(&fixture.room, small);
@@ -166,7 +166,7 @@ static void nothing_is_sure_beside_more_than_noise(void **state)
     const struct pp_compare_subject subject =
         pp_compare_subject_of_room(&fixture->room.study);
     const struct pp_compare_options options = {
-        .as_if = pp_as_if_nothing(),
+        .variant = pp_room_variant_nothing(),
         .tracing = {.error = 0.02, .seed = 1, .threads = 1},
         .noise = 0.002};
     explain(&compared, fixture, "plane=0");
@@ -212,11 +212,11 @@ static void words_of_all_suspects_are_switches(void **state)
     const struct pp_suspect *suspect;
     int count = 0;
     for (; (suspect = pp_suspects_at(count)) != NULL; count++) {
-        struct pp_as_if as_if = pp_as_if_nothing();
+        struct pp_room_variant variant = pp_room_variant_nothing();
         if (!suspect->is_factor)
-            assert_int_equal(pp_suspect_as_if(&as_if, suspect, 0.37, NULL), PP_OK);
+            assert_int_equal(pp_suspect_variant(&variant, suspect, 0.37, NULL), PP_OK);
         if (pp_suspect_is_fitted(suspect))
-            assert_near(as_if.ground, 0.37, 1e-9);
+            assert_near(variant.ground, 0.37, 1e-9);
     }
     assert_true(count <= PP_SUSPECTS_MOST);
 }

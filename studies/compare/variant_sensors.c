@@ -1,10 +1,10 @@
-/* as_if_sensors.c - see as_if_sensors.h. */
-#include "studies/compare/as_if_sensors.h"
+/* variant_sensors.c - see variant_sensors.h. */
+#include "studies/compare/variant_sensors.h"
 
 #include <stdlib.h>
 
-enum pp_status pp_as_if_goes_on(const struct pp_as_if_tracing *tracing, double done,
-                                struct pp_error *err)
+enum pp_status pp_variant_sensors_go_on(const struct pp_variant_tracing *tracing,
+                                        double done, struct pp_error *err)
 {
     if (!tracing->look || tracing->look(tracing->data, done))
         return PP_OK;
@@ -12,33 +12,31 @@ enum pp_status pp_as_if_goes_on(const struct pp_as_if_tracing *tracing, double d
 }
 
 static enum pp_status follow(struct pp_sensors *sensors,
-                             const struct pp_as_if_tracing *tracing,
+                             const struct pp_variant_tracing *tracing,
                              struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     while (status == PP_OK && !pp_sensors_done(sensors)) {
-        status = pp_as_if_goes_on(tracing, pp_sensors_progress(sensors), err);
+        status = pp_variant_sensors_go_on(tracing, pp_sensors_progress(sensors), err);
         if (status == PP_OK)
-            status = pp_sensors_advance(sensors, PP_AS_IF_SLICE_S, err);
+            status = pp_sensors_advance(sensors, PP_VARIANT_SLICE_S, err);
     }
     return status;
 }
 
-enum pp_status pp_as_if_sensors(struct pp_sensor_reading *readings,
-                                const struct pp_light_scene *scene,
-                                const struct pp_environment *environment,
-                                const struct pp_receiver *points, int count,
-                                double horizontal, const struct pp_as_if *as_if,
-                                const struct pp_as_if_tracing *tracing,
-                                struct pp_error *err)
+enum pp_status pp_variant_sensors(
+    struct pp_sensor_reading *readings, const struct pp_light_scene *scene,
+    const struct pp_environment *environment, const struct pp_receiver *points,
+    int count, double horizontal, const struct pp_room_variant *variant,
+    const struct pp_variant_tracing *tracing, struct pp_error *err)
 {
     const struct pp_sensors_options options = {.error = tracing->error,
                                                .seed = tracing->seed,
                                                .threads = tracing->threads,
                                                .horizontal = horizontal,
-                                               .limited = as_if->bounces >= 0,
-                                               .ground_counts = as_if->ground_counts,
-                                               .bounces = as_if->bounces};
+                                               .limited = variant->bounces >= 0,
+                                               .ground_counts = variant->ground_counts,
+                                               .bounces = variant->bounces};
     struct pp_sensors *sensors = NULL;
     struct pp_sensor *list = calloc((size_t)count + 1, sizeof *list);
     if (!list)

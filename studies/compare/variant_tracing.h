@@ -1,11 +1,11 @@
-/* as_if_tracing.h - how values as if are traced, and who is asked on the way. */
-#ifndef PP_STUDIES_COMPARE_AS_IF_TRACING_H
-#define PP_STUDIES_COMPARE_AS_IF_TRACING_H
+/* variant_tracing.h - how values as if are traced, and who is asked on the way. */
+#ifndef PP_STUDIES_COMPARE_VARIANT_TRACING_H
+#define PP_STUDIES_COMPARE_VARIANT_TRACING_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-struct pp_as_if_tracing {
+struct pp_variant_tracing {
     double error; /* wanted standard error over value, above 0 */
     uint64_t seed;
     int threads;                           /* 0: as many as there are processors */

@@ -1,4 +1,4 @@
-/* as_if.h - a room or scene as another program may have taken it: switches, in words.
+/* room_variant.h - a room or scene as another program may have taken it: switches, in words.
  *
  *     bounces=N              reflections between surfaces on a path, at most; the ground
  *                            glows by itself
@@ -20,33 +20,33 @@
  *                            green alone for luminance
  *     factor=F               all values times F
  */
-#ifndef PP_STUDIES_COMPARE_AS_IF_H
-#define PP_STUDIES_COMPARE_AS_IF_H
+#ifndef PP_STUDIES_COMPARE_ROOM_VARIANT_H
+#define PP_STUDIES_COMPARE_ROOM_VARIANT_H
 
 #include <stdbool.h>
 
 #include "model/base/error.h"
 
-enum pp_as_if_glass {
-    PP_AS_IF_GLASS_IS,
-    PP_AS_IF_GLASS_NORMAL,
-    PP_AS_IF_GLASS_TRANSMISSIVITY,
-    PP_AS_IF_GLASS_NONE
+enum pp_room_variant_glass {
+    PP_ROOM_VARIANT_GLASS_IS,
+    PP_ROOM_VARIANT_GLASS_NORMAL,
+    PP_ROOM_VARIANT_GLASS_TRANSMISSIVITY,
+    PP_ROOM_VARIANT_GLASS_NONE
 };
 
-enum pp_as_if_colour {
-    PP_AS_IF_COLOUR_IS,
-    PP_AS_IF_COLOUR_GREY,
-    PP_AS_IF_COLOUR_MEAN,
-    PP_AS_IF_COLOUR_GREEN
+enum pp_room_variant_colour {
+    PP_ROOM_VARIANT_COLOUR_IS,
+    PP_ROOM_VARIANT_COLOUR_GREY,
+    PP_ROOM_VARIANT_COLOUR_MEAN,
+    PP_ROOM_VARIANT_COLOUR_GREEN
 };
 
-struct pp_as_if {
+struct pp_room_variant {
     int bounces;        /* -1: without a limit */
     bool ground_counts; /* among them */
     bool dark;          /* ab=0 */
-    enum pp_as_if_glass glass;
-    enum pp_as_if_colour colour;
+    enum pp_room_variant_glass glass;
+    enum pp_room_variant_colour colour;
     bool one_pane, no_frame, no_dirt, open_ground, nothing_outside;
     double plane_m, ground; /* NAN: as they are */
     char sky[16];           /* empty: as it is */
@@ -54,18 +54,19 @@ struct pp_as_if {
 };
 
 /* The room as it is. */
-struct pp_as_if pp_as_if_nothing(void);
+struct pp_room_variant pp_room_variant_nothing(void);
 
 /* Switches of `words`, with commas between, on top of those that are set; a preset's name
  * stands for its words. PP_BAD_INPUT with a sentence where one is none. */
-enum pp_status pp_as_if_add(struct pp_as_if *as_if, const char *words,
-                            struct pp_error *err);
+enum pp_status pp_room_variant_add(struct pp_room_variant *variant, const char *words,
+                                   struct pp_error *err);
 
 /* Names for settings that are common. */
-struct pp_as_if_preset {
+struct pp_room_variant_preset {
     const char *name, *words;
     const char *what; /* whose they are */
 };
-const struct pp_as_if_preset *pp_as_if_preset_at(int index); /* NULL behind the last */
+const struct pp_room_variant_preset *pp_room_variant_preset_at(
+    int index); /* NULL behind the last */
 
 #endif

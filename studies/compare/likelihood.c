@@ -1,5 +1,5 @@
-/* evidence.c - sums the density of (1) over noises; a Cholesky factor for each. */
-#include "studies/compare/evidence.h"
+/* likelihood.c - sums the density of (1) over noises; a Cholesky factor for each. */
+#include "studies/compare/likelihood.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -57,7 +57,7 @@ static double density(const struct forms *forms, int count, bool has_factor,
     return both - log(2.0);
 }
 
-static struct forms white_forms(const struct pp_evidence_data *data,
+static struct forms white_forms(const struct pp_likelihood_data *data,
                                 const struct pp_supposition *supposed, double sigma)
 {
     struct forms forms = {0};
@@ -73,7 +73,7 @@ static struct forms white_forms(const struct pp_evidence_data *data,
 }
 
 /* Lower Cholesky factor of (1)'s covariance, row by row, n x n. */
-static void factor(double *lower, const struct pp_evidence_data *data,
+static void factor(double *lower, const struct pp_likelihood_data *data,
                    const double *variance, double sigma, double reach_m)
 {
     int n = data->count;
@@ -90,7 +90,7 @@ static void factor(double *lower, const struct pp_evidence_data *data,
         }
 }
 
-static struct forms near_forms(const struct pp_evidence_data *data,
+static struct forms near_forms(const struct pp_likelihood_data *data,
                                const struct pp_supposition *supposed,
                                const double *lower, double *r, double *one)
 {
@@ -113,8 +113,8 @@ static struct forms near_forms(const struct pp_evidence_data *data,
     return forms;
 }
 
-double pp_evidence_white(const struct pp_evidence_data *data,
-                         const struct pp_supposition *supposed)
+double pp_likelihood_white(const struct pp_likelihood_data *data,
+                           const struct pp_supposition *supposed)
 {
     double of[SIGMAS], most = -INFINITY, sum = 0.0, theta;
     for (int i = 0; i < SIGMAS; i++) {
@@ -128,9 +128,10 @@ double pp_evidence_white(const struct pp_evidence_data *data,
 }
 
 /* Sums up over noises i of kinds k. */
-static struct pp_evidence sum_up(double of[KINDS][SIGMAS], double theta[KINDS][SIGMAS])
+static struct pp_likelihood sum_up(double of[KINDS][SIGMAS],
+                                   double theta[KINDS][SIGMAS])
 {
-    struct pp_evidence evidence = {0};
+    struct pp_likelihood likelihood = {0};
     double most = -INFINITY, sum = 0.0;
     for (int k = 0; k < KINDS; k++)
         for (int i = 0; i < SIGMAS; i++)
@@ -139,20 +140,21 @@ static struct pp_evidence sum_up(double of[KINDS][SIGMAS], double theta[KINDS][S
         for (int i = 0; i < SIGMAS; i++) {
             double share = BEFORE[k] / SIGMAS * exp(of[k][i] - most);
             sum += share;
-            evidence.sigma += share * sigma_at(i);
-            evidence.near += k > 0 ? share : 0.0;
-            evidence.theta += share * theta[k][i];
+            likelihood.sigma += share * sigma_at(i);
+            likelihood.near += k > 0 ? share : 0.0;
+            likelihood.theta += share * theta[k][i];
         }
-    evidence.log_density = most + log(sum);
-    evidence.sigma /= sum;
-    evidence.near /= sum;
-    evidence.theta /= sum;
-    return evidence;
+    likelihood.log_density = most + log(sum);
+    likelihood.sigma /= sum;
+    likelihood.near /= sum;
+    likelihood.theta /= sum;
+    return likelihood;
 }
 
-enum pp_status pp_evidence(struct pp_evidence *evidence,
-                           const struct pp_evidence_data *data,
-                           const struct pp_supposition *supposed, struct pp_error *err)
+enum pp_status pp_likelihood(struct pp_likelihood *likelihood,
+                             const struct pp_likelihood_data *data,
+                             const struct pp_supposition *supposed,
+                             struct pp_error *err)
 {
     size_t n = (size_t)data->count;
     double of[KINDS][SIGMAS], theta[KINDS][SIGMAS];
@@ -173,6 +175,6 @@ enum pp_status pp_evidence(struct pp_evidence *evidence,
             of[k][i] = density(&forms, data->count, supposed->has_factor, &theta[k][i]);
         }
     free(lower);
-    *evidence = sum_up(of, theta);
+    *likelihood = sum_up(of, theta);
     return PP_OK;
 }

@@ -1,7 +1,7 @@
 /* Switches in an imported scene, held against closed forms: sensors under an even sky, over
  * a coloured ground without an end, and in a ball of glass. */
 #include "formats/radiance/read/rad_read.h"
-#include "studies/compare/as_if_scene.h"
+#include "studies/compare/variant_scene.h"
 #include "tests/lib/near.h"
 
 #define SKY                                                                            \
@@ -26,17 +26,18 @@ static void values_of(double values[POINTS], const char *scene, const char *word
         {.position = {0.0, 0.0, 1.0}, .normal = {0.0, 0.0, 1.0}},
         {.position = {0.0, 0.0, 1.0}, .normal = {1.0, 0.0, 0.0}},
         {.position = {0.0, 0.0, 1.0}, .normal = {0.0, 0.0, -1.0}}};
-    const struct pp_as_if_tracing tracing = {.error = 0.003, .seed = 1, .threads = 1};
+    const struct pp_variant_tracing tracing = {.error = 0.003, .seed = 1, .threads = 1};
     struct pp_scene_description description;
     struct pp_rad_summary summary;
-    struct pp_as_if as_if = pp_as_if_nothing();
+    struct pp_room_variant variant = pp_room_variant_nothing();
     double errors[POINTS];
     assert_int_equal(pp_rad_read_bytes(&description, &summary, scene, strlen(scene),
                                        "scene.rad", NULL),
                      PP_OK);
-    assert_int_equal(*words ? pp_as_if_add(&as_if, words, NULL) : PP_OK, PP_OK);
-    assert_int_equal(pp_as_if_scene_values(values, errors, &description, points, POINTS,
-                                           &as_if, &tracing, NULL),
+    assert_int_equal(*words ? pp_room_variant_add(&variant, words, NULL) : PP_OK,
+                     PP_OK);
+    assert_int_equal(pp_variant_scene_values(values, errors, &description, points,
+                                             POINTS, &variant, &tracing, NULL),
                      PP_OK);
     pp_scene_description_clear(&description);
 }
@@ -95,7 +96,7 @@ static void what_is_among_the_shapes_stays(void **state)
 {
     (void)state;
     static const char *const words[] = {"sky=uniform", "ground=0.2", "outside=none"};
-    const struct pp_as_if_tracing tracing = {.error = 0.1, .seed = 1, .threads = 1};
+    const struct pp_variant_tracing tracing = {.error = 0.1, .seed = 1, .threads = 1};
     struct pp_scene_description description;
     struct pp_rad_summary summary;
     const char *scene = GROUND;
@@ -103,11 +104,11 @@ static void what_is_among_the_shapes_stays(void **state)
                                        "scene.rad", NULL),
                      PP_OK);
     for (int i = 0; i < 3; i++) {
-        struct pp_as_if as_if = pp_as_if_nothing();
+        struct pp_room_variant variant = pp_room_variant_nothing();
         struct pp_error err = {0};
-        assert_int_equal(pp_as_if_add(&as_if, words[i], NULL), PP_OK);
-        assert_int_equal(pp_as_if_scene_values(NULL, NULL, &description, NULL, 0,
-                                               &as_if, &tracing, &err),
+        assert_int_equal(pp_room_variant_add(&variant, words[i], NULL), PP_OK);
+        assert_int_equal(pp_variant_scene_values(NULL, NULL, &description, NULL, 0,
+                                                 &variant, &tracing, &err),
                          PP_BAD_INPUT);
         assert_non_null(strstr(err.message, "among the shapes"));
     }

@@ -1,5 +1,5 @@
-/* as_if_glass.c - see as_if_glass.h. */
-#include "studies/compare/as_if_glass.h"
+/* variant_glass.c - see variant_glass.h. */
+#include "studies/compare/variant_glass.h"
 
 #include <math.h>
 
@@ -28,15 +28,17 @@ static struct pp_glass one_of(struct pp_glass glass)
     return pp_glass_scaled(pane, pane.normal * pow(glass.scale, 1.0 / glass.panes));
 }
 
-struct pp_glass pp_as_if_glass(struct pp_glass glass, const struct pp_as_if *as_if)
+struct pp_glass pp_variant_glass(struct pp_glass glass,
+                                 const struct pp_room_variant *variant)
 {
-    if (glass.panes == 0 || as_if->glass == PP_AS_IF_GLASS_NONE)
+    if (glass.panes == 0 || variant->glass == PP_ROOM_VARIANT_GLASS_NONE)
         return pp_glass_none();
     if (glass.diffusing)
         return glass;
-    if (as_if->one_pane && glass.panes > 1)
+    if (variant->one_pane && glass.panes > 1)
         glass = one_of(glass);
-    if (as_if->glass == PP_AS_IF_GLASS_TRANSMISSIVITY)
+    if (variant->glass == PP_ROOM_VARIANT_GLASS_TRANSMISSIVITY)
         glass = pp_glass_scaled(glass, of_transmissivity(glass.normal));
-    return as_if->glass == PP_AS_IF_GLASS_NORMAL ? by_normal_alone(glass) : glass;
+    return variant->glass == PP_ROOM_VARIANT_GLASS_NORMAL ? by_normal_alone(glass)
+                                                          : glass;
 }

@@ -1,4 +1,4 @@
-/* evidence.h - how well a supposed cause explains a difference of values at points.
+/* likelihood.h - how well a supposed cause explains a difference of values at points.
  *
  * The gap at point i is g_i = f(theirs) - f(ours), f(v) = ln(v + c); a supposition
  * predicts e_i with its own variance s_i^2. What is left is noise:
@@ -11,16 +11,16 @@
  * 0.9 with a reach l of 0.6 or 1.8 m: a half, a quarter and a quarter, beforehand. theta is
  * the logarithm of a common factor, normal about 0: with a standard deviation of 0.005,
  * as both programs err by so much in common anyhow; where a common factor is supposed,
- * of 0.1 or 0.7, one as likely as the other. The evidence is the density of g by (1) over
- * all of these.
+ * of 0.1 or 0.7, one as likely as the other. The likelihood is the density of g by (1),
+ * integrated over all of these.
  */
-#ifndef PP_STUDIES_COMPARE_EVIDENCE_H
-#define PP_STUDIES_COMPARE_EVIDENCE_H
+#ifndef PP_STUDIES_COMPARE_LIKELIHOOD_H
+#define PP_STUDIES_COMPARE_LIKELIHOOD_H
 
 #include "model/base/error.h"
 #include "model/geometry/vec.h"
 
-struct pp_evidence_data {
+struct pp_likelihood_data {
     int count;                    /* of points */
     const double *gap;            /* g_i */
     const struct pp_vec3 *places; /* m */
@@ -32,7 +32,7 @@ struct pp_supposition {
     bool has_factor;        /* is theta unknown? */
 };
 
-struct pp_evidence {
+struct pp_likelihood {
     double log_density;
     double sigma; /* expected */
     double near;  /* probability that neighbours err alike, 0 to 1 */
@@ -40,12 +40,13 @@ struct pp_evidence {
 };
 
 /* By white noise alone, in the time of a sum: the first sieve. */
-double pp_evidence_white(const struct pp_evidence_data *data,
-                         const struct pp_supposition *supposed);
+double pp_likelihood_white(const struct pp_likelihood_data *data,
+                           const struct pp_supposition *supposed);
 
 /* By all of (1). */
-enum pp_status pp_evidence(struct pp_evidence *evidence,
-                           const struct pp_evidence_data *data,
-                           const struct pp_supposition *supposed, struct pp_error *err);
+enum pp_status pp_likelihood(struct pp_likelihood *likelihood,
+                             const struct pp_likelihood_data *data,
+                             const struct pp_supposition *supposed,
+                             struct pp_error *err);
 
 #endif

@@ -223,9 +223,10 @@ static void a_switch_that_is_none_is_refused_with_what_was_expected(void **state
         {"frame=none,", "neither a switch nor a preset"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
-        struct pp_as_if as_if = pp_as_if_nothing();
+        struct pp_room_variant variant = pp_room_variant_nothing();
         struct pp_error err = {0};
-        assert_int_equal(pp_as_if_add(&as_if, wrong[i][0], &err), PP_BAD_INPUT);
+        assert_int_equal(pp_room_variant_add(&variant, wrong[i][0], &err),
+                         PP_BAD_INPUT);
         if (!strstr(err.message, wrong[i][1]))
             fail_msg("\"%s\" of \"%s\"", err.message, wrong[i][0]);
     }
@@ -234,11 +235,12 @@ static void a_switch_that_is_none_is_refused_with_what_was_expected(void **state
 static void a_preset_stands_for_its_words(void **state)
 {
     (void)state;
-    const struct pp_as_if_preset *preset;
-    for (int i = 0; (preset = pp_as_if_preset_at(i)) != NULL; i++) {
-        struct pp_as_if by_name = pp_as_if_nothing(), by_words = pp_as_if_nothing();
-        assert_int_equal(pp_as_if_add(&by_name, preset->name, NULL), PP_OK);
-        assert_int_equal(pp_as_if_add(&by_words, preset->words, NULL), PP_OK);
+    const struct pp_room_variant_preset *preset;
+    for (int i = 0; (preset = pp_room_variant_preset_at(i)) != NULL; i++) {
+        struct pp_room_variant by_name = pp_room_variant_nothing(),
+                               by_words = pp_room_variant_nothing();
+        assert_int_equal(pp_room_variant_add(&by_name, preset->name, NULL), PP_OK);
+        assert_int_equal(pp_room_variant_add(&by_words, preset->words, NULL), PP_OK);
         assert_int_equal(by_name.bounces, by_words.bounces);
         assert_true(by_name.dark == by_words.dark);
         assert_true(by_name.dark || by_name.bounces >= 1);

@@ -1,5 +1,5 @@
-/* as_if.c - reads switches; the names of common settings. */
-#include "studies/compare/as_if.h"
+/* room_variant.c - reads switches; the names of common settings. */
+#include "studies/compare/room_variant.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -10,7 +10,7 @@
 
 enum { MOST_BOUNCES = 1000, WORD_BYTES = 64 };
 
-static const struct pp_as_if_preset presets[] = {
+static const struct pp_room_variant_preset presets[] = {
     {"rtrace-defaults", "ab=0", "rtrace without options: no ambient calculation"},
     {"low", "ab=2", "front ends' low quality: two ambient bounces"},
     {"medium", "ab=3", "front ends' medium quality: three ambient bounces"},
@@ -18,14 +18,14 @@ static const struct pp_as_if_preset presets[] = {
 };
 enum { PRESET_COUNT = sizeof presets / sizeof presets[0] };
 
-const struct pp_as_if_preset *pp_as_if_preset_at(int index)
+const struct pp_room_variant_preset *pp_room_variant_preset_at(int index)
 {
     return index < PRESET_COUNT ? &presets[index] : NULL;
 }
 
-struct pp_as_if pp_as_if_nothing(void)
+struct pp_room_variant pp_room_variant_nothing(void)
 {
-    return (struct pp_as_if){
+    return (struct pp_room_variant){
         .bounces = -1, .plane_m = NAN, .ground = NAN, .factor = 1.0};
 }
 
@@ -42,7 +42,7 @@ static enum pp_status read_number(double *number, const char *name, const char *
     return PP_OK;
 }
 
-static enum pp_status read_bounces(struct pp_as_if *as_if, const char *name,
+static enum pp_status read_bounces(struct pp_room_variant *variant, const char *name,
                                    const char *text, struct pp_error *err)
 {
     double value;
@@ -52,32 +52,34 @@ static enum pp_status read_bounces(struct pp_as_if *as_if, const char *name,
         return pp_fail(err, PP_BAD_INPUT,
                        "%s is \"%.40s\"; expected a whole number from 0 to %d", name,
                        text, MOST_BOUNCES);
-    as_if->dark = letter && value == 0.0;
-    as_if->ground_counts = letter;
-    as_if->bounces = (int)value - (letter && value > 0.0);
+    variant->dark = letter && value == 0.0;
+    variant->ground_counts = letter;
+    variant->bounces = (int)value - (letter && value > 0.0);
     return PP_OK;
 }
 
-static enum pp_status read_glass(struct pp_as_if *as_if, const char *text,
+static enum pp_status read_glass(struct pp_room_variant *variant, const char *text,
                                  struct pp_error *err)
 {
     static const char *const words[] = {"normal", "transmissivity", "none"};
     for (int i = 0; i < 3; i++)
         if (strcmp(text, words[i]) == 0) {
-            as_if->glass = (enum pp_as_if_glass)(PP_AS_IF_GLASS_NORMAL + i);
+            variant->glass =
+                (enum pp_room_variant_glass)(PP_ROOM_VARIANT_GLASS_NORMAL + i);
             return PP_OK;
         }
     return pp_text_unknown(err, text, words, 3, NULL, "there is no glass \"%.40s\"",
                            text);
 }
 
-static enum pp_status read_colour(struct pp_as_if *as_if, const char *text,
+static enum pp_status read_colour(struct pp_room_variant *variant, const char *text,
                                   struct pp_error *err)
 {
     static const char *const words[] = {"grey", "mean", "green"};
     for (int i = 0; i < 3; i++)
         if (strcmp(text, words[i]) == 0) {
-            as_if->colour = (enum pp_as_if_colour)(PP_AS_IF_COLOUR_GREY + i);
+            variant->colour =
+                (enum pp_room_variant_colour)(PP_ROOM_VARIANT_COLOUR_GREY + i);
             return PP_OK;
         }
     return pp_text_unknown(err, text, words, 3, NULL, "there is no colour \"%.40s\"",
@@ -85,7 +87,7 @@ static enum pp_status read_colour(struct pp_as_if *as_if, const char *text,
 }
 
 /* A type whose sun, where it has one, is the room's. */
-static enum pp_status read_sky(struct pp_as_if *as_if, const char *text,
+static enum pp_status read_sky(struct pp_room_variant *variant, const char *text,
                                struct pp_error *err)
 {
     const char *words[32] = {"gensky"};
@@ -94,7 +96,7 @@ static enum pp_status read_sky(struct pp_as_if *as_if, const char *text,
         words[count++] = pp_sky_words[i];
     for (int i = 0; i < count; i++)
         if (strcmp(text, words[i]) == 0) {
-            strcpy(as_if->sky, words[i]);
+            strcpy(variant->sky, words[i]);
             return PP_OK;
         }
     return pp_text_unknown(err, text, words, count, NULL, "there is no sky \"%.40s\"",
@@ -112,42 +114,42 @@ static enum pp_status read_only(bool *place, const char *name, const char *text,
     return PP_OK;
 }
 
-static enum pp_status read_switch(struct pp_as_if *as_if, const char *name,
+static enum pp_status read_switch(struct pp_room_variant *variant, const char *name,
                                   const char *text, struct pp_error *err)
 {
     static const char *const names[] = {"bounces", "ab",      "glass",  "panes",
                                         "frame",   "dirt",    "plane",  "sky",
                                         "ground",  "outside", "colour", "factor"};
     if (strcmp(name, "bounces") == 0 || strcmp(name, "ab") == 0)
-        return read_bounces(as_if, name, text, err);
+        return read_bounces(variant, name, text, err);
     if (strcmp(name, "glass") == 0)
-        return read_glass(as_if, text, err);
+        return read_glass(variant, text, err);
     if (strcmp(name, "colour") == 0)
-        return read_colour(as_if, text, err);
+        return read_colour(variant, text, err);
     if (strcmp(name, "panes") == 0)
-        return read_only(&as_if->one_pane, name, text, "1", err);
+        return read_only(&variant->one_pane, name, text, "1", err);
     if (strcmp(name, "frame") == 0)
-        return read_only(&as_if->no_frame, name, text, "none", err);
+        return read_only(&variant->no_frame, name, text, "none", err);
     if (strcmp(name, "dirt") == 0)
-        return read_only(&as_if->no_dirt, name, text, "none", err);
+        return read_only(&variant->no_dirt, name, text, "none", err);
     if (strcmp(name, "plane") == 0)
-        return read_number(&as_if->plane_m, name, text, 0.0, 100.0, err);
+        return read_number(&variant->plane_m, name, text, 0.0, 100.0, err);
     if (strcmp(name, "sky") == 0)
-        return read_sky(as_if, text, err);
+        return read_sky(variant, text, err);
     if (strcmp(name, "ground") == 0 && strcmp(text, "open") == 0)
-        return read_only(&as_if->open_ground, name, text, "open", err);
+        return read_only(&variant->open_ground, name, text, "open", err);
     if (strcmp(name, "ground") == 0)
-        return read_number(&as_if->ground, name, text, 0.0, 1.0, err);
+        return read_number(&variant->ground, name, text, 0.0, 1.0, err);
     if (strcmp(name, "outside") == 0)
-        return read_only(&as_if->nothing_outside, name, text, "none", err);
+        return read_only(&variant->nothing_outside, name, text, "none", err);
     if (strcmp(name, "factor") == 0)
-        return read_number(&as_if->factor, name, text, 0.01, 100.0, err);
+        return read_number(&variant->factor, name, text, 0.01, 100.0, err);
     return pp_text_unknown(err, name, names, sizeof names / sizeof names[0], NULL,
                            "there is no switch \"%.40s\"", name);
 }
 
-static enum pp_status add_word(struct pp_as_if *as_if, const char *word, size_t length,
-                               struct pp_error *err)
+static enum pp_status add_word(struct pp_room_variant *variant, const char *word,
+                               size_t length, struct pp_error *err)
 {
     char name[WORD_BYTES];
     if (length >= sizeof name)
@@ -156,7 +158,7 @@ static enum pp_status add_word(struct pp_as_if *as_if, const char *word, size_t 
     name[length] = '\0';
     for (int i = 0; i < PRESET_COUNT; i++)
         if (strcmp(name, presets[i].name) == 0)
-            return pp_as_if_add(as_if, presets[i].words, err);
+            return pp_room_variant_add(variant, presets[i].words, err);
     char *value = strchr(name, '=');
     if (!value)
         return pp_fail(
@@ -165,16 +167,16 @@ static enum pp_status add_word(struct pp_as_if *as_if, const char *word, size_t 
             "bounces=2,glass=normal, or rtrace-defaults, low, medium or high",
             name);
     *value++ = '\0';
-    return read_switch(as_if, name, value, err);
+    return read_switch(variant, name, value, err);
 }
 
-enum pp_status pp_as_if_add(struct pp_as_if *as_if, const char *words,
-                            struct pp_error *err)
+enum pp_status pp_room_variant_add(struct pp_room_variant *variant, const char *words,
+                                   struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (const char *word = words; status == PP_OK; word++) {
         size_t length = strcspn(word, ",");
-        status = add_word(as_if, word, length, err);
+        status = add_word(variant, word, length, err);
         word += length;
         if (*word == '\0')
             break;
