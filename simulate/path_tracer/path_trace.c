@@ -1,10 +1,9 @@
-/* path_trace.c - the path-tracing loop: emission, direct light, a direction of a lobe,
- * Russian roulette. */
+/* path_trace.c - next-event estimation of openings, and the path-tracing loop: emission,
+ * direct light, a direction of a lobe, Russian roulette. */
 #include "simulate/path_tracer/path_trace.h"
 
-#include "simulate/path_tracer/next_event.h"
-#include "simulate/sampling/sample_discrete.h"
-#include "simulate/sampling/lobe.h"
+#include <stddef.h>
+
 #include "simulate/scene/light_scene_parts.h"
 
 /* Russian roulette begins where beta has fallen below LEAST. A path ends at MOST_BOUNCES
@@ -12,112 +11,110 @@
 static const double LEAST = 0.3;
 enum { MOST_BOUNCES = 1 << 14 };
 
-void pp_path_trace_draw(struct pp_path_trace *path, int count, double *u)
+/* The radiance that a surface gives off itself. */
+static struct pp_rgb emitted(const struct pp_path_walk *walk,
+                             const struct pp_light_hit *hit)
 {
-    pp_sobol_sequence_draw(&path->sequence, path->index, path->vertex++, count, u);
+    const struct pp_material *material = &walk->scene->materials[hit->material];
+    bool shines = material->emits != PP_EMITS_NOTHING
+                  && (!hit->back || walk->scene->parts[hit->part].back_emits);
+    return shines ? material->radiance : pp_rgb_grey(0.0);
 }
 
-enum pp_meeting pp_path_trace_meet(struct pp_path_trace *path,
-                                   const struct pp_light_ray *ray,
-                                   struct pp_light_hit *hit)
+/* theory: next event */
+/* An opening, drawn in proportion to a guess of the light that each brings, and a direction
+ * to it: uniform over its solid angle, but for the cosine and a guess of the brightness
+ * behind it. *per_pdf: the reciprocal of the direction's density, steradians. False where
+ * no opening is in sight. */
+static bool aim_at_opening(struct pp_path_walk *walk, const struct pp_lit_point *at,
+                           int *opening, struct pp_light_ray *ray, double *per_pdf)
 {
-    enum pp_meeting meeting = pp_light_scene_trace(path->scene, ray, hit);
-    path->rays++;
-    path->leaks += meeting == PP_MEETS_LEAK;
-    return meeting;
+    const struct pp_light_scene *scene = walk->scene;
+    if (scene->pane_count == 0 || at->space == PP_OUTDOORS)
+        return false;
+    const struct pp_openings_viewer viewer = {walk->environment->brightness, at->point,
+                                              at->normal, false};
+    double u[3], probability;
+    pp_path_walk_draw(walk, 3, u);
+    *opening = pp_openings_choose(scene, &viewer, &walk->shares, u[2], &probability);
+    if (*opening < 0)
+        return false;
+    struct pp_polygon_sampler sampler;
+    pp_sample_polygon_init(&sampler, &scene->panes[*opening].target, at->point,
+                           at->normal, viewer.brightness);
+    struct pp_direction_sample to = pp_sample_polygon_draw(&sampler, u[0], u[1]);
+    *ray = (struct pp_light_ray){at->point, at->normal, to.direction, at->space};
+    *per_pdf = to.per_density / probability;
+    return true;
 }
-
-/* The lobes of the surface towards wo; the ground outside is diffuse. */
-static struct pp_lobes lobes_at(const struct pp_path_trace *path,
-                                enum pp_meeting meeting, const struct pp_light_hit *hit,
-                                struct pp_vec3 wo)
+struct pp_rgb pp_path_trace_openings(struct pp_path_walk *walk,
+                                     const struct pp_lit_point *at,
+                                     enum pp_path_first *first)
 {
-    struct pp_lobes lobes = {.eye = wo, .frame = {.z = hit->normal}};
-    if (meeting == PP_MEETS_PART) {
-        pp_light_scene_parts_lobes(path->scene, hit, pp_vec_scale(wo, -1.0), &lobes);
-        return lobes;
+    struct pp_rgb none = pp_rgb_grey(0.0), beta = pp_rgb_grey(1.0);
+    struct pp_light_ray ray;
+    struct pp_light_hit hit;
+    double per_pdf;
+    int opening;
+    if (!aim_at_opening(walk, at, &opening, &ray, &per_pdf))
+        return none;
+    double cosine = pp_vec_dot(at->normal, ray.to);
+    if (!(cosine > 0.0) || pp_path_walk_meet(walk, &ray, &hit) != PP_MEETS_PART
+        || hit.part != walk->scene->panes[opening].part)
+        return none;
+
+    /* Out through the pane. A path that goes on outside aims at no opening. */
+    struct pp_lobes lobes;
+    pp_light_scene_parts_lobes(walk->scene, &hit, ray.to, &lobes);
+    for (int i = 0; i < PP_LOBE_COUNT; i++)
+        if (!pp_scatter_goes_through((enum pp_lobe)i))
+            lobes.share[i] = none;
+    if (pp_path_walk_scatter(walk, &lobes, &hit, &ray, &beta) == PP_LOBE_COUNT)
+        return none;
+    struct pp_rgb L = pp_path_trace_radiance(walk, ray, false, false, first);
+    return pp_rgb_scale(pp_rgb_times(beta, L), cosine * per_pdf);
+}
+/* theory: end */
+
+/* The radiance that the surface's diffuse lobes send towards the eye, on either side, of
+ * light that comes straight from the openings. */
+static struct pp_rgb direct_light(struct pp_path_walk *walk,
+                                  const struct pp_lobes *lobes,
+                                  const struct pp_light_hit *hit)
+{
+    struct pp_rgb L = pp_rgb_grey(0.0);
+    for (int side = 0; side < 2; side++) {
+        struct pp_rgb albedo =
+            lobes->share[side ? PP_LOBE_THROUGH_DIFFUSE : PP_LOBE_DIFFUSE];
+        if (pp_rgb_is_black(albedo))
+            continue;
+        struct pp_lit_point at = {
+            hit->point, side ? pp_vec_scale(lobes->frame.z, -1.0) : lobes->frame.z,
+            hit->space};
+        if (hit->part >= 0)
+            at.space = pp_light_scene_parts_space(walk->scene, hit, side);
+        struct pp_rgb E = pp_path_trace_openings(walk, &at, NULL);
+        L = pp_rgb_add(L, pp_rgb_scale(pp_rgb_times(albedo, E), 1.0 / PP_PI));
     }
-    lobes.share[PP_LOBE_DIFFUSE] =
-        pp_rgb_grey(pp_outside_light_ground(&path->environment->light));
-    pp_lobe_frame(hit->normal, &lobes.frame.x, &lobes.frame.y);
-    return lobes;
-}
-
-/* Radiance of the surface's own along the ray; lamps that were sampled are left out. */
-static struct pp_rgb emitted(const struct pp_path_trace *path,
-                             const struct pp_light_hit *hit,
-                             struct pp_path_counted counted)
-{
-    const struct pp_light_part *part = &path->scene->parts[hit->part];
-    const struct pp_material *material = &path->scene->materials[hit->material];
-    bool gives =
-        material->emits != PP_EMITS_NOTHING && (!hit->back || part->back_emits);
-    bool sampled = part->emitter[hit->back] >= 0 && counted.emitters;
-    return gives && !sampled ? material->radiance : pp_rgb_grey(0.0);
-}
-
-/* Radiance of sky, open ground, skylines and distant sources along the ray. */
-static struct pp_rgb environment_light(const struct pp_path_trace *path,
-                                       struct pp_vec3 direction,
-                                       struct pp_path_counted counted, bool *is_sky)
-{
-    const struct pp_light_scene *scene = path->scene;
-    struct pp_rgb L =
-        pp_light_scene_environment(scene, path->environment, direction, is_sky);
-    for (int i = 0; i < scene->distant_count && !counted.emitters; i++)
-        if (scene->distants[i].emitter >= 0)
-            L = pp_rgb_add(L, pp_light_scene_distant_radiance(scene, i, direction));
     return L;
 }
 
-enum pp_lobe pp_path_trace_scatter(struct pp_path_trace *path,
-                                   const struct pp_lobes *lobes,
-                                   const struct pp_light_hit *hit,
-                                   struct pp_light_ray *ray, struct pp_rgb *beta)
-{
-    double u[3], albedo[PP_LOBE_COUNT], total = 0.0, factor;
-    pp_path_trace_draw(path, 3, u);
-    for (int i = 0; i < PP_LOBE_COUNT; i++)
-        total += albedo[i] = pp_rgb_most(lobes->share[i]);
-    int lobe = pp_sample_discrete(albedo, PP_LOBE_COUNT, u[2] * total);
-    struct pp_vec3 wi;
-    if (lobe < 0
-        || !pp_scatter_sample(lobes, (enum pp_lobe)lobe, u[0], u[1], &wi, &factor))
-        return PP_LOBE_COUNT;
-    /* The lobe's BSDF x cosine / pdf is its albedo times the factor; the lobe itself was
-     * drawn with the probability albedo / total. */
-    *beta = pp_rgb_times(*beta, lobes->share[lobe]);
-    *beta = pp_rgb_scale(*beta, factor * total / albedo[lobe]);
-
-    bool through = pp_scatter_goes_through((enum pp_lobe)lobe);
-    struct pp_vec3 n = lobes->frame.z;
-    enum pp_space space = hit->space;
-    if (hit->part >= 0)
-        space = pp_light_scene_parts_space(path->scene, hit, through);
-    *ray = (struct pp_light_ray){.from = pp_rays_draw_back(hit->point, ray->to),
-                                 .off = through ? pp_vec_scale(n, -1.0) : n,
-                                 .to = wi,
-                                 .space = space};
-    return (enum pp_lobe)lobe;
-}
-
 /* theory: path loop */
-struct pp_rgb pp_path_trace_radiance(struct pp_path_trace *path,
-                                     struct pp_light_ray ray,
-                                     struct pp_path_counted counted, bool aims,
-                                     enum pp_path_first *first)
+struct pp_rgb pp_path_trace_radiance(struct pp_path_walk *walk, struct pp_light_ray ray,
+                                     bool counted, bool aims, enum pp_path_first *first)
 {
     struct pp_rgb L = pp_rgb_grey(0.0), beta = pp_rgb_grey(1.0);
     enum pp_path_first met = PP_FIRST_NONE;
     for (int bounce = 0; bounce < MOST_BOUNCES; bounce++) {
         /* 1. The first surface that the ray meets, if any. */
         struct pp_light_hit hit;
-        enum pp_meeting meeting = pp_path_trace_meet(path, &ray, &hit);
+        enum pp_meeting meeting = pp_path_walk_meet(walk, &ray, &hit);
         if (meeting == PP_MEETS_LEAK)
             break;
         if (meeting == PP_MEETS_ENVIRONMENT) {
             bool is_sky;
-            struct pp_rgb Le = environment_light(path, ray.to, counted, &is_sky);
+            struct pp_rgb Le = pp_light_scene_environment(
+                walk->scene, walk->environment, ray.to, &is_sky);
             L = pp_rgb_add(L, pp_rgb_times(beta, Le));
             if (met == PP_FIRST_NONE)
                 met = is_sky ? PP_FIRST_SKY : PP_FIRST_OUTSIDE;
@@ -126,35 +123,37 @@ struct pp_rgb pp_path_trace_radiance(struct pp_path_trace *path,
 
         /* 2. Its own light. */
         if (meeting == PP_MEETS_PART)
-            L = pp_rgb_add(L, pp_rgb_times(beta, emitted(path, &hit, counted)));
+            L = pp_rgb_add(L, pp_rgb_times(beta, emitted(walk, &hit)));
 
         /* 3. The lobes of its BSDF. Light that comes in by an opening has been counted
          * where the ray began: of that opening, the ray sees the reflection alone. */
         struct pp_vec3 wo = pp_vec_scale(ray.to, -1.0);
-        struct pp_lobes lobes = lobes_at(path, meeting, &hit, wo);
+        struct pp_lobes lobes = pp_path_walk_lobes(walk, &hit, wo);
         bool opening =
-            meeting == PP_MEETS_PART && path->scene->parts[hit.part].window >= 0;
-        if (opening && !hit.back && counted.openings)
-            pp_next_event_leave_out(&lobes);
+            meeting == PP_MEETS_PART && walk->scene->parts[hit.part].window >= 0;
+        if (opening && !hit.back && counted)
+            lobes.share[PP_LOBE_STRAIGHT] = lobes.share[PP_LOBE_THROUGH_DIFFUSE] =
+                pp_rgb_grey(0.0);
 
-        /* 4. Next-event estimation: openings and lamps by directions of their own. */
+        /* 4. Next-event estimation: openings by directions of their own. */
         struct pp_light_hit from = hit;
         from.point = pp_rays_draw_back(hit.point, ray.to);
-        L = pp_rgb_add(
-            L, pp_rgb_times(beta, pp_next_event_reflected(path, &lobes, &from, aims)));
+        if (aims)
+            L = pp_rgb_add(L, pp_rgb_times(beta, direct_light(walk, &lobes, &from)));
 
         /* 5. A direction wi of one of the lobes. */
-        enum pp_lobe lobe = pp_path_trace_scatter(path, &lobes, &hit, &ray, &beta);
+        enum pp_lobe lobe = pp_path_walk_scatter(walk, &lobes, &hit, &ray, &beta);
         if (lobe == PP_LOBE_COUNT)
             break;
         if (!pp_scatter_goes_through(lobe) && met == PP_FIRST_NONE)
             met = hit.space == PP_INDOORS ? PP_FIRST_INSIDE : PP_FIRST_OUTSIDE;
         if (lobe != PP_LOBE_STRAIGHT)
-            counted = pp_next_event_counted(lobe, ray.space, aims);
+            counted = aims && ray.space != PP_OUTDOORS
+                      && (lobe == PP_LOBE_DIFFUSE || lobe == PP_LOBE_THROUGH_DIFFUSE);
 
         /* 6. Russian roulette: a faint path goes on with probability q. */
         double u, q = pp_rgb_most(beta) / LEAST;
-        pp_path_trace_draw(path, 1, &u);
+        pp_path_walk_draw(walk, 1, &u);
         if (u >= q)
             break;
         if (q < 1.0)

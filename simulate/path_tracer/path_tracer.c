@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "simulate/estimate/planner.h"
-#include "simulate/path_tracer/next_event.h"
 #include "simulate/path_tracer/path_trace.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
@@ -37,46 +36,45 @@ struct pp_path_tracer {
 /* ---- one path ---- */
 
 /* Where it begins. */
-static struct pp_lit_point lit_point(struct pp_path_trace *path,
+static struct pp_lit_point lit_point(struct pp_path_walk *walk,
                                      const struct plain_point *point)
 {
     double u[2];
     struct pp_lit_point at = {point->position, point->normal,
-                              path->scene->has_room ? PP_INDOORS : PP_ANYWHERE};
+                              walk->scene->has_room ? PP_INDOORS : PP_ANYWHERE};
     if (point->anywhere) {
-        pp_path_trace_draw(path, 2, u);
-        at.point = pp_light_scene_of_world_plane_point(path->scene, u[0], u[1]);
+        pp_path_walk_draw(walk, 2, u);
+        at.point = pp_light_scene_of_world_plane_point(walk->scene, u[0], u[1]);
     }
     return at;
 }
 
 /* pi times the radiance in a direction of the point's cosine lobe: one sample of its
  * irradiance by what rays meet. */
-static double lobe_irradiance(struct pp_path_trace *path, const struct pp_lit_point *at,
-                              struct pp_path_counted counted, enum pp_path_first *first)
+static double lobe_irradiance(struct pp_path_walk *walk, const struct pp_lit_point *at,
+                              bool counted, enum pp_path_first *first)
 {
     double u[2];
     struct pp_vec3 a, b;
-    pp_path_trace_draw(path, 2, u);
+    pp_path_walk_draw(walk, 2, u);
     pp_lobe_frame(at->normal, &a, &b);
     struct pp_light_ray ray = {at->point, at->normal,
                                pp_lobe_sample_in_frame(a, b, at->normal, u[0], u[1]),
                                at->space};
-    return PP_PI * pp_path_trace_radiance(path, ray, counted, true, first).g;
+    return PP_PI * pp_path_trace_radiance(walk, ray, counted, true, first).g;
 }
 
 /* Adds a path's light to the sum of its component. */
-static void add_path(struct pp_path_trace *path, const struct plain_point *point,
+static void add_path(struct pp_path_walk *walk, const struct plain_point *point,
                      int estimator, double *sums)
 {
     enum pp_path_first first = PP_FIRST_NONE;
-    struct pp_lit_point at = lit_point(path, point);
+    struct pp_lit_point at = lit_point(walk, point);
     double E;
-    if (estimator == DIRECT && path->scene->has_room) {
-        E = pp_next_event_openings(path, &at, &first).g;
+    if (estimator == DIRECT && walk->scene->has_room) {
+        E = pp_path_trace_openings(walk, &at, &first).g;
     } else {
-        const struct pp_path_counted counted = {.openings = path->scene->has_room};
-        E = lobe_irradiance(path, &at, counted, &first);
+        E = lobe_irradiance(walk, &at, walk->scene->has_room, &first);
     }
     enum pp_component component = first == PP_FIRST_SKY       ? PP_SC
                                   : first == PP_FIRST_OUTSIDE ? PP_ERC
@@ -94,7 +92,7 @@ enum { DIRECT_SUMS = 0, REFLECTED_SUMS = 3 };
 static void begin_thread(const void *client, void *state)
 {
     const struct pp_path_tracer *tracer = client;
-    *(struct pp_path_trace *)state = (struct pp_path_trace){
+    *(struct pp_path_walk *)state = (struct pp_path_walk){
         .scene = tracer->scene, .environment = tracer->environment};
 }
 
@@ -108,18 +106,18 @@ static void follow_paths(const void *client, void *state,
                          struct pp_randomisation *randomisation)
 {
     const struct pp_path_tracer *tracer = client;
-    struct pp_path_trace *path = state;
+    struct pp_path_walk *walk = state;
     double *sums = randomisation->sums
                    + (range->estimator == DIRECT ? DIRECT_SUMS : REFLECTED_SUMS);
-    long rays = path->rays, leaks = path->leaks;
-    path->sequence = range->sequence;
-    for (path->index = range->first; path->index < range->end; path->index++) {
-        path->vertex = 0;
+    long rays = walk->rays, leaks = walk->leaks;
+    walk->sequence = range->sequence;
+    for (walk->index = range->first; walk->index < range->end; walk->index++) {
+        walk->vertex = 0;
         if (range->estimator == DIRECT || tracer->scene->has_room)
-            add_path(path, &tracer->points[range->point], range->estimator, sums);
+            add_path(walk, &tracer->points[range->point], range->estimator, sums);
     }
-    randomisation->rays[range->estimator] += path->rays - rays;
-    randomisation->leaks += path->leaks - leaks;
+    randomisation->rays[range->estimator] += walk->rays - rays;
+    randomisation->leaks += walk->leaks - leaks;
 }
 
 /* Internally reflected light is read with the allowance for decorations. */
@@ -168,7 +166,7 @@ static const struct pp_sampler plain_sampler = {
     .fall = {1.2, 1.0},
     .pilot = {{16, 16}},
     .least = {{16, 16}},
-    .state_size = sizeof(struct pp_path_trace),
+    .state_size = sizeof(struct pp_path_walk),
     .begin = begin_thread,
     .seed = seed_of_point,
     .follow = follow_paths,

@@ -1,6 +1,6 @@
 /* path_tracer.h - daylight factors of a room by plain path tracing.
  *
- * The same expectations, options and readings as the tracer's (simulate/tracer/tracer.h),
+ * The same expectations, options and readings as the tracer's (simulate/fast/tracer.h),
  * by the loop of path_trace.c and nothing else: slower, and easy to check. Tests hold the
  * tracer against it.
  *

@@ -1,0 +1,52 @@
+/* path_walk.h - what one path needs as it goes on: random numbers, rays, and a direction of
+ * a surface's BSDF. For path_trace.c.
+ *
+ * Points are measured from the scene's centre.
+ */
+#ifndef PP_SIMULATE_PATH_TRACER_PATH_WALK_H
+#define PP_SIMULATE_PATH_TRACER_PATH_WALK_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "model/light/rgb.h"
+#include "simulate/sampling/scatter.h"
+#include "simulate/sampling/sobol.h"
+#include "simulate/scene/environment.h"
+#include "simulate/scene/light_scene.h"
+#include "simulate/scene/openings.h"
+
+/* A thread's own. Fill the first five, then trace. */
+struct pp_path_walk {
+    const struct pp_light_scene *scene;       /* of a world; not owned */
+    const struct pp_environment *environment; /* not owned */
+    struct pp_sobol_sequence sequence;        /* random numbers: a randomisation, */
+    uint32_t index;                           /* which path of it, */
+    int vertex;                               /* and how often the path has drawn: 0 */
+
+    long rays, leaks;                 /* traced so far; lost between two surfaces */
+    struct pp_openings_shares shares; /* importances of openings at the last point */
+};
+
+/* The next `count` random numbers of the path, at most PP_SOBOL_DIMENSIONS, in (0, 1). */
+void pp_path_walk_draw(struct pp_path_walk *walk, int count, double *u);
+
+/* The first meeting of the ray, counted. */
+enum pp_meeting pp_path_walk_meet(struct pp_path_walk *walk,
+                                  const struct pp_light_ray *ray,
+                                  struct pp_light_hit *hit);
+
+/* The lobes of the surface's BSDF towards wo; the ground outside, which is no part of the
+ * scene, is diffuse. */
+struct pp_lobes pp_path_walk_lobes(const struct pp_path_walk *walk,
+                                   const struct pp_light_hit *hit, struct pp_vec3 wo);
+
+/* Turns the ray from the surface it has met into a direction wi of one of its lobes, drawn
+ * in proportion to their albedos, and multiplies beta by BSDF x cosine / pdf. Returns the
+ * lobe; PP_LOBE_COUNT: nothing is scattered. */
+enum pp_lobe pp_path_walk_scatter(struct pp_path_walk *walk,
+                                  const struct pp_lobes *lobes,
+                                  const struct pp_light_hit *hit,
+                                  struct pp_light_ray *ray, struct pp_rgb *beta);
+
+#endif
