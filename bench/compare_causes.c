@@ -2,16 +2,16 @@
  *
  *     compare_causes listed|foreign SEED CASES ROOM.xml...
  *
- * Each case takes one of the rooms, one, two or three suspects at random (no two of a
+ * Each case takes one of the rooms, one, two or three causes at random (no two of a
  * kind), traces their values from another seed, and puts noise on them: of 0.5 to 3 %, of
  * each point by itself (few rays) or alike at neighbours (a cache). A case is right where
  * the true set is among those that are listed; exact where it is the likeliest; a
- * suspect that is called sure and is not of the true set is a false accusation. Prints a
+ * cause that is called sure and is not of the true set is a false accusation. Prints a
  * line a case, and the sums. 16 points and 20 traced sets at most, each to 1.5 %, for
  * speed: compare itself does better.
  *
  * Foreign cases have a mistake that is not on compare's list (compare_foreign.h), in half
- * of them beside one that is: there nothing is right, and any other suspect that is called
+ * of them beside one that is: there nothing is right, and any other cause that is called
  * sure is a false accusation. */
 #include <math.h>
 
@@ -36,7 +36,7 @@ struct room {
 
 struct tally {
     int cases, right, exact, alike, accused, falsely, wrong_cases, listed, left;
-    int of[PP_BLAME_MOST + 1], right_of[PP_BLAME_MOST + 1];
+    int of[PP_CAUSE_SEARCH_MOST + 1], right_of[PP_CAUSE_SEARCH_MOST + 1];
 };
 
 /* Even in (0, 1), by what it is for. */
@@ -90,31 +90,31 @@ static bool differs(const struct room *room, const double *values, double sigma)
     return sqrt(sum) > fmax(sigma, LEAST_EFFECT);
 }
 
-/* Does the suspect do enough by itself? */
-static bool is_felt(const struct room *room, const struct pp_suspect *suspect,
+/* Does the cause do enough by itself? */
+static bool is_felt(const struct room *room, const struct pp_cause *cause,
                     double ground, double sigma)
 {
     double values[PP_COMPARE_POINTS_MOST], errors[PP_COMPARE_POINTS_MOST];
     const struct pp_variant_tracing tracing = {.error = 0.015, .seed = 1, .threads = 1};
     struct pp_room_variant variant = pp_room_variant_nothing();
     struct pp_error err;
-    if (suspect->is_factor)
+    if (cause->is_factor)
         return true;
-    must(pp_suspect_variant(&variant, suspect, ground, &err), &err);
+    must(pp_causes_set_variant(&variant, cause, ground, &err), &err);
     if (pp_variant_values(values, errors, &room->study, &variant, &tracing, &err)
         != PP_OK)
         return false; /* such as points on a floor with a step */
     return variant.dark || differs(room, values, sigma);
 }
 
-/* One, two or three suspects, no two of a kind, and nothing beside no light at all;
+/* One, two or three causes, no two of a kind, and nothing beside no light at all;
  * ascending. */
-static int draw_causes(int causes[PP_BLAME_MOST], const struct room *room,
+static int draw_causes(int causes[PP_CAUSE_SEARCH_MOST], const struct room *room,
                        uint64_t seed, int number, int wanted, double ground,
                        double sigma)
 {
-    const struct pp_suspect *const *list;
-    int count = pp_compare_suspects(room->compare, &list), drawn = 0;
+    const struct pp_cause *const *list;
+    int count = pp_compare_causes(room->compare, &list), drawn = 0;
     for (int attempt = 0; drawn < wanted && attempt < 100; attempt++) {
         /* A kind first, then one of it: a kind is as likely as the next. */
         int at = (int)(count * even(seed, number, 2, attempt)), alike = 0;
@@ -164,8 +164,8 @@ static void draw_noise(double *noise, const struct room *room, uint64_t seed,
 static const char *causes_text(char text[200], const struct room *room,
                                const int *causes, int count)
 {
-    const struct pp_suspect *const *list;
-    pp_compare_suspects(room->compare, &list);
+    const struct pp_cause *const *list;
+    pp_compare_causes(room->compare, &list);
     text[0] = '\0';
     for (int i = 0; i < count; i++)
         snprintf(text + strlen(text), 200 - strlen(text), "%s%s", i ? "," : "",
@@ -192,14 +192,14 @@ static bool cannot_be_told(const struct pp_compared *compared, const double *cau
     return sum < 9.0 + expected;
 }
 
-/* Suspects called sure that are no causes. */
+/* Causes called sure that are no causes. */
 static int accused_falsely(struct tally *tally, const struct room *room,
                            const struct pp_compared *compared, const int *causes,
                            int count)
 {
-    const struct pp_suspect *const *list;
-    int suspects = pp_compare_suspects(room->compare, &list), wrong = 0;
-    for (int i = 0; i < suspects; i++) {
+    const struct pp_cause *const *list;
+    int listed = pp_compare_causes(room->compare, &list), wrong = 0;
+    for (int i = 0; i < listed; i++) {
         bool is_cause = false;
         for (int k = 0; k < count; k++)
             is_cause = is_cause || causes[k] == i;
@@ -215,8 +215,8 @@ static int accused_falsely(struct tally *tally, const struct room *room,
 static int place_of(const struct pp_compared *compared, const int *causes, int count)
 {
     for (int i = 0; i < compared->listed; i++)
-        if (compared->blame.sets[i].count == count
-            && memcmp(compared->blame.sets[i].suspects, causes,
+        if (compared->search.sets[i].count == count
+            && memcmp(compared->search.sets[i].causes, causes,
                       (size_t)count * sizeof *causes)
                    == 0)
             return i;
@@ -227,14 +227,14 @@ static void print_case(const struct room *room, const struct pp_compared *compar
                        const char *was, const char *verdict, int wrong, double sigma)
 {
     char named[200];
-    const struct pp_blame_set *set = &compared->blame.sets[0];
+    const struct pp_cause_set *set = &compared->search.sets[0];
     printf("%-24.24s %-40s s %.1f %%  %s of %d: %s (%.2f) left %.1f noise %.1f%s%s%s\n",
            strrchr(room->file, '/') ? strrchr(room->file, '/') + 1 : room->file, was,
            100.0 * sigma, verdict, compared->listed,
-           causes_text(named, room, set->suspects, set->count), set->probability,
+           causes_text(named, room, set->causes, set->count), set->probability,
            100.0 * compared->over.left, 100.0 * compared->over.noise,
            pp_left_over_exceeds(&compared->over) ? " more" : "", wrong ? " FALSE" : "",
-           compared->blame.is_cut ? " cut" : "");
+           compared->search.is_cut ? " cut" : "");
     fflush(stdout);
 }
 
@@ -247,14 +247,14 @@ static void trace_causes(double *theirs, double *truth,
 {
     double errors[PP_COMPARE_POINTS_MOST];
     struct pp_room_variant variant = pp_room_variant_nothing();
-    const struct pp_suspect *const *list;
+    const struct pp_cause *const *list;
     struct pp_error err;
-    pp_compare_suspects(room->compare, &list);
+    pp_compare_causes(room->compare, &list);
     for (int i = 0; i < count; i++) {
         if (list[causes[i]]->is_factor)
             variant.factor = factor;
         else
-            must(pp_suspect_variant(&variant, list[causes[i]], ground, &err), &err);
+            must(pp_causes_set_variant(&variant, list[causes[i]], ground, &err), &err);
     }
     const struct pp_variant_tracing tracing = {
         .error = 0.006, .seed = seed, .threads = 1};
@@ -289,8 +289,9 @@ static void run_listed(struct tally *tally, struct room *room, uint64_t seed,
 {
     double theirs[PP_COMPARE_POINTS_MOST], truth[PP_COMPARE_POINTS_MOST];
     double sigma = 0.005 * pow(6.0, even(seed, number, 4, 0));
-    double ground = PP_SUSPECT_MOST * even(seed, number, 6, 0);
-    int causes[PP_BLAME_MOST], wanted = 1 + (int)(3.0 * even(seed, number, 1, 0));
+    double ground = PP_CAUSES_VALUE_MOST * even(seed, number, 6, 0);
+    int causes[PP_CAUSE_SEARCH_MOST],
+        wanted = 1 + (int)(3.0 * even(seed, number, 1, 0));
     int count = draw_causes(causes, room, seed, number, wanted, ground, sigma);
     struct pp_error err;
     struct pp_compared compared;
@@ -348,8 +349,8 @@ static void run_foreign(struct tally *tally, struct room *room, uint64_t seed,
 {
     double theirs[PP_COMPARE_POINTS_MOST];
     double sigma = 0.005 * pow(6.0, even(seed, number, 4, 0));
-    double ground = PP_SUSPECT_MOST * even(seed, number, 6, 0);
-    int causes[PP_BLAME_MOST], wanted = even(seed, number, 1, 0) < 0.5 ? 0 : 1;
+    double ground = PP_CAUSES_VALUE_MOST * even(seed, number, 6, 0);
+    int causes[PP_CAUSE_SEARCH_MOST], wanted = even(seed, number, 1, 0) < 0.5 ? 0 : 1;
     int count = draw_causes(causes, room, seed, number, wanted, ground, sigma);
     struct pp_building *building;
     struct pp_study_room changed;

@@ -277,7 +277,7 @@ static enum pp_status explain(struct compare_run *run, struct pp_error *err)
     if (status == PP_OK)
         status = pp_compare_explain(&result->compared, run->compare, theirs, err);
     if (status == PP_OK)
-        result->suspect_count = pp_compare_suspects(run->compare, &result->suspects);
+        result->cause_count = pp_compare_causes(run->compare, &result->causes);
     return status;
 }
 

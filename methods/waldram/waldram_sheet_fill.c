@@ -1,12 +1,5 @@
 /* waldram_sheet_fill.c - scales, droop lines and windows of a sheet of Waldram's
- * diagram.
- *
- * Droop lines, gamma altitude and phi azimuth from the window's normal [WW23]:
- *
- *     edges parallel to the window       tan gamma = tan gamma0 cos phi
- *     edges perpendicular to it          tan gamma = tan gamma90 |sin phi|
- *     edges at an angle delta to it      tan gamma = tan gamma_d cos(phi - delta)
- */
+ * diagram. */
 #include "methods/waldram/waldram_sheet_fill.h"
 
 #include <math.h>
@@ -15,43 +8,9 @@
 #include "methods/diagram_windows.h"
 #include "methods/exact/exterior.h"
 #include "methods/method.h"
+#include "methods/waldram/waldram_droop_lines.h"
 #include "methods/waldram/waldram_site.h"
 #include "methods/waldram/waldram_squares.h"
-
-enum { DROOP_STEP_DEG = 10, DROOP_LINES = 8, DROOP_POINTS = 181 };
-
-static double azimuth_of(int point)
-{
-    return (point - (DROOP_POINTS - 1) / 2) * PP_RAD;
-}
-
-/* Lines of the levels 10, 20 ... 80 degrees, of edges that are nearest at an azimuth; NAN:
- * of those on both sides that approach the window's plane square to it. */
-static bool fill_droop(struct pp_curve_list *curves, const struct pp_waldram *waldram,
-                       double nearest, double width, double height)
-{
-    curves->list = calloc(DROOP_LINES, sizeof *curves->list);
-    if (!curves->list)
-        return false;
-    curves->count = DROOP_LINES;
-    for (int i = 0; i < DROOP_LINES; i++) {
-        struct pp_curve *curve = &curves->list[i];
-        curve->level = (i + 1) * DROOP_STEP_DEG * PP_RAD;
-        curve->xy = malloc(DROOP_POINTS * sizeof *curve->xy);
-        if (!curve->xy)
-            return false;
-        curve->count = DROOP_POINTS;
-        for (int k = 0; k < DROOP_POINTS; k++) {
-            double phi = azimuth_of(k);
-            double way = isnan(nearest) ? fabs(sin(phi)) : cos(phi - nearest);
-            curve->xy[k][0] = pp_waldram_scale_x(waldram, phi) / width;
-            curve->xy[k][1] =
-                pp_waldram_scale_y(waldram, atan(tan(curve->level) * fmax(way, 0.0)))
-                / height;
-        }
-    }
-    return true;
-}
 
 static enum pp_status fill_scales(struct pp_waldram_panel *panel,
                                   const struct pp_waldram *waldram,
@@ -68,8 +27,8 @@ static enum pp_status fill_scales(struct pp_waldram_panel *panel,
         panel->azimuth[i] = pp_waldram_scale_x(waldram, i * PP_RAD) / width;
     for (int i = 0; i <= 90; i++)
         panel->altitude[i] = pp_waldram_scale_y(waldram, i * PP_RAD) / height;
-    bool good = fill_droop(&panel->parallel, waldram, 0.0, width, height)
-                && fill_droop(&panel->across, waldram, NAN, width, height);
+    bool good = pp_waldram_droop_lines(&panel->parallel, waldram, 0.0, width, height)
+                && pp_waldram_droop_lines(&panel->across, waldram, NAN, width, height);
     return good ? PP_OK : pp_fail_memory(err);
 }
 
@@ -91,7 +50,8 @@ enum pp_status pp_waldram_sheet_fill_inclined(struct pp_waldram_sheet *sheet,
             return status;
         pp_waldram_squares_size(&waldram, &width, &height);
         pp_curve_list_clear(&panel->across);
-        if (!fill_droop(&panel->across, &waldram, incline_rad, width, height))
+        if (!pp_waldram_droop_lines(&panel->across, &waldram, incline_rad, width,
+                                    height))
             status = pp_fail_memory(err);
     }
     return status;

@@ -12,28 +12,28 @@
 
 enum { TEXT_BYTES = 640 };
 
-static const struct pp_suspect *suspect_of(const struct pp_compare_result *result,
-                                           const struct pp_blame_set *set, int index)
+static const struct pp_cause *cause_of(const struct pp_compare_result *result,
+                                       const struct pp_cause_set *set, int index)
 {
-    return result->suspects[set->suspects[index]];
+    return result->causes[set->causes[index]];
 }
 
 /* "bounces=2", "ground=0.4", "factor=1.12". */
 static void append_word(char *text, size_t room, const struct pp_compare_result *result,
-                        const struct pp_blame_set *set, int index)
+                        const struct pp_cause_set *set, int index)
 {
-    const struct pp_suspect *suspect = suspect_of(result, set, index);
-    pp_text_append(text, room, "%s", suspect->word);
-    if (suspect->is_factor)
+    const struct pp_cause *cause = cause_of(result, set, index);
+    pp_text_append(text, room, "%s", cause->word);
+    if (cause->is_factor)
         pp_text_append(text, room, "=%.3g", exp(set->likelihood.theta));
-    else if (pp_suspect_is_fitted(suspect))
+    else if (pp_causes_is_fitted(cause))
         pp_text_append(text, room, "=%.3g", set->value);
 }
 
 /* "bounces=2,glass=normal"; "nothing". */
 static void append_words(char *text, size_t room,
                          const struct pp_compare_result *result,
-                         const struct pp_blame_set *set)
+                         const struct pp_cause_set *set)
 {
     for (int i = 0; i < set->count; i++) {
         pp_text_append(text, room, "%s", i > 0 ? "," : "");
@@ -43,11 +43,11 @@ static void append_words(char *text, size_t room,
         pp_text_append(text, room, "nothing");
 }
 
-static const char *level(const struct pp_compared *compared, int suspect)
+static const char *level(const struct pp_compared *compared, int cause)
 {
-    return pp_compare_is_sure(compared, suspect)         ? "sure"
-           : compared->blame.probability[suspect] >= 0.7 ? "likely"
-                                                         : "perhaps";
+    return pp_compare_is_sure(compared, cause)          ? "sure"
+           : compared->search.probability[cause] >= 0.7 ? "likely"
+                                                        : "perhaps";
 }
 
 /* By how much, of a difference of logarithms; per cent. */
@@ -113,18 +113,17 @@ static void print_item(const char *label, const char *text, int width, FILE *out
 static void print_causes(const struct pp_compare_result *result, int width, FILE *out)
 {
     const struct pp_compared *compared = &result->compared;
-    const struct pp_blame_set *set = &compared->blame.sets[0];
+    const struct pp_cause_set *set = &compared->search.sets[0];
     for (int i = 0; i < set->count; i++) {
         char text[TEXT_BYTES] = "";
-        double probability = compared->blame.probability[set->suspects[i]];
+        double probability = compared->search.probability[set->causes[i]];
         append_word(text, sizeof text, result, set, i);
         pp_text_append(text, sizeof text,
                        ": %s. It changes the mean by %+.1f %% and makes %.0f %% of "
                        "the difference (probability %.0f %%).",
-                       suspect_of(result, set, i)->cause,
-                       per_cent(compared->effects[i]), 100.0 * compared->shares[i],
-                       100.0 * fmin(probability, 0.99));
-        print_item(level(compared, set->suspects[i]), text, width, out);
+                       cause_of(result, set, i)->action, per_cent(compared->effects[i]),
+                       100.0 * compared->shares[i], 100.0 * fmin(probability, 0.99));
+        print_item(level(compared, set->causes[i]), text, width, out);
     }
 }
 
@@ -133,11 +132,11 @@ static void print_instead(const struct pp_compare_result *result, int width, FIL
     const struct pp_compared *compared = &result->compared;
     for (int i = 1; i < compared->listed; i++) {
         char text[TEXT_BYTES] = "";
-        const struct pp_blame_set *set = &compared->blame.sets[i];
+        const struct pp_cause_set *set = &compared->search.sets[i];
         append_words(text, sizeof text, result, set);
         pp_text_append(text, sizeof text, " (%.0f %%, beside %.0f %% of the set above)",
                        100.0 * set->probability,
-                       100.0 * compared->blame.sets[0].probability);
+                       100.0 * compared->search.sets[0].probability);
         print_item(i == 1 ? "or it is" : "or", text, width, out);
     }
 }
@@ -145,7 +144,7 @@ static void print_instead(const struct pp_compare_result *result, int width, FIL
 /* What is left, and what it looks like. */
 static void append_left(char text[TEXT_BYTES], const struct pp_compared *compared)
 {
-    const struct pp_likelihood *noise = &compared->blame.sets[0].likelihood;
+    const struct pp_likelihood *noise = &compared->search.sets[0].likelihood;
     pp_text_append(text, TEXT_BYTES,
                    "%.1f %% root mean square, %+.1f %% in the mean. It scatters ",
                    100.0 * compared->left_rms, per_cent(compared->left));
@@ -164,7 +163,7 @@ static void append_left(char text[TEXT_BYTES], const struct pp_compared *compare
             " That is much: %.0f %% of the difference is left to it, and it "
             "may look like other causes or hide them: nothing is sure beside it.",
             100.0 * fmin(1.0, share * share));
-    if (compared->blame.is_cut)
+    if (compared->search.is_cut)
         pp_text_append(text, TEXT_BYTES,
                        " Not all sets that may be likely have been traced.");
 }
@@ -191,7 +190,7 @@ static void append_over(char text[TEXT_BYTES], const struct pp_left_over *over)
 static void append_missing(char text[TEXT_BYTES])
 {
     const char *missing;
-    for (int i = 0; (missing = pp_suspects_missing_at(i)) != NULL; i++)
+    for (int i = 0; (missing = pp_causes_missing_at(i)) != NULL; i++)
         pp_text_append(text, TEXT_BYTES, "%s%s", i > 0 ? "; " : "", missing);
     pp_text_append(text, TEXT_BYTES,
                    ". A mistake of these kinds can look like the causes above.");
@@ -213,13 +212,13 @@ static const char *cure_of_noise(const struct pp_likelihood *noise)
 static void print_cures(const struct pp_compare_result *result, int width, FILE *out)
 {
     const struct pp_compared *compared = &result->compared;
-    const struct pp_blame_set *set = &compared->blame.sets[0];
+    const struct pp_cause_set *set = &compared->search.sets[0];
     const char *noise = cure_of_noise(&set->likelihood);
     if (set->count > 0 || noise)
         fputs("\n  What to set right there\n\n", out);
     for (int i = 0; i < set->count; i++) {
-        bool sure = pp_compare_is_sure(compared, set->suspects[i]);
-        print_item(sure ? "" : "perhaps", suspect_of(result, set, i)->cure, width, out);
+        bool sure = pp_compare_is_sure(compared, set->causes[i]);
+        print_item(sure ? "" : "perhaps", cause_of(result, set, i)->remedy, width, out);
     }
     if (noise)
         print_item("noise", noise, width, out);
@@ -237,7 +236,7 @@ static void print_found(const struct pp_compare_result *result, int width, FILE 
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
     fputc('\n', out);
-    if (compared->blame.sets[0].count == 0)
+    if (compared->search.sets[0].count == 0)
         print_item("nothing",
                    "no suspect on the list explains it better than noise does", width,
                    out);
@@ -289,9 +288,9 @@ static struct json_object *point_object(const struct pp_compare_result *result, 
 static struct json_object *cause_object(const struct pp_compare_result *result, int i)
 {
     const struct pp_compared *compared = &result->compared;
-    const struct pp_blame_set *set = &compared->blame.sets[0];
-    const struct pp_suspect *suspect = suspect_of(result, set, i);
-    double probability = compared->blame.probability[set->suspects[i]];
+    const struct pp_cause_set *set = &compared->search.sets[0];
+    const struct pp_cause *cause = cause_of(result, set, i);
+    double probability = compared->search.probability[set->causes[i]];
     char word[64] = "";
     append_word(word, sizeof word, result, set, i);
     struct json_object *object = json_object_new_object();
@@ -299,17 +298,17 @@ static struct json_object *cause_object(const struct pp_compare_result *result, 
                 && pp_json_number(object, "probability", probability)
                 && pp_json_add(object, "sure",
                                json_object_new_boolean(
-                                   pp_compare_is_sure(compared, set->suspects[i])))
+                                   pp_compare_is_sure(compared, set->causes[i])))
                 && pp_json_number(object, "mean-change", per_cent(compared->effects[i]))
                 && pp_json_number(object, "share", 100.0 * compared->shares[i])
-                && pp_json_text(object, "cause", suspect->cause)
-                && pp_json_text(object, "cure", suspect->cure);
+                && pp_json_text(object, "cause", cause->action)
+                && pp_json_text(object, "cure", cause->remedy);
     return pp_json_whole(object, good);
 }
 
 static struct json_object *set_object(const struct pp_compare_result *result, int i)
 {
-    const struct pp_blame_set *set = &result->compared.blame.sets[i];
+    const struct pp_cause_set *set = &result->compared.search.sets[i];
     char words[256] = "";
     append_words(words, sizeof words, result, set);
     struct json_object *object = json_object_new_object();
@@ -325,7 +324,7 @@ static struct json_object *missing_array(void)
     struct json_object *array = json_object_new_array();
     const char *missing;
     bool good = array != NULL;
-    for (int i = 0; good && (missing = pp_suspects_missing_at(i)) != NULL; i++)
+    for (int i = 0; good && (missing = pp_causes_missing_at(i)) != NULL; i++)
         good = pp_json_append(array, json_object_new_string(missing));
     return pp_json_whole(array, good);
 }
@@ -334,7 +333,7 @@ static bool add_found(struct json_object *object,
                       const struct pp_compare_result *result)
 {
     const struct pp_compared *compared = &result->compared;
-    const struct pp_blame_set *set = &compared->blame.sets[0];
+    const struct pp_cause_set *set = &compared->search.sets[0];
     struct json_object *causes = json_object_new_array();
     struct json_object *sets = json_object_new_array();
     bool good = pp_json_add(object, "causes", causes);

@@ -11,8 +11,8 @@ struct pp_compare_result {
     int given;           /* how many points the file has */
     const double
         *plain; /* ours as they are, with variant and without a file; not owned */
-    const struct pp_suspect *const *suspects;
-    int suspect_count;
+    const struct pp_cause *const *causes;
+    int cause_count;
     struct pp_compared compared; /* without a file: ours, errors and count alone */
 };
 

@@ -1,4 +1,4 @@
-/* compare.c - traces ours, and sets of suspects as they are wanted; what the likeliest
+/* compare.c - traces ours, and sets of causes as they are wanted; what the likeliest
  * set leaves, and what each of it does. */
 #include "studies/compare/compare.h"
 
@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "model/base/array.h"
-#include "studies/compare/blame_shares.h"
+#include "studies/compare/cause_shares.h"
 
 /* c of f(v) = ln(v + c), over the mean of ours: darker points count for less. */
 static const double DARK_SHARE = 0.005;
@@ -17,10 +17,10 @@ static const double SURE = 0.98;
 enum { TRACED_MOST = 40 };
 static const int nobody[1] = {0};
 
-/* Values as a set of suspects has them. */
+/* Values as a set of causes has them. */
 struct traced_set {
-    int suspects[PP_BLAME_MOST], count;
-    double value;          /* of its fitted suspect; 0: it has none */
+    int causes[PP_CAUSE_SEARCH_MOST], count;
+    double value;          /* of its fitted cause; 0: it has none */
     enum pp_status status; /* PP_BAD_INPUT: it makes no sense here */
     double *values, *errors;
 };
@@ -28,8 +28,8 @@ struct traced_set {
 struct pp_compare {
     struct pp_compare_subject subject;
     struct pp_compare_options options;
-    const struct pp_suspect *suspects[PP_SUSPECTS_MOST];
-    int suspect_count;
+    const struct pp_cause *causes[PP_CAUSES_MOST];
+    int cause_count;
     struct traced_set *sets; /* the first: of none */
     int set_count;
     struct pp_vec3 *places;
@@ -49,8 +49,8 @@ static enum pp_status trace(struct pp_compare *compare, struct traced_set *set,
         return pp_fail_memory(err);
     set->errors = set->values + points;
     for (int i = 0; i < set->count && status == PP_OK; i++)
-        status = pp_suspect_variant(&variant, compare->suspects[set->suspects[i]],
-                                    set->value, err);
+        status = pp_causes_set_variant(&variant, compare->causes[set->causes[i]],
+                                       set->value, err);
     if (status == PP_OK)
         status = pp_compare_subject_values(set->values, set->errors, &compare->subject,
                                            &variant, &compare->options.tracing, err);
@@ -58,15 +58,14 @@ static enum pp_status trace(struct pp_compare *compare, struct traced_set *set,
 }
 
 /* *set: the values of a set without a common factor, good until the next call. */
-static enum pp_status set_of(struct pp_compare *compare, const int *suspects, int count,
+static enum pp_status set_of(struct pp_compare *compare, const int *causes, int count,
                              double value, const struct traced_set **set,
                              struct pp_error *err)
 {
     for (int i = 0; i < compare->set_count; i++) {
         *set = &compare->sets[i];
         if ((*set)->count == count && (*set)->value == value
-            && memcmp((*set)->suspects, suspects, (size_t)count * sizeof *suspects)
-                   == 0)
+            && memcmp((*set)->causes, causes, (size_t)count * sizeof *causes) == 0)
             return (*set)->status == PP_OK
                        ? PP_OK
                        : pp_fail(err, (*set)->status, "it makes no sense here");
@@ -76,7 +75,7 @@ static enum pp_status set_of(struct pp_compare *compare, const int *suspects, in
         return PP_SYSTEM;
     struct traced_set *next = &compare->sets[compare->set_count];
     *next = (struct traced_set){.count = count, .value = value};
-    memcpy(next->suspects, suspects, (size_t)count * sizeof *suspects);
+    memcpy(next->causes, causes, (size_t)count * sizeof *causes);
     next->status = trace(compare, next, err);
     if (next->status == PP_OK || next->status == PP_BAD_INPUT)
         compare->set_count++;
@@ -91,13 +90,13 @@ static double scale(const struct pp_compare *compare, double value)
     return log(value + compare->dark);
 }
 
-static enum pp_status effect_of(void *tracer, const int *suspects, int count,
+static enum pp_status effect_of(void *tracer, const int *causes, int count,
                                 double value, double *effect, double *variance,
                                 struct pp_error *err)
 {
     struct pp_compare *compare = tracer;
     const struct traced_set *set;
-    enum pp_status status = set_of(compare, suspects, count, value, &set, err);
+    enum pp_status status = set_of(compare, causes, count, value, &set, err);
     for (int i = 0; i < compare->subject.count && status == PP_OK; i++) {
         double error = set->errors[i] / (set->values[i] + compare->dark);
         effect[i] =
@@ -125,26 +124,26 @@ static double squares(const double *list, int count)
     return sum;
 }
 
-/* The effect of those of the set's suspects whose bits are in `subset`. */
+/* The effect of those of the set's causes whose bits are in `subset`. */
 static enum pp_status subset_effect(struct pp_compare *compare,
-                                    const struct pp_blame_set *set, int subset,
+                                    const struct pp_cause_set *set, int subset,
                                     double *effect, double *variance,
                                     struct pp_error *err)
 {
-    int suspects[PP_BLAME_MOST], count = 0;
+    int causes[PP_CAUSE_SEARCH_MOST], count = 0;
     double theta = 0.0, value = 0.0;
     for (int i = 0; i < set->count; i++)
         if (subset >> i & 1) {
-            const struct pp_suspect *suspect = compare->suspects[set->suspects[i]];
-            if (pp_suspect_is_fitted(suspect))
+            const struct pp_cause *cause = compare->causes[set->causes[i]];
+            if (pp_causes_is_fitted(cause))
                 value = set->value;
-            if (suspect->is_factor)
+            if (cause->is_factor)
                 theta = set->likelihood.theta;
             else
-                suspects[count++] = set->suspects[i];
+                causes[count++] = set->causes[i];
         }
     enum pp_status status =
-        effect_of(compare, suspects, count, value, effect, variance, err);
+        effect_of(compare, causes, count, value, effect, variance, err);
     for (int i = 0; i < compare->subject.count && status == PP_OK; i++)
         effect[i] += theta;
     return status;
@@ -161,9 +160,9 @@ static double stated_noise(const struct pp_compare *compare, const double *varia
 static enum pp_status weigh(struct pp_compared *compared, struct pp_compare *compare,
                             const double *gap, double *effect, struct pp_error *err)
 {
-    const struct pp_blame_set *set = &compared->blame.sets[0];
+    const struct pp_cause_set *set = &compared->search.sets[0];
     int count = compared->count, whole = (1 << set->count) - 1;
-    double means[1 << PP_BLAME_MOST], closed[1 << PP_BLAME_MOST];
+    double means[1 << PP_CAUSE_SEARCH_MOST], closed[1 << PP_CAUSE_SEARCH_MOST];
     double all = squares(gap, count);
     enum pp_status status = PP_OK;
     for (int subset = 0; subset <= whole && status == PP_OK; subset++) {
@@ -180,13 +179,13 @@ static enum pp_status weigh(struct pp_compared *compared, struct pp_compare *com
     }
     if (status != PP_OK)
         return status;
-    pp_blame_shares(compared->effects, means, set->count);
-    pp_blame_shares(compared->shares, closed, set->count);
+    pp_cause_shares(compared->effects, means, set->count);
+    pp_cause_shares(compared->shares, closed, set->count);
     for (int i = 0; i < count; i++)
         compared->explained[i] =
             (compared->theirs[i] + compare->dark) * exp(-effect[i]) - compare->dark;
     for (int i = 0; i < set->count; i++)
-        if (compare->suspects[set->suspects[i]]->is_factor)
+        if (compare->causes[set->causes[i]]->is_factor)
             compared->factor = exp(set->likelihood.theta);
     return PP_OK;
 }
@@ -194,10 +193,10 @@ static enum pp_status weigh(struct pp_compared *compared, struct pp_compare *com
 static void list_sets(struct pp_compared *compared)
 {
     double sum = 0.0;
-    const struct pp_blame *blame = &compared->blame;
-    for (int i = 0; i < blame->count && i < PP_COMPARE_LISTED_MOST && sum < LISTED;
+    const struct pp_cause_search *search = &compared->search;
+    for (int i = 0; i < search->count && i < PP_COMPARE_LISTED_MOST && sum < LISTED;
          i++) {
-        sum += blame->sets[i].probability;
+        sum += search->sets[i].probability;
         compared->listed = i + 1;
     }
 }
@@ -211,15 +210,15 @@ static enum pp_status explain(struct pp_compared *compared, struct pp_compare *c
             scale(compare, compared->theirs[i]) - scale(compare, compared->ours[i]);
     compared->gap = mean(gap, count);
     compared->gap_rms = sqrt(squares(gap, count) / count);
-    const struct pp_blame_question question = {
+    const struct pp_cause_search_question question = {
         .data = {count, gap, compare->places},
-        .suspects = compare->suspects,
-        .suspect_count = compare->suspect_count,
+        .causes = compare->causes,
+        .cause_count = compare->cause_count,
         .trace = effect_of,
         .tracer = compare,
         .traced_most =
             compare->options.traced_most ? compare->options.traced_most : TRACED_MOST};
-    enum pp_status status = pp_blame_find(&compared->blame, &question, err);
+    enum pp_status status = pp_cause_search_find(&compared->search, &question, err);
     if (status == PP_OK)
         status = weigh(compared, compare, gap, effect, err);
     if (status == PP_OK)
@@ -252,26 +251,26 @@ enum pp_status pp_compare_explain(struct pp_compared *compared,
 
 void pp_compare_clear(struct pp_compared *compared)
 {
-    pp_blame_clear(&compared->blame);
+    pp_cause_search_clear(&compared->search);
     free(compared->theirs);
     *compared = (struct pp_compared){0};
 }
 
-bool pp_compare_is_sure(const struct pp_compared *compared, int suspect)
+bool pp_compare_is_sure(const struct pp_compared *compared, int cause)
 {
-    return compared->blame.probability[suspect] >= SURE
-           && compared->blame.without[suspect] >= PP_COMPARE_HIDES
-           && compared->blame.sets[0].likelihood.sigma < PP_COMPARE_HIDES
+    return compared->search.probability[cause] >= SURE
+           && compared->search.without[cause] >= PP_COMPARE_HIDES
+           && compared->search.sets[0].likelihood.sigma < PP_COMPARE_HIDES
            && pp_left_over_is_noise(&compared->over);
 }
 
 /* ---- ours ---- */
 
-int pp_compare_suspects(const struct pp_compare *compare,
-                        const struct pp_suspect *const **list)
+int pp_compare_causes(const struct pp_compare *compare,
+                      const struct pp_cause *const **list)
 {
-    *list = compare->suspects;
-    return compare->suspect_count;
+    *list = compare->causes;
+    return compare->cause_count;
 }
 
 const double *pp_compare_ours(const struct pp_compare *compare, const double **errors)
@@ -288,7 +287,7 @@ static enum pp_status begin(struct pp_compare *compare, struct pp_error *err)
     if (count > PP_COMPARE_POINTS_MOST)
         return pp_fail(err, PP_BAD_INPUT, "%d points; expected %d at most", count,
                        PP_COMPARE_POINTS_MOST);
-    compare->suspect_count = pp_suspects_of(compare->suspects, subject);
+    compare->cause_count = pp_causes_of(compare->causes, subject);
     compare->places = calloc((size_t)count + 1, sizeof *compare->places);
     if (!compare->places)
         return pp_fail_memory(err);

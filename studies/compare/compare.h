@@ -1,12 +1,12 @@
 /* compare.h - another program's values beside ours, and where the difference comes from.
  *
  * Ours are traced once; then any number of other values at the same points can be
- * explained. What suspects do is traced when it is first wanted, and kept.
+ * explained. What causes do is traced when it is first wanted, and kept.
  */
 #ifndef PP_STUDIES_COMPARE_COMPARE_H
 #define PP_STUDIES_COMPARE_COMPARE_H
 
-#include "studies/compare/blame.h"
+#include "studies/compare/cause_search.h"
 #include "studies/compare/compare_subject.h"
 #include "studies/compare/left_over.h"
 
@@ -14,10 +14,10 @@ enum { PP_COMPARE_POINTS_MOST = 48, PP_COMPARE_LISTED_MOST = 6 };
 
 struct pp_compare_options {
     struct pp_room_variant
-        variant; /* as ours are to be taken before anything is suspected */
+        variant; /* as ours are to be taken before causes are searched */
     struct pp_variant_tracing tracing;
     double noise;    /* of the other program (logarithm), as stated; 0: not known */
-    int traced_most; /* sets of several suspects, of one explanation; 0: 40 */
+    int traced_most; /* sets of several causes, of one explanation; 0: 40 */
 };
 
 /* What is found. Arrays have a value a point, fractions. */
@@ -26,18 +26,18 @@ struct pp_compared {
     const double *ours, *errors; /* not owned: the comparison's */
     double *theirs;
     double *explained; /* ours as the likeliest set has it */
-    struct pp_blame blame;
+    struct pp_cause_search search;
 
-    /* The likeliest sets that together have 98 %, or as many as fit: blame.sets[0] up. */
+    /* The likeliest sets that together have 98 %, or as many as fit: search.sets[0] up. */
     int listed;
 
     double gap;               /* mean of theirs over ours, less 1; logarithmic mean */
     double gap_rms;           /* root mean square of the gap, logarithms */
     double left, left_rms;    /* the same once the likeliest set is taken in */
     struct pp_left_over over; /* than the other program's noise */
-    /* Of the likeliest set's suspects, averaged over orders: what each does to the mean
+    /* Of the likeliest set's causes, averaged over orders: what each does to the mean
      * (logarithm), and its share of the squares of the gap, all of which is 1. */
-    double effects[PP_BLAME_MOST], shares[PP_BLAME_MOST];
+    double effects[PP_CAUSE_SEARCH_MOST], shares[PP_CAUSE_SEARCH_MOST];
     double factor; /* the common one, where the likeliest set has it; else 1 */
 };
 
@@ -51,8 +51,8 @@ enum pp_status pp_compare_create(struct pp_compare **compare,
                                  struct pp_error *err);
 void pp_compare_destroy(struct pp_compare *compare); /* NULL is allowed */
 
-int pp_compare_suspects(const struct pp_compare *compare,
-                        const struct pp_suspect *const **list);
+int pp_compare_causes(const struct pp_compare *compare,
+                      const struct pp_cause *const **list);
 
 /* Ours, with their standard errors; the comparison's. */
 const double *pp_compare_ours(const struct pp_compare *compare, const double **errors);
@@ -64,13 +64,13 @@ enum pp_status pp_compare_explain(struct pp_compared *compared,
 void pp_compare_clear(struct pp_compared *compared);
 
 /* Noise (logarithm) from which nothing is sure beside it; and as much has to be left
- * without a suspect that is sure: mistakes that are on no list, of reflectances or
+ * without a cause that is sure: mistakes that are on no list, of reflectances or
  * dimensions, do as much and decide between sets that are nearer to each other. */
 #define PP_COMPARE_HIDES 0.05
 
-/* Is the suspect, by its place in the list, at work for sure? With a probability of 98 %
+/* Is the cause, by its place in the list, at work for sure? With a probability of 98 %
  * or more, where no more is left than the other program's noise, that is not so large
- * that it may look like anything, and no set without the suspect comes near. */
-bool pp_compare_is_sure(const struct pp_compared *compared, int suspect);
+ * that it may look like anything, and no set without the cause comes near. */
+bool pp_compare_is_sure(const struct pp_compared *compared, int cause);
 
 #endif

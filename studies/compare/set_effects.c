@@ -9,7 +9,7 @@
 
 /* The effect of a traced set; those without a common factor only. */
 struct pp_known_set {
-    int suspects[PP_BLAME_MOST], count;
+    int causes[PP_CAUSE_SEARCH_MOST], count;
     bool makes_sense;
     double *effect, *variance;
     /* Effects in the middle and at the upper end of a fitted value's range, effect being
@@ -21,7 +21,7 @@ struct pp_known_set {
  * way, much the same at all points; and by as much again at each point by itself. The sum of
  * three is off from that of their pairs by the last. */
 static const double OFF_SHARE = 0.6, OFF_SHARE_AT_A_POINT = 0.1;
-/* A suspect that does less than this (root mean square of logarithms) is not told. */
+/* A cause that does less than this (root mean square of logarithms) is not told. */
 static const double LEAST_EFFECT = 0.001;
 /* A fitted value is never more certain than by noise of so much. */
 static const double LEAST_NOISE = 0.003;
@@ -29,28 +29,27 @@ static const double LEAST_NOISE = 0.003;
  * of so many: a thousandth. */
 enum { FIT_STEPS = 16, LEVELS = 800 };
 static const struct pp_known_set *find(const struct pp_set_effects *effects,
-                                       const int *suspects, int count)
+                                       const int *causes, int count)
 {
     for (int i = 0; i < effects->known_count; i++)
         if (effects->known[i].count == count
-            && memcmp(effects->known[i].suspects, suspects,
-                      (size_t)count * sizeof *suspects)
+            && memcmp(effects->known[i].causes, causes, (size_t)count * sizeof *causes)
                    == 0)
             return &effects->known[i];
     return NULL;
 }
 
-bool pp_set_effects_are_known(const struct pp_set_effects *effects, const int *suspects,
+bool pp_set_effects_are_known(const struct pp_set_effects *effects, const int *causes,
                               int count)
 {
-    return find(effects, suspects, count) != NULL;
+    return find(effects, causes, count) != NULL;
 }
 
-bool pp_set_effects_has_fitted(const struct pp_set_effects *effects,
-                               const int *suspects, int count)
+bool pp_set_effects_has_fitted(const struct pp_set_effects *effects, const int *causes,
+                               int count)
 {
     for (int i = 0; i < count; i++)
-        if (pp_suspect_is_fitted(effects->question->suspects[suspects[i]]))
+        if (pp_causes_is_fitted(effects->question->causes[causes[i]]))
             return true;
     return false;
 }
@@ -66,10 +65,10 @@ static bool is_felt(const struct pp_known_set *known, int points)
     return sum > points * LEAST_EFFECT * LEAST_EFFECT;
 }
 
-enum pp_status pp_set_effects_trace(struct pp_set_effects *effects, const int *suspects,
+enum pp_status pp_set_effects_trace(struct pp_set_effects *effects, const int *causes,
                                     int count, struct pp_error *err)
 {
-    const struct pp_blame_question *question = effects->question;
+    const struct pp_cause_search_question *question = effects->question;
     int points = question->data.count;
     if (pp_array_append(&effects->known, effects->known_count, sizeof *effects->known,
                         err)
@@ -77,7 +76,7 @@ enum pp_status pp_set_effects_trace(struct pp_set_effects *effects, const int *s
         return PP_SYSTEM;
     struct pp_known_set *known = &effects->known[effects->known_count];
     *known = (struct pp_known_set){.count = count, .makes_sense = true};
-    memcpy(known->suspects, suspects, (size_t)count * sizeof *suspects);
+    memcpy(known->causes, causes, (size_t)count * sizeof *causes);
     known->effect = calloc(4 * (size_t)points + 1, sizeof *known->effect);
     if (!known->effect)
         return pp_fail_memory(err);
@@ -85,18 +84,18 @@ enum pp_status pp_set_effects_trace(struct pp_set_effects *effects, const int *s
     effects->known_count++;
     struct pp_error own = {0};
     enum pp_status status = PP_OK;
-    if (pp_set_effects_has_fitted(effects, suspects, count)) {
+    if (pp_set_effects_has_fitted(effects, causes, count)) {
         known->middle = known->variance + points;
         known->most = known->middle + points;
-        status = question->trace(question->tracer, suspects, count, PP_SUSPECT_MOST,
+        status = question->trace(question->tracer, causes, count, PP_CAUSES_VALUE_MOST,
                                  known->most, known->variance, &own);
         if (status == PP_OK)
-            status = question->trace(question->tracer, suspects, count,
-                                     0.5 * PP_SUSPECT_MOST, known->middle,
+            status = question->trace(question->tracer, causes, count,
+                                     0.5 * PP_CAUSES_VALUE_MOST, known->middle,
                                      known->variance, &own);
     }
     if (status == PP_OK)
-        status = question->trace(question->tracer, suspects, count, 0.0, known->effect,
+        status = question->trace(question->tracer, causes, count, 0.0, known->effect,
                                  known->variance, &own);
     known->makes_sense = status == PP_OK && (count != 1 || is_felt(known, points));
     if (status == PP_OK || status == PP_BAD_INPUT)
@@ -125,7 +124,7 @@ static double together(const struct pp_set_effects *effects,
                        const struct pp_known_set *a, const struct pp_known_set *b,
                        int point, double off, double level, double *slack)
 {
-    int pair[] = {a->suspects[0], b->suspects[0]};
+    int pair[] = {a->causes[0], b->causes[0]};
     const struct pp_known_set *both = find(effects, pair, 2);
     double of_a = effect_at(a, point, level), of_b = effect_at(b, point, level);
     if (both && both->makes_sense)
@@ -144,17 +143,17 @@ static void predict_known(struct pp_set_effects *effects,
     }
 }
 
-bool pp_set_effects_predict(struct pp_set_effects *effects, const int *suspects,
+bool pp_set_effects_predict(struct pp_set_effects *effects, const int *causes,
                             int count, double off, double level)
 {
-    const struct pp_known_set *part[PP_BLAME_MOST],
-        *known = find(effects, suspects, count);
+    const struct pp_known_set *part[PP_CAUSE_SEARCH_MOST],
+        *known = find(effects, causes, count);
     if (known) {
         predict_known(effects, known, level);
         return known->makes_sense;
     }
     for (int k = 0; k < count; k++) {
-        part[k] = find(effects, &suspects[k], 1);
+        part[k] = find(effects, &causes[k], 1);
         if (!part[k]->makes_sense)
             return false;
     }
@@ -196,12 +195,12 @@ double pp_set_effects_unknown(const struct pp_set_effects *effects, const int pa
     return find(effects, pair, 2) ? 0.0 : sum;
 }
 
-double pp_set_effects_left(struct pp_set_effects *effects, const int *suspects,
-                           int count, bool has_factor, double level)
+double pp_set_effects_left(struct pp_set_effects *effects, const int *causes, int count,
+                           bool has_factor, double level)
 {
     double sum = 0.0, squares = 0.0;
     int points = effects->question->data.count;
-    pp_set_effects_predict(effects, suspects, count, 0.0, level);
+    pp_set_effects_predict(effects, causes, count, 0.0, level);
     for (int i = 0; i < points; i++) {
         double left = effects->question->data.gap[i] - effects->effect[i];
         sum += left;
@@ -210,25 +209,25 @@ double pp_set_effects_left(struct pp_set_effects *effects, const int *suspects,
     return has_factor ? squares - sum * sum / points : squares;
 }
 
-double pp_set_effects_fit(struct pp_set_effects *effects, const int *suspects,
-                          int count, bool has_factor, double *width)
+double pp_set_effects_fit(struct pp_set_effects *effects, const int *causes, int count,
+                          bool has_factor, double *width)
 {
     const double golden = 0.5 * (sqrt(5.0) - 1.0), step = 0.01;
     double low = 0.0, high = 1.0;
     for (int k = 0; k < FIT_STEPS; k++) {
         double inner = golden * (high - low);
-        if (pp_set_effects_left(effects, suspects, count, has_factor, high - inner)
-            < pp_set_effects_left(effects, suspects, count, has_factor, low + inner))
+        if (pp_set_effects_left(effects, causes, count, has_factor, high - inner)
+            < pp_set_effects_left(effects, causes, count, has_factor, low + inner))
             high = low + inner;
         else
             low = high - inner;
     }
     /* Squares grow by s^2 where the level is off by its standard error. */
     double level = fmin(fmax(0.5 * (low + high), step), 1.0 - step);
-    double least = pp_set_effects_left(effects, suspects, count, has_factor, level);
+    double least = pp_set_effects_left(effects, causes, count, has_factor, level);
     double bend =
-        (pp_set_effects_left(effects, suspects, count, has_factor, level - step)
-         + pp_set_effects_left(effects, suspects, count, has_factor, level + step)
+        (pp_set_effects_left(effects, causes, count, has_factor, level - step)
+         + pp_set_effects_left(effects, causes, count, has_factor, level + step)
          - 2.0 * least)
         / (2.0 * step * step);
     double noise = least / effects->question->data.count + LEAST_NOISE * LEAST_NOISE;
@@ -237,7 +236,7 @@ double pp_set_effects_fit(struct pp_set_effects *effects, const int *suspects,
 }
 
 enum pp_status pp_set_effects_init(struct pp_set_effects *effects,
-                                   const struct pp_blame_question *question,
+                                   const struct pp_cause_search_question *question,
                                    struct pp_error *err)
 {
     size_t points = (size_t)question->data.count;

@@ -1,4 +1,4 @@
-/* engine_radiosity.c - the finite elements of simulate/elements as an engine. */
+/* engine_radiosity.c - the finite elements of simulate/radiosity as an engine. */
 #include "simulate/radiosity/radiosity.h"
 #include "studies/engines/engine.h"
 

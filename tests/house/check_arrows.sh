@@ -24,7 +24,7 @@ methods             model
 simulate/sampling   model
 simulate/estimate   model simulate/sampling
 simulate/scene      model simulate/sampling
-simulate/elements   model
+simulate/radiosity  model
 simulate/photons    model simulate/sampling simulate/estimate simulate/scene
 simulate/tracer     model simulate/sampling simulate/estimate simulate/scene simulate/transport
 simulate/transport  model simulate/sampling simulate/estimate simulate/scene

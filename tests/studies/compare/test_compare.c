@@ -58,14 +58,14 @@ static void explain(struct pp_compared *compared, struct fixture *fixture,
         fail_msg("%s", err.message);
 }
 
-/* Is the suspect of that word in the set? */
-static bool has(const struct fixture *fixture, const struct pp_blame_set *set,
+/* Is the cause of that word in the set? */
+static bool has(const struct fixture *fixture, const struct pp_cause_set *set,
                 const char *word)
 {
-    const struct pp_suspect *const *list;
-    pp_compare_suspects(fixture->compare, &list);
+    const struct pp_cause *const *list;
+    pp_compare_causes(fixture->compare, &list);
     for (int i = 0; i < set->count; i++)
-        if (strcmp(list[set->suspects[i]]->word, word) == 0)
+        if (strcmp(list[set->causes[i]]->word, word) == 0)
             return true;
     return false;
 }
@@ -74,17 +74,17 @@ static void the_same_room_has_nothing_to_explain(void **state)
 {
     struct pp_compared compared;
     explain(&compared, *state, NULL);
-    assert_int_equal(compared.blame.sets[0].count, 0);
+    assert_int_equal(compared.search.sets[0].count, 0);
     assert_true(fabs(compared.gap) < 0.02);
     pp_compare_clear(&compared);
 }
 
-/* Is the suspect of that word sure? */
+/* Is the cause of that word sure? */
 static bool is_sure(const struct fixture *fixture, const struct pp_compared *compared,
                     const char *word)
 {
-    const struct pp_suspect *const *list;
-    int count = pp_compare_suspects(fixture->compare, &list);
+    const struct pp_cause *const *list;
+    int count = pp_compare_causes(fixture->compare, &list);
     for (int i = 0; i < count; i++)
         if (strcmp(list[i]->word, word) == 0)
             return pp_compare_is_sure(compared, i);
@@ -95,8 +95,8 @@ static void reflections_cut_off_are_named_and_close_the_gap(void **state)
 {
     struct pp_compared compared;
     explain(&compared, *state, "bounces=1");
-    assert_int_equal(compared.blame.sets[0].count, 1);
-    assert_true(has(*state, &compared.blame.sets[0], "bounces=1"));
+    assert_int_equal(compared.search.sets[0].count, 1);
+    assert_true(has(*state, &compared.search.sets[0], "bounces=1"));
     assert_true(compared.left_rms < 0.2 * compared.gap_rms);
     assert_near(compared.shares[0], 1.0, 0.05);
     pp_compare_clear(&compared);
@@ -106,7 +106,7 @@ static void two_causes_are_named_with_shares_that_sum_up(void **state)
 {
     struct pp_compared compared;
     explain(&compared, *state, "plane=0,sky=uniform");
-    const struct pp_blame_set *set = &compared.blame.sets[0];
+    const struct pp_cause_set *set = &compared.search.sets[0];
     assert_int_equal(set->count, 2);
     assert_true(has(*state, set, "plane=0") && has(*state, set, "sky=uniform"));
     assert_near(compared.shares[0] + compared.shares[1],
@@ -125,7 +125,7 @@ static void the_reflectance_of_the_ground_is_found(void **state)
 {
     struct pp_compared compared;
     explain(&compared, *state, "ground=0.43");
-    const struct pp_blame_set *set = &compared.blame.sets[0];
+    const struct pp_cause_set *set = &compared.search.sets[0];
     assert_int_equal(set->count, 1);
     assert_true(has(*state, set, "ground"));
     assert_near(set->value, 0.43, 0.05);
@@ -147,8 +147,8 @@ static void a_mistake_that_is_on_no_list_leaves_nothing_sure(void **state)
     pp_test_compared_values(theirs, errors, &darker, NULL, 0.01, 7);
     assert_int_equal(pp_compare_explain(&compared, fixture->compare, theirs, NULL),
                      PP_OK);
-    const struct pp_suspect *const *list;
-    int count = pp_compare_suspects(fixture->compare, &list);
+    const struct pp_cause *const *list;
+    int count = pp_compare_causes(fixture->compare, &list);
     assert_true(compared.gap < -0.05);
     for (int i = 0; i < count; i++)
         assert_false(pp_compare_is_sure(&compared, i));
@@ -175,7 +175,7 @@ static void nothing_is_sure_beside_more_than_noise(void **state)
     assert_int_equal(pp_compare_create(&strict, &subject, &options, NULL), PP_OK);
     struct fixture own = {fixture->room, strict};
     explain(&compared, &own, "plane=0");
-    assert_true(has(&own, &compared.blame.sets[0], "plane=0"));
+    assert_true(has(&own, &compared.search.sets[0], "plane=0"));
     assert_true(pp_left_over_exceeds(&compared.over));
     assert_false(is_sure(&own, &compared, "plane=0"));
     pp_compare_clear(&compared);
@@ -187,17 +187,17 @@ static void values_of_nothing_are_of_no_light_at_all(void **state)
 {
     struct pp_compared compared;
     explain(&compared, *state, "ab=0");
-    assert_int_equal(compared.blame.sets[0].count, 1);
-    assert_true(has(*state, &compared.blame.sets[0], "ab=0"));
+    assert_int_equal(compared.search.sets[0].count, 1);
+    assert_true(has(*state, &compared.search.sets[0], "ab=0"));
     assert_true(isfinite(compared.gap) && isfinite(compared.left_rms));
     pp_compare_clear(&compared);
 }
 
-static void only_what_the_room_has_is_suspected(void **state)
+static void only_what_the_room_has_is_listed(void **state)
 {
     struct fixture *fixture = *state;
-    const struct pp_suspect *const *list;
-    int count = pp_compare_suspects(fixture->compare, &list);
+    const struct pp_cause *const *list;
+    int count = pp_compare_causes(fixture->compare, &list);
     for (int i = 0; i < count; i++) {
         assert_string_not_equal(list[i]->word, "frame=none");
         assert_string_not_equal(list[i]->word, "outside=none");
@@ -206,19 +206,19 @@ static void only_what_the_room_has_is_suspected(void **state)
     assert_true(count > 10);
 }
 
-static void words_of_all_suspects_are_switches(void **state)
+static void words_of_all_causes_are_switches(void **state)
 {
     (void)state;
-    const struct pp_suspect *suspect;
+    const struct pp_cause *cause;
     int count = 0;
-    for (; (suspect = pp_suspects_at(count)) != NULL; count++) {
+    for (; (cause = pp_causes_at(count)) != NULL; count++) {
         struct pp_room_variant variant = pp_room_variant_nothing();
-        if (!suspect->is_factor)
-            assert_int_equal(pp_suspect_variant(&variant, suspect, 0.37, NULL), PP_OK);
-        if (pp_suspect_is_fitted(suspect))
+        if (!cause->is_factor)
+            assert_int_equal(pp_causes_set_variant(&variant, cause, 0.37, NULL), PP_OK);
+        if (pp_causes_is_fitted(cause))
             assert_near(variant.ground, 0.37, 1e-9);
     }
-    assert_true(count <= PP_SUSPECTS_MOST);
+    assert_true(count <= PP_CAUSES_MOST);
 }
 
 TEST_FILE
@@ -231,8 +231,8 @@ TEST_FILE
         cmocka_unit_test(a_mistake_that_is_on_no_list_leaves_nothing_sure),
         cmocka_unit_test(nothing_is_sure_beside_more_than_noise),
         cmocka_unit_test(values_of_nothing_are_of_no_light_at_all),
-        cmocka_unit_test(only_what_the_room_has_is_suspected),
-        cmocka_unit_test(words_of_all_suspects_are_switches),
+        cmocka_unit_test(only_what_the_room_has_is_listed),
+        cmocka_unit_test(words_of_all_causes_are_switches),
     };
     add_tests(tests, set_up, tear_down);
 }

@@ -1,5 +1,5 @@
-/* suspects.c - the list of suspects, and where each can be told. */
-#include "studies/compare/suspects.h"
+/* causes.c - the list of causes, and where each can be told. */
+#include "studies/compare/causes.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -173,7 +173,7 @@ static bool has_outside(const struct pp_compare_subject *subject)
             MORE_BOUNCES, false, false, ground_is_shaded                               \
     }
 
-static const struct pp_suspect suspects[] = {
+static const struct pp_cause causes[] = {
     {"ab=0", "bounces", "light of the sky is not followed at all",
      "turn the ambient calculation on (rtrace -ab 7 or more)", false, true, NULL},
     CUT(0, "no reflection"),
@@ -235,9 +235,9 @@ static const struct pp_suspect suspects[] = {
      "at units, and at other factors of the whole",
      true, false, NULL},
 };
-enum { SUSPECT_COUNT = sizeof suspects / sizeof suspects[0] };
+enum { CAUSE_COUNT = sizeof causes / sizeof causes[0] };
 
-const char *pp_suspects_missing_at(int index)
+const char *pp_causes_missing_at(int index)
 {
     static const char *const missing[] = {
         "reflectances of surfaces", "dimensions of room, windows and obstructions",
@@ -246,33 +246,33 @@ const char *pp_suspects_missing_at(int index)
     return index < MISSING_COUNT ? missing[index] : NULL;
 }
 
-bool pp_suspect_is_fitted(const struct pp_suspect *suspect)
+bool pp_causes_is_fitted(const struct pp_cause *cause)
 {
-    return !suspect->is_factor && !strchr(suspect->word, '=');
+    return !cause->is_factor && !strchr(cause->word, '=');
 }
 
-enum pp_status pp_suspect_variant(struct pp_room_variant *variant,
-                                  const struct pp_suspect *suspect, double value,
-                                  struct pp_error *err)
+enum pp_status pp_causes_set_variant(struct pp_room_variant *variant,
+                                     const struct pp_cause *cause, double value,
+                                     struct pp_error *err)
 {
     char word[64];
-    if (!pp_suspect_is_fitted(suspect))
-        return pp_room_variant_add(variant, suspect->word, err);
-    snprintf(word, sizeof word, "%s=%.3f", suspect->word, value);
+    if (!pp_causes_is_fitted(cause))
+        return pp_room_variant_add(variant, cause->word, err);
+    snprintf(word, sizeof word, "%s=%.3f", cause->word, value);
     return pp_room_variant_add(variant, word, err);
 }
 
-const struct pp_suspect *pp_suspects_at(int index)
+const struct pp_cause *pp_causes_at(int index)
 {
-    return index < SUSPECT_COUNT ? &suspects[index] : NULL;
+    return index < CAUSE_COUNT ? &causes[index] : NULL;
 }
 
-int pp_suspects_of(const struct pp_suspect *list[PP_SUSPECTS_MOST],
-                   const struct pp_compare_subject *subject)
+int pp_causes_of(const struct pp_cause *list[PP_CAUSES_MOST],
+                 const struct pp_compare_subject *subject)
 {
     int count = 0;
-    for (int i = 0; i < SUSPECT_COUNT; i++)
-        if (!suspects[i].applies || suspects[i].applies(subject))
-            list[count++] = &suspects[i];
+    for (int i = 0; i < CAUSE_COUNT; i++)
+        if (!causes[i].applies || causes[i].applies(subject))
+            list[count++] = &causes[i];
     return count;
 }

@@ -1,6 +1,6 @@
-/* blame_shares.c - sums over the subsets without a member, weighted by how many orders
+/* cause_shares.c - sums over the subsets without a member, weighted by how many orders
  * have just these before it: s! (n - s - 1)! / n!. */
-#include "studies/compare/blame_shares.h"
+#include "studies/compare/cause_shares.h"
 
 static double weight(int before, int count)
 {
@@ -10,7 +10,7 @@ static double weight(int before, int count)
     return weight;
 }
 
-void pp_blame_shares(double *shares, const double *done, int count)
+void pp_cause_shares(double *shares, const double *done, int count)
 {
     for (int member = 0; member < count; member++) {
         shares[member] = 0.0;

@@ -1,14 +1,14 @@
 /* The search for causes, where what each does is known on paper: patterns over points, not
  * traced. */
-#include "studies/compare/blame.h"
-#include "studies/compare/blame_shares.h"
+#include "studies/compare/cause_search.h"
+#include "studies/compare/cause_shares.h"
 #include "tests/lib/near.h"
 
-enum { POINTS = 20, SUSPECTS = 6, FLAT = 3, FACTOR = 4, FITTED = 5 };
+enum { POINTS = 20, CAUSES = 6, FLAT = 3, FACTOR = 4, FITTED = 5 };
 
 /* Two of one kind, one that grows with depth, one that is the same everywhere, a
  * common factor, and light that grows with its value and most in the middle. */
-static const struct pp_suspect listed[SUSPECTS] = {
+static const struct pp_cause listed[CAUSES] = {
     {"cut=1", "cut", "", "", false, false, NULL},
     {"cut=2", "cut", "", "", false, false, NULL},
     {"deep=1", "deep", "", "", false, false, NULL},
@@ -25,18 +25,18 @@ static double fitted(double value, int point)
     return log(0.8 + value * (1.0 - 0.5 * across * across));
 }
 
-static double alone(int suspect, double value, int point)
+static double alone(int cause, double value, int point)
 {
-    if (suspect == FITTED)
+    if (cause == FITTED)
         return fitted(value, point);
     double depth = point / (POINTS - 1.0);
-    return suspect == 0   ? -0.6 * depth
-           : suspect == 1 ? -0.3 * depth
-           : suspect == 2 ? 0.25 * depth * depth + 0.05
-                          : -0.08;
+    return cause == 0   ? -0.6 * depth
+           : cause == 1 ? -0.3 * depth
+           : cause == 2 ? 0.25 * depth * depth + 0.05
+                        : -0.08;
 }
 
-static enum pp_status trace(void *traced, const int *suspects, int count, double value,
+static enum pp_status trace(void *traced, const int *causes, int count, double value,
                             double *effect, double *variance, struct pp_error *err)
 {
     (void)err;
@@ -45,11 +45,11 @@ static enum pp_status trace(void *traced, const int *suspects, int count, double
         effect[i] = 0.0;
         variance[i] = 0.003 * 0.003;
         for (int k = 0; k < count; k++) {
-            effect[i] += alone(suspects[k], value, i);
+            effect[i] += alone(causes[k], value, i);
             for (int m = 0; m < k; m++)
                 effect[i] += TOGETHER
-                             * fmin(fabs(alone(suspects[k], value, i)),
-                                    fabs(alone(suspects[m], value, i)));
+                             * fmin(fabs(alone(causes[k], value, i)),
+                                    fabs(alone(causes[m], value, i)));
         }
     }
     return PP_OK;
@@ -65,43 +65,43 @@ static double noise(int i)
     return even[i];
 }
 
-static struct pp_blame blame_within(const double *gap, int most, int *traced)
+static struct pp_cause_search search_within(const double *gap, int most, int *traced)
 {
     struct pp_vec3 places[POINTS];
-    const struct pp_suspect *list[SUSPECTS];
-    struct pp_blame blame;
+    const struct pp_cause *list[CAUSES];
+    struct pp_cause_search search;
     struct pp_error err = {0};
     for (int i = 0; i < POINTS; i++)
         places[i] = pp_vec(0.7 * (i % 4), 0.7 * (i / 4), 0.8); /* NOLINT */
-    for (int i = 0; i < SUSPECTS; i++)
+    for (int i = 0; i < CAUSES; i++)
         list[i] = &listed[i];
     *traced = 0;
-    const struct pp_blame_question question = {.data = {POINTS, gap, places},
-                                               .suspects = list,
-                                               .suspect_count = SUSPECTS,
-                                               .trace = trace,
-                                               .tracer = traced,
-                                               .traced_most = most};
-    if (pp_blame_find(&blame, &question, &err) != PP_OK)
+    const struct pp_cause_search_question question = {.data = {POINTS, gap, places},
+                                                      .causes = list,
+                                                      .cause_count = CAUSES,
+                                                      .trace = trace,
+                                                      .tracer = traced,
+                                                      .traced_most = most};
+    if (pp_cause_search_find(&search, &question, &err) != PP_OK)
         fail_msg("%s", err.message);
-    return blame;
+    return search;
 }
 
-static struct pp_blame blame_of(const double *gap, int *traced)
+static struct pp_cause_search search_of(const double *gap, int *traced)
 {
-    return blame_within(gap, 40, traced);
+    return search_within(gap, 40, traced);
 }
 
-static void assert_named(const double *gap, const int *suspects, int count)
+static void assert_named(const double *gap, const int *causes, int count)
 {
     int traced;
-    struct pp_blame blame = blame_of(gap, &traced);
-    assert_true(blame.count > 0);
-    assert_int_equal(blame.sets[0].count, count);
+    struct pp_cause_search search = search_of(gap, &traced);
+    assert_true(search.count > 0);
+    assert_int_equal(search.sets[0].count, count);
     for (int i = 0; i < count; i++)
-        assert_int_equal(blame.sets[0].suspects[i], suspects[i]);
-    assert_true(blame.sets[0].probability > 0.5);
-    pp_blame_clear(&blame);
+        assert_int_equal(search.sets[0].causes[i], causes[i]);
+    assert_true(search.sets[0].probability > 0.5);
+    pp_cause_search_clear(&search);
 }
 
 static void noise_alone_has_no_cause(void **state)
@@ -146,33 +146,33 @@ static void what_was_not_traced_is_not_named(void **state)
     double gap[POINTS], variance[POINTS], sum = 0.0;
     int traced = 0;
     trace(&traced, pair, 2, 0.0, gap, variance, NULL);
-    struct pp_blame blame = blame_within(gap, 0, &traced);
+    struct pp_cause_search search = search_within(gap, 0, &traced);
     assert_int_equal(traced, 0);
-    assert_true(blame.is_cut);
-    for (int i = 0; i < blame.count; i++) {
-        const struct pp_blame_set *set = &blame.sets[i];
+    assert_true(search.is_cut);
+    for (int i = 0; i < search.count; i++) {
+        const struct pp_cause_set *set = &search.sets[i];
         sum += set->probability;
-        assert_true(set->count < 2 || set->suspects[1] == FACTOR);
+        assert_true(set->count < 2 || set->causes[1] == FACTOR);
     }
     assert_near(sum, 1.0, 0.02);
-    pp_blame_clear(&blame);
+    pp_cause_search_clear(&search);
 }
 
 /* Values within three standard errors: noise of 1 % at 20 points over a slope of 1. */
 static void a_value_between_those_that_are_traced_is_found(void **state)
 {
     (void)state;
-    static const int suspect = FITTED;
+    static const int cause = FITTED;
     static const double values[] = {0.03, 0.37, 0.61};
     for (int k = 0; k < 3; k++) {
         double gap[POINTS];
         int traced;
         for (int i = 0; i < POINTS; i++)
             gap[i] = fitted(values[k], i) + 0.01 * noise(i);
-        assert_named(gap, &suspect, 1);
-        struct pp_blame blame = blame_of(gap, &traced);
-        assert_near(blame.sets[0].value, values[k], 3.0 * 0.01 / sqrt(POINTS));
-        pp_blame_clear(&blame);
+        assert_named(gap, &cause, 1);
+        struct pp_cause_search search = search_of(gap, &traced);
+        assert_near(search.sets[0].value, values[k], 3.0 * 0.01 / sqrt(POINTS));
+        pp_cause_search_clear(&search);
     }
 }
 
@@ -184,11 +184,11 @@ static void the_nearest_set_without_a_cause_is_known(void **state)
     int traced;
     for (int i = 0; i < POINTS; i++)
         gap[i] = alone(0, 0.0, i);
-    struct pp_blame blame = blame_of(gap, &traced);
-    assert_int_equal(blame.sets[0].suspects[0], 0);
-    assert_true(blame.without[0] > 0.05 && blame.without[0] < 0.3);
-    assert_near(blame.without[1], 0.0, 1e-9);
-    pp_blame_clear(&blame);
+    struct pp_cause_search search = search_of(gap, &traced);
+    assert_int_equal(search.sets[0].causes[0], 0);
+    assert_true(search.without[0] > 0.05 && search.without[0] < 0.3);
+    assert_near(search.without[1], 0.0, 1e-9);
+    pp_cause_search_clear(&search);
 }
 
 static void a_factor_of_any_size_is_found(void **state)
@@ -202,11 +202,11 @@ static void a_factor_of_any_size_is_found(void **state)
         for (int i = 0; i < POINTS; i++)
             gap[i] = logarithms[k] + 0.01 * noise(i);
         assert_named(gap, &factor, 1);
-        struct pp_blame blame = blame_of(gap, &traced);
+        struct pp_cause_search search = search_of(gap, &traced);
         /* Within three standard errors of a mean of 20 points. */
-        assert_near(blame.sets[0].likelihood.theta, logarithms[k],
+        assert_near(search.sets[0].likelihood.theta, logarithms[k],
                     3.0 * 0.015 / sqrt(POINTS));
-        pp_blame_clear(&blame);
+        pp_cause_search_clear(&search);
     }
 }
 
@@ -219,11 +219,11 @@ static void what_looks_alike_is_listed_together(void **state)
     int traced;
     for (int i = 0; i < POINTS; i++)
         gap[i] = alone(FLAT, 0.0, i) + 0.02 * noise(i);
-    struct pp_blame blame = blame_of(gap, &traced);
-    assert_int_equal(blame.sets[0].suspects[0], FLAT);
-    assert_true(blame.probability[FLAT] > 0.6 && blame.probability[FACTOR] > 0.01);
-    assert_true(blame.probability[FLAT] + blame.probability[FACTOR] > 0.95);
-    pp_blame_clear(&blame);
+    struct pp_cause_search search = search_of(gap, &traced);
+    assert_int_equal(search.sets[0].causes[0], FLAT);
+    assert_true(search.probability[FLAT] > 0.6 && search.probability[FACTOR] > 0.01);
+    assert_true(search.probability[FLAT] + search.probability[FACTOR] > 0.95);
+    pp_cause_search_clear(&search);
 }
 
 static void levels_of_a_kind_exclude_each_other(void **state)
@@ -233,12 +233,12 @@ static void levels_of_a_kind_exclude_each_other(void **state)
     int traced;
     for (int i = 0; i < POINTS; i++)
         gap[i] = alone(0, 0.0, i) + alone(1, 0.0, i);
-    struct pp_blame blame = blame_of(gap, &traced);
-    for (int i = 0; i < blame.count; i++)
-        for (int k = 1; k < blame.sets[i].count; k++)
-            assert_false(blame.sets[i].suspects[k - 1] == 0
-                         && blame.sets[i].suspects[k] == 1);
-    pp_blame_clear(&blame);
+    struct pp_cause_search search = search_of(gap, &traced);
+    for (int i = 0; i < search.count; i++)
+        for (int k = 1; k < search.sets[i].count; k++)
+            assert_false(search.sets[i].causes[k - 1] == 0
+                         && search.sets[i].causes[k] == 1);
+    pp_cause_search_clear(&search);
 }
 
 static void noise_is_told_by_its_size_and_by_whether_neighbours_err_alike(void **state)
@@ -250,13 +250,13 @@ static void noise_is_told_by_its_size_and_by_whether_neighbours_err_alike(void *
         rays[i] = 0.03 * noise(i);
         cache[i] = 0.05 * sin(0.9 * (i / 4) + 1.5 * (i % 4)); /* NOLINT */
     }
-    struct pp_blame of_rays = blame_of(rays, &traced);
-    struct pp_blame of_cache = blame_of(cache, &traced);
+    struct pp_cause_search of_rays = search_of(rays, &traced);
+    struct pp_cause_search of_cache = search_of(cache, &traced);
     assert_near(of_rays.sets[0].likelihood.sigma, 0.03, 0.012);
     assert_true(of_rays.sets[0].likelihood.near < 0.5);
     assert_true(of_cache.sets[0].likelihood.near > 0.9);
-    pp_blame_clear(&of_rays);
-    pp_blame_clear(&of_cache);
+    pp_cause_search_clear(&of_rays);
+    pp_cause_search_clear(&of_cache);
 }
 
 static void probabilities_are_of_one_whole(void **state)
@@ -266,15 +266,15 @@ static void probabilities_are_of_one_whole(void **state)
     int traced;
     for (int i = 0; i < POINTS; i++)
         gap[i] = alone(2, 0.0, i) - 0.03 + 0.02 * noise(i);
-    struct pp_blame blame = blame_of(gap, &traced);
-    for (int i = 0; i < blame.count; i++) {
-        sum += blame.sets[i].probability;
+    struct pp_cause_search search = search_of(gap, &traced);
+    for (int i = 0; i < search.count; i++) {
+        sum += search.sets[i].probability;
         assert_true(i == 0
-                    || blame.sets[i].probability <= blame.sets[i - 1].probability);
+                    || search.sets[i].probability <= search.sets[i - 1].probability);
     }
     /* Those below a thousandth are left out; there are some thirty. */
     assert_true(sum > 0.97 && sum < 1.0 + 1e-9);
-    pp_blame_clear(&blame);
+    pp_cause_search_clear(&search);
 }
 
 /* Three that own gloves, two of them left ones: a pair is worth 1. Shapley gives 1/6,
@@ -284,7 +284,7 @@ static void shares_are_averages_over_orders(void **state)
     (void)state;
     double shares[3];
     static const double worth[8] = {0, 0, 0, 0, 0, 1, 1, 1};
-    pp_blame_shares(shares, worth, 3);
+    pp_cause_shares(shares, worth, 3);
     assert_near(shares[0], 1.0 / 6.0, 1e-15);
     assert_near(shares[1], 1.0 / 6.0, 1e-15);
     assert_near(shares[2], 4.0 / 6.0, 1e-15);
@@ -295,9 +295,9 @@ static void shares_sum_up_to_what_all_do(void **state)
     (void)state;
     double shares[3];
     static const double done[8] = {0.1, 0.37, -0.2, 0.9, 1.3, 0.4, 0.77, 2.1};
-    pp_blame_shares(shares, done, 3);
+    pp_cause_shares(shares, done, 3);
     assert_near(shares[0] + shares[1] + shares[2], 2.0, 1e-14);
-    pp_blame_shares(shares, done, 1);
+    pp_cause_shares(shares, done, 1);
     assert_near(shares[0], 0.27, 1e-15);
 }
 
