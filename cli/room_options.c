@@ -151,6 +151,14 @@ const struct pp_option pp_room_stop_options[] = {
     {0},
 };
 
+const struct pp_option pp_room_plain_option[] = {
+    {"plain", 0, NULL,
+     "Calculate everything by the plain code, without short cuts: the same figures, "
+     "slower, to check the fast ones.",
+     NULL, PLACE(study.method_options.plain)},
+    {0},
+};
+
 const struct pp_option pp_room_seed_options[] = {
     {"seed", 0, "N",
      "Start of the random numbers (default 1); the same seed gives the "

@@ -37,7 +37,8 @@ extern const struct pp_option pp_room_french_option[];
 extern const struct pp_option pp_room_simulate_option[];
 /* Of commands that simulate by default: simulate, and by-hand in its place. */
 extern const struct pp_option pp_room_by_hand_options[];
-extern const struct pp_option pp_room_stop_options[];   /* error, samples, time */
+extern const struct pp_option pp_room_stop_options[]; /* error, samples, time */
+extern const struct pp_option pp_room_plain_option[];
 extern const struct pp_option pp_room_seed_options[];   /* seed, threads */
 extern const struct pp_option pp_room_output_options[]; /* output, quiet */
 

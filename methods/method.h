@@ -64,6 +64,7 @@ struct pp_method_options {
     const struct pp_lumen_table *lumen_table; /* not owned; NULL: the program's own */
     const struct pp_variant_list
         *variants; /* not owned; NULL: no formula is replaced */
+    bool plain;    /* without tables, beams and other short cuts (methods/fast/) */
 };
 
 struct pp_method {

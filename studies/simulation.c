@@ -14,7 +14,10 @@
 static const double slice_s = 0.1;
 
 struct pp_simulation {
-    const struct pp_engine *engine;
+    const struct pp_engine *engine; /* whose columns are filled, */
+    const struct pp_engine
+        *solver;                /* and whose functions do it: the engine, or its plain
+                                     * twin */
     struct pp_light_scene *own; /* NULL: the scene is the caller's */
     void *run;
     double error; /* wanted; 0: by samples, time */
@@ -36,8 +39,10 @@ enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
     if (!made)
         return pp_fail_memory(err);
     made->engine = engine;
+    made->solver = options->plain && engine->plain ? engine->plain : engine;
     made->error = options->error;
-    enum pp_status status = engine->create(&made->run, scene, report, options, err);
+    enum pp_status status =
+        made->solver->create(&made->run, scene, report, options, err);
     if (status == PP_OK)
         *simulation = made;
     else
@@ -68,7 +73,7 @@ void pp_simulation_destroy(struct pp_simulation *simulation)
 {
     if (!simulation)
         return;
-    simulation->engine->destroy(simulation->run);
+    simulation->solver->destroy(simulation->run);
     pp_light_scene_destroy(simulation->own);
     free(simulation);
 }
@@ -76,22 +81,22 @@ void pp_simulation_destroy(struct pp_simulation *simulation)
 enum pp_status pp_simulation_advance(struct pp_simulation *simulation, double seconds,
                                      struct pp_error *err)
 {
-    return simulation->engine->advance(simulation->run, seconds, err);
+    return simulation->solver->advance(simulation->run, seconds, err);
 }
 
 bool pp_simulation_done(const struct pp_simulation *simulation)
 {
-    return simulation->engine->done(simulation->run);
+    return simulation->solver->done(simulation->run);
 }
 
 double pp_simulation_progress(const struct pp_simulation *simulation)
 {
-    return simulation->engine->progress(simulation->run);
+    return simulation->solver->progress(simulation->run);
 }
 
 double pp_simulation_error(const struct pp_simulation *simulation)
 {
-    return simulation->engine->error(simulation->run);
+    return simulation->solver->error(simulation->run);
 }
 
 enum pp_status pp_simulation_run(struct pp_simulation *simulation, double seconds,
@@ -168,11 +173,11 @@ static enum pp_status say_missed(struct pp_report *report,
 enum pp_status pp_simulation_add_columns(const struct pp_simulation *simulation,
                                          struct pp_report *report, struct pp_error *err)
 {
-    const struct pp_engine *engine = simulation->engine;
-    double common = engine->common ? engine->common(simulation->run) : 0.0;
-    double near = engine->common_near ? engine->common_near(simulation->run) : 0.0;
+    const struct pp_engine *engine = simulation->engine, *solver = simulation->solver;
+    double common = solver->common ? solver->common(simulation->run) : 0.0;
+    double near = solver->common_near ? solver->common_near(simulation->run) : 0.0;
     struct pp_reading average[PP_COMPONENT_COUNT], readings[PP_COMPONENT_COUNT];
-    engine->read(simulation->run, -1, average);
+    solver->read(simulation->run, -1, average);
     for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++)
         if (!pp_report_find(report, component, engine->column)
             && !pp_report_add(report, component, engine->column, true))
@@ -186,11 +191,11 @@ enum pp_status pp_simulation_add_columns(const struct pp_simulation *simulation,
         columns[component]->common_near = near;
     }
     for (int i = 0; i < report->receiver_count; i++) {
-        engine->read(simulation->run, i, readings);
+        solver->read(simulation->run, i, readings);
         for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++)
             columns[component]->points[i] = readings[component];
     }
-    if (simulation->error > 0.0 && engine->is_sampled && pp_simulation_done(simulation))
+    if (simulation->error > 0.0 && solver->is_sampled && pp_simulation_done(simulation))
         return say_missed(report, simulation, columns[PP_DF], err);
     return PP_OK;
 }
@@ -200,7 +205,7 @@ enum pp_status pp_simulation_keep(const struct pp_simulation *simulation, char *
 {
     *bytes = NULL;
     *length = 0;
-    return simulation->engine->keep
-               ? simulation->engine->keep(simulation->run, bytes, length, err)
+    return simulation->solver->keep
+               ? simulation->solver->keep(simulation->run, bytes, length, err)
                : PP_OK;
 }

@@ -76,6 +76,7 @@ enum pp_status pp_study_report_simulate(struct pp_report *report,
     engine_options.seed = options->seed;
     engine_options.threads = options->threads;
     engine_options.alone = options->alone;
+    engine_options.plain = options->method_options.plain;
     struct pp_simulation *simulation;
     enum pp_simulation_end end;
     enum pp_status status =

@@ -49,6 +49,7 @@ static const struct pp_option_group groups[] = {
     {"What is judged", pp_room_french_option, PLACE(french_m)},
     {"What is judged", pp_room_external_option, PLACE(room)},
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
+    {"Simulation", pp_room_plain_option, PLACE(room)},
     {"Output", pp_assess_words_table, 0},
     {"Output", pp_format_option, PLACE(format)},
     {"Output", pp_room_output_options, PLACE(room)},

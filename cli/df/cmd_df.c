@@ -400,6 +400,7 @@ static const struct pp_option_group groups[] = {
     {"What is computed", pp_room_external_option, PLACE(room)},
     PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
     {"Simulation", pp_engine_options, PLACE(engine)},
+    {"Simulation", pp_room_plain_option, PLACE(room)},
     {"Irradiance cache", pp_cache_choice_options, PLACE(engine.cache)},
     {"Output", pp_format_option, PLACE(format)},
     {"Output", bands_option, 0},

@@ -141,6 +141,7 @@ static const struct pp_option_group groups[] = {
     {"The picture", external_option, PLACE(room)},
     {"The picture", pp_room_sky_options, PLACE(room)},
     {"The picture", pp_room_seed_options, PLACE(room)},
+    {"The picture", pp_room_plain_option, PLACE(room)},
     {"Irradiance cache", pp_cache_choice_options, PLACE(choice.cache)},
     {"How it is shown", pp_render_shown_options, PLACE(choice)},
     {"Output", pp_room_output_options, PLACE(room)},

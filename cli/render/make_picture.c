@@ -136,6 +136,7 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
         .filter = choice->filter,
         .samples = choice->samples,
         .randomisations = randomisations(choice),
+        .plain = options->study.method_options.plain,
         .light = pp_radiance_state_defaults(),
         .seed = options->study.seed,
         .threads = options->study.threads,
@@ -150,7 +151,7 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
     struct pp_picture_size size;
     if (status == PP_OK)
         status = pp_render_view(&render.camera, &size, choice, made->scene, world, err);
-    if (status == PP_OK && render.light.stored)
+    if (status == PP_OK && render.light.stored && !render.plain)
         status =
             pp_opening_store_create(&made->store, made->scene, made->environment,
                                     options->study.seed, options->study.threads, err);
@@ -160,7 +161,7 @@ static enum pp_status create(struct pp_made_picture *made, const struct pp_world
     render.height = size.height;
     render.store = made->store;
     made->shown.camera = render.camera;
-    if (!choice->paths)
+    if (!choice->paths && !render.plain)
         status = fill_cache(made, &render, choice, options, err);
     if (status != PP_OK)
         return status;

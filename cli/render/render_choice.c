@@ -64,6 +64,7 @@ static const char *making_said(const struct pp_render_choice *choice,
         {"--size", choice->size.width > 0},
         {"--samples", choice->samples > 0},
         {"--engine", choice->paths},
+        {"--plain", options->study.method_options.plain},
         {"--windows", choice->windows != PP_WINDOWS_STORED},
         {"--filter", choice->filter != PP_FILTER_BOX},
         {"--checkpoint", choice->checkpoint != NULL},
@@ -200,9 +201,20 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                                             : "records are");
     const char *of_cache =
         choice->records ? "--records" : pp_cache_choice_used(&choice->cache);
-    if (of_cache && (choice->paths || choice->from_picture))
+    bool plain = options->study.method_options.plain;
+    if (of_cache && (choice->paths || plain || choice->from_picture))
         return pp_fail(err, PP_BAD_INPUT, "%s is of a room's picture by --engine cache",
                        of_cache);
+    const char *of_transport =
+        choice->windows != PP_WINDOWS_STORED ? "--windows"
+        : choice->cache.options.bounces != pp_irradiance_cache_defaults().bounces
+            ? "--bounces"
+            : NULL;
+    if (plain && of_transport)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is not for --plain, which follows every path to its end and "
+                       "aims at every window; expected one of them",
+                       of_transport);
     if (choice->exposure.said && !shown)
         return pp_fail(err, PP_BAD_INPUT,
                        "the light is kept as it is, without --exposure; expected -o "

@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 
+#include "simulate/sampling/lobe.h"
 #include "simulate/scene/light_scene_parts.h"
 
 /* Russian roulette begins where beta has fallen below LEAST. A path ends at MOST_BOUNCES
@@ -164,3 +165,18 @@ struct pp_rgb pp_path_trace_radiance(struct pp_path_walk *walk, struct pp_light_
     return L;
 }
 /* theory: end */
+
+struct pp_rgb pp_path_trace_lobe(struct pp_path_walk *walk,
+                                 const struct pp_lit_point *at, bool counted,
+                                 enum pp_path_first *first)
+{
+    double u[2];
+    struct pp_vec3 a, b;
+    pp_path_walk_draw(walk, 2, u);
+    pp_lobe_frame(at->normal, &a, &b);
+    struct pp_light_ray ray = {at->point, at->normal,
+                               pp_lobe_sample_in_frame(a, b, at->normal, u[0], u[1]),
+                               at->space};
+    struct pp_rgb L = pp_path_trace_radiance(walk, ray, counted, true, first);
+    return pp_rgb_scale(L, PP_PI);
+}

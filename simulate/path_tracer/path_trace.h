@@ -43,4 +43,10 @@ struct pp_rgb pp_path_trace_openings(struct pp_path_walk *walk,
                                      const struct pp_lit_point *at,
                                      enum pp_path_first *first);
 
+/* pi times the radiance in a direction of the point's cosine lobe: one sample of its
+ * irradiance by what rays meet. counted, first: as above. */
+struct pp_rgb pp_path_trace_lobe(struct pp_path_walk *walk,
+                                 const struct pp_lit_point *at, bool counted,
+                                 enum pp_path_first *first);
+
 #endif

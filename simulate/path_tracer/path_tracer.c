@@ -7,7 +7,6 @@
 #include "simulate/estimate/planner.h"
 #include "simulate/path_tracer/path_trace.h"
 #include "simulate/sampling/hash.h"
-#include "simulate/sampling/lobe.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/unsampled.h"
@@ -49,21 +48,6 @@ static struct pp_lit_point lit_point(struct pp_path_walk *walk,
     return at;
 }
 
-/* pi times the radiance in a direction of the point's cosine lobe: one sample of its
- * irradiance by what rays meet. */
-static double lobe_irradiance(struct pp_path_walk *walk, const struct pp_lit_point *at,
-                              bool counted, enum pp_path_first *first)
-{
-    double u[2];
-    struct pp_vec3 a, b;
-    pp_path_walk_draw(walk, 2, u);
-    pp_lobe_frame(at->normal, &a, &b);
-    struct pp_light_ray ray = {at->point, at->normal,
-                               pp_lobe_sample_in_frame(a, b, at->normal, u[0], u[1]),
-                               at->space};
-    return PP_PI * pp_path_trace_radiance(walk, ray, counted, true, first).g;
-}
-
 /* Adds a path's light to the sum of its component. */
 static void add_path(struct pp_path_walk *walk, const struct plain_point *point,
                      int estimator, double *sums)
@@ -74,7 +58,7 @@ static void add_path(struct pp_path_walk *walk, const struct plain_point *point,
     if (estimator == DIRECT && walk->scene->has_room) {
         E = pp_path_trace_openings(walk, &at, &first).g;
     } else {
-        E = lobe_irradiance(walk, &at, walk->scene->has_room, &first);
+        E = pp_path_trace_lobe(walk, &at, walk->scene->has_room, &first).g;
     }
     enum pp_component component = first == PP_FIRST_SKY       ? PP_SC
                                   : first == PP_FIRST_OUTSIDE ? PP_ERC

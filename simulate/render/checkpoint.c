@@ -39,6 +39,8 @@ static uint64_t hash_render(const struct pp_render *render)
     const struct pp_render_options *options = &render->options;
     const struct pp_camera *camera = &options->camera;
     uint64_t hash = pp_hash(VERSION, pp_light_scene_hash(render->scene));
+    if (render->options.plain)
+        hash = pp_hash(hash, 1);
     if (render->environment)
         hash = pp_hash(hash, pp_environment_hash(render->environment));
     hash = pp_hash(hash, camera->kind);

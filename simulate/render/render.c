@@ -7,6 +7,7 @@
 #include "model/base/clock.h"
 #include "simulate/estimate/planner.h"
 #include "simulate/render/render_parts.h"
+#include "simulate/render/render_plain.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/light_scene_parts.h"
 
@@ -105,16 +106,37 @@ static void place_of(const struct pp_render *render, int point, int *x, int *y)
     *y = tile->y0 + point / (tile->x1 - tile->x0);
 }
 
+/* A thread's own: of the transport's paths, or of plain ones. */
+struct render_state {
+    struct pp_radiance_state radiance;
+    struct pp_path_walk walk;
+};
+
 static void begin(const void *client, void *state)
 {
-    const struct pp_render_options *options =
-        &((const struct pp_render *)client)->options;
-    *(struct pp_radiance_state *)state = (struct pp_radiance_state){
-        .scene = ((const struct pp_render *)client)->scene,
-        .environment = ((const struct pp_render *)client)->environment,
-        .options = options->light,
-        .store = options->store,
-        .ambient = options->ambient};
+    const struct pp_render *render = client;
+    const struct pp_render_options *options = &render->options;
+    *(struct render_state *)state = (struct render_state){
+        .radiance = {.scene = render->scene,
+                     .environment = render->environment,
+                     .options = options->light,
+                     .store = options->store,
+                     .ambient = options->ambient},
+        .walk = {.scene = render->scene, .environment = render->environment}};
+}
+
+/* One sample of what the ray shows; false: nothing. */
+static bool sample_ray(const struct pp_render *render, struct render_state *state,
+                       const struct pp_light_ray *ray, struct pp_rgb *value)
+{
+    const struct pp_render_options *options = &render->options;
+    if (options->irradiance)
+        return options->plain ? pp_render_plain_irradiance(
+                   &state->walk, *ray, pp_render_decorations(render), value)
+                              : irradiance_seen(render, &state->radiance, ray, value);
+    *value = options->plain ? pp_render_plain_radiance(&state->walk, *ray)
+                            : pp_radiance_along(&state->radiance, ray, NULL);
+    return true;
 }
 
 static uint64_t seed_of(const void *client, int point)
@@ -130,30 +152,29 @@ static void follow(const void *client, void *state, const struct pp_path_range *
                    struct pp_randomisation *randomisation)
 {
     const struct pp_render *render = client;
-    struct pp_radiance_state *radiance = state;
-    long rays = radiance->rays, leaks = radiance->leaks;
+    struct render_state *own = state;
+    struct pp_radiance_state *radiance = &own->radiance;
+    long rays = radiance->rays + own->walk.rays;
+    long leaks = radiance->leaks + own->walk.leaks;
     int x, y;
     place_of(render, range->point, &x, &y);
-    radiance->sequence = range->sequence;
+    radiance->sequence = own->walk.sequence = range->sequence;
     for (uint32_t i = range->first; i < range->end; i++) {
         double place[2];
         struct pp_light_ray ray;
         struct pp_rgb value;
-        radiance->index = i;
+        radiance->index = own->walk.index = i;
         place_sample(render, radiance, x, y, place);
-        if (!pp_render_camera_ray(render, place, &ray))
-            continue;
-        if (!render->options.irradiance)
-            value = pp_radiance_along(radiance, &ray, NULL);
-        else if (!irradiance_seen(render, radiance, &ray, &value))
+        if (!pp_render_camera_ray(render, place, &ray)
+            || !sample_ray(render, own, &ray, &value))
             continue;
         randomisation->sums[RED] += value.r;
         randomisation->sums[GREEN] += value.g;
         randomisation->sums[BLUE] += value.b;
         randomisation->sums[SEEN] += 1.0;
     }
-    randomisation->rays[0] += radiance->rays - rays;
-    randomisation->leaks += radiance->leaks - leaks;
+    randomisation->rays[0] += radiance->rays + own->walk.rays - rays;
+    randomisation->leaks += radiance->leaks + own->walk.leaks - leaks;
 }
 
 static double value_of(const void *client, int point,
@@ -171,7 +192,7 @@ static const struct pp_sampler sampler = {
     .estimators = 1,
     .values = VALUES,
     .fall = {1.2},
-    .state_size = sizeof(struct pp_radiance_state),
+    .state_size = sizeof(struct render_state),
     .begin = begin,
     .seed = seed_of,
     .follow = follow,

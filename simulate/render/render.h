@@ -38,6 +38,8 @@ struct pp_render_options {
     int randomisations; /* independent ones that share the samples, a power of two from 4
                          * on, so that each pixel has a standard error; 0: a single one,
                          * which has the least noise and states none */
+    bool plain;         /* by plain path tracing (simulate/path_tracer/): `light`, store
+                         * and ambient are not used */
     struct pp_radiance_options light;
     const struct pp_opening_store *store; /* not owned; NULL: none */
     const struct pp_ambient *ambient;     /* not owned; NULL: none */

@@ -24,6 +24,7 @@ struct pp_engine_options {
     uint64_t seed;
     int threads; /* 0: as many as there are processors */
 
+    bool plain;  /* by the engine's plain twin, if it has one */
     bool alone;  /* points share no light in light paths */
     bool direct; /* by light paths: sky and externally reflected component alone, the
                   * error over their sum */
@@ -47,6 +48,8 @@ struct pp_engine {
                             * is, as it is no truth */
     bool is_truth;         /* is it what hand figures may be held against? */
     bool is_sampled;       /* does another seed give other figures? */
+    const struct pp_engine
+        *plain; /* gives the same by a plain implementation; NULL: none */
 
     /* At the report's receivers and over its working plane, under the report's light,
      * in the world's matt scene. *run is made on success only; scene and receivers must

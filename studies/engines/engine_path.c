@@ -110,6 +110,7 @@ const struct pp_engine pp_engine_path = {
     .from = "from traced, %",
     .is_truth = true,
     .is_sampled = true,
+    .plain = &pp_engine_plain,
     .create = create,
     .advance = advance,
     .done = done,
