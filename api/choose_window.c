@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_upright(const struct pp_opening *opening)
+static bool opening_is_upright(const struct pp_opening *opening)
 {
     return fabs(opening->inner.normal.z) < sin(1.0 * PP_RAD);
 }
@@ -54,7 +54,7 @@ enum pp_status pp_choose_window(int *window, const struct pp_world *world,
                 words);
     } else {
         while (upright && *window < world->opening_count
-               && !is_upright(&world->openings[*window]))
+               && !opening_is_upright(&world->openings[*window]))
             ++*window;
     }
     if (*window == world->opening_count && !upright)
@@ -64,7 +64,7 @@ enum pp_status pp_choose_window(int *window, const struct pp_world *world,
             err, PP_BAD_INPUT,
             "the room has no upright window, and the vertical sky component is "
             "for one");
-    if (upright && !is_upright(&world->openings[*window]))
+    if (upright && !opening_is_upright(&world->openings[*window]))
         return pp_fail(
             err, PP_BAD_INPUT,
             "the opening on line %d is not upright; the vertical sky component "

@@ -5,10 +5,11 @@
 #include "studies/climate/availability.h"
 #include "studies/study_report.h"
 
-static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
-                           const struct pp_study_options *study,
-                           const struct pp_chart_choice *choice, bool *finished,
-                           struct pp_error *err)
+static enum pp_status draw_availability(struct pp_canvas *canvas,
+                                        struct pp_study_room *room,
+                                        const struct pp_study_options *study,
+                                        const struct pp_chart_choice *choice,
+                                        bool *finished, struct pp_error *err)
 {
     struct pp_report report = {0};
     struct pp_year_light outside;
@@ -40,5 +41,5 @@ const struct pp_chart_kind pp_draw_availability = {
     .summary = "how often the sky gives how much light in working hours, and inside",
     .outside = true,
     .landscape = true,
-    .draw = draw,
+    .draw = draw_availability,
 };

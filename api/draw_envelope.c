@@ -19,7 +19,7 @@ struct standing_rooms {
     int count;
 };
 
-static void clear(struct standing_rooms *rooms)
+static void clear_standing_rooms(struct standing_rooms *rooms)
 {
     for (int i = 0; i < rooms->count; i++)
         pp_study_room_clear(&rooms->list[i]);
@@ -49,9 +49,9 @@ static enum pp_status add_room(struct standing_rooms *rooms,
     return PP_OK;
 }
 
-static enum pp_status resolve(struct standing_rooms *rooms,
-                              struct pp_building *building, const char *file,
-                              struct pp_error *err)
+static enum pp_status resolve_standing_rooms(struct standing_rooms *rooms,
+                                             struct pp_building *building,
+                                             const char *file, struct pp_error *err)
 {
     int count = pp_building_room_count(building);
     enum pp_status status = PP_OK;
@@ -64,11 +64,11 @@ static enum pp_status resolve(struct standing_rooms *rooms,
     return status;
 }
 
-static enum pp_status draw_plan(struct pp_canvas *canvas,
-                                const struct standing_rooms *rooms,
-                                const struct pp_plot_envelope *found,
-                                const struct pp_plot_envelope_task *task,
-                                struct pp_error *err)
+static enum pp_status draw_plot_plan(struct pp_canvas *canvas,
+                                     const struct standing_rooms *rooms,
+                                     const struct pp_plot_envelope *found,
+                                     const struct pp_plot_envelope_task *task,
+                                     struct pp_error *err)
 {
     const struct pp_site_rooms site = {rooms->list, rooms->before, rooms->count,
                                        task->rule.french_m};
@@ -123,14 +123,14 @@ enum pp_status pp_draw_envelope(struct pp_canvas *canvas,
 {
     struct standing_rooms rooms = {0};
     int opening = 0;
-    enum pp_status status = resolve(&rooms, task->building, file, err);
+    enum pp_status status = resolve_standing_rooms(&rooms, task->building, file, err);
     if (status == PP_OK)
-        status = draw_plan(canvas, &rooms, found, task, err);
+        status = draw_plot_plan(canvas, &rooms, found, task, err);
     if (status == PP_OK && pp_canvas_has_sheets(canvas)) {
         const struct pp_world *world = find_deciding(&opening, &rooms, found);
         status =
             world ? draw_sky(canvas, world, opening, task->rule.french_m, err) : PP_OK;
     }
-    clear(&rooms);
+    clear_standing_rooms(&rooms);
     return status;
 }

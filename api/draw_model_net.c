@@ -2,10 +2,11 @@
 #include "api/chart_kind.h"
 #include "charts/net/net_chart.h"
 
-static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
-                           const struct pp_study_options *study,
-                           const struct pp_chart_choice *choice, bool *finished,
-                           struct pp_error *err)
+static enum pp_status draw_model_net(struct pp_canvas *canvas,
+                                     struct pp_study_room *room,
+                                     const struct pp_study_options *study,
+                                     const struct pp_chart_choice *choice,
+                                     bool *finished, struct pp_error *err)
 {
     (void)study, (void)finished;
     const struct pp_model_options *options = &choice->model;
@@ -21,5 +22,5 @@ const struct pp_chart_kind pp_draw_model_net = {
     .name = "model-net",
     .summary = "the room as a scale model to cut out and fold",
     .paper = PP_PAPER_A3,
-    .draw = draw,
+    .draw = draw_model_net,
 };

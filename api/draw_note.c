@@ -133,10 +133,10 @@ static enum pp_status draw_point(struct pp_canvas *canvas,
     return status;
 }
 
-static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
-                           const struct pp_study_options *study,
-                           const struct pp_chart_choice *choice, bool *finished,
-                           struct pp_error *err)
+static enum pp_status draw_note(struct pp_canvas *canvas, struct pp_study_room *room,
+                                const struct pp_study_options *study,
+                                const struct pp_chart_choice *choice, bool *finished,
+                                struct pp_error *err)
 {
     (void)choice, (void)finished;
     if (room->receiver_count < 1 || room->receiver_count > POINTS_MOST)
@@ -159,7 +159,8 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
     return status;
 }
 
-static enum pp_status check(const char *methods, bool simulate, struct pp_error *err)
+static enum pp_status check_note_choice(const char *methods, bool simulate,
+                                        struct pp_error *err)
 {
     (void)methods;
     return simulate ? pp_fail(err, PP_BAD_INPUT,
@@ -171,6 +172,6 @@ static enum pp_status check(const char *methods, bool simulate, struct pp_error 
 const struct pp_chart_kind pp_draw_note = {
     .name = "note",
     .summary = "the sums of df --explain as a typeset note, drawings beside the lines",
-    .check = check,
-    .draw = draw,
+    .check = check_note_choice,
+    .draw = draw_note,
 };

@@ -7,10 +7,10 @@
 
 enum { DOTS = 1000, CELLS = 200 };
 
-static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
-                           const struct pp_study_options *study,
-                           const struct pp_chart_choice *choice, bool *finished,
-                           struct pp_error *err)
+static enum pp_status draw_overlay(struct pp_canvas *canvas, struct pp_study_room *room,
+                                   const struct pp_study_options *study,
+                                   const struct pp_chart_choice *choice, bool *finished,
+                                   struct pp_error *err)
 {
     (void)study, (void)finished;
     const struct pp_overlay_options *options = &choice->board.overlay;
@@ -52,5 +52,5 @@ const struct pp_chart_kind pp_draw_overlay = {
     .board = true,
     .of_sun = true,
     .transparent = true,
-    .draw = draw,
+    .draw = draw_overlay,
 };

@@ -25,10 +25,11 @@ static enum pp_status draw_lit_area(struct pp_canvas *canvas,
     return status;
 }
 
-static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
-                           const struct pp_study_options *study,
-                           const struct pp_chart_choice *choice, bool *finished,
-                           struct pp_error *err)
+static enum pp_status draw_plan_chart(struct pp_canvas *canvas,
+                                      struct pp_study_room *room,
+                                      const struct pp_study_options *study,
+                                      const struct pp_chart_choice *choice,
+                                      bool *finished, struct pp_error *err)
 {
     const struct pp_study_room *before =
         choice->site.before ? choice->site.before[0] : NULL;
@@ -64,5 +65,5 @@ const struct pp_chart_kind pp_draw_plan = {
     .landscape_for = pp_plan_chart_landscape,
     .compares = true,
     .check = pp_plan_study_check,
-    .draw = draw,
+    .draw = draw_plan_chart,
 };

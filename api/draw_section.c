@@ -63,10 +63,11 @@ static enum pp_status say_obstructions(char note[NOTE_BYTES],
     return PP_OK;
 }
 
-static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
-                           const struct pp_study_options *study,
-                           const struct pp_chart_choice *choice, bool *finished,
-                           struct pp_error *err)
+static enum pp_status draw_section_chart(struct pp_canvas *canvas,
+                                         struct pp_study_room *room,
+                                         const struct pp_study_options *study,
+                                         const struct pp_chart_choice *choice,
+                                         bool *finished, struct pp_error *err)
 {
     struct pp_report report = {.finished = true};
     bool by_clock = false;
@@ -101,5 +102,5 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
 const struct pp_chart_kind pp_draw_section = {
     .name = "section",
     .summary = "daylight factor against distance, over the section",
-    .draw = draw,
+    .draw = draw_section_chart,
 };

@@ -57,9 +57,11 @@ static void say_sun(char *foot, size_t room, const char *when,
                 pp_sunlit_hours_sum(&sun->march));
 }
 
-static enum pp_status say_foot(char *foot, size_t room, const struct pp_world *world,
-                               const struct window_sun *now,
-                               const struct window_sun *before, struct pp_error *err)
+static enum pp_status say_sun_path_foot(char *foot, size_t room,
+                                        const struct pp_world *world,
+                                        const struct window_sun *now,
+                                        const struct window_sun *before,
+                                        struct pp_error *err)
 {
     const struct pp_sunlit_place place = {world->latitude_rad, world->north_rad,
                                           world->longitude_rad};
@@ -81,12 +83,15 @@ static enum pp_status say_foot(char *foot, size_t room, const struct pp_world *w
     return PP_OK;
 }
 
-static enum pp_status draw_sheet(struct pp_canvas *canvas, const struct pp_world *world,
-                                 int window, const struct window_sun *now,
-                                 const struct window_sun *before, struct pp_error *err)
+static enum pp_status draw_sun_path_sheet(struct pp_canvas *canvas,
+                                          const struct pp_world *world, int window,
+                                          const struct window_sun *now,
+                                          const struct window_sun *before,
+                                          struct pp_error *err)
 {
     char words[PP_OPENING_WORDS], subtitle[160], foot[1024] = "";
-    enum pp_status status = say_foot(foot, sizeof foot, world, now, before, err);
+    enum pp_status status =
+        say_sun_path_foot(foot, sizeof foot, world, now, before, err);
     if (status != PP_OK)
         return status;
     pp_opening_words(words, world, &world->openings[window]);
@@ -118,10 +123,11 @@ static enum pp_status find_before(struct window_sun *sun, const struct pp_world 
     return status;
 }
 
-static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
-                           const struct pp_study_options *study,
-                           const struct pp_chart_choice *choice, bool *finished,
-                           struct pp_error *err)
+static enum pp_status draw_sun_path(struct pp_canvas *canvas,
+                                    struct pp_study_room *room,
+                                    const struct pp_study_options *study,
+                                    const struct pp_chart_choice *choice,
+                                    bool *finished, struct pp_error *err)
 {
     (void)study, (void)finished;
     const struct pp_world *world = room->world;
@@ -140,7 +146,8 @@ static enum pp_status draw(struct pp_canvas *canvas, struct pp_study_room *room,
     if (status == PP_OK && former)
         status = find_before(&before, world, former->world, window, err);
     if (status == PP_OK)
-        status = draw_sheet(canvas, world, window, &now, former ? &before : NULL, err);
+        status = draw_sun_path_sheet(canvas, world, window, &now,
+                                     former ? &before : NULL, err);
     clear_sun(&before);
     clear_sun(&now);
     return status;
@@ -151,5 +158,5 @@ const struct pp_chart_kind pp_draw_sun_path = {
     .summary = "the sun's paths, over what hides the sky from a window",
     .of_window = true,
     .compares = true,
-    .draw = draw,
+    .draw = draw_sun_path,
 };

@@ -35,9 +35,10 @@ static void forget_results(struct pp_study *study)
 }
 
 /* The building's room as it is, with another sky, resolved. */
-static enum pp_status resolve(struct pp_study *study, struct pp_building *building,
-                              int index, const char *sky, struct pp_mistakes *mistakes,
-                              struct pp_error *err)
+static enum pp_status resolve_study_room(struct pp_study *study,
+                                         struct pp_building *building, int index,
+                                         const char *sky, struct pp_mistakes *mistakes,
+                                         struct pp_error *err)
 {
     struct pp_world *world = NULL;
     struct pp_outside_light light;
@@ -70,7 +71,8 @@ enum pp_status pp_study_create(struct pp_study **study, struct pp_building *buil
     struct pp_study *made = calloc(1, sizeof *made);
     if (!made)
         return pp_fail_memory(err);
-    enum pp_status status = resolve(made, building, index, sky, mistakes, err);
+    enum pp_status status =
+        resolve_study_room(made, building, index, sky, mistakes, err);
     if (status != PP_OK) {
         pp_study_destroy(made);
         return status;
@@ -121,8 +123,8 @@ enum pp_status pp_study_set_sky(struct pp_study *study, const char *sky,
 }
 
 /* Takes over the list. */
-static void place(struct pp_study *study, struct pp_receiver *points, int count,
-                  bool on_grid)
+static void take_over_points(struct pp_study *study, struct pp_receiver *points,
+                             int count, bool on_grid)
 {
     forget_results(study);
     pp_study_room_set_points(&study->room, points, count);
@@ -147,7 +149,7 @@ enum pp_status pp_study_set_points(struct pp_study *study, const double (*points
             return PP_BAD_INPUT;
         }
     }
-    place(study, receivers, count, false);
+    take_over_points(study, receivers, count, false);
     return PP_OK;
 }
 
@@ -157,7 +159,7 @@ enum pp_status pp_study_set_grid(struct pp_study *study, struct pp_error *err)
     int count;
     enum pp_status status = pp_en17037_grid(&receivers, &count, study->room.world, err);
     if (status == PP_OK)
-        place(study, receivers, count, true);
+        take_over_points(study, receivers, count, true);
     return status;
 }
 

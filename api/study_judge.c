@@ -69,8 +69,9 @@ struct pp_judgement pp_study_judgement(const struct pp_study *study, int index)
 }
 
 /* The room file with the windows found. */
-static enum pp_status write_file(char **file, struct pp_size_room_result *result,
-                                 struct pp_error *err)
+static enum pp_status write_sized_room_text(char **file,
+                                            struct pp_size_room_result *result,
+                                            struct pp_error *err)
 {
     size_t length;
     for (int i = 0; i < result->edit_count; i++)
@@ -102,7 +103,7 @@ enum pp_status pp_study_size(const struct pp_study *study, double target,
         snprintf(found->method, sizeof found->method, "%s", result.method);
         snprintf(found->why, sizeof found->why, "%s", result.why ? result.why : "");
         if (file && found->verdict == PP_SIZE_REACHED)
-            status = write_file(file, &result, err);
+            status = write_sized_room_text(file, &result, err);
     }
     pp_size_room_result_clear(&result);
     return status;

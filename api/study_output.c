@@ -68,9 +68,11 @@ static enum pp_status check_kind(const struct pp_chart_kind *kind, const char *n
 }
 
 /* On a canvas of its own, whose bytes are copied. */
-static enum pp_status draw(const struct pp_chart_kind *kind, struct pp_study_room *room,
-                           const struct pp_chart_request *request, char **bytes,
-                           size_t *length, struct pp_error *err)
+static enum pp_status draw_on_own_canvas(const struct pp_chart_kind *kind,
+                                         struct pp_study_room *room,
+                                         const struct pp_chart_request *request,
+                                         char **bytes, size_t *length,
+                                         struct pp_error *err)
 {
     const struct pp_world *world = room ? room->world : NULL;
     const struct pp_chart_choice choice = {
@@ -123,8 +125,8 @@ enum pp_status pp_study_chart(const struct pp_study *study, const char *kind,
         status = borrow_room(&room, study, err);
     if (status != PP_OK)
         return status;
-    status = draw(found, study ? &room : NULL, request ? request : &usual, bytes,
-                  length, err);
+    status = draw_on_own_canvas(found, study ? &room : NULL, request ? request : &usual,
+                                bytes, length, err);
     if (study)
         free(room.receivers);
     if (status != PP_OK)

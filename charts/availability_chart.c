@@ -258,7 +258,7 @@ static int compare_needs(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-static void draw_marks(struct availability_plot *plot)
+static void draw_availability_marks(struct availability_plot *plot)
 {
     const struct pp_availability_row *ordered[PP_ILLUMINANCES_MOST];
     double free_from = -INFINITY;
@@ -320,11 +320,12 @@ static void draw_plot(struct availability_plot *plot)
     plot->labels->field = plot->field;
     for (int i = 0; i < plot->sheet->period_count; i++)
         draw_curve(plot, i);
-    draw_marks(plot);
+    draw_availability_marks(plot);
     name_curves(plot);
 }
 
-static void draw_sheet(struct availability_plot *plot, struct pp_canvas *canvas)
+static void draw_availability_sheet(struct availability_plot *plot,
+                                    struct pp_canvas *canvas)
 {
     const struct pp_availability_sheet *sheet = plot->sheet;
     const struct pp_style *style = &plot->style;
@@ -363,7 +364,7 @@ enum pp_status pp_availability_chart_draw(struct pp_canvas *canvas,
     if (!plot.labels)
         return pp_fail_memory(err);
     choose_rows(&plot);
-    draw_sheet(&plot, canvas);
+    draw_availability_sheet(&plot, canvas);
     free(plot.labels);
     return PP_OK;
 }

@@ -166,7 +166,7 @@ static void draw_words(struct picture_drawing *drawing)
         draw_figure(drawing, &sheet->lines.list[i]);
 }
 
-static void draw_marks(const struct picture_drawing *drawing)
+static void draw_picture_marks(const struct picture_drawing *drawing)
 {
     const struct pp_picture_sheet *sheet = drawing->sheet;
     cairo_t *cr = drawing->cr;
@@ -290,7 +290,7 @@ enum pp_status pp_picture_chart_draw(struct pp_canvas *canvas,
         draw_grid(drawing);
         draw_lines(drawing);
         draw_words(drawing);
-        draw_marks(drawing);
+        draw_picture_marks(drawing);
         if (sheet->scaled)
             draw_scale(drawing);
         if (sheet->pixels_per_m > 0.0)

@@ -40,8 +40,8 @@ static bool is_named(const struct pp_option *option, const char *name, size_t le
 }
 
 /* The option with that name, or with that letter if name is NULL. */
-static struct found find(const struct pp_command_line *line, const char *name,
-                         size_t length, char letter)
+static struct found find_option(const struct pp_command_line *line, const char *name,
+                                size_t length, char letter)
 {
     for (const struct pp_option_group *group = line->groups; group->title; group++)
         for (const struct pp_option *option = group->options; option->name; option++)
@@ -131,7 +131,7 @@ static enum pp_status read_option(const struct pp_command_line *line, char **wor
     struct found found = find_short(line, word);
     bool is_short = found.option != NULL;
     if (!is_short)
-        found = find(line, is_long ? name : NULL, length, word[1]);
+        found = find_option(line, is_long ? name : NULL, length, word[1]);
     const char *value = is_long ? (name[length] ? name + length + 1 : NULL)
                         : word[2] && !is_short ? word + 2
                                                : NULL;

@@ -51,7 +51,7 @@ static enum pp_status follow_links(const char *path, char **resolved,
 }
 
 /* Would a file there be written whole later on? */
-static enum pp_status check(const char *path, struct pp_error *err)
+static enum pp_status check_output_path(const char *path, struct pp_error *err)
 {
     struct stat there;
     if (stat(path, &there) == 0) {
@@ -82,7 +82,7 @@ enum pp_status pp_output_open(struct pp_output *output, const char *path,
     if (path && strcmp(path, "-") != 0) {
         enum pp_status status = follow_links(path, &output->path, err);
         if (status == PP_OK)
-            status = check(output->path, err);
+            status = check_output_path(output->path, err);
         if (status != PP_OK) {
             pp_output_clear(output);
             return status;

@@ -34,9 +34,9 @@ static bool is_known(const struct pp_output_directory *directory, const char *na
 }
 
 /* Nothing but what may be replaced? *entries counts what there is. */
-static enum pp_status look(const struct pp_output_directory *directory,
-                           const char *path, int depth, int *entries,
-                           struct pp_error *err)
+static enum pp_status check_replaceable(const struct pp_output_directory *directory,
+                                        const char *path, int depth, int *entries,
+                                        struct pp_error *err)
 {
     DIR *list = opendir(path);
     if (!list)
@@ -56,7 +56,7 @@ static enum pp_status look(const struct pp_output_directory *directory,
         else if (lstat(inner, &what) != 0)
             status = fail_path(err, inner, errno);
         else if (S_ISDIR(what.st_mode) && depth == 0)
-            status = look(directory, inner, 1, entries, err);
+            status = check_replaceable(directory, inner, 1, entries, err);
         else if (!S_ISREG(what.st_mode) || !is_known(directory, name))
             status = pp_fail(err, PP_SYSTEM,
                              "%s can't be replaced: %s is there, which is of no export",
@@ -67,8 +67,8 @@ static enum pp_status look(const struct pp_output_directory *directory,
     return status;
 }
 
-static enum pp_status check(const struct pp_output_directory *directory,
-                            struct pp_error *err)
+static enum pp_status check_output_directory(
+    const struct pp_output_directory *directory, struct pp_error *err)
 {
     const char *path = directory->path;
     struct stat there;
@@ -79,7 +79,7 @@ static enum pp_status check(const struct pp_output_directory *directory,
                            "%s can't be written: it is no directory; expected a new "
                            "or an empty one",
                            path);
-        enum pp_status status = look(directory, path, 0, &entries, err);
+        enum pp_status status = check_replaceable(directory, path, 0, &entries, err);
         if (status != PP_OK)
             return status;
         if (entries > 0 && !directory->replace)
@@ -116,7 +116,7 @@ enum pp_status pp_output_directory_open(struct pp_output_directory *directory,
         return pp_fail_memory(err);
     for (size_t i = strlen(directory->path); i > 1 && directory->path[i - 1] == '/';)
         directory->path[--i] = '\0';
-    enum pp_status status = check(directory, err);
+    enum pp_status status = check_output_directory(directory, err);
     if (status != PP_OK)
         pp_output_directory_clear(directory);
     return status;
@@ -163,8 +163,9 @@ static int write_all(int file, const char *bytes, size_t size)
     return 0;
 }
 
-static int write_file(const char *directory,
-                      const struct pp_output_directory_file *file, mode_t mask)
+static int write_directory_file(const char *directory,
+                                const struct pp_output_directory_file *file,
+                                mode_t mask)
 {
     char *path = joined(directory, file->path);
     if (!path)
@@ -244,7 +245,7 @@ static int replace(const struct pp_output_directory *directory)
     int failed = mkdtemp(temporary) ? 0 : errno;
     if (!failed) {
         for (int i = 0; i < directory->count && !failed; i++)
-            failed = write_file(temporary, &directory->files[i], mask);
+            failed = write_directory_file(temporary, &directory->files[i], mask);
         if (!failed && chmod(temporary, 0777 & ~mask) != 0)
             failed = errno;
         if (!failed)
@@ -279,7 +280,7 @@ enum pp_status pp_output_directory_commit(struct pp_output_directory *directory,
     if (!close_streams(directory))
         status = pp_fail_memory(err);
     if (status == PP_OK)
-        status = check(directory, err);
+        status = check_output_directory(directory, err);
     int failed = status == PP_OK ? replace(directory) : 0;
     if (failed)
         status = fail_path(err, directory->path, failed);

@@ -236,8 +236,9 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
 }
 
 /* As it is, or with its mirror image at the line. */
-static enum pp_status settle(struct pp_building *building,
-                             const struct pp_mirror_line *line, struct pp_error *err)
+static enum pp_status settle_mirror_image(struct pp_building *building,
+                                          const struct pp_mirror_line *line,
+                                          struct pp_error *err)
 {
     struct pp_error why = {0};
     if (!line)
@@ -259,7 +260,7 @@ static enum pp_exit load_again(struct loading *loading, const char *file,
     enum pp_status status =
         pp_building_read_again(&building, proposed, &mistakes, &err);
     if (status == PP_OK)
-        status = settle(building, line, &err);
+        status = settle_mirror_image(building, line, &err);
     enum pp_exit result = status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
     enum pp_exit kept = keep_building(loading->rooms, building);
     if (result == PP_EXIT_DONE)

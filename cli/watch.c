@@ -3,14 +3,14 @@
 
 #include "cli/interrupt.h"
 
-static bool begin(void *data, const char *name)
+static bool begin_watch(void *data, const char *name)
 {
     struct pp_terminal_watch *terminal = data;
     pp_progress_begin(&terminal->progress, name, terminal->quiet);
     return terminal->progress.shown;
 }
 
-static bool look(void *data, double done, double error)
+static bool watch_goes_on(void *data, double done, double error)
 {
     struct pp_terminal_watch *terminal = data;
     if (pp_interrupt_came())
@@ -29,5 +29,5 @@ static void end(void *data)
 struct pp_watch pp_watch_of_terminal(struct pp_terminal_watch *terminal, bool quiet)
 {
     *terminal = (struct pp_terminal_watch){.quiet = quiet};
-    return (struct pp_watch){begin, look, end, terminal};
+    return (struct pp_watch){begin_watch, watch_goes_on, end, terminal};
 }

@@ -193,11 +193,12 @@ static enum pp_status work_newer_form(const struct pp_world *world,
     return PP_OK;
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_average_df(const struct pp_world *world,
+                                          const struct pp_outside_light *light,
+                                          const struct pp_opening *opening,
+                                          const struct pp_receiver *receiver,
+                                          const void *tools, struct pp_part *part,
+                                          struct pp_error *err)
 {
     (void)receiver, (void)tools;
     return work_newer_form(world, light, opening, COUNTS_BY_FLOOR, part, err);
@@ -241,7 +242,7 @@ const struct pp_method pp_method_average_df = {
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
     .refuses_room = pp_refusals_formula_room,
-    .evaluate = evaluate,
+    .evaluate = evaluate_average_df,
 };
 
 const struct pp_method pp_method_average_df_above = {

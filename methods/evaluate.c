@@ -164,10 +164,12 @@ static enum pp_status check_room(struct pp_method_answer *answers,
 }
 
 /* Adds the column of one component from the answers of a method. */
-static enum pp_status add_column(struct pp_report *report,
-                                 const struct pp_method *method, const char *name,
-                                 const struct pp_method_answer *answers,
-                                 enum pp_component component, struct pp_error *err)
+static enum pp_status add_component_column(struct pp_report *report,
+                                           const struct pp_method *method,
+                                           const char *name,
+                                           const struct pp_method_answer *answers,
+                                           enum pp_component component,
+                                           struct pp_error *err)
 {
     if (pp_report_find(report, component, name))
         return PP_OK;
@@ -225,9 +227,10 @@ static enum pp_status add_method(struct pp_report *report,
     if (status == PP_OK)
         status = check_room(answers, method, report, err);
     if (status == PP_OK)
-        status = add_column(report, method, run.name, answers, component, err);
+        status =
+            add_component_column(report, method, run.name, answers, component, err);
     if (status == PP_OK && method->gives == PP_GIVES_DIRECT)
-        status = add_column(report, method, run.name, answers, PP_ERC, err);
+        status = add_component_column(report, method, run.name, answers, PP_ERC, err);
     free(answers);
     pp_method_run_clear(&run);
     return status;

@@ -74,10 +74,10 @@ static struct pp_amounts add_part(struct pp_amounts *sum, const struct pp_part *
 
 /* Adds the components of one opening by the method; *used: a variant's formula was worked
  * out. The opening is without figures where the answer has a why. */
-static enum pp_status add_opening(const struct pp_method_run *run, int i,
-                                  const struct pp_receiver *receiver,
-                                  struct pp_method_answer *answer, bool *used,
-                                  struct pp_error *err)
+static enum pp_status add_opening_components(const struct pp_method_run *run, int i,
+                                             const struct pp_receiver *receiver,
+                                             struct pp_method_answer *answer,
+                                             bool *used, struct pp_error *err)
 {
     const struct pp_method *method = run->method;
     const struct pp_world *world = run->world;
@@ -123,7 +123,7 @@ static enum pp_status add_openings(const struct pp_method_run *run,
     bool used = false;
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK && !answer->why; i++)
-        status = add_opening(run, i, receiver, answer, &used, err);
+        status = add_opening_components(run, i, receiver, answer, &used, err);
     /* A point may see nothing of the openings; a room has all of them. */
     if (status == PP_OK && !answer->why && run->varied && !used
         && run->method->speaks_for != PP_FOR_POINT && world->opening_count > 0)
@@ -133,8 +133,9 @@ static enum pp_status add_openings(const struct pp_method_run *run,
 
 /* Sets down why the method does not cover the room or one of its openings; false: it
  * does. */
-static bool refuse(const struct pp_method_run *run, const struct pp_receiver *receiver,
-                   struct pp_method_answer *answer)
+static bool method_refuses(const struct pp_method_run *run,
+                           const struct pp_receiver *receiver,
+                           struct pp_method_answer *answer)
 {
     const struct pp_method *method = run->method;
     const struct pp_world *world = run->world;
@@ -154,7 +155,7 @@ enum pp_status pp_method_run_answer(const struct pp_method_run *run,
 {
     const struct pp_world *world = run->world;
     *answer = (struct pp_method_answer){.steps = answer->steps};
-    if (refuse(run, receiver, answer))
+    if (method_refuses(run, receiver, answer))
         return PP_OK;
     enum pp_status status = add_openings(run, receiver, answer, err);
     if (status != PP_OK || answer->why || !answer->steps)
@@ -187,9 +188,9 @@ static bool plane_sum_at(void *data, int opening, const struct pp_receiver *rece
 {
     struct plane_sum *sum = data;
     struct pp_method_answer answer = {0};
-    bool used = false,
-         failed =
-             add_opening(sum->run, opening, receiver, &answer, &used, NULL) != PP_OK;
+    bool used = false, failed = add_opening_components(sum->run, opening, receiver,
+                                                       &answer, &used, NULL)
+                                != PP_OK;
     if (failed || answer.why) {
         pp_thread_pool_lock(sum->run->shared.pool);
         sum->failed |= failed;
@@ -235,7 +236,7 @@ static bool refuse_plane(const struct pp_method_run *run,
     const struct pp_receiver receiver = {
         .position = {corner[0], corner[1], world->working_plane_m},
         .normal = {0.0, 0.0, 1.0}};
-    return refuse(run, &receiver, answer);
+    return method_refuses(run, &receiver, answer);
 }
 
 enum pp_status pp_method_run_average(const struct pp_method_run *run,

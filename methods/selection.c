@@ -9,9 +9,10 @@
 
 static const char default_selection[] = "exact+bre,brs-table+bre,average-df";
 
-static enum pp_status add(struct pp_selection *selection,
-                          const struct pp_method *method,
-                          const struct pp_method *internal, struct pp_error *err)
+static enum pp_status add_selected_method(struct pp_selection *selection,
+                                          const struct pp_method *method,
+                                          const struct pp_method *internal,
+                                          struct pp_error *err)
 {
     for (int i = 0; i < selection->count; i++)
         if (selection->choices[i].method == method
@@ -49,8 +50,8 @@ static enum pp_status unknown(const char *name, struct pp_error *err)
                    written, known);
 }
 
-static enum pp_status find(const struct pp_method **method, const char *name,
-                           struct pp_error *err)
+static enum pp_status find_method(const struct pp_method **method, const char *name,
+                                  struct pp_error *err)
 {
     *method = pp_method_find(name);
     return *method ? PP_OK : unknown(name, err);
@@ -60,9 +61,9 @@ static enum pp_status add_pair(struct pp_selection *selection, const char *direc
                                const char *internal_name, struct pp_error *err)
 {
     const struct pp_method *direct, *internal;
-    enum pp_status status = find(&direct, direct_name, err);
+    enum pp_status status = find_method(&direct, direct_name, err);
     if (status == PP_OK)
-        status = find(&internal, internal_name, err);
+        status = find_method(&internal, internal_name, err);
     if (status != PP_OK)
         return status;
     if (direct->gives != PP_GIVES_DIRECT)
@@ -75,7 +76,7 @@ static enum pp_status add_pair(struct pp_selection *selection, const char *direc
                        "\"%s+%s\": %s does not give the internally reflected "
                        "component, which the second of a pair must",
                        direct_name, internal_name, internal_name);
-    return add(selection, direct, internal, err);
+    return add_selected_method(selection, direct, internal, err);
 }
 
 /* Every direct method with bre, exact with every internal one, all whole ones; but for
@@ -87,13 +88,13 @@ static enum pp_status add_all(struct pp_selection *selection, struct pp_error *e
     enum pp_status status = PP_OK;
     for (int i = 0; pp_methods[i] && status == PP_OK; i++)
         if (pp_methods[i]->gives == PP_GIVES_DIRECT && !pp_methods[i]->by_name)
-            status = add(selection, pp_methods[i], bre, err);
+            status = add_selected_method(selection, pp_methods[i], bre, err);
     for (int i = 0; pp_methods[i] && status == PP_OK; i++)
         if (pp_methods[i]->gives == PP_GIVES_INTERNAL)
-            status = add(selection, exact, pp_methods[i], err);
+            status = add_selected_method(selection, exact, pp_methods[i], err);
     for (int i = 0; pp_methods[i] && status == PP_OK; i++)
         if (pp_methods[i]->gives == PP_GIVES_WHOLE)
-            status = add(selection, pp_methods[i], NULL, err);
+            status = add_selected_method(selection, pp_methods[i], NULL, err);
     return status;
 }
 
@@ -117,8 +118,8 @@ static enum pp_status add_item(struct pp_selection *selection, char *item,
         return add_list(selection, list, err);
     }
     const struct pp_method *method;
-    enum pp_status status = find(&method, item, err);
-    return status == PP_OK ? add(selection, method, NULL, err) : status;
+    enum pp_status status = find_method(&method, item, err);
+    return status == PP_OK ? add_selected_method(selection, method, NULL, err) : status;
 }
 
 /* Adds the methods of a list separated by commas; writes into the list. */
@@ -165,13 +166,13 @@ enum pp_status pp_selection_include(struct pp_selection *selection,
             return PP_OK;
     switch (method->gives) {
     case PP_GIVES_DIRECT:
-        return add(selection, method, pp_method_find("bre"), err);
+        return add_selected_method(selection, method, pp_method_find("bre"), err);
     case PP_GIVES_INTERNAL:
-        return add(selection, pp_method_find("exact"), method, err);
+        return add_selected_method(selection, pp_method_find("exact"), method, err);
     case PP_GIVES_WHOLE:
         break;
     }
-    return add(selection, method, NULL, err);
+    return add_selected_method(selection, method, NULL, err);
 }
 
 enum pp_status pp_selection_check(const char *selection, struct pp_error *err)

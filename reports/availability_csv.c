@@ -6,8 +6,9 @@
 
 #include "reports/parts/format.h"
 
-static void put_row(const struct pp_availability_result *result,
-                    const struct pp_availability_row *row, int period, FILE *out)
+static void put_availability_row(const struct pp_availability_result *result,
+                                 const struct pp_availability_row *row, int period,
+                                 FILE *out)
 {
     const struct pp_availability_sheet *sheet = &result->sheet;
     pp_format_csv_field(result->file, out);
@@ -46,7 +47,7 @@ enum pp_status pp_availability_csv(const struct pp_availability_results *results
         const struct pp_availability_sheet *sheet = &results->list[i].sheet;
         for (int row = 0; row < sheet->row_count; row++)
             for (int period = 0; period < sheet->period_count; period++)
-                put_row(&results->list[i], &sheet->rows[row], period, out);
+                put_availability_row(&results->list[i], &sheet->rows[row], period, out);
     }
     return PP_OK;
 }

@@ -52,8 +52,8 @@ static bool add_periods(struct json_object *object,
     return good;
 }
 
-static bool add_value(struct json_object *object, double value, double std_error,
-                      const char *why)
+static bool add_availability_value(struct json_object *object, double value,
+                                   double std_error, const char *why)
 {
     return pp_json_number(object, "value", value)
            && (!isfinite(std_error) || pp_json_number(object, "se", std_error))
@@ -70,9 +70,9 @@ static bool add_method(struct json_object *object,
     if (!pp_json_add(object, row->method, method))
         return false;
     struct json_object *df = line_under(method, "df");
-    bool good =
-        df
-        && add_value(df, 100.0 * row->df.value, 100.0 * row->df.std_error, row->df.why);
+    bool good = df
+                && add_availability_value(df, 100.0 * row->df.value,
+                                          100.0 * row->df.std_error, row->df.why);
     for (int i = 0; i < sheet->illuminance_count && good; i++, row++) {
         char key[32];
         snprintf(key, sizeof key, "%.10g", row->lx);
@@ -82,8 +82,8 @@ static bool add_method(struct json_object *object,
         for (int k = 0; k < sheet->period_count && good; k++) {
             struct json_object *share = line_under(wanted, sheet->periods[k].words);
             good = share
-                   && add_value(share, 100.0 * row->share[k], 100.0 * row->std_error[k],
-                                row->df.why);
+                   && add_availability_value(share, 100.0 * row->share[k],
+                                             100.0 * row->std_error[k], row->df.why);
         }
     }
     return good;
@@ -105,8 +105,8 @@ static bool add_place(struct json_object *object,
     return good;
 }
 
-static bool add_points(struct json_object *object,
-                       const struct pp_availability_sheet *sheet)
+static bool add_availability_points(struct json_object *object,
+                                    const struct pp_availability_sheet *sheet)
 {
     const struct pp_report *report = sheet->report;
     struct json_object *points = json_object_new_array();
@@ -122,9 +122,9 @@ static bool add_points(struct json_object *object,
 }
 
 /* Under `key`; nothing where the place has no rows. */
-static bool add_whole(struct json_object *object,
-                      const struct pp_availability_sheet *sheet, const char *key,
-                      int place)
+static bool add_whole_place(struct json_object *object,
+                            const struct pp_availability_sheet *sheet, const char *key,
+                            int place)
 {
     bool there = false;
     for (int i = 0; i < sheet->row_count; i++)
@@ -150,9 +150,9 @@ static struct json_object *room(const void *all, int index)
     if (good && !report->finished)
         good = pp_json_add(object, "finished", json_object_new_boolean(false));
     good = good && add_light(object, sheet) && add_periods(object, sheet)
-           && add_points(object, sheet)
-           && add_whole(object, sheet, "median", PP_PLACE_MEDIAN)
-           && add_whole(object, sheet, "average", PP_PLACE_AVERAGE);
+           && add_availability_points(object, sheet)
+           && add_whole_place(object, sheet, "median", PP_PLACE_MEDIAN)
+           && add_whole_place(object, sheet, "average", PP_PLACE_AVERAGE);
     return pp_json_whole(object, good);
 }
 

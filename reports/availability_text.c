@@ -11,7 +11,8 @@
 
 /* ---- the light outside ---- */
 
-static void put_fact(const char *label, const char *text, int width, FILE *out)
+static void print_availability_fact(const char *label, const char *text, int width,
+                                    FILE *out)
 {
     enum { LABEL = 15 };
     fprintf(out, "  %-*s", LABEL, label);
@@ -85,8 +86,8 @@ static bool print_periods(const struct pp_availability_sheet *sheet, int width,
 static void print_light(const struct pp_availability_sheet *sheet, int width, FILE *out)
 {
     char median[160];
-    put_fact("light outside", sheet->light, width, out);
-    put_fact("days and clock", sheet->calendar, width, out);
+    print_availability_fact("light outside", sheet->light, width, out);
+    print_availability_fact("days and clock", sheet->calendar, width, out);
     if (isfinite(sheet->median_lx))
         snprintf(median, sizeof median,
                  "%.0f lx, median of the diffuse illuminance over the brightest 4380 "
@@ -94,13 +95,13 @@ static void print_light(const struct pp_availability_sheet *sheet, int width, FI
                  sheet->median_lx);
     else
         snprintf(median, sizeof median, "none: the file's data cover less than a year");
-    put_fact("median", median, width, out);
+    print_availability_fact("median", median, width, out);
     for (int i = 0; i < sheet->period_count; i++)
         if (sheet->periods[i].missing_h > 0.0) {
             snprintf(median, sizeof median,
                      "%.0f hours of %s, whose light is not known, are left out",
                      sheet->periods[i].missing_h, sheet->periods[i].words);
-            put_fact("gaps", median, width, out);
+            print_availability_fact("gaps", median, width, out);
         }
 }
 
@@ -224,8 +225,9 @@ static void print_reasons(const struct pp_availability_sheet *sheet, int width,
     }
 }
 
-static enum pp_status print_room(const struct pp_availability_result *result, int width,
-                                 bool utf8, FILE *out, struct pp_error *err)
+static enum pp_status print_available_room(const struct pp_availability_result *result,
+                                           int width, bool utf8, FILE *out,
+                                           struct pp_error *err)
 {
     const struct pp_availability_sheet *sheet = &result->sheet;
     pp_print_title(result->report.world, result->file, out);
@@ -266,7 +268,7 @@ enum pp_status pp_availability_text(const struct pp_availability_results *result
     for (int i = 0; i < results->count && status == PP_OK; i++) {
         if (i > 0)
             fputs("\n\n", out);
-        status = print_room(&results->list[i], width, utf8, out, err);
+        status = print_available_room(&results->list[i], width, utf8, out, err);
     }
     return status;
 }

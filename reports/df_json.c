@@ -92,7 +92,7 @@ static struct json_object *entry(const struct pp_reading *reading, const char *n
 /* What a column says at receiver `index`, or of a mean. */
 enum { OF_AVERAGE = -1, OF_MARGIN_AVERAGE = -2 };
 
-static const struct pp_reading *reading_of(const struct pp_column *column, int index)
+static const struct pp_reading *df_reading(const struct pp_column *column, int index)
 {
     return index == OF_AVERAGE          ? &column->average
            : index == OF_MARGIN_AVERAGE ? &column->margin_average
@@ -137,8 +137,8 @@ static bool add_readings(struct json_object *object, const struct pp_report *rep
         }
         const struct pp_column *truth = truth_for(report, column);
         if (!pp_json_add(*component, column->name,
-                         entry(reading_of(column, index), column->name,
-                               truth ? reading_of(truth, index) : NULL,
+                         entry(df_reading(column, index), column->name,
+                               truth ? df_reading(truth, index) : NULL,
                                band_of(column, index),
                                column->component == PP_DF ? external_lux : 0.0)))
             return false;
@@ -164,8 +164,8 @@ static struct json_object *point(const struct pp_report *report, int index,
     return NULL;
 }
 
-static bool add_points(struct json_object *object, const struct pp_report *report,
-                       double external_lux)
+static bool add_df_points(struct json_object *object, const struct pp_report *report,
+                          double external_lux)
 {
     struct json_object *points = json_object_new_array();
     bool good = pp_json_add(object, "points", points);
@@ -204,7 +204,7 @@ static struct json_object *plane_entry(const struct pp_reading *reading)
     return pp_json_whole(object, good);
 }
 
-static struct json_object *plane_of(const struct pp_plane_reading *plane)
+static struct json_object *plane_reading_object(const struct pp_plane_reading *plane)
 {
     struct json_object *object = json_object_new_object();
     struct json_object *over = json_object_new_array();
@@ -243,7 +243,7 @@ static bool add_grid(struct json_object *object, const struct pp_report *report)
     for (int i = 0; i < report->column_count && good; i++)
         if (report->columns[i].has_plane)
             good = pp_json_add(factors, report->columns[i].name,
-                               plane_of(&report->columns[i].plane));
+                               plane_reading_object(&report->columns[i].plane));
     return good;
 }
 
@@ -280,7 +280,7 @@ static struct json_object *room(const void *all, int index)
         good = pp_advice_report_json(object, &result->advice);
     struct json_object *average = NULL;
     if (good)
-        good = add_points(object, report, lux)
+        good = add_df_points(object, report, lux)
                && pp_json_add(object, "average", average = json_object_new_object())
                && add_readings(average, report, OF_AVERAGE, lux);
     if (good && report->column_count > 0 && report->columns[0].has_margin_average)

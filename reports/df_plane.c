@@ -51,7 +51,8 @@ static void put_point(const struct layer *layer, int at, char cell[WORDS])
         snprintf(cell, WORDS, "-");
 }
 
-static void put_row(const struct layer *layer, int row, int first, int last, FILE *out)
+static void put_plane_row(const struct layer *layer, int row, int first, int last,
+                          FILE *out)
 {
     const struct pp_lattice *lattice = layer->lattice;
     fprintf(out, "%*.2f |", EDGE, lattice->y[row]);
@@ -70,7 +71,7 @@ static void put_panel(const struct layer *layer, int first, int last, FILE *out)
     const struct pp_lattice *lattice = layer->lattice;
     fprintf(out, "\n%*s\n", EDGE, "y");
     for (int row = lattice->rows - 1; row >= 0; row--)
-        put_row(layer, row, first, last, out);
+        put_plane_row(layer, row, first, last, out);
     fprintf(out, "%*s +", EDGE, "");
     for (int i = 0; i < layer->cell * (last - first); i++)
         fputc('-', out);

@@ -373,9 +373,10 @@ static void print_margin(const struct pp_report *report, bool utf8, int width,
     pp_print_wrapped(text[0] ? text : "none", 2, 2, width, out);
 }
 
-static enum pp_status print_room(const struct pp_result *result,
-                                 const struct pp_study_options *options, bool all_bands,
-                                 int width, bool utf8, FILE *out, struct pp_error *err)
+static enum pp_status print_df_room(const struct pp_result *result,
+                                    const struct pp_study_options *options,
+                                    bool all_bands, int width, bool utf8, FILE *out,
+                                    struct pp_error *err)
 {
     const struct pp_report *report = &result->report;
     pp_print_title(report->world, result->file, out);
@@ -410,8 +411,8 @@ enum pp_status pp_df_text(const struct pp_results *results, int width, bool utf8
     for (int i = 0; i < results->count && status == PP_OK; i++) {
         if (i > 0)
             fputs("\n\n", out);
-        status = print_room(&results->list[i], results->options, results->bands, width,
-                            utf8, out, err);
+        status = print_df_room(&results->list[i], results->options, results->bands,
+                               width, utf8, out, err);
     }
     return status;
 }

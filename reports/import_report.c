@@ -117,7 +117,7 @@ static void print_summary(const struct pp_imported *imported, FILE *out)
 
 enum { COLUMNS = 7 };
 
-static double cell_of(const struct pp_imported *imported, int row, int column)
+static double imported_cell(const struct pp_imported *imported, int row, int column)
 {
     const struct pp_sensor *point = &imported->points[row];
     const struct pp_sensor_reading *reading = &imported->readings[row];
@@ -157,7 +157,7 @@ static bool print_table(const struct pp_imported *imported, int width, bool utf8
         struct pp_table_column *column = pp_table_add(&table, group, group, heading);
         good = column != NULL;
         for (int row = 0; good && row < imported->count; row++) {
-            double value = cell_of(imported, row, i);
+            double value = imported_cell(imported, row, i);
             if (isfinite(value))
                 snprintf(column->cells[row], PP_CELL_BYTES, formats[i], value + 0.0);
             else
@@ -205,7 +205,8 @@ static enum pp_status print_text(const struct pp_imported *imported, int width,
 
 /* ---- JSON ---- */
 
-static bool add_corner(struct json_object *object, const char *key, struct pp_vec3 v)
+static bool add_corner_json(struct json_object *object, const char *key,
+                            struct pp_vec3 v)
 {
     return pp_json_numbers(object, key, (double[]){v.x, v.y, v.z}, 3);
 }
@@ -215,8 +216,8 @@ static bool add_rgb(struct json_object *object, const char *key, struct pp_rgb r
     return pp_json_numbers(object, key, (double[]){rgb.r, rgb.g, rgb.b}, 3);
 }
 
-static bool add_value(struct json_object *object, const char *key, double value,
-                      double error)
+static bool add_imported_value(struct json_object *object, const char *key,
+                               double value, double error)
 {
     struct json_object *entry = json_object_new_object();
     if (!pp_json_add(object, key, entry))
@@ -230,18 +231,18 @@ static struct json_object *point_object(const struct pp_imported *imported, int 
     const struct pp_sensor *point = &imported->points[which];
     const struct pp_sensor_reading *reading = &imported->readings[which];
     struct json_object *object = json_object_new_object();
-    bool good =
-        object && pp_json_number(object, "x", point->position.x)
-        && pp_json_number(object, "y", point->position.y)
-        && pp_json_number(object, "z", point->position.z)
-        && pp_json_number(object, "dx", point->normal.x)
-        && pp_json_number(object, "dy", point->normal.y)
-        && pp_json_number(object, "dz", point->normal.z)
-        && add_rgb(object, "irradiance", reading->irradiance)
-        && add_rgb(object, "irradiance-se", reading->std_error)
-        && add_value(object, "lux", lux(reading->grey), lux(reading->grey_error))
-        && add_value(object, "df", factor(imported, reading->grey),
-                     factor(imported, reading->grey_error));
+    bool good = object && pp_json_number(object, "x", point->position.x)
+                && pp_json_number(object, "y", point->position.y)
+                && pp_json_number(object, "z", point->position.z)
+                && pp_json_number(object, "dx", point->normal.x)
+                && pp_json_number(object, "dy", point->normal.y)
+                && pp_json_number(object, "dz", point->normal.z)
+                && add_rgb(object, "irradiance", reading->irradiance)
+                && add_rgb(object, "irradiance-se", reading->std_error)
+                && add_imported_value(object, "lux", lux(reading->grey),
+                                      lux(reading->grey_error))
+                && add_imported_value(object, "df", factor(imported, reading->grey),
+                                      factor(imported, reading->grey_error));
     if (good)
         pp_json_on_one_line(object);
     return pp_json_whole(object, good);
@@ -261,12 +262,13 @@ static bool add_summary(struct json_object *object, const struct pp_imported *im
                 && pp_json_number(scene, "materials", imported->scene->material_count)
                 && pp_json_number(scene, "flat", imported->summary.flat)
                 && pp_json_number(scene, "void", imported->summary.unseen)
-                && add_corner(scene, "from", census.low)
-                && add_corner(scene, "to", census.high);
+                && add_corner_json(scene, "from", census.low)
+                && add_corner_json(scene, "to", census.high);
     return pp_json_add(object, "scene", pp_json_whole(scene, good));
 }
 
-static bool add_points(struct json_object *object, const struct pp_imported *imported)
+static bool add_imported_points(struct json_object *object,
+                                const struct pp_imported *imported)
 {
     struct json_object *array = json_object_new_array();
     bool good = pp_json_add(object, "points", array);
@@ -289,7 +291,7 @@ static enum pp_status print_json(const struct pp_imported *imported, FILE *out,
     if (good && imported->readings)
         good =
             pp_json_add(object, "finished", json_object_new_boolean(imported->finished))
-            && add_points(object, imported);
+            && add_imported_points(object, imported);
     return pp_json_print(out, pp_json_whole(object, good), err);
 }
 

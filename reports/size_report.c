@@ -39,7 +39,7 @@ static void append_reading(char text[TEXT_BYTES], const struct pp_reading *readi
                        100.0 * reading->std_error);
 }
 
-static void put_fact(const char *label, const char *text, int width, FILE *out)
+static void print_size_fact(const char *label, const char *text, int width, FILE *out)
 {
     fprintf(out, "  %-*s", LABEL, label);
     pp_print_wrapped(text, LABEL + 2, LABEL + 2, width, out);
@@ -249,22 +249,22 @@ static void append_wanted(char text[TEXT_BYTES],
                    result->method);
 }
 
-static enum pp_status print_room(const struct pp_size_room_result *result,
-                                 const struct pp_size_request *request, int width,
-                                 bool utf8, FILE *out, struct pp_error *err)
+static enum pp_status print_sized_room(const struct pp_size_room_result *result,
+                                       const struct pp_size_request *request, int width,
+                                       bool utf8, FILE *out, struct pp_error *err)
 {
     const struct pp_size_answer *answer = &result->answer;
     char text[TEXT_BYTES] = "";
     append_wanted(text, result, request);
-    put_fact("wanted", text, width, out);
+    print_size_fact("wanted", text, width, out);
     if (isfinite(answer->now.value)) {
         text[0] = '\0';
         append_reading(text, &answer->now, utf8);
-        put_fact("as it is", text, width, out);
+        print_size_fact("as it is", text, width, out);
     }
     text[0] = '\0';
     append_answer(text, result, request->change, utf8);
-    put_fact(pp_size_room_change_words[request->change], text, width, out);
+    print_size_fact(pp_size_room_change_words[request->change], text, width, out);
     if (pp_band_is_known(result->band)) {
         char band[48];
         pp_print_band(band, sizeof band, result->band);
@@ -272,7 +272,7 @@ static enum pp_status print_room(const struct pp_size_room_result *result,
                  "%s %%: where the truth was in 95 of 100 rooms like that one (the "
                  "atlas)",
                  band);
-        put_fact("band", text, width, out);
+        print_size_fact("band", text, width, out);
     }
     if (isfinite(result->traced.value)) {
         text[0] = '\0';
@@ -286,7 +286,7 @@ static enum pp_status print_room(const struct pp_size_room_result *result,
             pp_text_append(text, TEXT_BYTES,
                            ": the target is not reached by simulation, and the answer "
                            "does not hold; --by traced finds one that does");
-        put_fact("traced", text, width, out);
+        print_size_fact("traced", text, width, out);
     }
     if (!request->traced && !request->criterion)
         pp_print_reliability(&result->reliability, width, out);
@@ -306,7 +306,7 @@ enum pp_status pp_size_report(const struct pp_size_results *results, int width,
             fputc('\n', out);
         pp_print_title(result->room->world, result->room->file, out);
         fputc('\n', out);
-        status = print_room(result, results->request, width, utf8, out, err);
+        status = print_sized_room(result, results->request, width, utf8, out, err);
     }
     return status;
 }

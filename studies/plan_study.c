@@ -98,8 +98,9 @@ static enum pp_status set_figures(struct pp_plan_study *study, const char *name,
 }
 
 /* Sums up the points of the grid, which are behind the room's own, and takes them off. */
-static enum pp_status settle(struct pp_plan_study *study,
-                             const struct pp_study_room *room, struct pp_error *err)
+static enum pp_status settle_plan_grid(struct pp_plan_study *study,
+                                       const struct pp_study_room *room,
+                                       struct pp_error *err)
 {
     enum pp_status status = pp_plane_figures_fill(&study->report, room, err);
     const struct pp_report *report = &study->report;
@@ -264,7 +265,7 @@ enum pp_status pp_plan_study_make(struct pp_plan_study *study,
         status = options->simulate ? by_trace(study, room, options, by_clock, err)
                                    : by_hand(study, room, options, err);
     if (status == PP_OK)
-        status = settle(study, room, err);
+        status = settle_plan_grid(study, room, err);
     if (status != PP_OK)
         pp_plan_study_clear(study);
     return status;

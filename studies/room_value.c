@@ -9,8 +9,8 @@
 
 /* A method's reading at a point, or its average (point -1): the daylight factor, else
  * the internally reflected component, else sky plus externally reflected component. */
-static struct pp_reading reading_of(const struct pp_report *report, const char *method,
-                                    int point)
+static struct pp_reading method_reading(const struct pp_report *report,
+                                        const char *method, int point)
 {
     static const enum pp_component order[] = {PP_DF, PP_IRC, PP_SC};
     const struct pp_column *column = NULL;
@@ -41,9 +41,10 @@ enum pp_status pp_room_value(struct pp_room_value *value, const struct pp_world 
                                .threads = value->threads};
     enum pp_status status = pp_methods_evaluate(&report, value->method, err);
     if (status == PP_OK) {
-        *reading = reading_of(&report, value->method, value->point_count > 0 ? 0 : -1);
+        *reading =
+            method_reading(&report, value->method, value->point_count > 0 ? 0 : -1);
         for (int i = 1; i < value->point_count && !reading->why; i++) {
-            struct pp_reading other = reading_of(&report, value->method, i);
+            struct pp_reading other = method_reading(&report, value->method, i);
             if (other.why || other.value < reading->value)
                 *reading = other;
         }

@@ -39,7 +39,7 @@ static const struct pp_opening *largest_window(const struct pp_world *world)
     return largest;
 }
 
-static struct pp_vec3 middle_of(const struct pp_polygon *polygon)
+static struct pp_vec3 polygon_middle(const struct pp_polygon *polygon)
 {
     struct pp_vec3 sum = pp_vec(0.0, 0.0, 0.0);
     for (int i = 0; i < polygon->count; i++)
@@ -54,7 +54,7 @@ static void choose_start(const struct pp_world *world, struct pp_vec3 *start,
     const struct pp_opening *window = largest_window(world);
     if (window) {
         struct pp_vec3 normal = window->inner.normal;
-        *start = middle_of(&window->inner);
+        *start = polygon_middle(&window->inner);
         *way = pp_vec_unit(pp_vec(normal.x, normal.y, 0.0));
     } else {
         struct pp_bounds3 bounds = pp_position_bounds(world);

@@ -60,7 +60,7 @@ struct pp_traced_plane {
 
 /* ---- sight ---- */
 
-static double side_of(const double a[2], const double b[2], double x, double y)
+static double side_of_line(const double a[2], const double b[2], double x, double y)
 {
     return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
 }
@@ -68,10 +68,10 @@ static double side_of(const double a[2], const double b[2], double x, double y)
 static bool crosses(const struct plane_screen *screen, const double p[2],
                     const double q[2])
 {
-    double a = side_of(screen->a, screen->b, p[0], p[1]);
-    double b = side_of(screen->a, screen->b, q[0], q[1]);
-    double c = side_of(p, q, screen->a[0], screen->a[1]);
-    double d = side_of(p, q, screen->b[0], screen->b[1]);
+    double a = side_of_line(screen->a, screen->b, p[0], p[1]);
+    double b = side_of_line(screen->a, screen->b, q[0], q[1]);
+    double c = side_of_line(p, q, screen->a[0], screen->a[1]);
+    double d = side_of_line(p, q, screen->b[0], screen->b[1]);
     return a * b < 0.0 && c * d < 0.0;
 }
 
@@ -239,7 +239,7 @@ static enum pp_status choose_points(struct pp_traced_plane *plane, struct pp_err
     return status;
 }
 
-static int cell_of(const struct pp_traced_plane *plane, int axis, double at)
+static int traced_cell(const struct pp_traced_plane *plane, int axis, double at)
 {
     int most = (axis ? plane->rows : plane->columns) - 1;
     double cell = floor((at - plane->low[axis]) / plane->side_m);
@@ -257,8 +257,9 @@ static enum pp_status sort_into_cells(struct pp_traced_plane *plane,
     for (size_t i = 0; i < cells; i++)
         plane->cells[i] = -1;
     for (int i = plane->count - 1; i >= 0; i--) {
-        int *cell = &plane->cells[cell_of(plane, 1, plane->points[i].y) * plane->columns
-                                  + cell_of(plane, 0, plane->points[i].x)];
+        int *cell =
+            &plane->cells[traced_cell(plane, 1, plane->points[i].y) * plane->columns
+                          + traced_cell(plane, 0, plane->points[i].x)];
         plane->next[i] = *cell;
         *cell = i;
     }
@@ -389,10 +390,10 @@ static void find_neighbours(struct neighbours *found,
                             double radius)
 {
     found->count = 0;
-    for (int j = cell_of(plane, 1, at[1] - radius);
-         j <= cell_of(plane, 1, at[1] + radius); j++)
-        for (int i = cell_of(plane, 0, at[0] - radius);
-             i <= cell_of(plane, 0, at[0] + radius); i++)
+    for (int j = traced_cell(plane, 1, at[1] - radius);
+         j <= traced_cell(plane, 1, at[1] + radius); j++)
+        for (int i = traced_cell(plane, 0, at[0] - radius);
+             i <= traced_cell(plane, 0, at[0] + radius); i++)
             for (int k = plane->cells[j * plane->columns + i]; k >= 0;
                  k = plane->next[k]) {
                 const struct plane_point *point = &plane->points[k];

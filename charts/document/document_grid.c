@@ -137,8 +137,9 @@ static void draw_rule(const struct pp_document_grid *grid, double y, double weig
 }
 
 /* Words in a box whose left edge is x, at one of its sides; their height. */
-static double put(const struct pp_document_grid *grid, struct pp_lettering set,
-                  double x, double y, double width, const char *words, bool drawn)
+static double put_grid_words(const struct pp_document_grid *grid,
+                             struct pp_lettering set, double x, double y, double width,
+                             const char *words, bool drawn)
 {
     if (!words[0])
         return 0.0;
@@ -163,8 +164,9 @@ double pp_document_grid_head(const struct pp_document_grid *grid, double y, bool
                                          .grey = PP_GREY_TEXT,
                                          .across = across_of(grid, i),
                                          .lines = 4};
-        height = fmax(height, put(grid, set, x, y + pad(grid), grid->widths[i],
-                                  grid->table->columns[i].heading, drawn));
+        height =
+            fmax(height, put_grid_words(grid, set, x, y + pad(grid), grid->widths[i],
+                                        grid->table->columns[i].heading, drawn));
         x += grid->widths[i] + grid->gap;
     }
     height += 2.0 * pad(grid);
@@ -189,9 +191,9 @@ static double put_cell(const struct pp_document_grid *grid, int column,
                                       .across = set.across,
                                       .lines = NOTE_LINES_MOST};
     double width = grid->widths[column];
-    double height = put(grid, set, x, y, width, cell->text, drawn);
+    double height = put_grid_words(grid, set, x, y, width, cell->text, drawn);
     if (cell->note)
-        height += put(grid, note, x, y + height, width, cell->note, drawn);
+        height += put_grid_words(grid, note, x, y + height, width, cell->note, drawn);
     return height;
 }
 
@@ -220,8 +222,8 @@ static double put_across(const struct pp_document_grid *grid,
                                      .grey = group ? PP_INK : PP_GREY_TEXT,
                                      .lines = NOTE_LINES_MOST};
     double above = (group ? 3.0 : 0.0) * pad(grid);
-    double height = put(grid, set, grid->x, y + above, grid->width,
-                        row->cell_count ? row->cells[0].text : "", drawn);
+    double height = put_grid_words(grid, set, grid->x, y + above, grid->width,
+                                   row->cell_count ? row->cells[0].text : "", drawn);
     return above + height + pad(grid);
 }
 

@@ -100,8 +100,8 @@ static double gap(const struct sheet_setter *setter, double mm)
 }
 
 /* Words from the body's left edge and `in` on; their height. */
-static double put(struct sheet_setter *setter, struct pp_lettering set, double in,
-                  double y, const char *words, bool drawn)
+static double put_sheet_words(struct sheet_setter *setter, struct pp_lettering set,
+                              double in, double y, const char *words, bool drawn)
 {
     set.width = setter->body.width - 2.0 * in;
     set.lines = LINES_MOST;
@@ -137,7 +137,8 @@ static double paragraph_height(struct sheet_setter *setter,
 {
     double in = inset(setter, block->tone);
     return 2.0 * in
-           + put(setter, paragraph_set(block->tone), in, 0.0, block->text, false);
+           + put_sheet_words(setter, paragraph_set(block->tone), in, 0.0, block->text,
+                             false);
 }
 
 /* A picture's own margin is not counted: nothing is in it. */
@@ -177,9 +178,9 @@ static double least(struct sheet_setter *setter, int index)
                                        *next = block + 1;
         switch (block->kind) {
         case PP_BLOCK_HEADING:
-            height +=
-                6.0 * setter->style.scale
-                + put(setter, heading_set(block->level), 0.0, 0.0, block->text, false);
+            height += 6.0 * setter->style.scale
+                      + put_sheet_words(setter, heading_set(block->level), 0.0, 0.0,
+                                        block->text, false);
             break;
         case PP_BLOCK_PARAGRAPH:
             height += 2.0 * setter->style.scale + paragraph_height(setter, block);
@@ -207,9 +208,9 @@ static void put_heading(struct sheet_setter *setter, int index)
     setter->y += gap(setter, chapter ? 6.0 : 4.0);
     if (setter->drawn && block->level < 3)
         pp_canvas_add_outline(setter->canvas, block->level, block->text, setter->y);
-    setter->y +=
-        put(setter, heading_set(block->level), 0.0, setter->y, block->text, true)
-        + 1.0 * setter->style.scale;
+    setter->y += put_sheet_words(setter, heading_set(block->level), 0.0, setter->y,
+                                 block->text, true)
+                 + 1.0 * setter->style.scale;
 }
 
 /* A verdict stands in a box with a bar before it. */
@@ -232,7 +233,8 @@ static void put_paragraph(struct sheet_setter *setter, int index)
     setter->y += gap(setter, 1.5);
     if (setter->drawn && in > 0.0)
         draw_box(setter, height);
-    put(setter, paragraph_set(block->tone), in, setter->y + in, block->text, true);
+    put_sheet_words(setter, paragraph_set(block->tone), in, setter->y + in, block->text,
+                    true);
     setter->y += height + 0.5 * setter->style.scale;
 }
 

@@ -37,8 +37,8 @@ static double middle_y(const struct table_drawing *drawing, double row)
     return drawing->corner[1] + (row + 0.5) * drawing->cell[1];
 }
 
-static void put(const struct table_drawing *drawing, double x, double y, bool bold,
-                const char *words)
+static void put_table_words(const struct table_drawing *drawing, double x, double y,
+                            bool bold, const char *words)
 {
     struct pp_lettering set = {
         .size = PP_TEXT_SMALL, .bold = bold, .across = 0.5, .down = 0.5};
@@ -64,16 +64,19 @@ static void draw_figures(const struct table_drawing *drawing)
     char text[16];
     for (int k = 0; k < PP_BRS_COLUMNS; k++) {
         write_ratio(text, sheet->w_over_d[k], 1);
-        put(drawing, middle_x(drawing, k), middle_y(drawing, -1.0), true, text);
+        put_table_words(drawing, middle_x(drawing, k), middle_y(drawing, -1.0), true,
+                        text);
     }
     for (int i = 0; i < PP_BRS_ROWS; i++) {
         write_ratio(text, sheet->h_over_d[i], 1);
-        put(drawing, middle_x(drawing, -1.0), middle_y(drawing, i), true, text);
+        put_table_words(drawing, middle_x(drawing, -1.0), middle_y(drawing, i), true,
+                        text);
         for (int k = 0; k < PP_BRS_COLUMNS; k++) {
             double percent = sheet->percent[i][k];
             snprintf(text, sizeof text, "%.*f%s", percent < 1.0 ? 2 : 1, percent,
                      sheet->odd[i][k] ? "*" : "");
-            put(drawing, middle_x(drawing, k), middle_y(drawing, i), false, text);
+            put_table_words(drawing, middle_x(drawing, k), middle_y(drawing, i), false,
+                            text);
         }
     }
 }
@@ -105,12 +108,13 @@ static void draw_rules(const struct table_drawing *drawing)
 static void name_heads(const struct table_drawing *drawing)
 {
     const struct pp_box *box = &drawing->box;
-    put(drawing, drawing->corner[0] + 0.5 * PP_BRS_COLUMNS * drawing->cell[0],
+    put_table_words(
+        drawing, drawing->corner[0] + 0.5 * PP_BRS_COLUMNS * drawing->cell[0],
         middle_y(drawing, -2.0), false,
         "w/d: width of the window to one side of the normal, over the distance from "
         "the window");
-    put(drawing, 0.5 * (box->x + drawing->corner[0]), middle_y(drawing, -1.0), true,
-        "h/d");
+    put_table_words(drawing, 0.5 * (box->x + drawing->corner[0]),
+                    middle_y(drawing, -1.0), true, "h/d");
 }
 
 /* ---- readings ---- */
@@ -155,7 +159,7 @@ static bool is_first_there(const struct pp_brs_sheet *sheet, int index)
     return true;
 }
 
-static int number_of(const struct pp_brs_sheet *sheet, int index)
+static int brs_column_number(const struct pp_brs_sheet *sheet, int index)
 {
     int number = 0, at = index;
     const struct pp_brs_reading *reading = &sheet->readings[index];
@@ -237,7 +241,7 @@ static void mark_readings(const struct table_drawing *drawing)
         }
     for (int i = 0; i < listed(sheet); i++)
         if (is_first_there(sheet, i))
-            put_number(drawing, &sheet->readings[i], number_of(sheet, i));
+            put_number(drawing, &sheet->readings[i], brs_column_number(sheet, i));
 }
 
 /* ---- words ---- */
@@ -249,7 +253,7 @@ static void say_reading(char *text, size_t room, const struct pp_brs_sheet *shee
     const struct pp_brs_reading *reading = &sheet->readings[index];
     snprintf(text, room,
              "%d  line %d, %s, %s %s: h/d %.3f, w/d %.3f: %s\u00a0%.2f\u00a0%%",
-             number_of(sheet, index), sheet->windows[reading->window].line,
+             brs_column_number(sheet, index), sheet->windows[reading->window].line,
              reading->hidden ? "obstruction" : "sky", reading->lower ? "foot" : "head",
              reading->left ? "left" : "right", reading->h_over_d, reading->w_over_d,
              reading->sign > 0 ? "+" : "\u2212", 100.0 * reading->value);
@@ -335,8 +339,8 @@ static void say_how(char *foot, size_t room, const struct pp_brs_sheet *sheet)
         pp_page_say(foot, room, "Crosses: where it is read, in the tinted cells.");
 }
 
-static void titles(const struct pp_brs_sheet *sheet, char *title, char *subtitle,
-                   size_t room)
+static void brs_table_titles(const struct pp_brs_sheet *sheet, char *title,
+                             char *subtitle, size_t room)
 {
     snprintf(title, room, "%s",
              sheet->name ? sheet->name : "BRS simplified daylight table");
@@ -375,7 +379,7 @@ enum pp_status pp_brs_table_chart_draw(struct pp_canvas *canvas,
                                     .sheet = sheet,
                                     .labels = labels};
     char title[512], subtitle[512], foot[2048] = "";
-    titles(sheet, title, subtitle, sizeof title);
+    brs_table_titles(sheet, title, subtitle, sizeof title);
     say_how(foot, sizeof foot, sheet);
     const struct pp_page page = {title, subtitle, foot};
     struct pp_box body = pp_page_draw(canvas, &drawing.style, &page);

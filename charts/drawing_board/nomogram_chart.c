@@ -41,7 +41,7 @@ static double y_of(const struct pp_nomogram_curve_frame *drawing, double y)
 
 /* Numbers of the first stem stand left of it, all others right; readings on the other
  * side. */
-static double side_of(int stem)
+static double stem_label_side(int stem)
 {
     return stem == 0 ? -1.0 : 1.0;
 }
@@ -49,12 +49,12 @@ static double side_of(int stem)
 /* --- scales --------------------------------------------------------------------------
  */
 
-static void draw_marks(const struct pp_nomogram_curve_frame *drawing, int stem)
+static void draw_stem_marks(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     static const double length[] = {1.1, 1.8, 2.6};
     cairo_t *cr = drawing->cr;
     const struct pp_nomogram_scale *scale = &drawing->sheet->scales[stem];
-    double x = x_of(drawing, stem), side = side_of(stem) * drawing->style.scale;
+    double x = x_of(drawing, stem), side = stem_label_side(stem) * drawing->style.scale;
     pp_style_line(cr, drawing->style.hair, PP_INK);
     for (int i = 0; i < scale->count; i++) {
         double y = y_of(drawing, scale->marks[i].y);
@@ -67,7 +67,7 @@ static void draw_marks(const struct pp_nomogram_curve_frame *drawing, int stem)
 static void write_numbers(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     const struct pp_nomogram_scale *scale = &drawing->sheet->scales[stem];
-    double side = side_of(stem);
+    double side = stem_label_side(stem);
     double x = x_of(drawing, stem) + side * 3.3 * drawing->style.scale;
     const struct pp_lettering set = {
         .size = PP_TEXT_SMALL, .across = side < 0.0 ? 1.0 : 0.0, .down = 0.5};
@@ -96,8 +96,8 @@ static void ends_of(const struct pp_nomogram_curve_frame *drawing, int stem,
 }
 
 /* Letter and tag of a stem above its upper end. */
-static void write_head(const struct pp_nomogram_curve_frame *drawing, int stem,
-                       double top)
+static void write_stem_head(const struct pp_nomogram_curve_frame *drawing, int stem,
+                            double top)
 {
     const struct pp_style *style = &drawing->style;
     const struct pp_nomogram *nomogram = &drawing->sheet->nomogram;
@@ -121,13 +121,13 @@ static void draw_stem(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     double ends[2], x = x_of(drawing, stem);
     ends_of(drawing, stem, ends);
-    draw_marks(drawing, stem);
+    draw_stem_marks(drawing, stem);
     pp_style_line(drawing->cr, drawing->style.thin, PP_INK);
     cairo_move_to(drawing->cr, x, ends[0]);
     cairo_line_to(drawing->cr, x, ends[1]);
     cairo_stroke(drawing->cr);
     write_numbers(drawing, stem);
-    write_head(drawing, stem, ends[0]);
+    write_stem_head(drawing, stem, ends[0]);
 }
 
 /* --- a room's lines ------------------------------------------------------------------
@@ -201,7 +201,7 @@ static double off_line(const struct pp_nomogram_curve_frame *drawing,
                        const struct pp_nomogram_window *window, int stem)
 {
     const struct pp_nomogram *nomogram = &drawing->sheet->nomogram;
-    double side = -side_of(stem);
+    double side = -stem_label_side(stem);
     for (int k = 0; k < nomogram->edge_count; k++) {
         const struct pp_nomogram_edge *edge = &nomogram->edges[k];
         if (!window->read.used[k]
@@ -217,7 +217,7 @@ static double off_line(const struct pp_nomogram_curve_frame *drawing,
 /* The nearest stem on the readings' side of one, or -1. */
 static int neighbour(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
-    double side = -side_of(stem), gap = INFINITY;
+    double side = -stem_label_side(stem), gap = INFINITY;
     int nearest = -1;
     for (int i = 0; i < drawing->sheet->nomogram.stem_count; i++) {
         double away = side * (x_of(drawing, i) - x_of(drawing, stem));
@@ -251,7 +251,7 @@ static bool covers_figures(const struct pp_nomogram_curve_frame *drawing, int st
 {
     const struct pp_style *style = &drawing->style;
     int next = neighbour(drawing, stem);
-    if (next < 0 || side_of(stem) < 0.0
+    if (next < 0 || stem_label_side(stem) < 0.0
         || x_of(drawing, next) + figures_mm(style)
                < x_of(drawing, stem) - 3.0 * style->scale - width)
         return false;
@@ -303,7 +303,7 @@ static void write_readings(const struct pp_nomogram_curve_frame *drawing, int st
         memcpy(notes[count++].words, words, sizeof words);
     }
     spread(notes, count, 1.5 * style->text[PP_TEXT_BODY]);
-    double side = -side_of(stem);
+    double side = -stem_label_side(stem);
     const struct pp_lettering set = {.size = PP_TEXT_BODY,
                                      .bold = true,
                                      .across = side < 0.0 ? 1.0 : 0.0,

@@ -54,7 +54,7 @@ static void draw_mark(const struct pp_nomogram_curve_frame *frame, int index)
 }
 
 /* The letter at the end of the large figures. */
-static void write_head(const struct pp_nomogram_curve_frame *frame)
+static void write_curve_head(const struct pp_nomogram_curve_frame *frame)
 {
     const struct pp_nomogram_scale *curve = &frame->sheet->curve;
     const struct pp_nomogram_mark *last = &curve->marks[curve->count - 1];
@@ -80,7 +80,7 @@ void pp_nomogram_curve_draw(const struct pp_nomogram_curve_frame *frame)
     pp_style_line(cr, frame->style.hair, PP_INK);
     for (int i = 0; i < curve->count; i++)
         draw_mark(frame, i);
-    write_head(frame);
+    write_curve_head(frame);
 }
 
 static void draw_edge(const struct pp_nomogram_curve_frame *frame, int window,

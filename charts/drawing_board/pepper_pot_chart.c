@@ -30,7 +30,8 @@ static double draw_sums(const struct pp_pepper_pot_drawing *drawing, struct pp_b
     return height + 2.0 * drawing->style.scale;
 }
 
-static void say_foot(char *foot, size_t room, const struct pp_pepper_pot_sheet *sheet)
+static void say_pepper_pot_foot(char *foot, size_t room,
+                                const struct pp_pepper_pot_sheet *sheet)
 {
     pp_page_say(foot, room,
                 "Each dot is worth %.3g\u00a0%% daylight factor; the outermost are "
@@ -44,8 +45,8 @@ static void say_foot(char *foot, size_t room, const struct pp_pepper_pot_sheet *
                 sheet->any ? "on each window's own plane" : "of vertical windows");
 }
 
-static void titles(const struct pp_pepper_pot_drawing *drawing, char *title,
-                   char *subtitle, size_t room)
+static void pepper_pot_titles(const struct pp_pepper_pot_drawing *drawing, char *title,
+                              char *subtitle, size_t room)
 {
     const struct pp_pepper_pot_sheet *sheet = drawing->sheet;
     char sky[96];
@@ -104,8 +105,8 @@ enum pp_status pp_pepper_pot_chart_draw(struct pp_canvas *canvas,
         .sheet = sheet,
         .viewing = viewing_mm > 0.0 ? viewing_mm : default_viewing(sheet)};
     char title[512], subtitle[512], foot[2048] = "";
-    titles(&drawing, title, subtitle, sizeof title);
-    say_foot(foot, sizeof foot, sheet);
+    pepper_pot_titles(&drawing, title, subtitle, sizeof title);
+    say_pepper_pot_foot(foot, sizeof foot, sheet);
     const struct pp_page page = {title, subtitle, foot};
     struct pp_box body = pp_page_draw(canvas, &drawing.style, &page);
 

@@ -35,8 +35,8 @@ double pp_protractor_chart_arc_mm(const struct pp_canvas *canvas, bool worked)
                                               : pp_protractor_chart_radius_mm(canvas));
 }
 
-static void say_foot(char *foot, size_t room, const struct pp_protractor_scale *scale,
-                     double radius)
+static void say_protractor_foot(char *foot, size_t room,
+                                const struct pp_protractor_scale *scale, double radius)
 {
     pp_page_say(foot, room,
                 "Radius %.0f\u00a0mm. Angles have no scale: lay it on drawings of any, "
@@ -109,7 +109,7 @@ enum pp_status pp_protractor_chart_draw(struct pp_canvas *canvas,
     const struct pp_protractor_scale *scale = &sheet->scale;
     double radius = pp_protractor_chart_radius_mm(canvas);
     char foot[1200] = "";
-    say_foot(foot, sizeof foot, scale, radius);
+    say_protractor_foot(foot, sizeof foot, scale, radius);
     const struct pp_page page = {.foot = foot}; /* the name is on the disc */
     struct pp_box box = pp_page_draw(canvas, &style, &page);
 

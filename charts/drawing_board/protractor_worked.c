@@ -301,8 +301,9 @@ static void draw_turned_down(const struct protractor_drawing *drawing,
 
 /* The space that the half disc and its words need outside the room: `low` to the left
  * and below, `high` to the right and above. */
-static void make_room(const struct protractor_drawing *drawing,
-                      const struct pp_room_plan *plan, double low[2], double high[2])
+static void make_room_for_disc(const struct protractor_drawing *drawing,
+                               const struct pp_room_plan *plan, double low[2],
+                               double high[2])
 {
     const struct pp_protractor_sheet *sheet = drawing->sheet;
     const struct pp_style *style = &drawing->style;
@@ -322,8 +323,8 @@ static void make_room(const struct protractor_drawing *drawing,
     }
 }
 
-static void draw_plan(const struct protractor_drawing *drawing, struct pp_box box,
-                      double *scale)
+static void draw_worked_plan(const struct protractor_drawing *drawing,
+                             struct pp_box box, double *scale)
 {
     const struct pp_protractor_sheet *sheet = drawing->sheet;
     const struct pp_style *style = &drawing->style;
@@ -333,7 +334,7 @@ static void draw_plan(const struct protractor_drawing *drawing, struct pp_box bo
     for (int round = 0; round < 4; round++) {
         pp_room_plan_fit(&plan, sheet->world, style, box.width - low[0] - high[0],
                          box.height - low[1] - high[1]);
-        make_room(drawing, &plan, low, high);
+        make_room_for_disc(drawing, &plan, low, high);
     }
     if (scale) {
         *scale = plan.scale;
@@ -366,7 +367,7 @@ static void draw_lower(const struct protractor_drawing *drawing, struct pp_box b
     if (drawing->sheet->scale.turned_down)
         draw_turned_down(drawing, box);
     else
-        draw_plan(drawing, box, NULL);
+        draw_worked_plan(drawing, box, NULL);
 }
 
 /* The scale that both section and plan have room for, so that a distance in one is the same
@@ -378,7 +379,7 @@ static enum pp_status find_scale(struct protractor_drawing *drawing,
     double section = 1.0, plan = 1.0, height;
     enum pp_status status = draw_section(drawing, upper, &height, &section, err);
     if (status == PP_OK && !drawing->sheet->scale.turned_down)
-        draw_plan(drawing, lower, &plan);
+        draw_worked_plan(drawing, lower, &plan);
     drawing->least_scale = fmax(section, plan);
     return status;
 }

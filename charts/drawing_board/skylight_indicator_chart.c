@@ -120,7 +120,7 @@ static void draw_cross(const struct indicator_drawing *drawing, double x, double
     cairo_stroke(drawing->cr);
 }
 
-static void draw_marks(const struct indicator_drawing *drawing)
+static void draw_indicator_marks(const struct indicator_drawing *drawing)
 {
     const struct pp_skylight_indicator_sheet *sheet = drawing->sheet;
     for (int i = 0; i < PP_SKYLIGHT_RINGS * PP_SKYLIGHT_RAYS; i++) {
@@ -161,8 +161,8 @@ static void draw_ratios(const struct indicator_drawing *drawing)
                       "distance over height above the window's middle");
 }
 
-static void say_foot(char *foot, size_t room,
-                     const struct pp_skylight_indicator_sheet *sheet)
+static void say_indicator_foot(char *foot, size_t room,
+                               const struct pp_skylight_indicator_sheet *sheet)
 {
     pp_page_say(
         foot, room,
@@ -195,8 +195,8 @@ static void plan_words(const struct indicator_drawing *drawing, char *words,
                     i < 4 ? "," : ".");
 }
 
-static void titles(const struct pp_skylight_indicator_sheet *sheet, char *title,
-                   char *subtitle, size_t room)
+static void indicator_titles(const struct pp_skylight_indicator_sheet *sheet,
+                             char *title, char *subtitle, size_t room)
 {
     char sky[96];
     pp_page_sky_words(sky, sizeof sky, &sheet->sky, 0.0);
@@ -261,8 +261,8 @@ enum pp_status pp_skylight_indicator_chart_draw(
                                         .map = {.mm = 99.0}};
     const struct pp_style *style = &drawing.style;
     char title[512], subtitle[512], foot[1024] = "";
-    titles(sheet, title, subtitle, sizeof title);
-    say_foot(foot, sizeof foot, sheet);
+    indicator_titles(sheet, title, subtitle, sizeof title);
+    say_indicator_foot(foot, sizeof foot, sheet);
     const struct pp_page page = {title, subtitle, foot};
     struct pp_box body = pp_page_draw(canvas, style, &page);
 
@@ -278,7 +278,7 @@ enum pp_status pp_skylight_indicator_chart_draw(
     draw_hidden(&drawing);
     draw_net(&drawing);
     label_net(&drawing);
-    draw_marks(&drawing);
+    draw_indicator_marks(&drawing);
     draw_ratios(&drawing);
     body.y = top + height - words;
     draw_words(&drawing, body, true);

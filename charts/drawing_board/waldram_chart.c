@@ -11,7 +11,8 @@
 #include "charts/sheet/legend.h"
 #include "charts/sheet/page.h"
 
-static void say_foot(char *foot, size_t room, const struct pp_waldram_sheet *sheet)
+static void say_waldram_foot(char *foot, size_t room,
+                             const struct pp_waldram_sheet *sheet)
 {
     pp_page_say(
         foot, room, "Each square is worth %.3g\u00a0%% %s.", 100.0 * sheet->worth,
@@ -98,8 +99,8 @@ static void upright_titles(const struct pp_waldram_sheet *sheet, const char *sky
                  sheet->point.x, sheet->point.y, sheet->point.z, sky);
 }
 
-static void titles(const struct pp_waldram_sheet *sheet, char *title, char *subtitle,
-                   size_t room)
+static void waldram_titles(const struct pp_waldram_sheet *sheet, char *title,
+                           char *subtitle, size_t room)
 {
     char sky[96];
     pp_page_sky_words(sky, sizeof sky, &sheet->sky, 0.0);
@@ -148,8 +149,8 @@ enum pp_status pp_waldram_chart_draw(struct pp_canvas *canvas,
     const struct pp_waldram_drawing drawing = {
         .cr = pp_canvas_cairo(canvas), .style = pp_page_style(canvas), .sheet = sheet};
     char title[512], subtitle[512], foot[2048] = "";
-    titles(sheet, title, subtitle, sizeof title);
-    say_foot(foot, sizeof foot, sheet);
+    waldram_titles(sheet, title, subtitle, sizeof title);
+    say_waldram_foot(foot, sizeof foot, sheet);
     const struct pp_page page = {title, subtitle, foot};
     struct pp_box body = pp_page_draw(canvas, &drawing.style, &page);
 

@@ -189,8 +189,8 @@ struct painted {
 /* Name and paint in two lines, in one, or paint alone. */
 enum { WORDINGS = 3 };
 
-static void name_of(char *words, size_t room, const struct painted *painted,
-                    int wording)
+static void painted_name(char *words, size_t room, const struct painted *painted,
+                         int wording)
 {
     const struct pp_surface *surface = painted->surface;
     const struct pp_net_panel *panel = painted->panel;
@@ -238,8 +238,8 @@ static bool is_painted_so(const struct net_drawing *drawing,
     return true;
 }
 
-static struct pp_bounds2 extent_of(const struct net_drawing *drawing,
-                                   const struct painted *painted)
+static struct pp_bounds2 painted_extent(const struct net_drawing *drawing,
+                                        const struct painted *painted)
 {
     const struct pp_net_panel *panel = painted->panel;
     const struct pp_polygon *outline = &painted->surface->outline;
@@ -262,7 +262,7 @@ static bool write_words(const struct net_drawing *drawing,
     enum { STEPS = 31 };
     const struct pp_net_panel *panel = painted->panel;
     const struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
-    const struct pp_bounds2 extent = extent_of(drawing, painted);
+    const struct pp_bounds2 extent = painted_extent(drawing, painted);
     double best = INFINITY, found[2] = {0.0, 0.0};
     for (int i = 1; i < STEPS * STEPS; i++) {
         double at[2] = {(double)(i % STEPS) / STEPS, (double)(i / STEPS) / STEPS};
@@ -292,7 +292,7 @@ static void write_name(const struct net_drawing *drawing, const struct painted *
 {
     char words[160];
     for (int i = 0; i < WORDINGS; i++) {
-        name_of(words, sizeof words, painted, i);
+        painted_name(words, sizeof words, painted, i);
         if (write_words(drawing, painted, words))
             return;
     }
@@ -351,7 +351,7 @@ static bool has_covers(const struct pp_world *world)
     return false;
 }
 
-static void say_foot(char *foot, size_t room, const struct pp_model_net *model)
+static void say_net_foot(char *foot, size_t room, const struct pp_model_net *model)
 {
     static const int altitudes[] = {10, 20, 30, 45, 60, 90};
     pp_page_say(
@@ -383,7 +383,7 @@ static void draw_page(struct net_drawing *drawing, int sheet)
     char subtitle[128], foot[1536] = "";
     snprintf(subtitle, sizeof subtitle, "Scale model 1:%g, sheet %d of %d",
              drawing->model->scale, sheet + 1, drawing->net.sheet_count);
-    say_foot(foot, sizeof foot, drawing->model);
+    say_net_foot(foot, sizeof foot, drawing->model);
     const struct pp_page page = {drawing->model->world->name, subtitle, foot};
     struct pp_box body = pp_page_draw(drawing->canvas, &drawing->style, &page);
     double ruler = pp_board_ruler_height(&drawing->style);
@@ -438,7 +438,7 @@ static enum pp_status draw_sheets(struct net_drawing *drawing, struct pp_error *
 static struct pp_box measure_area(const struct net_drawing *drawing)
 {
     char foot[1536] = "";
-    say_foot(foot, sizeof foot, drawing->model);
+    say_net_foot(foot, sizeof foot, drawing->model);
     const struct pp_page page = {drawing->model->world->name, "Scale model", foot};
     struct pp_box body = pp_page_measure(drawing->canvas, &drawing->style, &page);
     body.height -= pp_board_ruler_height(&drawing->style) + 2.0 * drawing->style.scale;

@@ -124,9 +124,9 @@ static enum pp_status add_cells(struct pp_net_panels *panels, struct pp_net_pane
     return status;
 }
 
-static enum pp_status add_face(struct pp_net_panels *panels,
-                               const struct pp_world *world, int face,
-                               const double limit[2], struct pp_error *err)
+static enum pp_status add_net_face(struct pp_net_panels *panels,
+                                   const struct pp_world *world, int face,
+                                   const double limit[2], struct pp_error *err)
 {
     const struct pp_polygon *outline = &world->surfaces[face].outline;
     struct pp_net_panel like = {.face = face,
@@ -234,7 +234,7 @@ enum pp_status pp_net_panels_init(struct pp_net_panels *panels,
     *panels = (struct pp_net_panels){.mm_per_m = mm_per_m};
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->face_count && status == PP_OK; i++)
-        status = add_face(panels, world, i, limit_mm, err);
+        status = add_net_face(panels, world, i, limit_mm, err);
     if (status == PP_OK)
         number_edges(panels);
     else

@@ -78,7 +78,7 @@ static bool hits_panel(struct unfolding *unfolding, int piece, const double (*xy
 
 /* ---- unfolding ---- */
 
-static struct pp_bounds2 extent_of(const struct pp_net_panels *panels, int piece)
+static struct pp_bounds2 piece_extent(const struct pp_net_panels *panels, int piece)
 {
     struct pp_bounds2 extent = pp_bounds2_empty();
     for (int i = 0; i < panels->count; i++)
@@ -133,7 +133,7 @@ static bool hang(struct unfolding *unfolding, int index, int edge)
         xy && !hits_panel(unfolding, piece, (const double(*)[2])xy, panel->count, -1);
     free(xy);
     panel->piece = piece;
-    struct pp_bounds2 extent = extent_of(panels, piece);
+    struct pp_bounds2 extent = piece_extent(panels, piece);
     if (free_there && fits(unfolding, &extent)) {
         joint->join = panel->edges[joint->edge].join = PP_NET_FOLD;
         return true;
@@ -156,7 +156,7 @@ static void grow_piece(struct unfolding *unfolding, int first)
     panel->piece = piece;
     memcpy(panel->turn, (double[2]){1.0, 0.0}, sizeof panel->turn);
     memcpy(panel->shift, (double[2]){0.0, 0.0}, sizeof panel->shift);
-    struct pp_bounds2 extent = extent_of(&net->panels, piece);
+    struct pp_bounds2 extent = piece_extent(&net->panels, piece);
     if (!fits(unfolding, &extent))
         memcpy(panel->turn, (double[2]){0.0, 1.0}, sizeof panel->turn);
     bool grown = true;
@@ -248,7 +248,7 @@ static void put_tabs(struct unfolding *unfolding)
 static void measure_pieces(struct pp_net *net)
 {
     for (int p = 0; p < net->piece_count; p++) {
-        net->pieces[p].extent = extent_of(&net->panels, p);
+        net->pieces[p].extent = piece_extent(&net->panels, p);
         for (int i = 0; i < net->panels.count; i++)
             for (int k = 0; k < net->panels.list[i].count; k++) {
                 const struct pp_net_panel *panel = &net->panels.list[i];

@@ -86,8 +86,8 @@ struct note_line {
 };
 
 /* Words at the current height, not moving on; returns their height. */
-static double put(struct note_drawing *drawing, struct note_line line,
-                  const char *words, bool drawn)
+static double put_note_words(struct note_drawing *drawing, struct note_line line,
+                             const char *words, bool drawn)
 {
     line.set.width = drawing->lines.width - line.in - line.to;
     return (drawn ? pp_lettering_draw
@@ -99,9 +99,10 @@ static double put(struct note_drawing *drawing, struct note_line line,
 static void put_paragraph(struct note_drawing *drawing, struct note_line line,
                           const char *words)
 {
-    need(drawing, put(drawing, line, words, false));
+    need(drawing, put_note_words(drawing, line, words, false));
     if (drawing->status == PP_OK)
-        drawing->y += put(drawing, line, words, true) + 0.3 * drawing->style.scale;
+        drawing->y +=
+            put_note_words(drawing, line, words, true) + 0.3 * drawing->style.scale;
 }
 
 static double step_in(const struct note_drawing *drawing)
@@ -137,20 +138,20 @@ static double put_step(struct note_drawing *drawing, const struct pp_steps *step
     if (step->formula[0]) {
         pp_step_text_formula(plain, sizeof plain, step, true);
         pp_formula_markup(markup, sizeof markup, plain, size);
-        drawing->y += put(drawing, line, markup, drawn);
+        drawing->y += put_note_words(drawing, line, markup, drawn);
         pp_step_text_put_in(plain, sizeof plain, steps, index);
         markup[0] = '\0';
         pp_text_append(markup, sizeof markup, "= ");
         pp_formula_markup(markup, sizeof markup, plain, size);
         line.in += 3.0 * drawing->style.scale;
         if (plain[0])
-            drawing->y += put(drawing, line, markup, drawn);
+            drawing->y += put_note_words(drawing, line, markup, drawn);
     } else if (step->symbol[0]) {
         plain[0] = '\0';
         pp_step_text_add(plain, sizeof plain, step->symbol, (int)strlen(step->symbol),
                          true);
         pp_formula_markup(markup, sizeof markup, plain, size);
-        put(drawing, line, markup, drawn);
+        put_note_words(drawing, line, markup, drawn);
         line.in += symbol;
     }
     const char *unit = pp_step_text_value(figure, sizeof figure - 8, step, true);
@@ -160,7 +161,7 @@ static double put_step(struct note_drawing *drawing, const struct pp_steps *step
     line.set.grey = step->formula[0] ? PP_GREY_TEXT : PP_INK;
     if (drawn)
         put_figure(drawing, figure, step->formula[0]);
-    drawing->y += put(drawing, line, pp_step_text_what(step), drawn);
+    drawing->y += put_note_words(drawing, line, pp_step_text_what(step), drawn);
     double height = drawing->y - top + 0.7 * drawing->style.scale;
     drawing->y = top;
     return height;
@@ -182,13 +183,14 @@ static void put_heading(struct note_drawing *drawing, const char *words, double 
 {
     const struct note_line line = {{.size = PP_TEXT_HEAD, .bold = true}, 0.0, 0.0};
     double gap = drawing->y > drawing->lines.y ? 2.5 * drawing->style.scale : 0.0;
-    need(drawing,
-         gap + put(drawing, line, words, false) + below + 2.0 * drawing->style.scale);
+    need(drawing, gap + put_note_words(drawing, line, words, false) + below
+                      + 2.0 * drawing->style.scale);
     if (drawing->status != PP_OK)
         return;
     drawing->y += drawing->y > drawing->lines.y ? gap : 0.0;
     put_rule(drawing);
-    drawing->y += put(drawing, line, words, true) + 0.5 * drawing->style.scale;
+    drawing->y +=
+        put_note_words(drawing, line, words, true) + 0.5 * drawing->style.scale;
 }
 
 /* The opening's wall in the margin, once, where there is room beside its lines. */
@@ -216,12 +218,13 @@ static void put_opening(struct note_drawing *drawing, int line, double below)
     const struct note_line set = {{.size = PP_TEXT_BODY, .italic = true}, 0.0, 0.0};
     char words[64];
     snprintf(words, sizeof words, line ? "Opening on line %d" : "All openings", line);
-    need(drawing, put(drawing, set, words, false) + below);
+    need(drawing, put_note_words(drawing, set, words, false) + below);
     if (drawing->status != PP_OK)
         return;
     if (line)
         show_opening(drawing, line);
-    drawing->y += put(drawing, set, words, true) + 0.5 * drawing->style.scale;
+    drawing->y +=
+        put_note_words(drawing, set, words, true) + 0.5 * drawing->style.scale;
 }
 
 /* ---- parts ---- */
@@ -233,7 +236,7 @@ static const char *const components[PP_COMPONENT_COUNT] = {
     [PP_DF] = "Daylight factor",
 };
 
-static const struct pp_reading *reading_of(const struct pp_column *column)
+static const struct pp_reading *note_reading(const struct pp_column *column)
 {
     return column->points ? column->points : &column->average;
 }
@@ -241,7 +244,7 @@ static const struct pp_reading *reading_of(const struct pp_column *column)
 static void put_part(struct note_drawing *drawing, int index)
 {
     const struct pp_column *column = &drawing->note->report->columns[index];
-    const struct pp_steps *steps = reading_of(column)->steps;
+    const struct pp_steps *steps = note_reading(column)->steps;
     const struct note_line small = {
         {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT}, 0, 0};
     char words[160];
@@ -306,7 +309,7 @@ static void put_results(struct note_drawing *drawing)
     put_heading(drawing, "Result", 3.0 * drawing->style.text[PP_TEXT_BODY]);
     for (int i = 0; i < report->column_count && drawing->status == PP_OK; i++) {
         const struct pp_column *column = &report->columns[i];
-        const struct pp_reading *reading = reading_of(column);
+        const struct pp_reading *reading = note_reading(column);
         char words[512], figure[32] = "\u2013";
         snprintf(words, sizeof words, "%s by %.48s%s%s%.200s", names[column->component],
                  column->name, column->points ? "" : ", of the room",
@@ -314,12 +317,12 @@ static void put_results(struct note_drawing *drawing)
         if (isfinite(reading->value))
             snprintf(figure, sizeof figure, "%.2f\u00a0%%",
                      100.0 * reading->value + 0.0);
-        double height = put(drawing, line, words, false);
+        double height = put_note_words(drawing, line, words, false);
         need(drawing, height);
         if (drawing->status != PP_OK)
             return;
         put_figure(drawing, figure, column->component == PP_DF);
-        put(drawing, line, words, true);
+        put_note_words(drawing, line, words, true);
         drawing->y += height + 0.3 * drawing->style.scale;
     }
 }

@@ -19,8 +19,8 @@ static double caption(cairo_t *cr, const struct pp_style *style, struct pp_box b
         .height;
 }
 
-static double draw_plan(cairo_t *cr, const struct pp_style *style,
-                        const struct pp_report *report, struct pp_box box)
+static double draw_note_plan(cairo_t *cr, const struct pp_style *style,
+                             const struct pp_report *report, struct pp_box box)
 {
     struct pp_room_plan plan = {0};
     struct pp_vec3 point = report->receivers[0].position;
@@ -76,7 +76,7 @@ enum pp_status pp_note_drawings_room(double *height, cairo_t *cr,
         return status;
     double gap = 4.0 * style->scale;
     struct pp_box part = {box.x, box.y, box.width, 0.45 * box.height};
-    *height = draw_plan(cr, style, report, part) + gap;
+    *height = draw_note_plan(cr, style, report, part) + gap;
     part.y += *height;
     part.height = box.height - *height;
     *height += draw_section(cr, style, report, &cut, part) + gap;

@@ -138,7 +138,8 @@ static void draw_section(const struct exercise_drawing *drawing, struct pp_box b
     pp_room_section_draw(drawing->cr, &drawing->style, &section);
 }
 
-static void draw_plan(const struct exercise_drawing *drawing, struct pp_box box)
+static void draw_exercise_plan(const struct exercise_drawing *drawing,
+                               struct pp_box box)
 {
     const struct pp_style *style = &drawing->style;
     struct pp_vec3 point = drawing->exercise->receiver.position;
@@ -244,7 +245,7 @@ static enum pp_status draw_body(struct exercise_drawing *drawing, struct pp_box 
     struct pp_box elevations = {body.x, body.y + above + gap, body.width, below};
     choose_scale(drawing, section, plan, elevations);
     draw_section(drawing, section);
-    draw_plan(drawing, plan);
+    draw_exercise_plan(drawing, plan);
     draw_elevations(drawing, elevations);
     draw_answers(drawing, (struct pp_box){body.x, body.y + body.height - answers,
                                           body.width, answers});

@@ -192,7 +192,7 @@ static void place_plan(struct lit_drawing *drawing, struct pp_box room)
     plan->y = room.y + 0.5 * (room.height + box.height);
 }
 
-static void draw_sheet(struct lit_drawing *drawing, struct pp_canvas *canvas)
+static void draw_lit_area_sheet(struct lit_drawing *drawing, struct pp_canvas *canvas)
 {
     const struct pp_lit_area_chart *chart = drawing->chart;
     const struct pp_style *style = &drawing->style;
@@ -244,6 +244,6 @@ enum pp_status pp_lit_area_chart_draw(struct pp_canvas *canvas,
                                   .legal = *chart->world};
     drawing.legal.plane = chart->now->plane;
     drawing.legal.working_plane_m = chart->now->plane_m;
-    draw_sheet(&drawing, canvas);
+    draw_lit_area_sheet(&drawing, canvas);
     return PP_OK;
 }

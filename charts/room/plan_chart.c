@@ -225,7 +225,7 @@ static void say_percent(char *text, size_t room, double fraction)
         pp_style_percent(text, room, fraction);
 }
 
-static void say_foot(const struct plan_drawing *drawing, char *foot, size_t room)
+static void say_plan_foot(const struct plan_drawing *drawing, char *foot, size_t room)
 {
     const struct pp_plan_chart *chart = drawing->chart;
     const struct pp_daylight_plan *plan = chart->plan;
@@ -319,7 +319,7 @@ static double draw_summary(struct plan_drawing *drawing, struct pp_box box, bool
            + 3.0 * drawing->style.scale;
 }
 
-static void draw_sheet(struct plan_drawing *drawing, struct pp_canvas *canvas)
+static void draw_plan_sheet(struct plan_drawing *drawing, struct pp_canvas *canvas)
 {
     const struct pp_plan_chart *chart = drawing->chart;
     const struct pp_world *world = chart->world;
@@ -334,7 +334,7 @@ static void draw_sheet(struct plan_drawing *drawing, struct pp_canvas *canvas)
                  ? "Direct component (from the sky and outside, not reflected inside)"
                  : "Daylight factor",
              is_traced(chart->plan) ? ", " : " by ", chart->plan->name, plane, sky);
-    say_foot(drawing, foot, sizeof foot);
+    say_plan_foot(drawing, foot, sizeof foot);
     struct pp_page page = {world->name, subtitle, foot};
     struct pp_box body = pp_page_draw(canvas, style, &page);
 
@@ -373,7 +373,7 @@ enum pp_status pp_plan_chart_draw(struct pp_canvas *canvas,
                                    .labels = calloc(1, sizeof *drawing.labels)};
     if (!drawing.labels)
         return pp_fail_memory(err);
-    draw_sheet(&drawing, canvas);
+    draw_plan_sheet(&drawing, canvas);
     free(drawing.labels);
     return PP_OK;
 }

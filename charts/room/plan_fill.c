@@ -50,8 +50,8 @@ static int levels_of(double levels[LEVELS_MOST],
 
 /* What stands for the area between two levels; the lowest and highest area end at what is
  * found there. */
-static double middle_of(const struct pp_daylight_plan *daylight, const double *levels,
-                        int count, int area)
+static double level_of_area(const struct pp_daylight_plan *daylight,
+                            const double *levels, int count, int area)
 {
     double low = area > 0 ? levels[area - 1] : daylight->lowest;
     double high = area < count ? levels[area] : daylight->highest;
@@ -65,10 +65,11 @@ void pp_plan_fill_draw(cairo_t *cr, const struct pp_room_plan *plan,
     int count = levels_of(levels, daylight);
     if (fill == PP_FILL_NONE)
         return;
-    set_colour(cr, fill, middle_of(daylight, levels, count, count), count, count + 1);
+    set_colour(cr, fill, level_of_area(daylight, levels, count, count), count,
+               count + 1);
     cairo_paint(cr);
     for (int k = count - 1; k >= 0; k--) {
-        set_colour(cr, fill, middle_of(daylight, levels, count, k), k, count + 1);
+        set_colour(cr, fill, level_of_area(daylight, levels, count, k), k, count + 1);
         for (int i = 0; i < daylight->below.count; i++)
             if (daylight->below.list[i].level == levels[k])
                 pp_contour_lines_path(cr, plan, &daylight->below.list[i]);
@@ -92,7 +93,7 @@ void pp_plan_fill_bar(cairo_t *cr, const struct pp_style *style,
     double high = 3.5 * style->scale;
     struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5};
     for (int i = 0; i <= count; i++) {
-        set_colour(cr, fill, middle_of(daylight, levels, count, i), i, count + 1);
+        set_colour(cr, fill, level_of_area(daylight, levels, count, i), i, count + 1);
         cairo_rectangle(cr, x + i * wide, y, wide, high);
         cairo_fill_preserve(cr);
         pp_style_line(cr, style->hair, PP_INK);

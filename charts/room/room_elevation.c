@@ -4,8 +4,8 @@
 #include <math.h>
 
 /* A place of the wall's plane from the foot of the eye's perpendicular. */
-static void place_of(const struct pp_room_elevation *elevation, struct pp_vec3 point,
-                     double xy[2])
+static void elevation_xy(const struct pp_room_elevation *elevation,
+                         struct pp_vec3 point, double xy[2])
 {
     struct pp_vec3 v = pp_vec_sub(point, elevation->eye);
     xy[0] = pp_vec_dot(v, elevation->first->along);
@@ -24,18 +24,18 @@ void pp_room_elevation_init(struct pp_room_elevation *elevation,
     pp_bounds2_add(&elevation->extent, 0.0, 0.0);
     for (int i = 0; i < outline->count; i++) {
         double xy[2];
-        place_of(elevation, outline->vertices[i], xy);
+        elevation_xy(elevation, outline->vertices[i], xy);
         pp_bounds2_add(&elevation->extent, xy[0], xy[1]);
     }
 }
 
-static void trace(cairo_t *cr, const struct pp_room_elevation *elevation,
-                  const struct pp_polygon *outline)
+static void trace_outline(cairo_t *cr, const struct pp_room_elevation *elevation,
+                          const struct pp_polygon *outline)
 {
     cairo_new_sub_path(cr);
     for (int i = 0; i < outline->count; i++) {
         double xy[2];
-        place_of(elevation, outline->vertices[i], xy);
+        elevation_xy(elevation, outline->vertices[i], xy);
         cairo_line_to(cr, elevation->x + xy[0] * elevation->mm_per_m,
                       elevation->y - xy[1] * elevation->mm_per_m);
     }
@@ -67,7 +67,7 @@ static void draw_covers(cairo_t *cr, const struct pp_style *style,
         const struct pp_surface *cover = &world->surfaces[i];
         if (cover->role != PP_COVER || cover->owner != elevation->first->face)
             continue;
-        trace(cr, elevation, &cover->outline);
+        trace_outline(cr, elevation, &cover->outline);
         pp_room_elevation_hatch(cr, style);
     }
 }
@@ -78,12 +78,12 @@ void pp_room_elevation_draw(cairo_t *cr, const struct pp_style *style,
     const struct pp_world *world = elevation->world;
     double scale = elevation->mm_per_m, arm = 2.0 * style->scale;
     const double dashes[] = {3.0 * style->scale, 1.2 * style->scale};
-    trace(cr, elevation, &world->surfaces[elevation->first->face].outline);
+    trace_outline(cr, elevation, &world->surfaces[elevation->first->face].outline);
     pp_style_line(cr, style->thick, PP_INK);
     cairo_stroke(cr);
     for (int i = 0; i < world->opening_count; i++)
         if (world->openings[i].face == elevation->first->face)
-            trace(cr, elevation, &world->openings[i].inner);
+            trace_outline(cr, elevation, &world->openings[i].inner);
     pp_style_line(cr, style->medium, PP_INK);
     cairo_stroke(cr);
     draw_covers(cr, style, elevation);

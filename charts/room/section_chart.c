@@ -247,8 +247,8 @@ static void say_notes(struct pp_section_plot *plot,
                     "far.");
 }
 
-static void draw_sheet(struct pp_section_plot *plot, struct pp_canvas *canvas,
-                       const struct pp_section_chart *chart)
+static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *canvas,
+                               const struct pp_section_chart *chart)
 {
     const struct pp_world *world = chart->report->world;
     char sky[96], subtitle[256];
@@ -337,7 +337,7 @@ enum pp_status pp_section_chart_draw(struct pp_canvas *canvas,
     status = sort_points(&plot, err);
     if (status == PP_OK) {
         pp_section_series_choose(&plot);
-        draw_sheet(&plot, canvas, chart);
+        draw_section_sheet(&plot, canvas, chart);
     }
     pp_section_cut_clear(&plot.cut);
     free(plot.order);

@@ -57,8 +57,8 @@ static enum pp_status fail_cairo(struct pp_error *err, cairo_status_t status)
                    cairo_status_to_string(status));
 }
 
-static cairo_status_t append(void *closure, const unsigned char *bytes,
-                             unsigned int length)
+static cairo_status_t append_canvas_bytes(void *closure, const unsigned char *bytes,
+                                          unsigned int length)
 {
     return pp_bytes_add(closure, bytes, length) ? CAIRO_STATUS_SUCCESS
                                                 : CAIRO_STATUS_NO_MEMORY;
@@ -131,13 +131,13 @@ static void open_file(struct pp_canvas *canvas, double width_pt, double height_p
 {
     switch (canvas->sheet.format) {
     case PP_CHART_PDF:
-        canvas->surface = cairo_pdf_surface_create_for_stream(append, &canvas->raw,
-                                                              width_pt, height_pt);
+        canvas->surface = cairo_pdf_surface_create_for_stream(
+            append_canvas_bytes, &canvas->raw, width_pt, height_pt);
         describe_pdf(canvas);
         break;
     case PP_CHART_SVG:
-        canvas->surface = cairo_svg_surface_create_for_stream(append, &canvas->raw,
-                                                              width_pt, height_pt);
+        canvas->surface = cairo_svg_surface_create_for_stream(
+            append_canvas_bytes, &canvas->raw, width_pt, height_pt);
         break;
     case PP_CHART_PNG:
         open_picture(canvas);

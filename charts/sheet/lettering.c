@@ -92,9 +92,9 @@ struct pp_box pp_lettering_measure(cairo_t *cr, const struct pp_style *style,
     return box;
 }
 
-static struct pp_box draw(cairo_t *cr, const struct pp_style *style,
-                          const struct pp_lettering *text, double x, double y,
-                          const char *words, bool cleared)
+static struct pp_box draw_lettering(cairo_t *cr, const struct pp_style *style,
+                                    const struct pp_lettering *text, double x, double y,
+                                    const char *words, bool cleared)
 {
     PangoLayout *layout = layout_of(cr, style, text, words);
     struct pp_box box = box_of(layout, style, text, x, y);
@@ -127,12 +127,12 @@ struct pp_box pp_lettering_draw(cairo_t *cr, const struct pp_style *style,
                                 const struct pp_lettering *text, double x, double y,
                                 const char *words)
 {
-    return draw(cr, style, text, x, y, words, false);
+    return draw_lettering(cr, style, text, x, y, words, false);
 }
 
 struct pp_box pp_lettering_draw_on_white(cairo_t *cr, const struct pp_style *style,
                                          const struct pp_lettering *text, double x,
                                          double y, const char *words)
 {
-    return draw(cr, style, text, x, y, words, true);
+    return draw_lettering(cr, style, text, x, y, words, true);
 }

@@ -21,7 +21,7 @@ struct png_writer {
     cairo_status_t status;
 };
 
-static void append(png_structp png, png_bytep bytes, size_t count)
+static void append_png_bytes(png_structp png, png_bytep bytes, size_t count)
 {
     if (!pp_bytes_add(png_get_io_ptr(png), bytes, count))
         png_error(png, "memory is out");
@@ -83,7 +83,7 @@ static void write_rows(struct png_writer *writer, int count)
     }
 }
 
-static void write_head(struct png_writer *writer)
+static void write_png_head(struct png_writer *writer)
 {
     png_set_IHDR(writer->png, writer->info, (png_uint_32)writer->width,
                  (png_uint_32)writer->height, 8,
@@ -107,8 +107,8 @@ static void write_picture(struct png_writer *writer)
         writer->status = CAIRO_STATUS_NO_MEMORY;
         return;
     }
-    png_set_write_fn(writer->png, writer->file, append, flush_nothing);
-    write_head(writer);
+    png_set_write_fn(writer->png, writer->file, append_png_bytes, flush_nothing);
+    write_png_head(writer);
     for (int first = 0; first < writer->height; first += most) {
         if (writer->drawing)
             draw_band(writer, first);
@@ -120,7 +120,7 @@ static void write_picture(struct png_writer *writer)
     png_write_end(writer->png, NULL);
 }
 
-static cairo_status_t write_file(struct png_writer *writer)
+static cairo_status_t write_png_file(struct png_writer *writer)
 {
     writer->status = cairo_surface_status(writer->image);
     if (writer->status != CAIRO_STATUS_SUCCESS)
@@ -143,7 +143,7 @@ cairo_status_t pp_png_file_of_image(struct pp_bytes *png, cairo_surface_t *image
                                     double dots_per_mm)
 {
     cairo_surface_flush(image);
-    return write_file(&(struct png_writer){
+    return write_png_file(&(struct png_writer){
         .file = png,
         .image = image,
         .width = cairo_image_surface_get_width(image),
@@ -158,12 +158,12 @@ cairo_status_t pp_png_file_in_bands(struct pp_bytes *png, cairo_surface_t *drawi
     cairo_surface_t *band = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width,
                                                        rows < height ? rows : height);
     cairo_status_t status =
-        write_file(&(struct png_writer){.file = png,
-                                        .drawing = drawing,
-                                        .image = band,
-                                        .width = width,
-                                        .height = height,
-                                        .dots_per_mm = dots_per_mm});
+        write_png_file(&(struct png_writer){.file = png,
+                                            .drawing = drawing,
+                                            .image = band,
+                                            .width = width,
+                                            .height = height,
+                                            .dots_per_mm = dots_per_mm});
     cairo_surface_destroy(band);
     return status;
 }

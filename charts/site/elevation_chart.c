@@ -249,7 +249,8 @@ static void find_scale(struct elevation_drawing *drawing, struct pp_box box)
         drawing->scale = pp_room_plan_usual_scale(drawing->scale * 1.001);
 }
 
-static void say_foot(const struct elevation_drawing *drawing, char *foot, size_t room)
+static void say_elevation_foot(const struct elevation_drawing *drawing, char *foot,
+                               size_t room)
 {
     const struct pp_site_sheet *site = &drawing->sheet->site;
     pp_page_say(
@@ -269,13 +270,14 @@ static void say_foot(const struct elevation_drawing *drawing, char *foot, size_t
         "to 15 it is very hard to provide; with less often impossible [BR209].");
 }
 
-static void draw_sheet(struct elevation_drawing *drawing, struct pp_canvas *canvas)
+static void draw_elevation_sheet(struct elevation_drawing *drawing,
+                                 struct pp_canvas *canvas)
 {
     const struct pp_style *style = &drawing->style;
     const struct pp_elevation_sheet *sheet = drawing->sheet;
     struct pp_key keys[PP_SKY_BANDS];
     char foot[1024] = "";
-    say_foot(drawing, foot, sizeof foot);
+    say_elevation_foot(drawing, foot, sizeof foot);
     struct pp_page page = {sheet->site.title,
                            "Vertical sky component over outer walls and at their "
                            "windows, CIE overcast sky",
@@ -300,6 +302,6 @@ enum pp_status pp_elevation_chart_draw(struct pp_canvas *canvas,
     (void)err;
     struct elevation_drawing drawing = {
         .cr = pp_canvas_cairo(canvas), .style = pp_page_style(canvas), .sheet = sheet};
-    draw_sheet(&drawing, canvas);
+    draw_elevation_sheet(&drawing, canvas);
     return PP_OK;
 }

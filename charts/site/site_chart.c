@@ -36,7 +36,7 @@ static struct pp_bounds2 room_bounds(const struct pp_site_sheet *sheet)
 }
 
 /* The rooms, and what stands near them; of a plot the rooms and the plot. */
-static struct pp_bounds2 extent_of(const struct pp_site_sheet *sheet)
+static struct pp_bounds2 site_extent(const struct pp_site_sheet *sheet)
 {
     struct pp_bounds2 rooms = room_bounds(sheet);
     for (int i = 0; i < sheet->cell_count; i++)
@@ -67,11 +67,11 @@ static struct pp_box frame_box(const struct pp_room_plan *frame)
 }
 
 /* The largest usual scale at which the site fits, with a border for windows' figures. */
-static void place(struct site_drawing *drawing, struct pp_box room)
+static void fit_site_scale(struct site_drawing *drawing, struct pp_box room)
 {
     struct pp_room_plan *frame = &drawing->frame;
     double border = 3.0 * drawing->style.scale;
-    frame->extent = extent_of(drawing->sheet);
+    frame->extent = site_extent(drawing->sheet);
     frame->scale = 20.0;
     for (int i = 0; i < 100; i++) {
         frame->mm_per_m = 1000.0 / frame->scale;
@@ -374,7 +374,7 @@ static void draw_site(struct site_drawing *drawing)
                 name_shape(drawing, i);
 }
 
-static void draw_sheet(struct site_drawing *drawing, struct pp_canvas *canvas)
+static void draw_site_sheet(struct site_drawing *drawing, struct pp_canvas *canvas)
 {
     const struct pp_style *style = &drawing->style;
     const struct pp_site_sheet *sheet = drawing->sheet;
@@ -415,8 +415,8 @@ static void draw_sheet(struct site_drawing *drawing, struct pp_canvas *canvas)
     struct pp_box body = pp_page_draw(canvas, style, &page);
     int key_count = gather_keys(sheet, keys);
     double strip = pp_plan_strip_height(style, key_count);
-    place(drawing, (struct pp_box){body.x, body.y, body.width,
-                                   body.height - strip - 5.0 * style->scale});
+    fit_site_scale(drawing, (struct pp_box){body.x, body.y, body.width,
+                                            body.height - strip - 5.0 * style->scale});
     draw_site(drawing);
     pp_plan_strip_draw(
         drawing->cr, style,
@@ -434,7 +434,7 @@ enum pp_status pp_site_chart_draw(struct pp_canvas *canvas,
                                    .labels = calloc(1, sizeof *drawing.labels)};
     if (!drawing.labels)
         return pp_fail_memory(err);
-    draw_sheet(&drawing, canvas);
+    draw_site_sheet(&drawing, canvas);
     free(drawing.labels);
     return PP_OK;
 }

@@ -131,7 +131,7 @@ static void draw_cells(const struct pp_overlay_plot *plot)
 
 /* ---- words ---- */
 
-static void say_foot(char *foot, size_t room, const struct pp_overlay *overlay)
+static void say_overlay_foot(char *foot, size_t room, const struct pp_overlay *overlay)
 {
     pp_page_say(
         foot, room,
@@ -157,8 +157,8 @@ static void say_foot(char *foot, size_t room, const struct pp_overlay *overlay)
             "0.6\u00b0.");
 }
 
-static void titles(const struct pp_overlay *overlay, char *title, char *subtitle,
-                   size_t room)
+static void overlay_titles(const struct pp_overlay *overlay, char *title,
+                           char *subtitle, size_t room)
 {
     char sky[96];
     double latitude = fabs(overlay->latitude_rad) / PP_RAD;
@@ -264,8 +264,8 @@ enum pp_status pp_overlay_chart_draw(struct pp_canvas *canvas,
     char title[256], subtitle[256], foot[1024] = "";
     if (!labels)
         return pp_fail_memory(err);
-    titles(overlay, title, subtitle, sizeof title);
-    say_foot(foot, sizeof foot, overlay);
+    overlay_titles(overlay, title, subtitle, sizeof title);
+    say_overlay_foot(foot, sizeof foot, overlay);
     const struct pp_page page = {overlay->title ? overlay->title : title,
                                  overlay->title ? overlay->subtitle : subtitle,
                                  overlay->title ? overlay->foot : foot};

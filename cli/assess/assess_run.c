@@ -12,7 +12,7 @@
 #include "studies/criteria/facade_sensitivity.h"
 #include "studies/study_report.h"
 
-static struct pp_room_figures figures(void *data, int room)
+static struct pp_room_figures assessed_room_figures(void *data, int room)
 {
     struct pp_assessment *one = &((struct pp_assess_run *)data)->all.list[room];
     return (struct pp_room_figures){&one->report, &one->by_clock};
@@ -31,7 +31,7 @@ static enum pp_status simulate_room(const void *data, int room,
                : PP_OK;
 }
 
-static enum pp_status compute(void *data, struct pp_error *err)
+static enum pp_status compute_assessments(void *data, struct pp_error *err)
 {
     struct pp_assess_run *run = data;
     struct pp_assessments *all = &run->all;
@@ -61,11 +61,11 @@ static enum pp_status compute(void *data, struct pp_error *err)
     if (status == PP_OK && study->simulate)
         pp_interrupt_watch();
     if (status == PP_OK)
-        status =
-            pp_room_queue_run(&(struct pp_room_queue){study->simulate ? all->count : 0,
-                                                      run->words->room.ranks, figures,
-                                                      simulate_room, run},
-                              err);
+        status = pp_room_queue_run(
+            &(struct pp_room_queue){study->simulate ? all->count : 0,
+                                    run->words->room.ranks, assessed_room_figures,
+                                    simulate_room, run},
+            err);
     for (int i = 0; i < all->count && status == PP_OK; i++) {
         struct pp_assessment *one = &all->list[i];
         status = pp_assessment_judge(one, &wanted, err);
@@ -75,7 +75,7 @@ static enum pp_status compute(void *data, struct pp_error *err)
     return status;
 }
 
-static bool is_finished(const void *data)
+static bool assessments_are_finished(const void *data)
 {
     const struct pp_assess_run *run = data;
     for (int i = 0; i < run->all.count; i++)
@@ -84,11 +84,10 @@ static bool is_finished(const void *data)
     return true;
 }
 
-static enum pp_exit run_on(struct pp_assess_words *words, const struct pp_rooms *rooms,
-                           const struct pp_rooms *before,
-                           const struct pp_rooms *mirrored,
-                           enum pp_status (*print)(const void *, FILE *,
-                                                   struct pp_error *))
+static enum pp_exit assess_rooms(
+    struct pp_assess_words *words, const struct pp_rooms *rooms,
+    const struct pp_rooms *before, const struct pp_rooms *mirrored,
+    enum pp_status (*print)(const void *, FILE *, struct pp_error *))
 {
     struct pp_terminal_watch watch;
     words->room.study.watch = pp_watch_of_terminal(&watch, words->room.quiet);
@@ -99,8 +98,9 @@ static enum pp_exit run_on(struct pp_assess_words *words, const struct pp_rooms 
                                 .all = {.several = rooms->several,
                                         .more_than_one_file = rooms->more_than_one_file,
                                         .options = &words->room.study}};
-    enum pp_exit exit_status = pp_job_run(
-        &(struct pp_job){words->room.output, compute, print, is_finished, &run});
+    enum pp_exit exit_status =
+        pp_job_run(&(struct pp_job){words->room.output, compute_assessments, print,
+                                    assessments_are_finished, &run});
     for (int i = 0; i < run.all.count; i++)
         pp_assessment_clear(&run.all.list[i]);
     free(run.all.list);
@@ -169,7 +169,7 @@ enum pp_exit pp_assess_run(struct pp_assess_words *words, const char *command,
         exit_status = pp_rooms_load_mirrored(&mirrored, command, &rooms, &words->room,
                                              &words->mirror_image.line);
     if (exit_status == PP_EXIT_DONE)
-        exit_status = run_on(words, &rooms, &before, &mirrored, print);
+        exit_status = assess_rooms(words, &rooms, &before, &mirrored, print);
     pp_rooms_clear(&mirrored);
     pp_rooms_clear(&before);
     pp_rooms_clear(&rooms);

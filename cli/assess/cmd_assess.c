@@ -22,7 +22,7 @@ static const char about[] =
     "them has its probability; with --by-hand they are those of hand methods. FILE is "
     "a room file; - is standard input.";
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+static enum pp_status print_assess(const void *data, FILE *out, struct pp_error *err)
 {
     const struct pp_assess_run *run = data;
     if (run->words->format == PP_FORMAT_CSV)
@@ -39,9 +39,9 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
                                 pp_terminal_utf8(), out, err);
 }
 
-static enum pp_exit run(void *words, char **files, int file_count)
+static enum pp_exit run_assess(void *words, char **files, int file_count)
 {
-    return pp_assess_run(words, "assess", files, file_count, print);
+    return pp_assess_run(words, "assess", files, file_count, print_assess);
 }
 
 static const struct pp_option_group groups[] = {
@@ -66,7 +66,7 @@ const struct pp_command pp_command_assess = {
     .more_help = pp_assess_words_help,
     .init = pp_assess_words_init,
     .check = pp_assess_words_check,
-    .run = run,
+    .run = run_assess,
     .clear = pp_assess_words_clear,
     .uses_ranks = true,
     .ranks_place = PLACE(room.ranks),

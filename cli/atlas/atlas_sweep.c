@@ -52,8 +52,8 @@ static enum pp_status rows_of(void *data, int worker, int room, char **rows,
                               &source->making->trace, err);
 }
 
-static enum pp_status take(void *data, int room, const char *rows, size_t length,
-                           struct pp_error *err)
+static enum pp_status write_sweep_rows(void *data, int room, const char *rows,
+                                       size_t length, struct pp_error *err)
 {
     struct sweep *sweep = data;
     (void)room;
@@ -64,7 +64,7 @@ static enum pp_status take(void *data, int room, const char *rows, size_t length
     return status;
 }
 
-static bool look(void *data, double done)
+static bool sweep_goes_on(void *data, double done)
 {
     const struct pp_watch *watch = ((struct sweep *)data)->watch;
     return !watch->look || watch->look(watch->data, done, NAN);
@@ -80,8 +80,8 @@ static enum pp_status run_queue(struct sweep *sweep, int first, int end,
                                         .end = end,
                                         .threads = options->study.threads,
                                         .work = rows_of,
-                                        .collect = take,
-                                        .goes_on = look,
+                                        .collect = write_sweep_rows,
+                                        .goes_on = sweep_goes_on,
                                         .data = sweep,
                                         .ranks = options->ranks};
     pp_interrupt_watch();
@@ -94,9 +94,9 @@ static enum pp_status run_queue(struct sweep *sweep, int first, int end,
 }
 
 /* Works for rank 0, which alone reads and writes files of its own; ends as interrupted. */
-static enum pp_status follow(const struct row_source *source,
-                             const struct pp_room_options *options,
-                             struct pp_error *err)
+static enum pp_status follow_sweep(const struct row_source *source,
+                                   const struct pp_room_options *options,
+                                   struct pp_error *err)
 {
     int next;
     return run_queue(&(struct sweep){.source = source}, 0, 0, options, &next, err);
@@ -109,9 +109,10 @@ static bool is_rank_0(const struct pp_room_options *options)
 
 /* ---- on ---- */
 
-static enum pp_status go_on(struct pp_atlas_file *file, const struct row_source *source,
-                            int rooms, const struct pp_room_options *options,
-                            struct pp_error *err)
+static enum pp_status continue_sweep(struct pp_atlas_file *file,
+                                     const struct row_source *source, int rooms,
+                                     const struct pp_room_options *options,
+                                     struct pp_error *err)
 {
     char *head = pp_atlas_head_text(source->making, &source->columns);
     if (!head)
@@ -134,8 +135,9 @@ enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
     struct row_source source;
     enum pp_status status = open_source(&source, making, NULL, &err);
     if (status == PP_OK) {
-        status = is_rank_0(options) ? go_on(&file, &source, rooms, options, &err)
-                                    : follow(&source, options, &err);
+        status = is_rank_0(options)
+                     ? continue_sweep(&file, &source, rooms, options, &err)
+                     : follow_sweep(&source, options, &err);
         pp_atlas_columns_clear(&source.columns);
     }
     if (status != PP_OK)
@@ -179,7 +181,7 @@ static enum pp_status renew(const struct pp_atlas_making *making,
     if (is_rank_0(options))
         status = pp_output_open(&output, options->output, err);
     else
-        status = follow(&source, options, err);
+        status = follow_sweep(&source, options, err);
     if (status == PP_OK) {
         status = print_anew(output.stream, &source, rooms, options, &next, err);
         if (status == PP_OK && next < rooms)

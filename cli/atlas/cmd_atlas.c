@@ -36,7 +36,7 @@ struct atlas_options {
 
 /* ---- a room's file ---- */
 
-static enum pp_exit print_room(const struct atlas_options *options)
+static enum pp_exit print_atlas_room(const struct atlas_options *options)
 {
     char xml[PP_ATLAS_XML];
     struct pp_atlas_design design;
@@ -62,7 +62,8 @@ static enum pp_status read_sky(const char *text, void *place, struct pp_error *e
     return PP_OK;
 }
 
-static enum pp_status read_number(const char *text, void *place, struct pp_error *err)
+static enum pp_status read_rooms_option(const char *text, void *place,
+                                        struct pp_error *err)
 {
     double number;
     if (!pp_text_parse_number(text, &number) || number < 0.0 || number >= PP_ATLAS_MOST
@@ -94,7 +95,7 @@ static const struct pp_option sweep_options[] = {
     {"rooms", 'n', "N", "Have the first N rooms of the sweep in FILE.",
      pp_options_read_count, PLACE(rooms)},
     {"room", 0, "NUMBER", "Print the room file of that room, counted from 0, instead.",
-     read_number, PLACE(number)},
+     read_rooms_option, PLACE(number)},
     {"by-hand", 0, NULL,
      "Write the atlas FILE again with what the methods say now, and methods that it "
      "does "
@@ -149,7 +150,7 @@ static const struct pp_option_group groups[] = {
     {0},
 };
 
-static void init(void *values)
+static void init_atlas_options(void *values)
 {
     *(struct atlas_options *)values = (struct atlas_options){
         .room = pp_room_options_none, .sheet.method = "exact+bre"};
@@ -177,8 +178,8 @@ static enum pp_status check_use(const struct atlas_options *options, int files,
     return PP_OK;
 }
 
-static enum pp_status check(void *values, char **operands, int count,
-                            struct pp_error *err)
+static enum pp_status check_atlas_options(void *values, char **operands, int count,
+                                          struct pp_error *err)
 {
     struct atlas_options *options = values;
     const char *output = options->room.output;
@@ -199,7 +200,7 @@ static enum pp_status check(void *values, char **operands, int count,
     return PP_OK;
 }
 
-static enum pp_exit run(void *values, char **operands, int count)
+static enum pp_exit run_atlas(void *values, char **operands, int count)
 {
     struct atlas_options *options = values;
     const struct pp_study_options *study = &options->room.study;
@@ -207,7 +208,7 @@ static enum pp_exit run(void *values, char **operands, int count)
     (void)count;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
     if (options->number)
-        return print_room(options);
+        return print_atlas_room(options);
     if (options->bands)
         return pp_sweep_bands(operands[0], options->room.output);
     if (options->try_bands)
@@ -223,7 +224,7 @@ static enum pp_exit run(void *values, char **operands, int count)
         (int)options->rooms, &options->room);
 }
 
-static void clear(void *values)
+static void clear_atlas_options(void *values)
 {
     struct atlas_options *options = values;
     pp_room_options_clear(&options->room);
@@ -236,10 +237,10 @@ const struct pp_command pp_command_atlas = {
     .about = about,
     .groups = groups,
     .size = sizeof(struct atlas_options),
-    .init = init,
-    .check = check,
-    .run = run,
-    .clear = clear,
+    .init = init_atlas_options,
+    .check = check_atlas_options,
+    .run = run_atlas,
+    .clear = clear_atlas_options,
     .uses_ranks = true,
     .ranks_place = PLACE(room.ranks),
 };

@@ -5,8 +5,9 @@
 #include "cli/message.h"
 #include "cli/output.h"
 
-static enum pp_status draw(const struct pp_atlas_map *map, enum pp_paper paper,
-                           enum pp_chart_format format, FILE *out, struct pp_error *err)
+static enum pp_status draw_atlas_map(const struct pp_atlas_map *map,
+                                     enum pp_paper paper, enum pp_chart_format format,
+                                     FILE *out, struct pp_error *err)
 {
     char title[96];
     snprintf(title, sizeof title, "Error of %.80s", map->column);
@@ -44,7 +45,7 @@ enum pp_exit pp_map_sheet_write(const struct pp_map_sheet *sheet, const char *pa
     if (status == PP_OK) {
         status = pp_output_open(&file, output, &err);
         if (status == PP_OK)
-            status = draw(&map, sheet->paper, format, file.stream, &err);
+            status = draw_atlas_map(&map, sheet->paper, format, file.stream, &err);
         status = pp_output_close(&file, status, &err);
     }
     pp_atlas_table_clear(&table);

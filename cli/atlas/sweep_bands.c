@@ -13,7 +13,7 @@ struct bands_run {
     struct pp_atlas_bands bands;
 };
 
-static enum pp_status compute(void *data, struct pp_error *err)
+static enum pp_status compute_sweep_bands(void *data, struct pp_error *err)
 {
     struct bands_run *run = data;
     struct pp_atlas_table table;
@@ -28,7 +28,8 @@ static enum pp_status compute(void *data, struct pp_error *err)
     return status;
 }
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+static enum pp_status print_sweep_bands(const void *data, FILE *out,
+                                        struct pp_error *err)
 {
     const struct bands_run *run = data;
     (void)err;
@@ -42,8 +43,8 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
 enum pp_exit pp_sweep_bands(const char *path, const char *output)
 {
     struct bands_run run = {.path = path, .table = true};
-    enum pp_exit result =
-        pp_job_run(&(struct pp_job){output, compute, print, NULL, &run});
+    enum pp_exit result = pp_job_run(
+        &(struct pp_job){output, compute_sweep_bands, print_sweep_bands, NULL, &run});
     pp_atlas_bands_clear(&run.bands);
     return result;
 }
@@ -51,8 +52,8 @@ enum pp_exit pp_sweep_bands(const char *path, const char *output)
 enum pp_exit pp_sweep_bands_try(const char *path, const char *output)
 {
     struct bands_run run = {.path = path};
-    enum pp_exit result =
-        pp_job_run(&(struct pp_job){output, compute, print, NULL, &run});
+    enum pp_exit result = pp_job_run(
+        &(struct pp_job){output, compute_sweep_bands, print_sweep_bands, NULL, &run});
     int outside = pp_atlas_bands_outside(&run.bands);
     if (result == PP_EXIT_DONE && outside > 0) {
         pp_message("%d regimes are farther from 95 %% than chance has it", outside);

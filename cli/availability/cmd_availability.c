@@ -65,7 +65,7 @@ static enum pp_status compute_room(struct availability_run *run,
     return pp_availability_fill(&result->sheet, &question, &result->report, err);
 }
 
-static enum pp_status compute(void *data, struct pp_error *err)
+static enum pp_status compute_availability(void *data, struct pp_error *err)
 {
     struct availability_run *run = data;
     const struct pp_rooms *rooms = run->rooms;
@@ -83,7 +83,8 @@ static enum pp_status compute(void *data, struct pp_error *err)
     return status;
 }
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+static enum pp_status print_availability(const void *data, FILE *out,
+                                         struct pp_error *err)
 {
     const struct availability_run *run = data;
     switch (run->options->format) {
@@ -99,7 +100,7 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
                                 pp_terminal_utf8(), out, err);
 }
 
-static bool is_finished(const void *data)
+static bool availability_is_finished(const void *data)
 {
     const struct availability_run *run = data;
     for (int i = 0; i < run->results.count; i++)
@@ -108,8 +109,8 @@ static bool is_finished(const void *data)
     return true;
 }
 
-static enum pp_exit run_on(struct availability_options *options,
-                           const struct pp_rooms *rooms)
+static enum pp_exit run_availability_of_rooms(struct availability_options *options,
+                                              const struct pp_rooms *rooms)
 {
     struct availability_run run = {
         .options = options,
@@ -118,7 +119,8 @@ static enum pp_exit run_on(struct availability_options *options,
                     .more_than_one_file = rooms->more_than_one_file,
                     .options = &options->room.study}};
     enum pp_exit exit_status = pp_job_run(
-        &(struct pp_job){options->room.output, compute, print, is_finished, &run});
+        &(struct pp_job){options->room.output, compute_availability, print_availability,
+                         availability_is_finished, &run});
     for (int i = 0; i < run.results.count; i++) {
         pp_availability_sheet_clear(&run.results.list[i].sheet);
         pp_report_clear(&run.results.list[i].report);
@@ -129,7 +131,7 @@ static enum pp_exit run_on(struct availability_options *options,
     return exit_status;
 }
 
-static enum pp_exit run(void *values, char **files, int file_count)
+static enum pp_exit run_availability(void *values, char **files, int file_count)
 {
     struct availability_options *options = values;
     struct pp_terminal_watch watch;
@@ -141,7 +143,7 @@ static enum pp_exit run(void *values, char **files, int file_count)
             pp_rooms_load(&rooms, "availability", files, file_count, &options->room);
     if (result != PP_EXIT_DONE)
         return result;
-    result = run_on(options, &rooms);
+    result = run_availability_of_rooms(options, &rooms);
     pp_rooms_clear(&rooms);
     return result;
 }
@@ -160,14 +162,14 @@ static const struct pp_option_group groups[] = {
     {0},
 };
 
-static void init(void *values)
+static void init_availability_options(void *values)
 {
     *(struct availability_options *)values = (struct availability_options){
         .room = pp_room_options_none, .light = pp_year_options_default};
 }
 
-static enum pp_status check(void *values, char **files, int file_count,
-                            struct pp_error *err)
+static enum pp_status check_availability_options(void *values, char **files,
+                                                 int file_count, struct pp_error *err)
 {
     struct availability_options *options = values;
     struct pp_study_options *study = &options->room.study;
@@ -182,7 +184,7 @@ static enum pp_status check(void *values, char **files, int file_count,
     return status == PP_OK ? pp_selection_check(study->methods, err) : status;
 }
 
-static void clear(void *values)
+static void clear_availability_options(void *values)
 {
     struct availability_options *options = values;
     pp_availability_options_clear(&options->light);
@@ -196,8 +198,8 @@ const struct pp_command pp_command_availability = {
     .about = about,
     .groups = groups,
     .size = sizeof(struct availability_options),
-    .init = init,
-    .check = check,
-    .run = run,
-    .clear = clear,
+    .init = init_availability_options,
+    .check = check_availability_options,
+    .run = run_availability,
+    .clear = clear_availability_options,
 };

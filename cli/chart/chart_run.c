@@ -44,7 +44,7 @@ struct chart_task {
     bool finished;                       /* false: a simulation was interrupted */
 };
 
-static void clear(struct chart_task *task)
+static void clear_chart_task(struct chart_task *task)
 {
     free(task->before);
     pp_rooms_clear(&task->former);
@@ -128,8 +128,9 @@ static enum pp_exit load(struct chart_task *task, char **files, int file_count)
 /* ---- Sheets and files ---- */
 
 /* The sheet that begins with that room. */
-static enum pp_status draw_sheet(struct chart_task *task, struct pp_canvas *canvas,
-                                 int first, struct pp_error *err)
+static enum pp_status draw_chart_sheet(struct chart_task *task,
+                                       struct pp_canvas *canvas, int first,
+                                       struct pp_error *err)
 {
     struct pp_chart_choice choice = task->options->choice;
     struct pp_study_room *room = NULL;
@@ -147,19 +148,19 @@ static enum pp_status draw_sheet(struct chart_task *task, struct pp_canvas *canv
 static enum pp_status draw_sheets(struct chart_task *task, struct pp_canvas *canvas,
                                   int first, int end, struct pp_error *err)
 {
-    enum pp_status status = draw_sheet(task, canvas, first, err);
+    enum pp_status status = draw_chart_sheet(task, canvas, first, err);
     if (task->rooms.count > 0)
         first += rooms_on_sheet(task, first);
     for (; first < end && status == PP_OK; first += rooms_on_sheet(task, first)) {
         status = pp_canvas_next_sheet(canvas, err);
         if (status == PP_OK)
-            status = draw_sheet(task, canvas, first, err);
+            status = draw_chart_sheet(task, canvas, first, err);
     }
     return status;
 }
 
-static enum pp_status draw(struct chart_task *task, int first, int end, FILE *out,
-                           struct pp_error *err)
+static enum pp_status draw_charts(struct chart_task *task, int first, int end,
+                                  FILE *out, struct pp_error *err)
 {
     const struct pp_study_room *room =
         task->rooms.count ? &task->rooms.list[first] : NULL;
@@ -199,7 +200,7 @@ static enum pp_status draw_to_file(struct chart_task *task, int first, int end,
     struct pp_output output;
     enum pp_status status = pp_output_open(&output, path, err);
     if (status == PP_OK)
-        status = draw(task, first, end, output.stream, err);
+        status = draw_charts(task, first, end, output.stream, err);
     return pp_output_close(&output, status, err);
 }
 
@@ -298,6 +299,6 @@ enum pp_exit pp_chart_run(const struct pp_chart_kind *kind,
         exit_status = check_points(kind, &task.rooms);
     if (exit_status == PP_EXIT_DONE)
         exit_status = draw_all(&task, to_standard_output);
-    clear(&task);
+    clear_chart_task(&task);
     return exit_status;
 }

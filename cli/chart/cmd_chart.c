@@ -39,7 +39,8 @@ static enum pp_status read_fill(const char *text, void *place, struct pp_error *
     return pp_fail(err, PP_BAD_INPUT, "none, colour or grey");
 }
 
-static enum pp_status read_line(const char *text, void *place, struct pp_error *err)
+static enum pp_status read_mirror_line(const char *text, void *place,
+                                       struct pp_error *err)
 {
     struct pp_chart_choice *choice = place;
     choice->line_said = true;
@@ -81,7 +82,7 @@ static const struct pp_option sheet_options[] = {
     {"line", 0, "NAME",
      "Plan: the part that sees sky (no-sky), or where the sky factor is over 0.2 % "
      "(sky-factor), and with --before what of it was lost.",
-     read_line, PLACE(choice)},
+     read_mirror_line, PLACE(choice)},
     {"fill", 0, "WAY",
      "Plan: between the contours none (default), colour, or grey for printing in "
      "black.",
@@ -217,7 +218,7 @@ static const struct pp_option_group groups[] = {
     {0},
 };
 
-static void init(void *values)
+static void init_chart_options(void *values)
 {
     *(struct chart_command *)values = (struct chart_command){
         .room = pp_room_options_none,
@@ -225,8 +226,8 @@ static void init(void *values)
                   .choice.availability = pp_year_options_default}};
 }
 
-static enum pp_status check(void *values, char **words, int word_count,
-                            struct pp_error *err)
+static enum pp_status check_chart_options(void *values, char **words, int word_count,
+                                          struct pp_error *err)
 {
     struct chart_command *command = values;
     struct pp_room_options *options = &command->room;
@@ -279,7 +280,7 @@ static enum pp_status check(void *values, char **words, int word_count,
     return status;
 }
 
-static enum pp_exit run(void *values, char **words, int word_count)
+static enum pp_exit run_chart(void *values, char **words, int word_count)
 {
     struct chart_command *command = values;
     struct pp_terminal_watch watch;
@@ -299,7 +300,7 @@ static enum pp_exit run(void *values, char **words, int word_count)
                : exit_status;
 }
 
-static void clear(void *values)
+static void clear_chart_options(void *values)
 {
     struct chart_command *command = values;
     pp_availability_options_clear(&command->chart.choice.availability);
@@ -314,9 +315,9 @@ const struct pp_command pp_command_chart = {
     .groups = groups,
     .size = sizeof(struct chart_command),
     .more_help = help_on_kinds,
-    .init = init,
-    .check = check,
-    .run = run,
-    .clear = clear,
+    .init = init_chart_options,
+    .check = check_chart_options,
+    .run = run_chart,
+    .clear = clear_chart_options,
     .words_before_files = 1,
 };

@@ -123,7 +123,7 @@ static const struct pp_option_group groups[] = {
     {0},
 };
 
-static void init(void *values)
+static void init_compare_options(void *values)
 {
     *(struct compare_options *)values =
         (struct compare_options){.room = pp_room_options_none};
@@ -147,8 +147,8 @@ static enum pp_status check_scene(const struct compare_options *options, int fil
     return PP_OK;
 }
 
-static enum pp_status check(void *values, char **files, int file_count,
-                            struct pp_error *err)
+static enum pp_status check_compare_options(void *values, char **files, int file_count,
+                                            struct pp_error *err)
 {
     struct compare_options *options = values;
     struct pp_room_variant variant = pp_room_variant_nothing();
@@ -231,7 +231,7 @@ struct compare_run {
     struct pp_compare_result result;
 };
 
-static bool look(void *data, double done)
+static bool compare_goes_on(void *data, double done)
 {
     const struct pp_watch *watch = &((struct compare_run *)data)->watch;
     return watch->look(watch->data, done, NAN);
@@ -245,7 +245,7 @@ static enum pp_status ours(struct pp_compare **compare, struct compare_run *run,
                                          .tracing = {.error = study->error,
                                                      .seed = study->seed,
                                                      .threads = study->threads,
-                                                     .look = look,
+                                                     .look = compare_goes_on,
                                                      .data = run},
                                          .noise = run->options->noise};
     enum pp_status status = PP_OK;
@@ -296,7 +296,7 @@ static enum pp_status only_ours(struct compare_run *run, struct pp_error *err)
     return PP_OK;
 }
 
-static enum pp_status compute(void *data, struct pp_error *err)
+static enum pp_status compute_comparison(void *data, struct pp_error *err)
 {
     struct compare_run *run = data;
     pp_interrupt_watch();
@@ -306,7 +306,7 @@ static enum pp_status compute(void *data, struct pp_error *err)
     return status;
 }
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+static enum pp_status print_compare(const void *data, FILE *out, struct pp_error *err)
 {
     const struct compare_run *run = data;
     if (run->options->format == PP_FORMAT_JSON)
@@ -335,26 +335,26 @@ static enum pp_status take_points(struct compare_run *run, struct pp_error *err)
                                  PP_COMPARE_POINTS_MOST, err);
 }
 
-static enum pp_exit run_on(struct compare_run *run)
+static enum pp_exit run_comparison(struct compare_run *run)
 {
     struct pp_terminal_watch terminal;
     struct pp_error err;
     run->watch = pp_watch_of_terminal(&terminal, run->options->room.quiet);
     enum pp_status status = take_points(run, &err);
     enum pp_exit exit_status = PP_EXIT_DONE;
-    run->subject = run->room
-                       ? pp_compare_subject_of_room(run->room)
-                       : (struct pp_compare_subject){.file = run->scene.title,
-                                                     .points = run->scene.points,
-                                                     .count = run->scene.count,
-                                                     .scene = &run->scene.description};
+    run->subject =
+        run->room ? pp_compare_subject_of_room(run->room)
+                  : (struct pp_compare_subject){.file = run->scene.title,
+                                                .points = run->scene.points,
+                                                .count = run->scene.count,
+                                                .scene = &run->scene.description};
     run->result.subject = &run->subject;
     run->result.other = run->other;
     run->result.variant = run->options->variant;
     run->result.given = run->values.count;
     if (status == PP_OK)
-        exit_status = pp_job_run(
-            &(struct pp_job){run->options->room.output, compute, print, NULL, run});
+        exit_status = pp_job_run(&(struct pp_job){
+            run->options->room.output, compute_comparison, print_compare, NULL, run});
     else
         exit_status = pp_message_error(&err);
     if (run->other)
@@ -376,12 +376,12 @@ static enum pp_exit run_in_scene(struct compare_options *options, char **files,
                               file_count - 1, &err)
         != PP_OK)
         return pp_message_error(&err);
-    enum pp_exit exit_status = run_on(&compare);
+    enum pp_exit exit_status = run_comparison(&compare);
     pp_compare_scene_clear(&compare.scene);
     return exit_status;
 }
 
-static enum pp_exit run(void *values, char **files, int file_count)
+static enum pp_exit run_compare(void *values, char **files, int file_count)
 {
     struct compare_options *options = values;
     if (pp_compare_scene_is(files[0]))
@@ -396,7 +396,7 @@ static enum pp_exit run(void *values, char **files, int file_count)
                                   .room = rooms.list,
                                   .other = file_count > 1 ? files[1] : NULL};
     if (rooms.count == 1) {
-        exit_status = run_on(&compare);
+        exit_status = run_comparison(&compare);
     } else {
         pp_fail(&err, PP_BAD_INPUT, "%.200s: %d rooms; expected one, by --room NAME",
                 files[0], rooms.count);
@@ -406,7 +406,7 @@ static enum pp_exit run(void *values, char **files, int file_count)
     return exit_status;
 }
 
-static void clear(void *values)
+static void clear_compare_options(void *values)
 {
     pp_room_options_clear(&((struct compare_options *)values)->room);
 }
@@ -419,8 +419,8 @@ const struct pp_command pp_command_compare = {
     .groups = groups,
     .size = sizeof(struct compare_options),
     .more_help = help_on_switches,
-    .init = init,
-    .check = check,
-    .run = run,
-    .clear = clear,
+    .init = init_compare_options,
+    .check = check_compare_options,
+    .run = run_compare,
+    .clear = clear_compare_options,
 };

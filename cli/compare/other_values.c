@@ -150,8 +150,9 @@ static enum pp_status take_number(struct csv_reading *reading, enum csv_column c
     return PP_OK;
 }
 
-static enum pp_status add_value(struct csv_reading *reading,
-                                const double of[COLUMN_KINDS], struct pp_error *err)
+static enum pp_status add_other_value(struct csv_reading *reading,
+                                      const double of[COLUMN_KINDS],
+                                      struct pp_error *err)
 {
     struct pp_other_values *values = reading->values;
     struct pp_vec3 normal = pp_vec(of[NX], of[NY], of[NZ]);
@@ -184,11 +185,11 @@ static enum pp_status take_row(struct csv_reading *reading, char *text,
     if (status == PP_OK && count != reading->column_count)
         return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: %d fields; expected %d",
                        reading->file, reading->line, count, reading->column_count);
-    return status == PP_OK ? add_value(reading, of, err) : status;
+    return status == PP_OK ? add_other_value(reading, of, err) : status;
 }
 
-static enum pp_status take_line(struct csv_reading *reading, char *text,
-                                struct pp_error *err)
+static enum pp_status take_csv_line(struct csv_reading *reading, char *text,
+                                    struct pp_error *err)
 {
     if (strlen(text) > LINE_MOST)
         return pp_fail(err, PP_BAD_INPUT,
@@ -211,7 +212,7 @@ static enum pp_status read_text(struct pp_other_values *values, char *text,
         text += 3; /* UTF-8's mark */
     for (char *line; status == PP_OK && (line = strsep(&text, "\n")) != NULL;) {
         reading.line++;
-        status = take_line(&reading, line, err);
+        status = take_csv_line(&reading, line, err);
     }
     if (status == PP_OK && values->count == 0)
         status = pp_fail(err, PP_BAD_INPUT,
@@ -258,10 +259,10 @@ void pp_other_values_clear(struct pp_other_values *values)
 
 /* ---- in the room ---- */
 
-static enum pp_status place(struct pp_receiver *receiver,
-                            const struct pp_study_room *room,
-                            const struct pp_other_value *value, const char *path,
-                            struct pp_error *err)
+static enum pp_status place_other_value(struct pp_receiver *receiver,
+                                        const struct pp_study_room *room,
+                                        const struct pp_other_value *value,
+                                        const char *path, struct pp_error *err)
 {
     struct pp_error own = {0};
     enum pp_status status =
@@ -304,13 +305,14 @@ enum pp_status pp_other_values_place(int **chosen, struct pp_study_room *room,
     enum pp_status status = receivers && *chosen ? PP_OK : pp_fail_memory(err);
     struct pp_receiver tried;
     for (int i = 0; i < count && status == PP_OK && values->has_places; i++)
-        status = place(&tried, room, &values->list[i], path, err);
+        status = place_other_value(&tried, room, &values->list[i], path, err);
     for (int i = 0; i < kept && status == PP_OK; i++) {
         (*chosen)[i] = pp_other_values_spread(i, count, kept);
         if (!values->has_places)
             receivers[i] = room->receivers[(*chosen)[i]];
         else
-            status = place(&receivers[i], room, &values->list[(*chosen)[i]], path, err);
+            status = place_other_value(&receivers[i], room, &values->list[(*chosen)[i]],
+                                       path, err);
     }
     if (status == PP_OK) {
         pp_study_room_set_points(room, receivers, kept);

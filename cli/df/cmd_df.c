@@ -114,10 +114,10 @@ static void help_on_methods(FILE *out)
 }
 
 /* By each engine that was asked for; the cache is kept. */
-static enum pp_status simulate(struct pp_report *report, bool *by_clock,
-                               const struct pp_study_options *study,
-                               const struct pp_engine_choice *choice,
-                               struct pp_error *err)
+static enum pp_status simulate_df_room(struct pp_report *report, bool *by_clock,
+                                       const struct pp_study_options *study,
+                                       const struct pp_engine_choice *choice,
+                                       struct pp_error *err)
 {
     const struct pp_engine_options options = {.sensor_m = choice->sensor_m,
                                               .cache = choice->cache.options,
@@ -158,7 +158,8 @@ static enum pp_status add_margin(struct pp_result *result,
     if (status == PP_OK && margin.has_plane)
         status = pp_study_report_methods(&inside.report, &margin.room, &study, err);
     if (status == PP_OK && margin.has_plane && study.simulate)
-        status = simulate(&inside.report, &inside.by_clock, &study, &engine, err);
+        status =
+            simulate_df_room(&inside.report, &inside.by_clock, &study, &engine, err);
     if (status == PP_OK)
         status = pp_plane_margin_take(&result->report,
                                       margin.has_plane ? &inside.report : NULL, err);
@@ -186,7 +187,7 @@ static enum pp_status add_advice(struct pp_result *result,
     return status;
 }
 
-static struct pp_room_figures figures(void *data, int room)
+static struct pp_room_figures df_room_figures(void *data, int room)
 {
     struct pp_result *result = &((struct df_run *)data)->results.list[room];
     return (struct pp_room_figures){&result->report, &result->by_clock};
@@ -198,12 +199,13 @@ static enum pp_status simulate_room(const void *data, int room,
 {
     const struct df_run *run = data;
     (void)room;
-    return simulate(report, by_clock, run->results.options, &run->options->engine, err);
+    return simulate_df_room(report, by_clock, run->results.options,
+                            &run->options->engine, err);
 }
 
 /* Hand methods of all rooms first: they take milliseconds, and are there whatever
  * happens to the simulation. */
-static enum pp_status compute(void *data, struct pp_error *err)
+static enum pp_status compute_df(void *data, struct pp_error *err)
 {
     struct df_run *run = data;
     struct pp_results *results = &run->results;
@@ -223,8 +225,8 @@ static enum pp_status compute(void *data, struct pp_error *err)
     if (status == PP_OK)
         status = pp_room_queue_run(
             &(struct pp_room_queue){results->options->simulate ? results->count : 0,
-                                    run->options->room.ranks, figures, simulate_room,
-                                    run},
+                                    run->options->room.ranks, df_room_figures,
+                                    simulate_room, run},
             err);
     for (int i = 0; i < results->count && status == PP_OK && run->options->margin; i++)
         status = add_margin(&results->list[i], &rooms->list[i], run->options, err);
@@ -238,7 +240,7 @@ static enum pp_status compute(void *data, struct pp_error *err)
     return status;
 }
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+static enum pp_status print_df(const void *data, FILE *out, struct pp_error *err)
 {
     const struct df_run *run = data;
     switch (run->options->format) {
@@ -253,7 +255,7 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
                       pp_terminal_utf8(), out, err);
 }
 
-static bool is_finished(const void *data)
+static bool df_is_finished(const void *data)
 {
     const struct df_run *run = data;
     for (int i = 0; i < run->results.count; i++)
@@ -281,7 +283,8 @@ static enum pp_exit check_rooms(const struct df_options *options,
     return err.status == PP_OK ? PP_EXIT_DONE : pp_message_usage("df", &err);
 }
 
-static enum pp_exit run_on(struct df_options *options, const struct pp_rooms *rooms)
+static enum pp_exit run_df_of_rooms(struct df_options *options,
+                                    const struct pp_rooms *rooms)
 {
     struct pp_terminal_watch watch;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
@@ -291,8 +294,8 @@ static enum pp_exit run_on(struct df_options *options, const struct pp_rooms *ro
                                      .more_than_one_file = rooms->more_than_one_file,
                                      .bands = options->bands,
                                      .options = &options->room.study}};
-    enum pp_exit exit_status = pp_job_run(
-        &(struct pp_job){options->room.output, compute, print, is_finished, &run});
+    enum pp_exit exit_status = pp_job_run(&(struct pp_job){
+        options->room.output, compute_df, print_df, df_is_finished, &run});
     for (int i = 0; i < run.results.count; i++) {
         pp_report_clear(&run.results.list[i].report);
         pp_advice_clear(&run.results.list[i].advice);
@@ -317,7 +320,7 @@ static enum pp_status print_formulae(const void *data, FILE *out, struct pp_erro
 }
 
 /* With the user's own tables for the lumen method, if he has any. */
-static enum pp_exit run(void *values, char **files, int file_count)
+static enum pp_exit run_df(void *values, char **files, int file_count)
 {
     struct df_options *options = values;
     struct pp_lumen_table *table;
@@ -333,7 +336,7 @@ static enum pp_exit run(void *values, char **files, int file_count)
     if (exit_status == PP_EXIT_DONE) {
         exit_status = check_rooms(options, &rooms);
         if (exit_status == PP_EXIT_DONE)
-            exit_status = run_on(options, &rooms);
+            exit_status = run_df_of_rooms(options, &rooms);
         pp_rooms_clear(&rooms);
     }
     pp_lumen_table_destroy(table);
@@ -342,8 +345,8 @@ static enum pp_exit run(void *values, char **files, int file_count)
 
 /* ---- the command line ---- */
 
-static enum pp_status check(void *values, char **files, int file_count,
-                            struct pp_error *err)
+static enum pp_status check_df_options(void *values, char **files, int file_count,
+                                       struct pp_error *err)
 {
     struct df_options *options = values;
     struct pp_study_options *study = &options->room.study;
@@ -376,13 +379,13 @@ static enum pp_status check(void *values, char **files, int file_count,
                : status;
 }
 
-static void init(void *values)
+static void init_df_options(void *values)
 {
     *(struct df_options *)values = (struct df_options){
         .room = pp_room_options_none, .engine = {.cache = pp_cache_choice_default()}};
 }
 
-static void clear(void *values)
+static void clear_df_options(void *values)
 {
     struct df_options *options = values;
     pp_room_options_clear(&options->room);
@@ -418,10 +421,10 @@ const struct pp_command pp_command_df = {
     .groups = groups,
     .size = sizeof(struct df_options),
     .more_help = help_on_methods,
-    .init = init,
-    .check = check,
-    .run = run,
-    .clear = clear,
+    .init = init_df_options,
+    .check = check_df_options,
+    .run = run_df,
+    .clear = clear_df_options,
     .uses_ranks = true,
     .ranks_place = PLACE(room.ranks),
 };

@@ -7,7 +7,7 @@
 #include "model/base/text.h"
 #include "studies/engines/engine.h"
 
-static enum pp_status refuse(struct pp_error *err)
+static enum pp_status refuse_engine_choice(struct pp_error *err)
 {
     char names[128] = "";
     const struct pp_engine *engine;
@@ -37,7 +37,7 @@ static enum pp_status read_engines(const char *text, void *place, struct pp_erro
         size_t length = strcspn(at, ",");
         int engine = find_engine(at, length);
         if (engine < 0 || engines & 1u << engine)
-            return refuse(err);
+            return refuse_engine_choice(err);
         engines |= 1u << engine;
         at += length;
         if (!*at)

@@ -55,8 +55,9 @@ static enum pp_exit fail_unknown(const char *word,
     return PP_EXIT_USAGE;
 }
 
-static enum pp_exit run(int argc, char **argv, const struct pp_command *const *commands,
-                        const struct pp_ranks *ranks)
+static enum pp_exit run_program(int argc, char **argv,
+                                const struct pp_command *const *commands,
+                                const struct pp_ranks *ranks)
 {
     const char *word = argc > 1 ? argv[1] : NULL;
     if (!word) {
@@ -99,8 +100,8 @@ int pp_program(int argc, char **argv, const struct pp_command *const *commands)
     struct pp_mpirun mpirun;
     enum pp_exit status = pp_mpirun_begin(&mpirun);
     if (status == PP_EXIT_DONE)
-        status =
-            run(argc, argv, commands, mpirun.ranks.count > 1 ? &mpirun.ranks : NULL);
+        status = run_program(argc, argv, commands,
+                             mpirun.ranks.count > 1 ? &mpirun.ranks : NULL);
     if (fflush(stdout) != 0 || ferror(stdout)) {
         pp_message("standard output can't be written: %s", strerror(errno));
         status = PP_EXIT_MACHINE;

@@ -158,7 +158,7 @@ static void say_left_out(const struct pp_rooms *rooms, bool gloss)
     }
 }
 
-static enum pp_exit run(void *values, char **files, int file_count)
+static enum pp_exit run_export(void *values, char **files, int file_count)
 {
     struct export_options *options = values;
     struct pp_rooms rooms;
@@ -184,8 +184,8 @@ static enum pp_exit run(void *values, char **files, int file_count)
     return exit_status;
 }
 
-static enum pp_status check(void *values, char **files, int file_count,
-                            struct pp_error *err)
+static enum pp_status check_export_options(void *values, char **files, int file_count,
+                                           struct pp_error *err)
 {
     struct export_options *options = values;
     (void)files;
@@ -218,13 +218,13 @@ static const struct pp_option_group groups[] = {
     {0},
 };
 
-static void init(void *values)
+static void init_export_options(void *values)
 {
     *(struct export_options *)values =
         (struct export_options){.room = pp_room_options_none};
 }
 
-static void clear(void *values)
+static void clear_export_options(void *values)
 {
     struct export_options *options = values;
     pp_room_options_clear(&options->room);
@@ -237,8 +237,8 @@ const struct pp_command pp_command_export = {
     .about = about,
     .groups = groups,
     .size = sizeof(struct export_options),
-    .init = init,
-    .check = check,
-    .run = run,
-    .clear = clear,
+    .init = init_export_options,
+    .check = check_export_options,
+    .run = run_export,
+    .clear = clear_export_options,
 };

@@ -68,8 +68,10 @@ static const struct pp_option import_options[] = {
 /* ---- simulation ---- */
 
 /* Until the sensors are done, the time is over, or somebody interrupts. */
-static enum pp_status trace(struct pp_sensors *sensors, struct pp_imported *imported,
-                            const struct pp_room_options *options, struct pp_error *err)
+static enum pp_status trace_import_sensors(struct pp_sensors *sensors,
+                                           struct pp_imported *imported,
+                                           const struct pp_room_options *options,
+                                           struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     struct pp_progress progress;
@@ -97,10 +99,10 @@ static enum pp_status trace(struct pp_sensors *sensors, struct pp_imported *impo
     return status;
 }
 
-static enum pp_status simulate(struct pp_imported *imported,
-                               struct pp_sensor_reading *readings,
-                               const struct pp_room_options *options, bool by_chance,
-                               struct pp_error *err)
+static enum pp_status simulate_import(struct pp_imported *imported,
+                                      struct pp_sensor_reading *readings,
+                                      const struct pp_room_options *options,
+                                      bool by_chance, struct pp_error *err)
 {
     struct pp_light_scene *scene;
     enum pp_status status = pp_light_scene_of_description(&scene, imported->scene, err);
@@ -118,7 +120,7 @@ static enum pp_status simulate(struct pp_imported *imported,
                                &wanted, err);
     if (status == PP_OK) {
         pp_interrupt_watch();
-        status = trace(sensors, imported, options, err);
+        status = trace_import_sensors(sensors, imported, options, err);
         for (int i = 0; i < imported->count; i++)
             readings[i] = pp_sensors_read(sensors, i);
         imported->readings = readings;
@@ -157,19 +159,20 @@ static enum pp_status read_all(struct import_run *run, struct pp_error *err)
     return PP_OK;
 }
 
-static enum pp_status compute(void *data, struct pp_error *err)
+static enum pp_status compute_import(void *data, struct pp_error *err)
 {
     struct import_run *run = data;
     enum pp_status status = read_all(run, err);
     if (status != PP_OK || !run->points)
         return status;
     run->readings = calloc((size_t)run->imported.count + 1, sizeof *run->readings);
-    return run->readings ? simulate(&run->imported, run->readings, &run->options->room,
-                                    run->options->by_chance, err)
-                         : pp_fail_memory(err);
+    return run->readings
+               ? simulate_import(&run->imported, run->readings, &run->options->room,
+                                 run->options->by_chance, err)
+               : pp_fail_memory(err);
 }
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+static enum pp_status print_import(const void *data, FILE *out, struct pp_error *err)
 {
     const struct import_run *run = data;
     return pp_import_report(&run->imported, run->options->format,
@@ -177,7 +180,7 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
                             pp_terminal_utf8(), out, err);
 }
 
-static bool is_finished(const void *data)
+static bool import_is_finished(const void *data)
 {
     const struct import_run *run = data;
     return !run->imported.readings || run->imported.finished;
@@ -192,7 +195,7 @@ static bool is_building(char **files, int file_count)
     return false;
 }
 
-static enum pp_exit run(void *values, char **files, int file_count)
+static enum pp_exit run_import(void *values, char **files, int file_count)
 {
     const struct import_options *options = values;
     if (is_building(files, file_count))
@@ -204,8 +207,8 @@ static enum pp_exit run(void *values, char **files, int file_count)
                      .file_count = file_count,
                      .summarised = options->summary || !options->points_file}};
     pp_scene_description_init(&run.scene);
-    enum pp_exit exit_status = pp_job_run(
-        &(struct pp_job){options->room.output, compute, print, is_finished, &run});
+    enum pp_exit exit_status = pp_job_run(&(struct pp_job){
+        options->room.output, compute_import, print_import, import_is_finished, &run});
     pp_scene_description_clear(&run.scene);
     free(run.points);
     free(run.readings);
@@ -229,8 +232,8 @@ static enum pp_status check_building(const struct import_options *options,
     return PP_OK;
 }
 
-static enum pp_status check(void *values, char **files, int file_count,
-                            struct pp_error *err)
+static enum pp_status check_import_options(void *values, char **files, int file_count,
+                                           struct pp_error *err)
 {
     struct import_options *options = values;
     struct pp_room_options *room_options = &options->room;
@@ -267,13 +270,13 @@ static const struct pp_option_group groups[] = {
     {0},
 };
 
-static void init(void *values)
+static void init_import_options(void *values)
 {
     *(struct import_options *)values =
         (struct import_options){.room = pp_room_options_none};
 }
 
-static void clear(void *values)
+static void clear_import_options(void *values)
 {
     struct import_options *options = values;
     pp_room_options_clear(&options->room);
@@ -286,8 +289,8 @@ const struct pp_command pp_command_import = {
     .about = about,
     .groups = groups,
     .size = sizeof(struct import_options),
-    .init = init,
-    .check = check,
-    .run = run,
-    .clear = clear,
+    .init = init_import_options,
+    .check = check_import_options,
+    .run = run_import,
+    .clear = clear_import_options,
 };

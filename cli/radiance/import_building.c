@@ -29,7 +29,7 @@ bool pp_import_building_is(const char *file)
     return pp_gbxml_import_is_xml(bytes, length);
 }
 
-static enum pp_status compute(void *data, struct pp_error *err)
+static enum pp_status compute_imported_building(void *data, struct pp_error *err)
 {
     struct building_import *import = data;
     char *bytes;
@@ -44,7 +44,8 @@ static enum pp_status compute(void *data, struct pp_error *err)
     return status;
 }
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+static enum pp_status print_imported_building(const void *data, FILE *out,
+                                              struct pp_error *err)
 {
     const struct building_import *import = data;
     if (fwrite(import->xml, 1, import->length, out) == import->length)
@@ -68,8 +69,8 @@ enum pp_exit pp_import_building_run(const char *file, const char *output, bool q
 {
     struct building_import import = {.file = file};
     pp_mistakes_init(&import.notes, file);
-    enum pp_exit exit_status =
-        pp_job_run(&(struct pp_job){output, compute, print, NULL, &import});
+    enum pp_exit exit_status = pp_job_run(&(struct pp_job){
+        output, compute_imported_building, print_imported_building, NULL, &import});
     if (!quiet)
         print_notes(&import.notes);
     pp_mistakes_clear(&import.notes);

@@ -72,9 +72,10 @@ static enum pp_status add_scene_file(struct pp_output_directory *directory,
     return PP_OK;
 }
 
-static enum pp_status add_points(struct pp_output_directory *directory,
-                                 const char *folder, const struct pp_study_room *room,
-                                 struct pp_error *err)
+static enum pp_status export_sensor_points(struct pp_output_directory *directory,
+                                           const char *folder,
+                                           const struct pp_study_room *room,
+                                           struct pp_error *err)
 {
     FILE *out;
     enum pp_status status = add_file(directory, folder, points_name, false, &out, err);
@@ -207,7 +208,7 @@ enum pp_status pp_radiance_export(struct pp_output_directory *directory,
         status = add_script(directory, folder, &rad, external_lux, err);
     pp_rad_room_clear(&rad);
     if (status == PP_OK)
-        status = add_points(directory, folder, room, err);
+        status = export_sensor_points(directory, folder, room, err);
     FILE *out;
     if (status == PP_OK)
         status = add_file(directory, folder, PP_RAD_CAL_NAME, false, &out, err);

@@ -27,9 +27,9 @@ static int read_numbers(char *line, double numbers[6])
     return count;
 }
 
-static enum pp_status take_line(struct pp_sensor **list, int *count, int *space,
-                                char *text, const char *file, int line,
-                                struct pp_error *err)
+static enum pp_status take_sensor_line(struct pp_sensor **list, int *count, int *space,
+                                       char *text, const char *file, int line,
+                                       struct pp_error *err)
 {
     double n[6];
     text += strspn(text, " \t\r");
@@ -76,7 +76,7 @@ enum pp_status pp_sensor_points_read(struct pp_sensor **list, int *count,
                          "%.200s: a character of code 0; expected text", file);
     int space = 0, line = 1;
     for (char *rest = ended, *text; status == PP_OK && (text = strsep(&rest, "\n"));)
-        status = take_line(list, count, &space, text, file, line++, err);
+        status = take_sensor_line(list, count, &space, text, file, line++, err);
     if (status == PP_OK && *count == 0)
         status = pp_fail(err, PP_BAD_INPUT,
                          "%.200s: no points; expected lines of x y z dx dy dz", file);

@@ -5,29 +5,29 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void put(FILE *out, const void *bytes, size_t length)
+static void put_bytes(FILE *out, const void *bytes, size_t length)
 {
     fwrite(bytes, 1, length, out);
 }
 
 static void put_reading(FILE *out, const struct pp_reading *reading)
 {
-    put(out, &reading->value, sizeof reading->value);
-    put(out, &reading->std_error, sizeof reading->std_error);
-    put(out, reading->why ? "y" : "n", 1);
+    put_bytes(out, &reading->value, sizeof reading->value);
+    put_bytes(out, &reading->std_error, sizeof reading->std_error);
+    put_bytes(out, reading->why ? "y" : "n", 1);
     if (reading->why)
-        put(out, reading->why, strlen(reading->why) + 1);
+        put_bytes(out, reading->why, strlen(reading->why) + 1);
 }
 
 static void put_column(FILE *out, const struct pp_column *column, int points)
 {
     int count = column->points ? points : -1;
-    put(out, &column->component, sizeof column->component);
-    put(out, column->name, sizeof column->name);
-    put(out, &column->common, sizeof column->common);
-    put(out, &column->common_near, sizeof column->common_near);
+    put_bytes(out, &column->component, sizeof column->component);
+    put_bytes(out, column->name, sizeof column->name);
+    put_bytes(out, &column->common, sizeof column->common);
+    put_bytes(out, &column->common_near, sizeof column->common_near);
     put_reading(out, &column->average);
-    put(out, &count, sizeof count);
+    put_bytes(out, &count, sizeof count);
     for (int i = 0; i < count; i++)
         put_reading(out, &column->points[i]);
 }
@@ -38,8 +38,8 @@ enum pp_status pp_report_bytes_write(const struct pp_report *report, char **byte
     FILE *out = open_memstream(bytes, length);
     if (!out)
         return pp_fail_memory(err);
-    put(out, &report->finished, sizeof report->finished);
-    put(out, &report->column_count, sizeof report->column_count);
+    put_bytes(out, &report->finished, sizeof report->finished);
+    put_bytes(out, &report->column_count, sizeof report->column_count);
     for (int i = 0; i < report->column_count; i++)
         put_column(out, &report->columns[i], report->receiver_count);
     bool failed = ferror(out) != 0;

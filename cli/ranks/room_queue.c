@@ -27,8 +27,9 @@ static enum pp_status pack(const struct pp_report *report, bool by_clock, char *
 }
 
 /* In a report of its own, as another rank's figures of the room may come meanwhile. */
-static enum pp_status work(void *data, int worker, int room, char **bytes,
-                           size_t *length, struct pp_error *err)
+static enum pp_status simulate_queued_room(void *data, int worker, int room,
+                                           char **bytes, size_t *length,
+                                           struct pp_error *err)
 {
     const struct pp_room_queue *queue = data;
     const struct pp_report *of = queue->figures(queue->data, room).report;
@@ -48,8 +49,8 @@ static enum pp_status work(void *data, int worker, int room, char **bytes,
     return status;
 }
 
-static enum pp_status take(void *data, int room, const char *bytes, size_t length,
-                           struct pp_error *err)
+static enum pp_status read_room_columns(void *data, int room, const char *bytes,
+                                        size_t length, struct pp_error *err)
 {
     const struct pp_room_queue *queue = data;
     struct pp_room_figures figures = queue->figures(queue->data, room);
@@ -57,7 +58,7 @@ static enum pp_status take(void *data, int room, const char *bytes, size_t lengt
     return pp_report_bytes_read(figures.report, bytes + 1, length - 1, err);
 }
 
-static bool look(void *data, double done)
+static bool no_interrupt_came(void *data, double done)
 {
     (void)data, (void)done;
     return !pp_interrupt_came();
@@ -83,9 +84,9 @@ enum pp_status pp_room_queue_run(const struct pp_room_queue *queue,
     int next;
     const struct pp_work_queue rooms = {.end = queue->count,
                                         .threads = 1,
-                                        .work = work,
-                                        .collect = take,
-                                        .goes_on = look,
+                                        .work = simulate_queued_room,
+                                        .collect = read_room_columns,
+                                        .goes_on = no_interrupt_came,
                                         .data = (void *)queue,
                                         .ranks = queue->ranks};
     if (!queue->ranks || (queue->count <= 1 && queue->ranks->rank == 0))

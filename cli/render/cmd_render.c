@@ -148,14 +148,14 @@ static const struct pp_option_group groups[] = {
     {0},
 };
 
-static void init(void *values)
+static void init_render_options(void *values)
 {
     *(struct render_options *)values = (struct render_options){
         .room = pp_room_options_none, .choice = pp_render_choice_default()};
 }
 
-static enum pp_status check(void *values, char **files, int file_count,
-                            struct pp_error *err)
+static enum pp_status check_render_command(void *values, char **files, int file_count,
+                                           struct pp_error *err)
 {
     struct render_options *options = values;
     (void)files;
@@ -166,14 +166,14 @@ static enum pp_status check(void *values, char **files, int file_count,
     return status;
 }
 
-static enum pp_exit run(void *values, char **files, int file_count)
+static enum pp_exit run_render(void *values, char **files, int file_count)
 {
     struct render_options *options = values;
     (void)file_count;
     return render_or_show(&options->choice, &options->room, files);
 }
 
-static void clear(void *values)
+static void clear_render_options(void *values)
 {
     struct render_options *options = values;
     pp_render_choice_clear(&options->choice);
@@ -187,8 +187,8 @@ const struct pp_command pp_command_render = {
     .about = about,
     .groups = groups,
     .size = sizeof(struct render_options),
-    .init = init,
-    .check = check,
-    .run = run,
-    .clear = clear,
+    .init = init_render_options,
+    .check = check_render_command,
+    .run = run_render,
+    .clear = clear_render_options,
 };

@@ -33,8 +33,8 @@ enum { RANDOMISATIONS = 32 };
 #define CHECKPOINT_MOST ((size_t)1 << 32)
 
 /* Lets the cache grow until it has all that the picture asks for. */
-static enum pp_status grow(struct pp_cache_warm_up *warm_up, bool quiet,
-                           struct pp_error *err)
+static enum pp_status grow_picture_cache(struct pp_cache_warm_up *warm_up, bool quiet,
+                                         struct pp_error *err)
 {
     struct pp_progress progress;
     enum pp_status status = PP_OK;
@@ -105,7 +105,7 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
         status =
             pp_cache_warm_up_create(&warm_up, made->cache, made->scene, render, 0, err);
     if (status == PP_OK)
-        status = grow(warm_up, options->quiet, err);
+        status = grow_picture_cache(warm_up, options->quiet, err);
     pp_cache_warm_up_destroy(warm_up);
     if (status == PP_OK)
         status = pp_cache_choice_save(&choice->cache, made->cache, err);
@@ -124,11 +124,12 @@ static int randomisations(const struct pp_render_choice *choice)
     return choice->samples < RANDOMISATIONS ? choice->samples : RANDOMISATIONS;
 }
 
-static enum pp_status create(struct pp_made_picture *made, const struct pp_world *world,
-                             const struct pp_outside_light *light,
-                             const struct pp_render_choice *choice,
-                             const struct pp_room_options *options,
-                             struct pp_error *err)
+static enum pp_status create_picture_cache(struct pp_made_picture *made,
+                                           const struct pp_world *world,
+                                           const struct pp_outside_light *light,
+                                           const struct pp_render_choice *choice,
+                                           const struct pp_room_options *options,
+                                           struct pp_error *err)
 {
     struct pp_render_options render = {
         .irradiance = choice->quantity.is != PP_LUMINANCE,
@@ -218,8 +219,10 @@ static enum pp_status interrupted(const struct pp_made_picture *made, const char
 
 /* ---- the work ---- */
 
-static enum pp_status work(struct pp_made_picture *made, const struct pp_world *world,
-                           const char *checkpoint, bool quiet, struct pp_error *err)
+static enum pp_status render_picture(struct pp_made_picture *made,
+                                     const struct pp_world *world,
+                                     const char *checkpoint, bool quiet,
+                                     struct pp_error *err)
 {
     struct pp_progress progress;
     enum pp_status status = checkpoint ? resume(made, checkpoint, err) : PP_OK;
@@ -292,9 +295,10 @@ enum pp_status pp_make_picture(struct pp_made_picture *made,
 {
     *made = (struct pp_made_picture){0};
     pp_interrupt_watch();
-    enum pp_status status = create(made, world, light, choice, options, err);
+    enum pp_status status =
+        create_picture_cache(made, world, light, choice, options, err);
     if (status == PP_OK)
-        status = work(made, world, choice->checkpoint, options->quiet, err);
+        status = render_picture(made, world, choice->checkpoint, options->quiet, err);
     if (status == PP_OK)
         status = take_picture(made, world, light, choice, options, err);
     return status;

@@ -144,8 +144,10 @@ static enum pp_status lay_marks(struct pp_picture_sheet *sheet,
     return PP_OK;
 }
 
-static enum pp_status draw_sheet(FILE *out, const struct pp_picture_sheet *sheet,
-                                 const struct pp_sheet *paper, struct pp_error *err)
+static enum pp_status draw_picture_sheet(FILE *out,
+                                         const struct pp_picture_sheet *sheet,
+                                         const struct pp_sheet *paper,
+                                         struct pp_error *err)
 {
     struct pp_canvas *canvas;
     enum pp_status status = pp_canvas_create(&canvas, paper, err);
@@ -178,7 +180,7 @@ static enum pp_status write_sheet(FILE *out, const struct pp_shown_picture *show
                              .title = sheet.title,
                              .description = sheet.subtitle};
     if (status == PP_OK)
-        status = draw_sheet(out, &sheet, &paper, err);
+        status = draw_picture_sheet(out, &sheet, &paper, err);
     pp_picture_sheet_clear(&sheet);
     return status;
 }

@@ -105,7 +105,8 @@ static const char *title_of(const struct pp_study_room *first)
     return building ? building : first->world->name ? first->world->name : first->file;
 }
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+static enum pp_status print_site_report(const void *data, FILE *out,
+                                        struct pp_error *err)
 {
     const struct pp_assess_run *run = data;
     const char *title = title_of(&run->rooms->list[0]);
@@ -135,8 +136,8 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
 
 /* A name whose ending asks for another format than those there are, unless --format says
  * which it is. */
-static enum pp_status check(void *values, char **files, int file_count,
-                            struct pp_error *err)
+static enum pp_status check_report_options(void *values, char **files, int file_count,
+                                           struct pp_error *err)
 {
     const struct pp_assess_words *words = values;
     const char *ending = ending_of(words->room.output);
@@ -150,9 +151,9 @@ static enum pp_status check(void *values, char **files, int file_count,
     return pp_assess_words_check(values, files, file_count, err);
 }
 
-static enum pp_exit run(void *words, char **files, int file_count)
+static enum pp_exit run_report(void *words, char **files, int file_count)
 {
-    return pp_assess_run(words, "report", files, file_count, print);
+    return pp_assess_run(words, "report", files, file_count, print_site_report);
 }
 
 static const struct pp_option_group groups[] = {
@@ -173,8 +174,8 @@ const struct pp_command pp_command_report = {
     .size = sizeof(struct pp_assess_words),
     .more_help = pp_assess_words_help,
     .init = pp_assess_words_init,
-    .check = check,
-    .run = run,
+    .check = check_report_options,
+    .run = run_report,
     .clear = pp_assess_words_clear,
     .uses_ranks = true,
     .ranks_place = PLACE(room.ranks),

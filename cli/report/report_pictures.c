@@ -56,7 +56,8 @@ static enum pp_status draw_chart(struct pp_canvas **canvas, const char *name,
     return status == PP_BAD_INPUT ? PP_OK : status;
 }
 
-static enum pp_status grow(struct pp_report_pictures *pictures, struct pp_error *err)
+static enum pp_status grow_pictures(struct pp_report_pictures *pictures,
+                                    struct pp_error *err)
 {
     enum pp_status status =
         pp_array_append(&pictures->list, pictures->count, sizeof *pictures->list, err);
@@ -67,15 +68,15 @@ static enum pp_status grow(struct pp_report_pictures *pictures, struct pp_error 
 
 /* room: whose the picture is; PP_SITE_WHOLE. The chart is of `choice`, beginning with room
  * `first`. */
-static enum pp_status add(struct drawing_task *task, int room, int first,
-                          const char *kind, const char *title,
-                          struct pp_chart_choice choice, struct pp_error *err)
+static enum pp_status add_drawing(struct drawing_task *task, int room, int first,
+                                  const char *kind, const char *title,
+                                  struct pp_chart_choice choice, struct pp_error *err)
 {
     struct pp_report_pictures *pictures = task->pictures;
     struct pp_canvas *canvas;
     choice.board.sky = pp_sky_overcast();
     choice.availability = pp_year_options_default;
-    enum pp_status status = grow(pictures, err);
+    enum pp_status status = grow_pictures(pictures, err);
     if (status == PP_OK)
         status = draw_chart(&canvas, kind, &task->run->rooms->list[first], &choice,
                             task->to_place, err);
@@ -113,13 +114,13 @@ static enum pp_status draw_site(struct drawing_task *task, int first, int count,
     const struct pp_chart_choice choice = {.site = {&task->run->rooms->list[first],
                                                     &task->before[first], count,
                                                     task->run->words->french_m}};
-    enum pp_status status =
-        add(task, PP_SITE_WHOLE, first, "site",
-            "The site, with the vertical sky component of windows", choice, err);
+    enum pp_status status = add_drawing(
+        task, PP_SITE_WHOLE, first, "site",
+        "The site, with the vertical sky component of windows", choice, err);
     return status == PP_OK
-               ? add(task, PP_SITE_WHOLE, first, "elevation",
-                     "Outer walls with the vertical sky component over them", choice,
-                     err)
+               ? add_drawing(task, PP_SITE_WHOLE, first, "elevation",
+                             "Outer walls with the vertical sky component over them",
+                             choice, err)
                : status;
 }
 
@@ -157,9 +158,9 @@ static enum pp_status draw_sun(struct drawing_task *task, int room,
         return PP_OK;
     snprintf(words, sizeof words, "%d", line);
     choice.board.window = line > 0 ? words : NULL;
-    return add(task, room, room, "sun-path",
-               "Sun paths at the window with least sun, and what hides the sky", choice,
-               err);
+    return add_drawing(task, room, room, "sun-path",
+                       "Sun paths at the window with least sun, and what hides the sky",
+                       choice, err);
 }
 
 static enum pp_status draw_room(struct drawing_task *task, int room,
@@ -170,15 +171,15 @@ static enum pp_status draw_room(struct drawing_task *task, int room,
                                                       &task->before[room], 1,
                                                       task->run->words->french_m}};
     enum pp_status status =
-        add(task, room, room, "plan",
-            "Plan, with contours of the daylight factor by hand", alone, err);
+        add_drawing(task, room, room, "plan",
+                    "Plan, with contours of the daylight factor by hand", alone, err);
     if (status == PP_OK)
-        status =
-            add(task, room, room, "section",
-                "Section, and daylight factors by hand along the room", alone, err);
+        status = add_drawing(task, room, room, "section",
+                             "Section, and daylight factors by hand along the room",
+                             alone, err);
     if (status == PP_OK && task->before[room])
-        status = add(task, room, room, "plan", "What sees sky, now and before",
-                     compared, err);
+        status = add_drawing(task, room, room, "plan", "What sees sky, now and before",
+                             compared, err);
     return status == PP_OK ? draw_sun(task, room, compared, err) : status;
 }
 

@@ -41,9 +41,9 @@ static enum pp_status move_text(char **text, size_t *length, const char *file,
 }
 
 /* The room file with all that was sized. */
-static enum pp_status write_file(const struct pp_size_results *results,
-                                 const char *file, const char *path,
-                                 struct pp_error *err)
+static enum pp_status write_sized_file(const struct pp_size_results *results,
+                                       const char *file, const char *path,
+                                       struct pp_error *err)
 {
     int count = 0;
     bool reached = false;
@@ -93,7 +93,7 @@ struct size_run {
 /* All rooms. Of several, one that has no window says so, and those that lack the very
  * window that is asked for (--line, --wall) are left out; it is an error where no room
  * has any. */
-static enum pp_status compute(void *data, struct pp_error *err)
+static enum pp_status compute_sizes(void *data, struct pp_error *err)
 {
     struct size_run *run = data;
     struct pp_size_results *results = &run->results;
@@ -120,7 +120,7 @@ static enum pp_status compute(void *data, struct pp_error *err)
     return PP_OK;
 }
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+static enum pp_status print_size(const void *data, FILE *out, struct pp_error *err)
 {
     const struct size_run *run = data;
     return run->options->format == PP_FORMAT_JSON
@@ -136,16 +136,17 @@ static enum pp_exit size_rooms(struct size_run *run)
     struct pp_error err = {0};
     if (options->room.study.simulate)
         pp_interrupt_watch();
-    enum pp_exit exit_status =
-        pp_job_run(&(struct pp_job){options->room.output, compute, print, NULL, run});
+    enum pp_exit exit_status = pp_job_run(
+        &(struct pp_job){options->room.output, compute_sizes, print_size, NULL, run});
     if (exit_status == PP_EXIT_DONE && options->write
-        && write_file(&run->results, run->rooms->list[0].file, options->write, &err)
+        && write_sized_file(&run->results, run->rooms->list[0].file, options->write,
+                            &err)
                != PP_OK)
         return pp_message_error(&err);
     return exit_status;
 }
 
-static enum pp_exit run(void *values, char **files, int file_count)
+static enum pp_exit run_size(void *values, char **files, int file_count)
 {
     struct pp_size_options *options = values;
     struct pp_terminal_watch watch;
@@ -186,14 +187,14 @@ static const struct pp_option_group groups[] = {
     {0},
 };
 
-static void init(void *values)
+static void init_size_options(void *values)
 {
     *(struct pp_size_options *)values =
         (struct pp_size_options){.room = pp_room_options_none};
 }
 
-static enum pp_status check(void *values, char **files, int file_count,
-                            struct pp_error *err)
+static enum pp_status check_size_options(void *values, char **files, int file_count,
+                                         struct pp_error *err)
 {
     struct pp_size_options *options = values;
     (void)files;
@@ -210,7 +211,7 @@ static enum pp_status check(void *values, char **files, int file_count,
     return status;
 }
 
-static void clear(void *values)
+static void clear_size_options(void *values)
 {
     struct pp_size_options *options = values;
     pp_room_options_clear(&options->room);
@@ -223,8 +224,8 @@ const struct pp_command pp_command_size = {
     .about = about,
     .groups = groups,
     .size = sizeof(struct pp_size_options),
-    .init = init,
-    .check = check,
-    .run = run,
-    .clear = clear,
+    .init = init_size_options,
+    .check = check_size_options,
+    .run = run_size,
+    .clear = clear_size_options,
 };

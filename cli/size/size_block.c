@@ -60,7 +60,7 @@ static enum pp_status draw_to(struct block_run *run, FILE *out, struct pp_error 
     return status;
 }
 
-static enum pp_status draw(struct block_run *run, struct pp_error *err)
+static enum pp_status draw_envelope_chart(struct block_run *run, struct pp_error *err)
 {
     struct pp_output output;
     enum pp_status status = pp_output_open(&output, run->options->draw, err);
@@ -69,7 +69,7 @@ static enum pp_status draw(struct block_run *run, struct pp_error *err)
     return pp_output_close(&output, status, err);
 }
 
-static enum pp_status compute(void *data, struct pp_error *err)
+static enum pp_status compute_block_height(void *data, struct pp_error *err)
 {
     struct block_run *run = data;
     struct pp_error fault = {0};
@@ -82,7 +82,7 @@ static enum pp_status compute(void *data, struct pp_error *err)
                  : pp_block_height_find(&run->height, &run->height_task, &fault);
     if (status != PP_OK)
         return pp_fail(err, status, "%s: %s", run->file, fault.message);
-    return run->options->draw ? draw(run, err) : PP_OK;
+    return run->options->draw ? draw_envelope_chart(run, err) : PP_OK;
 }
 
 static enum pp_status print_height(const struct block_run *run, int width, FILE *out,
@@ -110,7 +110,8 @@ static enum pp_status print_envelope(const struct block_run *run, int width, FIL
     }
 }
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+static enum pp_status print_block_height(const void *data, FILE *out,
+                                         struct pp_error *err)
 {
     const struct block_run *run = data;
     int width = pp_terminal_width(run->options->room.output);
@@ -135,8 +136,8 @@ enum pp_exit pp_size_block(const struct pp_size_options *options, const char *fi
                                               .block = pp_size_options_block(options),
                                               .rule = options->rule,
                                               .most_m = options->highest_m}};
-    exit_status =
-        pp_job_run(&(struct pp_job){options->room.output, compute, print, NULL, &run});
+    exit_status = pp_job_run(&(struct pp_job){
+        options->room.output, compute_block_height, print_block_height, NULL, &run});
     pp_block_height_clear(&run.height);
     pp_plot_envelope_clear(&run.envelope);
     pp_rooms_clear(&rooms);

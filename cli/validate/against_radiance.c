@@ -47,15 +47,16 @@ static double off_by(const struct beside *b)
     return pp_reading_apart(&b->radiance, &b->traced);
 }
 
-static struct pp_room_figures figures(void *data, int index)
+static struct pp_room_figures against_room_figures(void *data, int index)
 {
     struct pp_result *result = &((struct against_run *)data)->results[index];
     return (struct pp_room_figures){&result->report, &result->by_clock};
 }
 
 /* Nothing of a simulation that was stopped is compared. */
-static enum pp_status simulate(const void *data, int index, struct pp_report *report,
-                               bool *by_clock, struct pp_error *err)
+static enum pp_status simulate_against_room(const void *data, int index,
+                                            struct pp_report *report, bool *by_clock,
+                                            struct pp_error *err)
 {
     const struct against_run *run = data;
     enum pp_status status =
@@ -108,8 +109,8 @@ static void print_csv(const struct pp_report *report, FILE *out)
     }
 }
 
-static bool add_value(struct json_object *object, const char *key,
-                      const struct pp_reading *reading)
+static bool add_reading_value(struct json_object *object, const char *key,
+                              const struct pp_reading *reading)
 {
     struct json_object *entry = json_object_new_object();
     bool good = entry && pp_json_number(entry, "value", 100.0 * reading->value)
@@ -125,8 +126,8 @@ static struct json_object *point_object(const struct beside *b)
     bool good = object && pp_json_number(object, "x", b->at.x)
                 && pp_json_number(object, "y", b->at.y)
                 && pp_json_number(object, "z", b->at.z)
-                && add_value(object, "traced", &b->traced)
-                && add_value(object, "rtrace", &b->radiance)
+                && add_reading_value(object, "traced", &b->traced)
+                && add_reading_value(object, "rtrace", &b->radiance)
                 && pp_json_number(object, "off-by", off_by(b));
     if (good)
         pp_json_on_one_line(object);
@@ -161,7 +162,8 @@ static enum pp_status print_json(const struct against_run *run, FILE *out,
     return pp_json_print(out, pp_json_whole(object, good), err);
 }
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+static enum pp_status print_against_radiance(const void *data, FILE *out,
+                                             struct pp_error *err)
 {
     const struct against_run *run = data;
     if (run->format == PP_FORMAT_JSON)
@@ -184,8 +186,9 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
 /* ---- all rooms ---- */
 
 /* What does not take a simulation. */
-static enum pp_status begin(struct against_run *run, const struct pp_study_room *room,
-                            struct pp_error *err)
+static enum pp_status begin_against_run(struct against_run *run,
+                                        const struct pp_study_room *room,
+                                        struct pp_error *err)
 {
     struct pp_result *result = &run->results[run->count++];
     result->file = room->file;
@@ -205,11 +208,12 @@ static enum pp_status compare_rooms(void *data, struct pp_error *err)
     if (!run->results)
         return pp_fail_memory(err);
     for (int i = 0; i < run->rooms->count && status == PP_OK; i++)
-        status = begin(run, &run->rooms->list[i], err);
+        status = begin_against_run(run, &run->rooms->list[i], err);
     pp_interrupt_watch();
     return status == PP_OK ? pp_room_queue_run(
-               &(struct pp_room_queue){run->count, run->options->ranks, figures,
-                                       simulate, run},
+               &(struct pp_room_queue){run->count, run->options->ranks,
+                                       against_room_figures, simulate_against_room,
+                                       run},
                err)
                            : status;
 }
@@ -223,7 +227,7 @@ static bool is_there(void)
     return false;
 }
 
-static void clear(struct against_run *run)
+static void clear_against_run(struct against_run *run)
 {
     for (int i = 0; i < run->count; i++)
         pp_report_clear(&run->results[i].report);
@@ -237,9 +241,9 @@ enum pp_exit pp_against_radiance(const struct pp_rooms *rooms,
     if (!is_there())
         return PP_EXIT_MACHINE;
     struct against_run run = {.options = options, .format = format, .rooms = rooms};
-    enum pp_exit exit_status =
-        pp_job_run(&(struct pp_job){options->output, compare_rooms, print, NULL, &run});
-    clear(&run);
+    enum pp_exit exit_status = pp_job_run(&(struct pp_job){
+        options->output, compare_rooms, print_against_radiance, NULL, &run});
+    clear_against_run(&run);
     return exit_status;
 }
 
@@ -269,6 +273,6 @@ enum pp_exit pp_against_radiance_suite(const struct pp_rooms *rooms,
     enum pp_exit exit_status = pp_run_suite(
         &(struct pp_suite_source){&pp_suite_radiance, find_cases, NULL, &run}, options,
         format, page);
-    clear(&run);
+    clear_against_run(&run);
     return exit_status;
 }

@@ -70,8 +70,8 @@ static const struct pp_option page_option[] = {
 };
 
 /* Loads the rooms and compares them with what they are to be compared with. */
-static enum pp_exit compare(struct validate_options *options, char **files,
-                            int file_count)
+static enum pp_exit compare_loaded_rooms(struct validate_options *options, char **files,
+                                         int file_count)
 {
     struct pp_rooms rooms;
     struct pp_room_options *of_rooms = &options->room;
@@ -111,7 +111,7 @@ static const struct pp_option_group groups[] = {
     {0},
 };
 
-static void init(void *values)
+static void init_validate_options(void *values)
 {
     *(struct validate_options *)values =
         (struct validate_options){.room = pp_room_options_none};
@@ -209,8 +209,8 @@ static enum pp_status check_against(const struct validate_options *options,
                    options->against ? "--against compares" : "engines is of", excluded);
 }
 
-static enum pp_status check(void *values, char **operands, int count,
-                            struct pp_error *err)
+static enum pp_status check_validate_options(void *values, char **operands, int count,
+                                             struct pp_error *err)
 {
     struct validate_options *options = values;
     struct pp_study_options *study = &options->room.study;
@@ -233,7 +233,7 @@ static enum pp_status check(void *values, char **operands, int count,
                            : status;
 }
 
-static enum pp_exit run(void *values, char **operands, int count)
+static enum pp_exit run_validate(void *values, char **operands, int count)
 {
     struct validate_options *options = values;
     struct pp_terminal_watch watch;
@@ -246,10 +246,10 @@ static enum pp_exit run(void *values, char **operands, int count)
     return options->suite && !options->suite->of_rooms
                ? pp_run_suite_known(options->suite, &options->room, options->format,
                                     options->page)
-               : compare(options, files, file_count);
+               : compare_loaded_rooms(options, files, file_count);
 }
 
-static void clear(void *values)
+static void clear_validate_options(void *values)
 {
     struct validate_options *options = values;
     pp_room_options_clear(&options->room);
@@ -263,10 +263,10 @@ const struct pp_command pp_command_validate = {
     .about = about,
     .groups = groups,
     .size = sizeof(struct validate_options),
-    .init = init,
-    .check = check,
-    .run = run,
-    .clear = clear,
+    .init = init_validate_options,
+    .check = check_validate_options,
+    .run = run_validate,
+    .clear = clear_validate_options,
     .uses_ranks = true,
     .ranks_place = PLACE(room.ranks),
 };

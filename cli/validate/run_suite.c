@@ -15,7 +15,7 @@ struct suite_run {
     struct pp_known_result result;
 };
 
-static enum pp_status compute(void *data, struct pp_error *err)
+static enum pp_status compute_suite(void *data, struct pp_error *err)
 {
     struct suite_run *run = data;
     struct pp_known_cases *cases = &run->result.cases;
@@ -23,7 +23,7 @@ static enum pp_status compute(void *data, struct pp_error *err)
     return status == PP_OK && !cases->whole ? pp_fail_memory(err) : status;
 }
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+static enum pp_status print_suite(const void *data, FILE *out, struct pp_error *err)
 {
     const struct suite_run *run = data;
     if (run->format == PP_FORMAT_JSON)
@@ -36,7 +36,7 @@ static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
     return PP_OK;
 }
 
-static bool is_finished(const void *data)
+static bool suite_is_finished(const void *data)
 {
     const struct pp_suite_source *source = ((const struct suite_run *)data)->source;
     return !source->is_finished || source->is_finished(source->data);
@@ -54,7 +54,7 @@ static enum pp_exit write_page(const struct pp_known_result *result, const char 
 }
 
 /* Says how many are outside, if more than may be. */
-static enum pp_exit judge(const struct pp_known_result *result)
+static enum pp_exit judge_suite(const struct pp_known_result *result)
 {
     struct pp_suite_score score = pp_suite_score(result->suite, &result->cases);
     if (score.passes)
@@ -77,12 +77,12 @@ enum pp_exit pp_run_suite(const struct pp_suite_source *source,
     struct pp_error err = {0};
     if (page && pp_output_try(page, &err) != PP_OK)
         return pp_message_error(&err);
-    enum pp_exit result = pp_job_run(
-        &(struct pp_job){options->output, compute, print, is_finished, &run});
+    enum pp_exit result = pp_job_run(&(struct pp_job){
+        options->output, compute_suite, print_suite, suite_is_finished, &run});
     if (result == PP_EXIT_DONE && page)
         result = write_page(&run.result, page);
     if (result == PP_EXIT_DONE)
-        result = judge(&run.result);
+        result = judge_suite(&run.result);
     pp_known_case_clear(&run.result.cases);
     return result;
 }

@@ -18,15 +18,16 @@ struct engines_run {
     int count;
 };
 
-static struct pp_room_figures figures(void *data, int index)
+static struct pp_room_figures engine_room_figures(void *data, int index)
 {
     struct pp_result *result = &((struct engines_run *)data)->results[index];
     return (struct pp_room_figures){&result->report, &result->by_clock};
 }
 
 /* What time there is for a room is shared by the engines. */
-static enum pp_status simulate(const void *data, int index, struct pp_report *report,
-                               bool *by_clock, struct pp_error *err)
+static enum pp_status simulate_by_engines(const void *data, int index,
+                                          struct pp_report *report, bool *by_clock,
+                                          struct pp_error *err)
 {
     const struct engines_run *run = data;
     const struct pp_engine_options cached = {.cache = pp_irradiance_cache_defaults()};
@@ -63,16 +64,16 @@ static enum pp_status find_cases(void *data, struct pp_known_cases *cases,
     }
     pp_interrupt_watch();
     if (status == PP_OK)
-        status =
-            pp_room_queue_run(&(struct pp_room_queue){run->count, run->options->ranks,
-                                                      figures, simulate, run},
-                              err);
+        status = pp_room_queue_run(
+            &(struct pp_room_queue){run->count, run->options->ranks,
+                                    engine_room_figures, simulate_by_engines, run},
+            err);
     for (int i = 0; i < run->count && status == PP_OK; i++)
         pp_room_cases_of_engines(cases, run->results[i].file, &run->results[i].report);
     return status;
 }
 
-static bool is_finished(const void *data)
+static bool engines_are_finished(const void *data)
 {
     const struct engines_run *run = data;
     for (int i = 0; i < run->count; i++)
@@ -86,9 +87,10 @@ enum pp_exit pp_validate_engines(const struct pp_rooms *rooms,
                                  enum pp_format format, const char *page)
 {
     struct engines_run run = {.options = options, .rooms = rooms};
-    enum pp_exit exit_status = pp_run_suite(
-        &(struct pp_suite_source){&pp_suite_engines, find_cases, is_finished, &run},
-        options, format, page);
+    enum pp_exit exit_status =
+        pp_run_suite(&(struct pp_suite_source){&pp_suite_engines, find_cases,
+                                               engines_are_finished, &run},
+                     options, format, page);
     for (int i = 0; i < run.count; i++)
         pp_report_clear(&run.results[i].report);
     free(run.results);

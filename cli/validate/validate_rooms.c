@@ -34,7 +34,7 @@ struct rooms_run {
     int traced_count;
 };
 
-static enum pp_status begin(struct rooms_run *run, struct pp_error *err)
+static enum pp_status begin_rooms_run(struct rooms_run *run, struct pp_error *err)
 {
     size_t count = (size_t)run->rooms->count + 1;
     run->results.list = calloc(count, sizeof *run->results.list);
@@ -82,7 +82,7 @@ static enum pp_status list_traced(struct rooms_run *run, struct pp_error *err)
     return PP_OK;
 }
 
-static struct pp_room_figures figures(void *data, int index)
+static struct pp_room_figures validated_room_figures(void *data, int index)
 {
     struct rooms_run *run = data;
     const struct traced_report *traced = &run->traced[index];
@@ -91,8 +91,9 @@ static struct pp_room_figures figures(void *data, int index)
 }
 
 /* After a stop a room has what there is so far, and the worlds behind it have nothing. */
-static enum pp_status simulate(const void *data, int index, struct pp_report *report,
-                               bool *by_clock, struct pp_error *err)
+static enum pp_status simulate_validated_room(const void *data, int index,
+                                              struct pp_report *report, bool *by_clock,
+                                              struct pp_error *err)
 {
     const struct rooms_run *run = data;
     int room = run->traced[index].room, own = run->traced[index].own;
@@ -107,7 +108,8 @@ static enum pp_status simulate(const void *data, int index, struct pp_report *re
                                             by_clock, err);
 }
 
-static enum pp_status compare(struct rooms_run *run, struct pp_error *err)
+static enum pp_status compare_validated_rooms(struct rooms_run *run,
+                                              struct pp_error *err)
 {
     struct pp_validation *validation = &run->validation;
     enum pp_status status = PP_OK;
@@ -125,9 +127,9 @@ static enum pp_status compare(struct rooms_run *run, struct pp_error *err)
                : status;
 }
 
-static enum pp_status trace(struct rooms_run *run, struct pp_error *err)
+static enum pp_status trace_validated_rooms(struct rooms_run *run, struct pp_error *err)
 {
-    enum pp_status status = begin(run, err);
+    enum pp_status status = begin_rooms_run(run, err);
     if (status == PP_OK)
         status = work_by_hand(run, err);
     if (status == PP_OK)
@@ -135,13 +137,13 @@ static enum pp_status trace(struct rooms_run *run, struct pp_error *err)
     if (status != PP_OK)
         return status;
     pp_interrupt_watch();
-    return pp_room_queue_run(&(struct pp_room_queue){run->traced_count,
-                                                     run->options->ranks, figures,
-                                                     simulate, run},
-                             err);
+    return pp_room_queue_run(
+        &(struct pp_room_queue){run->traced_count, run->options->ranks,
+                                validated_room_figures, simulate_validated_room, run},
+        err);
 }
 
-static bool is_finished(const void *data)
+static bool validated_rooms_are_finished(const void *data)
 {
     const struct rooms_run *run = data;
     for (int i = 0; i < run->results.count; i++)
@@ -163,7 +165,7 @@ static struct rooms_run run_of(const struct pp_rooms *rooms,
                     .options = &options->study}};
 }
 
-static void clear(struct rooms_run *run)
+static void clear_rooms_run(struct rooms_run *run)
 {
     for (int i = 0; i < run->results.count; i++) {
         pp_report_clear(&run->results.list[i].report);
@@ -180,13 +182,14 @@ static void clear(struct rooms_run *run)
 
 /* ---- the table ---- */
 
-static enum pp_status compute(void *data, struct pp_error *err)
+static enum pp_status compute_validated_rooms(void *data, struct pp_error *err)
 {
-    enum pp_status status = trace(data, err);
-    return status == PP_OK ? compare(data, err) : status;
+    enum pp_status status = trace_validated_rooms(data, err);
+    return status == PP_OK ? compare_validated_rooms(data, err) : status;
 }
 
-static enum pp_status print(const void *data, FILE *out, struct pp_error *err)
+static enum pp_status print_validated_rooms(const void *data, FILE *out,
+                                            struct pp_error *err)
 {
     const struct rooms_run *run = data;
     struct pp_validation validation = run->validation;
@@ -207,8 +210,9 @@ enum pp_exit pp_validate_rooms(const struct pp_rooms *rooms,
 {
     struct rooms_run run = run_of(rooms, options, format);
     enum pp_exit exit_status = pp_job_run(
-        &(struct pp_job){options->output, compute, print, is_finished, &run});
-    clear(&run);
+        &(struct pp_job){options->output, compute_validated_rooms,
+                         print_validated_rooms, validated_rooms_are_finished, &run});
+    clear_rooms_run(&run);
     return exit_status;
 }
 
@@ -218,9 +222,9 @@ static enum pp_status find_cases(void *data, struct pp_known_cases *cases,
                                  struct pp_error *err)
 {
     struct rooms_run *run = data;
-    enum pp_status status = trace(run, err);
+    enum pp_status status = trace_validated_rooms(run, err);
     if (status == PP_OK)
-        status = compare(run, err);
+        status = compare_validated_rooms(run, err);
     for (int i = 0; i < run->results.count && status == PP_OK; i++) {
         struct pp_result *result = &run->results.list[i];
         status = pp_report_bands_fill(&result->report, err);
@@ -236,9 +240,10 @@ enum pp_exit pp_validate_rooms_suite(const struct pp_rooms *rooms,
                                      enum pp_format format, const char *page)
 {
     struct rooms_run run = run_of(rooms, options, format);
-    enum pp_exit exit_status = pp_run_suite(
-        &(struct pp_suite_source){&pp_suite_rooms, find_cases, is_finished, &run},
-        options, format, page);
-    clear(&run);
+    enum pp_exit exit_status =
+        pp_run_suite(&(struct pp_suite_source){&pp_suite_rooms, find_cases,
+                                               validated_rooms_are_finished, &run},
+                     options, format, page);
+    clear_rooms_run(&run);
     return exit_status;
 }

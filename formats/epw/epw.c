@@ -9,8 +9,8 @@
 #include "model/base/read_file.h"
 
 /* Reads header and records from a copy of the file's bytes, with a NUL behind. */
-static enum pp_status fill(struct pp_epw *epw, char *bytes, size_t length,
-                           struct pp_mistakes *mistakes, struct pp_error *err)
+static enum pp_status read_epw_copy(struct pp_epw *epw, char *bytes, size_t length,
+                                    struct pp_mistakes *mistakes, struct pp_error *err)
 {
     struct pp_epw_header *header = calloc(1, sizeof *header);
     if (!header)
@@ -43,7 +43,7 @@ enum pp_status pp_epw_parse(struct pp_epw **epw, const char *bytes, size_t lengt
         if (copy) {
             memcpy(copy, bytes, length);
             copy[length] = '\0';
-            status = fill(made, copy, length, mistakes, err);
+            status = read_epw_copy(made, copy, length, mistakes, err);
         } else {
             status = pp_fail_memory(err);
         }

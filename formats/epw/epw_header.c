@@ -29,8 +29,8 @@ static const char *field(const struct header_reader *r, int index)
 }
 
 /* A number within low ... high. */
-static double read_number(struct header_reader *r, int index, const char *name,
-                          double low, double high)
+static double read_header_number(struct header_reader *r, int index, const char *name,
+                                 double low, double high)
 {
     double value;
     char shown[64];
@@ -57,10 +57,11 @@ static void read_location(struct header_reader *r)
         if (strcmp(name, "-") != 0)
             r->out_of_memory |= !pp_epw_lines_append_text(&epw->place, ", ", name);
     }
-    epw->latitude_rad = PP_RAD * read_number(r, 6, "the latitude (field 7)", -90, 90);
+    epw->latitude_rad =
+        PP_RAD * read_header_number(r, 6, "the latitude (field 7)", -90, 90);
     epw->longitude_rad =
-        PP_RAD * read_number(r, 7, "the longitude (field 8)", -180, 180);
-    epw->time_zone_h = read_number(r, 8, "the time zone (field 9)", -12, 14);
+        PP_RAD * read_header_number(r, 7, "the longitude (field 8)", -180, 180);
+    epw->time_zone_h = read_header_number(r, 8, "the time zone (field 9)", -12, 14);
 }
 
 static bool is_leading_number(const char *text)
@@ -149,10 +150,10 @@ static void read_periods(struct header_reader *r)
         return;
     }
     header->periods_line = r->line;
-    double periods = read_number(r, 1, "the number of data periods (field 2)", 1,
-                                 PP_EPW_PERIODS_MOST);
+    double periods = read_header_number(r, 1, "the number of data periods (field 2)", 1,
+                                        PP_EPW_PERIODS_MOST);
     double an_hour =
-        read_number(r, 2, "the number of records an hour (field 3)", 1, 60);
+        read_header_number(r, 2, "the number of records an hour (field 3)", 1, 60);
     header->period_count = (int)periods;
     header->records_an_hour = (int)an_hour;
     if (periods != header->period_count)
@@ -196,7 +197,7 @@ static const struct header_line {
 };
 enum { HEADER_LINES = sizeof header_lines / sizeof header_lines[0] };
 
-static void read_line(struct header_reader *r)
+static void read_header_line(struct header_reader *r)
 {
     char shown[64];
     for (int i = 0; i < HEADER_LINES; i++)
@@ -237,7 +238,7 @@ bool pp_epw_header_read(struct pp_epw *epw, struct pp_epw_header *header,
         }
         first = false;
         r.count = pp_epw_lines_split(*record, fields, PP_EPW_FIELDS_MOST);
-        read_line(&r);
+        read_header_line(&r);
         if (mistakes->count - before >= PP_EPW_MISTAKES_MOST) {
             mistakes->truncated = true;
             return false;

@@ -14,8 +14,8 @@ static const struct pp_xml_format gbxml = {
 };
 
 /* Fails with the first mistake, if there is any. */
-static enum pp_status refuse(const struct pp_mistakes *mistakes, const char *file,
-                             struct pp_error *err)
+static enum pp_status fail_with_mistakes(const struct pp_mistakes *mistakes,
+                                         const char *file, struct pp_error *err)
 {
     if (mistakes->count == 0)
         return mistakes->truncated ? pp_fail_memory(err) : PP_OK;
@@ -35,7 +35,7 @@ enum pp_status pp_gbxml_document_parse(struct pp_xml *document, const char *byte
     enum pp_status status =
         pp_xml_parse(document, bytes, length, &gbxml, &mistakes, err);
     if (status == PP_OK)
-        status = refuse(&mistakes, file, err);
+        status = fail_with_mistakes(&mistakes, file, err);
     if (status == PP_OK && strcmp(document->root->name, "gbXML") != 0)
         status = pp_fail(err, PP_BAD_INPUT,
                          "%s:%d: the outermost element is <%s>; expected <gbXML>", file,
@@ -47,8 +47,8 @@ enum pp_status pp_gbxml_document_parse(struct pp_xml *document, const char *byte
     return status;
 }
 
-static const struct pp_xml_element *find(const struct pp_xml_element *element,
-                                         const char *name)
+static const struct pp_xml_element *find_gbxml_child(
+    const struct pp_xml_element *element, const char *name)
 {
     while (element && strcmp(element->name, name) != 0)
         element = element->next;
@@ -58,13 +58,13 @@ static const struct pp_xml_element *find(const struct pp_xml_element *element,
 const struct pp_xml_element *pp_gbxml_document_child(
     const struct pp_xml_element *parent, const char *name)
 {
-    return parent ? find(parent->child, name) : NULL;
+    return parent ? find_gbxml_child(parent->child, name) : NULL;
 }
 
 const struct pp_xml_element *pp_gbxml_document_next(const struct pp_xml_element *before,
                                                     const char *name)
 {
-    return find(before->next, name);
+    return find_gbxml_child(before->next, name);
 }
 
 const struct pp_xml_element *pp_gbxml_document_path(const struct pp_xml_element *from,

@@ -59,8 +59,8 @@ static int count_openings(const struct gbxml_work *work,
     return count;
 }
 
-static enum pp_status make_room(struct gbxml_work *work, int index,
-                                struct pp_error *err)
+static enum pp_status make_gbxml_room(struct gbxml_work *work, int index,
+                                      struct pp_error *err)
 {
     struct pp_gbxml_space *space = &work->model.spaces[index];
     const char *why;
@@ -93,7 +93,7 @@ static enum pp_status make_rooms(struct gbxml_work *work, struct pp_error *err)
         } else if (made == ROOMS_MOST) {
             many++;
         } else {
-            status = make_room(work, i, err);
+            status = make_gbxml_room(work, i, err);
             made += work->rooms[i] != NULL;
         }
     }

@@ -6,8 +6,8 @@
 
 static const double level_m = 0.02;
 
-static void find_extent(double *low, double *high, const struct pp_gbxml_polygon *list,
-                        int count)
+static void find_prism_extent(double *low, double *high,
+                              const struct pp_gbxml_polygon *list, int count)
 {
     for (int i = 0; i < count; i++)
         for (int k = 0; k < list[i].count; k++) {
@@ -58,8 +58,8 @@ enum pp_status pp_gbxml_prism_make(struct pp_gbxml_shell *shell, const char **wh
 {
     double low = INFINITY, high = -INFINITY;
     *shell = (struct pp_gbxml_shell){0};
-    find_extent(&low, &high, space->shell, space->shell_count);
-    find_extent(&low, &high, polygons, count);
+    find_prism_extent(&low, &high, space->shell, space->shell_count);
+    find_prism_extent(&low, &high, polygons, count);
     const struct pp_gbxml_polygon *floor = find_floor(space, polygons, count, low);
     *why = floor ? NULL : "has no level floor";
     if (*why)

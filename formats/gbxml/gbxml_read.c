@@ -210,9 +210,9 @@ static bool is_one_of(const char *word, const char *const *words)
     return false;
 }
 
-static enum pp_status add_opening(struct gbxml_reader *r,
-                                  struct pp_gbxml_surface *surface,
-                                  const struct pp_xml_element *element)
+static enum pp_status add_gbxml_opening(struct gbxml_reader *r,
+                                        struct pp_gbxml_surface *surface,
+                                        const struct pp_xml_element *element)
 {
     static const char *const glazed[] = {"FixedWindow",   "OperableWindow",
                                          "FixedSkylight", "OperableSkylight",
@@ -244,8 +244,8 @@ static enum pp_status add_opening(struct gbxml_reader *r,
     return status;
 }
 
-static enum pp_status add_surface(struct gbxml_reader *r,
-                                  const struct pp_xml_element *element)
+static enum pp_status add_gbxml_surface(struct gbxml_reader *r,
+                                        const struct pp_xml_element *element)
 {
     struct pp_gbxml_model *model = r->model;
     const char *type = pp_gbxml_document_attribute(element, "surfaceType");
@@ -276,7 +276,7 @@ static enum pp_status add_surface(struct gbxml_reader *r,
     *placed = surface;
     for (const struct pp_xml_element *at = pp_gbxml_document_child(element, "Opening");
          at && status == PP_OK; at = pp_gbxml_document_next(at, "Opening"))
-        status = add_opening(r, placed, at);
+        status = add_gbxml_opening(r, placed, at);
     return status;
 }
 
@@ -382,7 +382,7 @@ static enum pp_status read_campus(struct gbxml_reader *r,
              pp_gbxml_document_child(campus, "Surface");
          surface && status == PP_OK;
          surface = pp_gbxml_document_next(surface, "Surface"))
-        status = add_surface(r, surface);
+        status = add_gbxml_surface(r, surface);
     return status;
 }
 

@@ -120,7 +120,7 @@ static double height_over(const struct pp_gbxml_room *room, int face, struct pp_
                       unit_normal(room, face));
 }
 
-static struct pp_vec3 middle_of(const struct pp_gbxml_polygon *polygon)
+static struct pp_vec3 gbxml_polygon_middle(const struct pp_gbxml_polygon *polygon)
 {
     struct pp_vec3 sum = {0.0, 0.0, 0.0};
     for (int i = 0; i < polygon->count; i++)
@@ -154,7 +154,7 @@ static bool is_over(const struct pp_gbxml_room *room, int index, struct pp_vec3 
 static int face_for(const struct pp_gbxml_room *room,
                     const struct pp_gbxml_opening *opening)
 {
-    struct pp_vec3 middle = middle_of(&opening->outline);
+    struct pp_vec3 middle = gbxml_polygon_middle(&opening->outline);
     int nearest = -1;
     double least = reveal_m;
     for (int i = 0; i < room->shell.face_count; i++) {
@@ -175,9 +175,9 @@ static int face_for(const struct pp_gbxml_room *room,
 }
 
 /* Corners in the face's plane, in the room's sense of turning. */
-static enum pp_status add_opening(struct pp_gbxml_room *room,
-                                  struct pp_gbxml_opening *opening, int face,
-                                  struct pp_error *err)
+static enum pp_status add_room_opening(struct pp_gbxml_room *room,
+                                       struct pp_gbxml_opening *opening, int face,
+                                       struct pp_error *err)
 {
     const struct pp_gbxml_polygon *outline = &opening->outline;
     struct pp_vec3 normal = unit_normal(room, face), sum = {0.0, 0.0, 0.0};
@@ -236,7 +236,7 @@ static enum pp_status add_openings(struct pp_gbxml_room *room,
                                 "as wall",
                                 opening->name ? opening->name : "");
             else
-                status = add_opening(room, opening, face, err);
+                status = add_room_opening(room, opening, face, err);
         }
     return status;
 }

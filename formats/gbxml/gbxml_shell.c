@@ -69,9 +69,9 @@ static void tidy(struct pp_gbxml_face *face)
     }
 }
 
-static enum pp_status add_face(struct pp_gbxml_shell *shell,
-                               const struct pp_gbxml_polygon *polygon, int from,
-                               struct pp_error *err)
+static enum pp_status add_shell_face(struct pp_gbxml_shell *shell,
+                                     const struct pp_gbxml_polygon *polygon, int from,
+                                     struct pp_error *err)
 {
     struct pp_gbxml_face face = {.from = from};
     face.corners = calloc((size_t)polygon->count + 1, sizeof *face.corners);
@@ -306,7 +306,7 @@ static enum pp_status close_holes(struct pp_gbxml_shell *shell, const char **why
     return status;
 }
 
-static void turn(struct pp_gbxml_face *face)
+static void turn_gbxml_face(struct pp_gbxml_face *face)
 {
     for (int i = 0, k = face->count - 1; i < k; i++, k--) {
         int kept = face->corners[i];
@@ -350,7 +350,7 @@ static enum pp_status turn_alike(struct pp_gbxml_shell *shell, const char **why,
         if (!turned[i])
             *why = "is of several pieces";
         if (turned[i] < 0)
-            turn(&shell->faces[i]);
+            turn_gbxml_face(&shell->faces[i]);
     }
     status = turned ? PP_OK : pp_fail_memory(err);
     free(turned);
@@ -367,7 +367,7 @@ static void turn_inwards(struct pp_gbxml_shell *shell)
             pp_gbxml_shell_normal(shell, i),
             pp_vec_sub(shell->corners[shell->faces[i].corners[0]], shell->corners[0]));
     for (int i = 0; i < shell->face_count && volume > 0.0; i++)
-        turn(&shell->faces[i]);
+        turn_gbxml_face(&shell->faces[i]);
 }
 
 enum pp_status pp_gbxml_shell_make(struct pp_gbxml_shell *shell, const char **why,
@@ -381,7 +381,7 @@ enum pp_status pp_gbxml_shell_make(struct pp_gbxml_shell *shell, const char **wh
            : count > FACES_MOST ? "has more than 1000 surfaces"
                                 : NULL;
     for (int i = 0; i < count && status == PP_OK && !*why; i++) {
-        status = add_face(shell, &polygons[i], i, err);
+        status = add_shell_face(shell, &polygons[i], i, err);
         if (shell->corner_count > CORNERS_MOST)
             *why = "has more than 5000 corners";
     }

@@ -11,10 +11,10 @@
 
 /* ---- lines ---- */
 
-static void put(struct pp_gbxml_writing *w, const char *format, ...)
+static void put_gbxml(struct pp_gbxml_writing *w, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-static void put(struct pp_gbxml_writing *w, const char *format, ...)
+static void put_gbxml(struct pp_gbxml_writing *w, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -32,7 +32,7 @@ static void end_line(struct pp_gbxml_writing *w)
  * text of one line is left out. */
 static void put_words(struct pp_gbxml_writing *w, const char *name, const char *words)
 {
-    put(w, " %s=\"", name);
+    put_gbxml(w, " %s=\"", name);
     for (int i = 0, written = 0; words[i] && written < 100; i++) {
         unsigned char c = (unsigned char)words[i];
         if (c < 0x20 || c == 0x7f)
@@ -41,18 +41,18 @@ static void put_words(struct pp_gbxml_writing *w, const char *name, const char *
             continue;
         written++;
         if (c == '&')
-            put(w, "&amp;");
+            put_gbxml(w, "&amp;");
         else if (c == '<')
-            put(w, "&lt;");
+            put_gbxml(w, "&lt;");
         else if (c == '"')
-            put(w, "&quot;");
+            put_gbxml(w, "&quot;");
         else
             fputc(c, w->out);
         /* never in the middle of a letter */
         while (((unsigned char)words[i + 1] & 0xc0) == 0x80)
             fputc(words[++i], w->out);
     }
-    put(w, "\"");
+    put_gbxml(w, "\"");
 }
 
 /* A length to a hundredth of a millimetre, without zeros behind. */
@@ -65,16 +65,16 @@ static void put_length(struct pp_gbxml_writing *w, const char *name, double valu
         *--end = '\0';
     if (end[-1] == '.')
         *--end = '\0';
-    put(w, " %s=\"%s\"", name, strcmp(text, "-0") == 0 ? "0" : text);
+    put_gbxml(w, " %s=\"%s\"", name, strcmp(text, "-0") == 0 ? "0" : text);
 }
 
 static void put_corner(struct pp_gbxml_writing *w, struct pp_vec3 at)
 {
-    put(w, "<vertex");
+    put_gbxml(w, "<vertex");
     put_length(w, "x", at.x);
     put_length(w, "y", at.y);
     put_length(w, "z", at.z);
-    put(w, "/>");
+    put_gbxml(w, "/>");
 }
 
 static enum pp_status note_item(struct pp_gbxml_writing *w,
@@ -94,9 +94,9 @@ static void put_glazing(struct pp_gbxml_writing *w,
                         const struct pp_gbxml_opening *opening)
 {
     if (isnan(opening->transmittance))
-        put(w, " glazing=\"clear-double\"");
+        put_gbxml(w, " glazing=\"clear-double\"");
     else
-        put(w, " transmittance=\"%.4g\"", opening->transmittance);
+        put_gbxml(w, " transmittance=\"%.4g\"", opening->transmittance);
     if (opening->name)
         put_words(w, "name", opening->name);
 }
@@ -120,8 +120,8 @@ static int wall_of(const struct pp_gbxml_room *room, int face)
     return fabs(y) > fabs(x) ? (y > 0.0 ? 0 : 2) : (x < 0.0 ? 1 : 3);
 }
 
-static struct wall_extent find_extent(const struct pp_gbxml_room *room,
-                                      const struct pp_gbxml_room_opening *opening)
+static struct wall_extent find_wall_extent(const struct pp_gbxml_room *room,
+                                           const struct pp_gbxml_room_opening *opening)
 {
     struct wall_extent e = {
         wall_of(room, opening->face), INFINITY, -INFINITY, INFINITY, -INFINITY, 0.0};
@@ -154,25 +154,25 @@ static enum pp_status write_opening(struct pp_gbxml_writing *w,
                                     "opening",
                                     opening->opening->name,
                                     &opening->opening->left_out};
-    struct wall_extent e = find_extent(room, opening);
+    struct wall_extent e = find_wall_extent(room, opening);
     double area = (e.right - e.left) * (e.high - e.low);
     if (room->is_box && e.wall >= 0 && fabs(fabs(e.area) - area) < 1e-3 * area) {
-        put(w, "    <window wall=\"%s\"", walls[e.wall]);
+        put_gbxml(w, "    <window wall=\"%s\"", walls[e.wall]);
         put_length(w, "left", fmax(e.left, 0.0));
         put_length(w, "sill", fmax(e.low, 0.0));
         put_length(w, "width", e.right - fmax(e.left, 0.0));
         put_length(w, "height", e.high - fmax(e.low, 0.0));
         put_glazing(w, opening->opening);
-        put(w, "/>");
+        put_gbxml(w, "/>");
         end_line(w);
         return note_item(w, item, err);
     }
-    put(w, "    <opening");
+    put_gbxml(w, "    <opening");
     put_glazing(w, opening->opening);
-    put(w, ">");
+    put_gbxml(w, ">");
     for (int i = 0; i < opening->count; i++)
         put_corner(w, pp_gbxml_room_own(room, opening->corners[i]));
-    put(w, "</opening>");
+    put_gbxml(w, "</opening>");
     end_line(w);
     return note_item(w, item, err);
 }
@@ -186,48 +186,49 @@ static const char *const roles[] = {[PP_GBXML_FLOOR] = "floor",
 static void put_reflectance(struct pp_gbxml_writing *w, const char *name, double value)
 {
     if (isfinite(value))
-        put(w, " %s=\"%.4g\"", name, value);
+        put_gbxml(w, " %s=\"%.4g\"", name, value);
 }
 
 static void write_box(struct pp_gbxml_writing *w, const struct pp_gbxml_room *room)
 {
     static const char *const names[] = {"floor", "walls", "ceiling"};
     double reflectances[3] = {NAN, NAN, NAN};
-    put(w, "    <plan");
+    put_gbxml(w, "    <plan");
     put_length(w, "width", room->width_m);
     put_length(w, "depth", room->depth_m);
     put_length(w, "height", room->height_m);
-    put(w, "/>");
+    put_gbxml(w, "/>");
     end_line(w);
     for (int i = 0; i < room->shell.face_count; i++)
         if (isfinite(room->faces[i].reflectance))
             reflectances[room->faces[i].role] = room->faces[i].reflectance;
     if (isnan(reflectances[0]) && isnan(reflectances[1]) && isnan(reflectances[2]))
         return;
-    put(w, "    <finishes");
+    put_gbxml(w, "    <finishes");
     for (int k = 0; k < 3; k++)
         put_reflectance(w, names[k], reflectances[k]);
-    put(w, "/>");
+    put_gbxml(w, "/>");
     end_line(w);
 }
 
 static void write_envelope(struct pp_gbxml_writing *w, const struct pp_gbxml_room *room)
 {
-    put(w, "    <envelope>");
+    put_gbxml(w, "    <envelope>");
     end_line(w);
     for (int i = 0; i < room->shell.face_count; i++) {
         const struct pp_gbxml_room_face *face = &room->faces[i];
-        put(w, "      <face role=\"%s\" name=\"%s\"", roles[face->role], face->name);
+        put_gbxml(w, "      <face role=\"%s\" name=\"%s\"", roles[face->role],
+                  face->name);
         put_reflectance(w, "reflectance", face->reflectance);
-        put(w, ">");
+        put_gbxml(w, ">");
         for (int k = 0; k < room->shell.faces[i].count; k++)
             put_corner(w,
                        pp_gbxml_room_own(
                            room, room->shell.corners[room->shell.faces[i].corners[k]]));
-        put(w, "</face>");
+        put_gbxml(w, "</face>");
         end_line(w);
     }
-    put(w, "    </envelope>");
+    put_gbxml(w, "    </envelope>");
     end_line(w);
 }
 
@@ -243,12 +244,12 @@ static void write_inner_walls(struct pp_gbxml_writing *w,
             (face->inner ? inner : outer)[wall] = true;
         if (room->is_box || face->role != PP_GBXML_WALL || !face->inner)
             continue;
-        put(w, "    <wall name=\"%s\" kind=\"inner\"/>", face->name);
+        put_gbxml(w, "    <wall name=\"%s\" kind=\"inner\"/>", face->name);
         end_line(w);
     }
     for (int k = 0; k < 4; k++)
         if (inner[k] && !outer[k]) {
-            put(w, "    <wall name=\"%s\" kind=\"inner\"/>", walls[k]);
+            put_gbxml(w, "    <wall name=\"%s\" kind=\"inner\"/>", walls[k]);
             end_line(w);
         }
 }
@@ -291,17 +292,17 @@ static enum pp_status write_room(struct pp_gbxml_writing *w,
     struct pp_gbxml_written item = {w->line, 0,         space->line,
                                     "space", space->id, &space->left_out};
     const char *use = use_of(space->type);
-    put(w, "  <room");
+    put_gbxml(w, "  <room");
     put_words(w, "name", space->name ? space->name : space->id);
     put_words(w, "ref", space->id);
     if (use)
-        put(w, " use=\"%s\"", use);
+        put_gbxml(w, " use=\"%s\"", use);
     put_length(w, "x", room->origin.x);
     put_length(w, "y", room->origin.y);
     put_length(w, "z", room->origin.z);
     if (room->rotate_rad != 0.0)
-        put(w, " rotate=\"%.8g\"", room->rotate_rad / PP_RAD);
-    put(w, ">");
+        put_gbxml(w, " rotate=\"%.8g\"", room->rotate_rad / PP_RAD);
+    put_gbxml(w, ">");
     end_line(w);
     if (room->is_box)
         write_box(w, room);
@@ -311,7 +312,7 @@ static enum pp_status write_room(struct pp_gbxml_writing *w,
     enum pp_status status = PP_OK;
     for (int i = 0; i < room->opening_count && status == PP_OK; i++)
         status = write_opening(w, room, &room->openings[i], err);
-    put(w, "  </room>");
+    put_gbxml(w, "  </room>");
     end_line(w);
     return status == PP_OK ? note_item(w, item, err) : status;
 }
@@ -324,10 +325,10 @@ static enum pp_status write_surface(struct pp_gbxml_writing *w,
 {
     struct pp_gbxml_written item = {
         w->line, 0, surface->line, "surface", surface->type, &surface->left_out};
-    put(w, "  <surface>");
+    put_gbxml(w, "  <surface>");
     for (int i = 0; i < surface->outline.count; i++)
         put_corner(w, surface->outline.corners[i]);
-    put(w, "</surface>");
+    put_gbxml(w, "</surface>");
     end_line(w);
     return note_item(w, item, err);
 }
@@ -359,20 +360,21 @@ static bool stands_outside(const struct pp_gbxml_model *model,
     return pp_gbxml_room_is_outer(surface) && !has_room(model, rooms, surface);
 }
 
-static void write_head(struct pp_gbxml_writing *w, const struct pp_gbxml_model *model)
+static void write_gbxml_head(struct pp_gbxml_writing *w,
+                             const struct pp_gbxml_model *model)
 {
-    put(w, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
+    put_gbxml(w, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
     end_line(w);
-    put(w, "<building version=\"1\"");
+    put_gbxml(w, "<building version=\"1\"");
     if (model->name && *model->name)
         put_words(w, "name", model->name);
     if (model->north_deg != 0.0)
-        put(w, " north=\"%.8g\"", model->north_deg);
-    put(w, ">");
+        put_gbxml(w, " north=\"%.8g\"", model->north_deg);
+    put_gbxml(w, ">");
     end_line(w);
     if (isfinite(model->latitude) && isfinite(model->longitude)) {
-        put(w, "  <site latitude=\"%.8g\" longitude=\"%.8g\"/>", model->latitude,
-            model->longitude);
+        put_gbxml(w, "  <site latitude=\"%.8g\" longitude=\"%.8g\"/>", model->latitude,
+                  model->longitude);
         end_line(w);
     }
 }
@@ -383,14 +385,14 @@ enum pp_status pp_gbxml_write(struct pp_gbxml_writing *w, struct pp_gbxml_model 
     enum pp_status status = PP_OK;
     w->line = 1;
     w->item_count = 0;
-    write_head(w, model);
+    write_gbxml_head(w, model);
     for (int i = 0; i < model->surface_count && status == PP_OK; i++)
         if (stands_outside(model, rooms, &model->surfaces[i]))
             status = write_surface(w, &model->surfaces[i], err);
     for (int i = 0; i < model->space_count && status == PP_OK; i++)
         if (rooms[i])
             status = write_room(w, &model->spaces[i], rooms[i], err);
-    put(w, "</building>");
+    put_gbxml(w, "</building>");
     end_line(w);
     return status;
 }

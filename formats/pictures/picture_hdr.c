@@ -144,7 +144,7 @@ struct input {
 
 /* The next line without its end; false where the input ends before or it is too
  * long. */
-static bool read_line(struct input *in, char line[LINE_MOST])
+static bool read_hdr_line(struct input *in, char line[LINE_MOST])
 {
     size_t left = in->length - in->at;
     const unsigned char *from = in->bytes + in->at;
@@ -171,8 +171,8 @@ static const char *behind(const char *line, const char *word)
     return line + strspn(line, " \t");
 }
 
-static enum pp_status take_line(const struct input *in, const char *line,
-                                struct pp_hdr_notes *notes, struct pp_error *err)
+static enum pp_status take_header_line(const struct input *in, const char *line,
+                                       struct pp_hdr_notes *notes, struct pp_error *err)
 {
     const char *value;
     if ((value = behind(line, "FORMAT"))) {
@@ -217,22 +217,22 @@ static enum pp_status read_header(struct input *in, struct pp_hdr_notes *notes,
                                   int size[2], char signs[2], struct pp_error *err)
 {
     char line[LINE_MOST];
-    if (!read_line(in, line) || strncmp(line, "#?", 2) != 0)
+    if (!read_hdr_line(in, line) || strncmp(line, "#?", 2) != 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "line 1: not a Radiance picture; expected \"#?RADIANCE\"");
     for (;;) {
-        if (!read_line(in, line))
+        if (!read_hdr_line(in, line))
             return pp_fail(err, PP_BAD_INPUT,
                            "line %d: the header ends in the middle, or has a line of "
                            "more than %d characters",
                            in->line + 1, LINE_MOST);
         if (line[0] == '\0')
             break;
-        enum pp_status status = take_line(in, line, notes, err);
+        enum pp_status status = take_header_line(in, line, notes, err);
         if (status != PP_OK)
             return status;
     }
-    if (!read_line(in, line) || !read_size(line, size, signs))
+    if (!read_hdr_line(in, line) || !read_size(line, size, signs))
         return pp_fail(err, PP_BAD_INPUT,
                        "line %d: no size; expected one such as \"-Y 480 +X 640\"",
                        in->line);
@@ -285,7 +285,7 @@ static bool read_packed_row(struct input *in, unsigned char *row, int width)
     return true;
 }
 
-static bool read_row(struct input *in, unsigned char *row, int width)
+static bool read_hdr_row(struct input *in, unsigned char *row, int width)
 {
     if (in->length - in->at < 4)
         return false;
@@ -325,7 +325,7 @@ enum pp_status pp_picture_hdr_read(struct pp_picture *picture,
     if (!row)
         status = pp_fail_memory(err);
     for (int i = 0; i < size[0] && status == PP_OK; i++) {
-        if (!read_row(&in, row, size[1])) {
+        if (!read_hdr_row(&in, row, size[1])) {
             status =
                 pp_fail(err, PP_BAD_INPUT, "row %d of %d is cut off or makes no sense",
                         i + 1, size[0]);

@@ -74,9 +74,9 @@ const char *pp_rad_functions_cal_text(void)
 
 /* ---- two sides ---- */
 
-static enum pp_status side_of(const struct pp_rad_reader *reader,
-                              const struct pp_rad_primitive *primitive, int which,
-                              int *material, struct pp_error *err)
+static enum pp_status rad_material_side(const struct pp_rad_reader *reader,
+                                        const struct pp_rad_primitive *primitive,
+                                        int which, int *material, struct pp_error *err)
 {
     struct pp_rad_word word = primitive->strings[which];
     struct pp_rad_meaning meaning;
@@ -111,9 +111,10 @@ static enum pp_status take_sides(struct pp_rad_reader *reader,
                                  "mixfunc\" with \"4 FRONT BACK " PP_RAD_SIDES
                                  " .\", one material a side");
     struct pp_rad_meaning meaning = {PP_RAD_MATERIAL, -1, -1};
-    enum pp_status status = side_of(reader, primitive, 0, &meaning.index, err);
+    enum pp_status status =
+        rad_material_side(reader, primitive, 0, &meaning.index, err);
     if (status == PP_OK)
-        status = side_of(reader, primitive, 1, &meaning.back, err);
+        status = rad_material_side(reader, primitive, 1, &meaning.back, err);
     if (status != PP_OK)
         return status;
     return pp_rad_names_define(&reader->names, primitive->name.text,

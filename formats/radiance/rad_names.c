@@ -22,8 +22,8 @@ static size_t hash_of(const char *text, size_t length)
 }
 
 /* Where the name is, or where it would go. */
-static struct pp_rad_name *place_of(const struct pp_rad_names *names, const char *text,
-                                    size_t length)
+static struct pp_rad_name *rad_name_slot(const struct pp_rad_names *names,
+                                         const char *text, size_t length)
 {
     size_t at = hash_of(text, length) & (names->room - 1);
     while (names->list[at].text
@@ -33,7 +33,7 @@ static struct pp_rad_name *place_of(const struct pp_rad_names *names, const char
     return &names->list[at];
 }
 
-static bool make_room(struct pp_rad_names *names)
+static bool grow_rad_names(struct pp_rad_names *names)
 {
     if (2 * (names->count + 1) <= names->room)
         return true;
@@ -44,7 +44,7 @@ static bool make_room(struct pp_rad_names *names)
     larger.count = names->count;
     for (size_t i = 0; i < names->room; i++)
         if (names->list[i].text)
-            *place_of(&larger, names->list[i].text, names->list[i].length) =
+            *rad_name_slot(&larger, names->list[i].text, names->list[i].length) =
                 names->list[i];
     free(names->list);
     *names = larger;
@@ -55,9 +55,9 @@ enum pp_status pp_rad_names_define(struct pp_rad_names *names, const char *text,
                                    size_t length, struct pp_rad_meaning meaning,
                                    struct pp_error *err)
 {
-    if (!make_room(names))
+    if (!grow_rad_names(names))
         return pp_fail_memory(err);
-    struct pp_rad_name *name = place_of(names, text, length);
+    struct pp_rad_name *name = rad_name_slot(names, text, length);
     if (!name->text) {
         char *copy = malloc(length + 1);
         if (!copy)
@@ -79,7 +79,8 @@ bool pp_rad_names_find(const struct pp_rad_names *names, const char *text,
         *meaning = (struct pp_rad_meaning){PP_RAD_VOID, -1, -1};
         return true;
     }
-    const struct pp_rad_name *name = names->room ? place_of(names, text, length) : NULL;
+    const struct pp_rad_name *name =
+        names->room ? rad_name_slot(names, text, length) : NULL;
     if (!name || !name->text)
         return false;
     *meaning = name->meaning;

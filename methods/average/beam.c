@@ -87,7 +87,7 @@ static bool lies_beside(const struct face_extent *extent, const struct pp_vec3 *
            || low->y - pp_max(near, far) >= extent->high[1];
 }
 
-static struct face_extent extent_of(const struct pp_fragments *fragments)
+static struct face_extent fragments_face_extent(const struct pp_fragments *fragments)
 {
     struct face_extent extent = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (int i = 0; i < fragments->count; i++)
@@ -176,8 +176,9 @@ static bool project_skyline(struct pp_fragment_ring *ring, double (*xy)[2],
 }
 
 /* Memory for the rings of all pieces outside and all skylines. */
-static enum pp_status make_room(struct pp_beam_space *space, const struct pp_beam *beam,
-                                struct pp_error *err)
+static enum pp_status make_room_for_rings(struct pp_beam_space *space,
+                                          const struct pp_beam *beam,
+                                          struct pp_error *err)
 {
     size_t most = (size_t)beam->outside.count + (size_t)beam->skylines;
     if (space->rings || most == 0)
@@ -318,12 +319,12 @@ enum pp_status pp_beam_areas(struct pp_beam_areas *areas, const struct pp_beam *
     struct beam_look look = {
         .beam = beam, .u = u, .own = own, .a = own.x / own.z, .b = own.y / own.z};
     struct pp_fragments *open = &space->open;
-    enum pp_status status = make_room(space, beam, err);
+    enum pp_status status = make_room_for_rings(space, beam, err);
     if (status == PP_OK)
         status = open_part(beam, space, look.a, look.b, err);
     if (status != PP_OK || open->count == 0)
         return status;
-    look.open = extent_of(open);
+    look.open = fragments_face_extent(open);
     if (beam->one_light) {
         double whole = sum_areas(open);
         status = subtract_all(&look, space, err);

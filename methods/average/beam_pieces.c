@@ -20,7 +20,8 @@ struct beam_limit {
 
 enum { LIMITS_MOST = 2 };
 
-static void add_corner(struct pp_beam *beam, struct beam_piece *piece, struct pp_vec3 v)
+static void add_piece_corner(struct pp_beam *beam, struct beam_piece *piece,
+                             struct pp_vec3 v)
 {
     struct pp_vec3 *low = &piece->low, *high = &piece->high;
     if (piece->count == 0)
@@ -50,9 +51,9 @@ static enum pp_status add_fan(struct pp_beam *beam, struct beam_pieces *pieces,
         *piece = like;
         piece->first = beam->corner_count;
         piece->count = 0;
-        add_corner(beam, piece, corners[0]);
+        add_piece_corner(beam, piece, corners[0]);
         for (int i = from; i < count && piece->count < MOST; i++)
-            add_corner(beam, piece, corners[i]);
+            add_piece_corner(beam, piece, corners[i]);
         beam->corner_count += piece->count;
     }
     return status;
@@ -196,9 +197,9 @@ static bool is_block_outside(const struct pp_beam *beam, int index)
     return nearest > PP_OCCLUDERS_COPLANAR_M;
 }
 
-static enum pp_status add_surface(struct pp_beam *beam,
-                                  const struct pp_surface *surface,
-                                  struct pp_error *err)
+static enum pp_status add_beam_surface(struct pp_beam *beam,
+                                       const struct pp_surface *surface,
+                                       struct pp_error *err)
 {
     const struct pp_polygon *outline = &surface->outline;
     struct pp_vec3 up = pp_projection_direction(&beam->axes, pp_vec(0.0, 0.0, 1.0));
@@ -240,7 +241,7 @@ static enum pp_status add_surface(struct pp_beam *beam,
     return status;
 }
 
-static void find_extent(struct pp_beam *beam)
+static void find_outline_extent(struct pp_beam *beam)
 {
     for (int axis = 0; axis < 2; axis++) {
         beam->low[axis] = INFINITY;
@@ -291,7 +292,7 @@ enum pp_status pp_beam_pieces_find(struct pp_beam *beam, struct pp_error *err)
     beam->axes =
         (struct pp_projection){opening->inner.vertices[0], opening->along, opening->up,
                                pp_vec_scale(opening->inner.normal, -1.0), 1.0};
-    find_extent(beam);
+    find_outline_extent(beam);
     enum pp_status status =
         add_outline(beam, &beam->inner, &opening->inner, NULL, 0, err);
     if (status == PP_OK && opening->reveal_m > 0.0)
@@ -301,7 +302,7 @@ enum pp_status pp_beam_pieces_find(struct pp_beam *beam, struct pp_error *err)
     for (int i = 0; i < world->surface_count && status == PP_OK; i++)
         if (i != opening->face && world->surfaces[i].role != PP_REVEAL
             && world->surfaces[i].role != PP_COVER)
-            status = add_surface(beam, &world->surfaces[i], err);
+            status = add_beam_surface(beam, &world->surfaces[i], err);
     for (int i = 0; beam->with_outside && i < world->skyline_count; i++)
         beam->skylines += pp_world_skyline_is_far(&world->skylines[i], opening->face);
     beam->one_light = has_one_light(beam);

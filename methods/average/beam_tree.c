@@ -14,7 +14,8 @@ static double middle(const struct beam_piece *piece, int axis)
 }
 
 /* Of two as far along the axis, that of the earlier corners comes first. */
-static int compare(const struct beam_piece *a, const struct beam_piece *b, int axis)
+static int compare_along_axis(const struct beam_piece *a, const struct beam_piece *b,
+                              int axis)
 {
     double x = middle(a, axis), y = middle(b, axis);
     return x != y ? (x > y) - (x < y) : (a->first > b->first) - (a->first < b->first);
@@ -22,17 +23,17 @@ static int compare(const struct beam_piece *a, const struct beam_piece *b, int a
 
 static int by_x(const void *a, const void *b)
 {
-    return compare(a, b, 0);
+    return compare_along_axis(a, b, 0);
 }
 
 static int by_y(const void *a, const void *b)
 {
-    return compare(a, b, 1);
+    return compare_along_axis(a, b, 1);
 }
 
 static int by_z(const void *a, const void *b)
 {
-    return compare(a, b, 2);
+    return compare_along_axis(a, b, 2);
 }
 
 static struct pp_vec3 least(struct pp_vec3 a, struct pp_vec3 b)

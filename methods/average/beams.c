@@ -87,8 +87,8 @@ enum pp_status pp_beams_of(struct pp_kept_beam **kept, struct pp_beams *beams,
 /* ---- the table ---- */
 
 /* The direction's place in the table, or the free one that it would have. */
-static struct known_areas *place_of(struct known_areas *table, int places, double x,
-                                    double y)
+static struct known_areas *known_areas_slot(struct known_areas *table, int places,
+                                            double x, double y)
 {
     double xy[2] = {x, y};
     uint64_t bits[2];
@@ -104,7 +104,7 @@ static struct known_areas *place_of(struct known_areas *table, int places, doubl
 
 /* Twice the places, or the first ones; where there is no memory for them all stays as it
  * is. */
-static void grow(struct pp_kept_beam *kept)
+static void grow_known_areas(struct pp_kept_beam *kept)
 {
     int places = kept->places > 0 ? 2 * kept->places : FIRST;
     struct known_areas *table = malloc((size_t)places * sizeof *table);
@@ -114,7 +114,7 @@ static void grow(struct pp_kept_beam *kept)
         table[i].x = INFINITY;
     for (int i = 0; i < kept->places; i++)
         if (!isinf(kept->table[i].x))
-            *place_of(table, places, kept->table[i].x, kept->table[i].y) =
+            *known_areas_slot(table, places, kept->table[i].x, kept->table[i].y) =
                 kept->table[i];
     free(kept->table);
     kept->table = table;
@@ -138,9 +138,9 @@ enum pp_status pp_kept_beam_areas(struct pp_beam_areas *areas,
     if (pp_beam_budget_exhausted(&kept->space))
         return PP_OK;
     if (2 * kept->count >= kept->places && kept->places < MOST)
-        grow(kept);
+        grow_known_areas(kept);
     struct known_areas *known =
-        kept->places > 0 ? place_of(kept->table, kept->places, u.x, u.y) : NULL;
+        kept->places > 0 ? known_areas_slot(kept->table, kept->places, u.x, u.y) : NULL;
     if (known && !isinf(known->x)) {
         *areas = known->areas;
         return PP_OK;

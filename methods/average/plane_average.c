@@ -93,8 +93,9 @@ static bool integrate_piece(void *data, int worker, int i)
 }
 
 /* The integrals summed in the order of the pieces. False: stopped. */
-static bool integrate(double sum[PP_PLANE_VALUES], struct piece_integrals *integrals,
-                      struct pp_thread_pool *pool)
+static bool integrate_pieces(double sum[PP_PLANE_VALUES],
+                             struct piece_integrals *integrals,
+                             struct pp_thread_pool *pool)
 {
     int count = integrals->pieces->count;
     bool stopped = false;
@@ -141,14 +142,14 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
         .z = world->working_plane_m, .function = function, .data = data};
     struct piece_integrals integrals = {&pieces, &integral, 1e300, FIRST_POINTS, of};
     double sum[PP_PLANE_VALUES];
-    bool done = integrate(sum, &integrals, pool);
+    bool done = integrate_pieces(sum, &integrals, pool);
     double total = 0.0;
     for (int k = 0; k < PP_PLANE_VALUES; k++)
         total += sum[k];
     integrals.absolute = relative_error / 8.0 * total / sqrt(pieces.count);
     integrals.points = most_points > FIRST_POINTS ? most_points : FIRST_POINTS;
     if (done && total > 0.0)
-        done = integrate(sum, &integrals, pool);
+        done = integrate_pieces(sum, &integrals, pool);
     for (int k = 0; k < PP_PLANE_VALUES; k++)
         mean[k] = sum[k] / area_m2;
     *stopped = !done;

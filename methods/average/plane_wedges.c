@@ -90,7 +90,7 @@ static int keep_side(double (*out)[2], const double (*xy)[2], int count,
     return kept;
 }
 
-static bool is_convex(const struct pp_region *region)
+static bool region_is_convex(const struct pp_region *region)
 {
     if (region->count != 1)
         return false;
@@ -244,10 +244,10 @@ static struct convex lit_part(const struct convex *piece,
     return lit;
 }
 
-static enum pp_status add_piece(struct pp_plane_wedges *wedges,
-                                const struct convex *piece,
-                                const struct pp_plane_centre *centres, int count,
-                                struct pp_error *err)
+static enum pp_status add_wedge_piece(struct pp_plane_wedges *wedges,
+                                      const struct convex *piece,
+                                      const struct pp_plane_centre *centres, int count,
+                                      struct pp_error *err)
 {
     size_t most = (size_t)piece->count + 5;
     double(*buffers[2])[2] = {malloc(most * sizeof **buffers),
@@ -272,9 +272,9 @@ enum pp_status pp_plane_wedges_find(struct pp_plane_wedges *wedges,
                                     struct pp_error *err)
 {
     *wedges = (struct pp_plane_wedges){0};
-    if (is_convex(plane)) {
+    if (region_is_convex(plane)) {
         const struct convex whole = {plane->rings[0].count, plane->rings[0].xy};
-        return add_piece(wedges, &whole, centres, count, err);
+        return add_wedge_piece(wedges, &whole, centres, count, err);
     }
     struct pp_clipper *clipper = NULL;
     double(*triangles)[3][2] = NULL;
@@ -292,7 +292,7 @@ enum pp_status pp_plane_wedges_find(struct pp_plane_wedges *wedges,
             memcpy(t[2], swap, sizeof swap);
         }
         const struct convex triangle = {3, t};
-        status = add_piece(wedges, &triangle, centres, count, err);
+        status = add_wedge_piece(wedges, &triangle, centres, count, err);
     }
     free(triangles);
     return status;

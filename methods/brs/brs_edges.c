@@ -7,20 +7,20 @@
 /* ---- the table ---- */
 
 /* The position of x between two printed values: 0 at low, 1 at high. */
-static double between(double x, double low, double high)
+static double interpolation_share(double x, double low, double high)
 {
     return isinf(high) ? 1.0 - low / x : (x - low) / (high - low);
 }
 
 /* The last of the columns that `aside` is read in, from 1, and how far it is from the
  * one before, which is zero before the first. */
-static int column_of(const struct pp_brs_cells *table, double aside, double *t)
+static int brs_column(const struct pp_brs_cells *table, double aside, double *t)
 {
     const double *head = table->cells;
     int k = 1;
     while (k < table->columns - 1 && aside > head[k])
         k++;
-    *t = between(aside, k > 1 ? head[k - 1] : 0.0, head[k]);
+    *t = interpolation_share(aside, k > 1 ? head[k - 1] : 0.0, head[k]);
     return k;
 }
 
@@ -35,12 +35,14 @@ static int row_of(const struct pp_brs_cells *table, double up, double *t)
     int i = table->rows - 1;
     while (i > 1 && up > up_of(table, i))
         i--;
-    *t = between(up, i == table->rows - 1 ? 0.0 : up_of(table, i + 1), up_of(table, i));
+    *t = interpolation_share(up, i == table->rows - 1 ? 0.0 : up_of(table, i + 1),
+                             up_of(table, i));
     return i;
 }
 
 /* A row, in per cent; zero below the last. */
-static double read_row(const struct pp_brs_cells *table, int row, int column, double t)
+static double read_brs_row(const struct pp_brs_cells *table, int row, int column,
+                           double t)
 {
     if (row == table->rows)
         return 0.0;
@@ -54,9 +56,9 @@ double pp_brs_edges_read(const struct pp_brs_cells *table, double up, double asi
     if (!(up > 0.0 && aside > 0.0))
         return 0.0;
     double down, t;
-    int column = column_of(table, aside, &t), row = row_of(table, up, &down);
-    double low_value = read_row(table, row + 1, column, t);
-    double high_value = read_row(table, row, column, t);
+    int column = brs_column(table, aside, &t), row = row_of(table, up, &down);
+    double low_value = read_brs_row(table, row + 1, column, t);
+    double high_value = read_brs_row(table, row, column, t);
     return (low_value + down * (high_value - low_value)) / 100.0;
 }
 
@@ -64,7 +66,7 @@ void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double asid
                         double *row, double *column)
 {
     double down, t;
-    *column = column_of(table, aside, &t) - 2.0;
+    *column = brs_column(table, aside, &t) - 2.0;
     *row = row_of(table, up, &down);
     *column += t;
     *row -= down;

@@ -61,19 +61,19 @@ double pp_brs_rooflight_read(int slope_deg, double up_over_d, double w_over_d)
     return table ? pp_brs_edges_read(&table->table, up_over_d, w_over_d) : NAN;
 }
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_outside_light *light,
-                                const struct pp_receiver *receiver)
+static const char *brs_rooflight_refuses_room(const struct pp_world *world,
+                                              const struct pp_outside_light *light,
+                                              const struct pp_receiver *receiver)
 {
     const char *why = pp_refusals_unless_overcast_and_up(light, receiver);
     why = why ? why : pp_refusals_if_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
 }
 
-static const char *refuses(const struct pp_world *world,
-                           const struct pp_outside_light *light,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver)
+static const char *brs_rooflight_refuses(const struct pp_world *world,
+                                         const struct pp_outside_light *light,
+                                         const struct pp_opening *opening,
+                                         const struct pp_receiver *receiver)
 {
     if (!pp_refusals_unless_vertical(opening))
         return pp_method_brs_table.refuses(world, light, opening, receiver);
@@ -135,11 +135,12 @@ static const struct pp_method *same_as(const struct pp_world *world)
     return &pp_method_brs_table;
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_brs_rooflight(const struct pp_world *world,
+                                             const struct pp_outside_light *light,
+                                             const struct pp_opening *opening,
+                                             const struct pp_receiver *receiver,
+                                             const void *tools, struct pp_part *part,
+                                             struct pp_error *err)
 {
     if (!pp_refusals_unless_vertical(opening))
         return pp_method_brs_table.evaluate(world, light, opening, receiver, tools,
@@ -158,8 +159,8 @@ const struct pp_method pp_method_brs_rooflight = {
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_CLEAR_GLASS,
-    .refuses_room = refuses_room,
-    .refuses = refuses,
+    .refuses_room = brs_rooflight_refuses_room,
+    .refuses = brs_rooflight_refuses,
     .same_as = same_as,
-    .evaluate = evaluate,
+    .evaluate = evaluate_brs_rooflight,
 };

@@ -71,19 +71,19 @@ double pp_brs_table_percent(int row, int column)
 
 /* ---- the method ---- */
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_outside_light *light,
-                                const struct pp_receiver *receiver)
+static const char *brs_table_refuses_room(const struct pp_world *world,
+                                          const struct pp_outside_light *light,
+                                          const struct pp_receiver *receiver)
 {
     const char *why = pp_refusals_unless_overcast_and_up(light, receiver);
     why = why ? why : pp_refusals_if_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
 }
 
-static const char *refuses(const struct pp_world *world,
-                           const struct pp_outside_light *light,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver)
+static const char *brs_table_refuses(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
+                                     const struct pp_opening *opening,
+                                     const struct pp_receiver *receiver)
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
@@ -93,11 +93,12 @@ static const char *refuses(const struct pp_world *world,
 
 static const struct pp_formula *const formulae[] = {PP_BRS_EDGES_FORMULAE, NULL};
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_brs_table(const struct pp_world *world,
+                                         const struct pp_outside_light *light,
+                                         const struct pp_opening *opening,
+                                         const struct pp_receiver *receiver,
+                                         const void *tools, struct pp_part *part,
+                                         struct pp_error *err)
 {
     (void)light, (void)tools;
     struct pp_elevation elevation;
@@ -136,7 +137,7 @@ const struct pp_method pp_method_brs_table = {
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_CLEAR_GLASS,
-    .refuses_room = refuses_room,
-    .refuses = refuses,
-    .evaluate = evaluate,
+    .refuses_room = brs_table_refuses_room,
+    .refuses = brs_table_refuses,
+    .evaluate = evaluate_brs_table,
 };

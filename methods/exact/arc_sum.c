@@ -137,8 +137,8 @@ static int find_cuts(double cuts[2], const struct pp_arc_spacing *spacing,
 /* A shorter chord needs no cuts: its nodes are close enough. */
 #define CUT_LEAST 0.25
 
-static void add_edge(struct arc_walk *walk, const struct arc_end *a,
-                     const struct arc_end *b)
+static void add_arc_edge(struct arc_walk *walk, const struct arc_end *a,
+                         const struct arc_end *b)
 {
     double cuts[2];
     struct pp_vec3 edge = pp_vec_sub(b->v, a->v), chord = pp_vec_sub(b->u, a->u);
@@ -161,7 +161,7 @@ static void add_vertex(void *data, struct pp_vec3 v)
     if (walk->count++ == 0)
         walk->first = end;
     else
-        add_edge(walk, &walk->last, &end);
+        add_arc_edge(walk, &walk->last, &end);
     walk->last = end;
 }
 
@@ -178,6 +178,6 @@ double pp_arc_sum(pp_arc_potential *potential, const void *context,
     pp_half_space_clip(vertices, count, half_spaces, half_space_count, add_vertex,
                        &walk);
     if (walk.count > 2)
-        add_edge(&walk, &walk.last, &walk.first);
+        add_arc_edge(&walk, &walk.last, &walk.first);
     return walk.sum;
 }

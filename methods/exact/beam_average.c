@@ -88,9 +88,9 @@ struct part_integral {
 };
 
 /* Works out the parts that have a larger error than `absolute`, and adds all up. */
-static enum pp_status integrate(double sum[2], struct part_integral *of,
-                                const struct beam_integral *like, int parts,
-                                double absolute, int points, struct pp_error *err)
+static enum pp_status integrate_parts(double sum[2], struct part_integral *of,
+                                      const struct beam_integral *like, int parts,
+                                      double absolute, int points, struct pp_error *err)
 {
     bool failed = false;
     for (int i = 0; i < parts && !failed; i++) {
@@ -146,10 +146,10 @@ enum pp_status pp_beam_average(double mean[2], struct pp_beams *beams,
     struct part_integral of[PARTS];
     for (int i = 0; i < parts; i++)
         of[i].error = INFINITY;
-    status = integrate(sum, of, &integral, parts, 1e300, FIRST_POINTS, err);
+    status = integrate_parts(sum, of, &integral, parts, 1e300, FIRST_POINTS, err);
     double absolute = relative_error / 8.0 * (sum[0] + sum[1]) / sqrt(parts);
     if (status == PP_OK && absolute > 0.0)
-        status = integrate(sum, of, &integral, parts, absolute, MOST_POINTS, err);
+        status = integrate_parts(sum, of, &integral, parts, absolute, MOST_POINTS, err);
     double area_m2 = pp_region_area(&pp_beams_world(beams)->plane);
     mean[0] = sum[0] / area_m2;
     mean[1] = sum[1] / area_m2;

@@ -49,7 +49,7 @@ struct plane {
     struct pp_vec3 foot, along, up, toward;
 };
 
-static struct plane plane_of(const struct pp_opening *opening)
+static struct plane pane_plane(const struct pp_opening *opening)
 {
     struct pp_vec3 toward = pp_vec_scale(opening->inner.normal, -1.0);
     double offset = pp_vec_dot(opening->outer.vertices[0], toward);
@@ -85,7 +85,7 @@ static enum pp_status find_borders(struct borders *borders,
                                    struct pp_error *err)
 {
     const struct pp_vec3 zenith = {0.0, 0.0, 1.0};
-    struct plane plane = plane_of(opening);
+    struct plane plane = pane_plane(opening);
     size_t most = 1;
     for (int i = 0; i < world->surface_count; i++)
         most += (size_t)world->surfaces[i].outline.count + 1;
@@ -150,7 +150,7 @@ static enum pp_status light_cell(struct pp_pane_cell *cell,
                                  const struct pp_outside_light *light,
                                  const struct pp_opening *opening, struct pp_error *err)
 {
-    struct plane plane = plane_of(opening);
+    struct plane plane = pane_plane(opening);
     double middle[2], half[2], sum = 0.0;
     for (int axis = 0; axis < 2; axis++) {
         middle[axis] = (cell->low[axis] + cell->high[axis]) / 2.0;
@@ -194,11 +194,12 @@ static int find_worst(struct pp_diffusing_pane *pane)
     return worst;
 }
 
-static enum pp_status divide(struct pp_diffusing_pane *pane,
-                             const struct borders *borders,
-                             const struct pp_world *world,
-                             const struct pp_outside_light *light,
-                             const struct pp_opening *opening, struct pp_error *err)
+static enum pp_status divide_pane(struct pp_diffusing_pane *pane,
+                                  const struct borders *borders,
+                                  const struct pp_world *world,
+                                  const struct pp_outside_light *light,
+                                  const struct pp_opening *opening,
+                                  struct pp_error *err)
 {
     enum pp_status status = light_cell(&pane->cells[0], world, light, opening, err);
     double work = NODES * NODES * (double)borders->surfaces * borders->surfaces;
@@ -242,7 +243,7 @@ enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
         status = pp_fail_memory(err);
     if (status == PP_OK) {
         pane->cells[0] = whole;
-        status = divide(pane, &borders, world, light, opening, err);
+        status = divide_pane(pane, &borders, world, light, opening, err);
     }
     free(borders.at[0]);
     free(borders.at[1]);
@@ -270,7 +271,7 @@ struct cell_seen {
 
 /* The weights of the nodes' values at t from -1 to 1: Lagrange's polynomials in their
  * barycentric form. */
-static void weigh(double weights[NODES], double t)
+static void lagrange_weights(double weights[NODES], double t)
 {
     double sum = 0.0;
     for (int i = 0; i < NODES; i++) {
@@ -296,8 +297,9 @@ static double illuminance_at(const void *context, struct pp_vec3 u)
                     seen->eye[1] + reach_m * pp_vec_dot(u, seen->plane.up)};
     double weights[2][NODES], sum = 0.0;
     for (int axis = 0; axis < 2; axis++)
-        weigh(weights[axis], (2.0 * xy[axis] - cell->low[axis] - cell->high[axis])
-                                 / (cell->high[axis] - cell->low[axis]));
+        lagrange_weights(weights[axis],
+                         (2.0 * xy[axis] - cell->low[axis] - cell->high[axis])
+                             / (cell->high[axis] - cell->low[axis]));
     for (int i = 0; i < NODES; i++) {
         double row = 0.0;
         for (int k = 0; k < NODES; k++)
@@ -351,7 +353,7 @@ enum pp_status pp_diffusing_pane_add(struct pp_direct *sum,
                                      const struct pp_receiver *receiver,
                                      struct pp_error *err)
 {
-    struct cell_seen seen = {.plane = plane_of(opening)};
+    struct cell_seen seen = {.plane = pane_plane(opening)};
     struct pp_vec3 eye = receiver->position;
     seen.eye[0] = pp_vec_dot(eye, seen.plane.along);
     seen.eye[1] = pp_vec_dot(eye, seen.plane.up);

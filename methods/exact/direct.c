@@ -126,8 +126,8 @@ static int limits_of(struct pp_vec3 limits[2], const struct task *task, enum sid
 }
 
 /* A part of the patch for tables; `limits` has room for PP_HALF_SPACES_MOST. */
-static struct pp_pane_part part_of(const struct task *task, struct pp_vec3 *limits,
-                                   enum side side)
+static struct pp_pane_part pane_part_of(const struct task *task, struct pp_vec3 *limits,
+                                        enum side side)
 {
     struct pp_vec3 sides[2];
     int count = limits_of(sides, task, side);
@@ -168,7 +168,7 @@ static enum pp_status transmitted(double *value, const struct task *task,
     const struct pp_pane_light *tables = task->sum->tables;
     if (!is_unglazed(task) && tables && tables->glass) {
         struct pp_vec3 all[PP_HALF_SPACES_MOST];
-        struct pp_pane_part part = part_of(task, all, side);
+        struct pp_pane_part part = pane_part_of(task, all, side);
         return pp_pane_light_transmitted(value, tables, &part, err);
     }
     if (!is_unglazed(task))
@@ -189,7 +189,7 @@ static enum pp_status from_sky(double *value, const struct task *task,
     const struct pp_sky *sky = task->lights.sky;
     if (!is_unglazed(task) || !pp_solid_angle_has_closed_form(sky)) {
         struct pp_vec3 all[PP_HALF_SPACES_MOST];
-        struct pp_pane_part part = part_of(task, all, ABOVE);
+        struct pp_pane_part part = pane_part_of(task, all, ABOVE);
         if (task->sum->tables && pp_pane_light_has_sky(task->sum->tables, sky, &part))
             return pp_pane_light_sky(value, task->sum->tables, sky, &part, err);
         return by_quadrature(value, task, ABOVE, sky_through_glass,

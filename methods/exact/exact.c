@@ -38,7 +38,7 @@ struct exact_tools {
     struct pp_diffusing_pane panes[];
 };
 
-static void destroy_tools(void *of_exact)
+static void destroy_exact_tools(void *of_exact)
 {
     struct exact_tools *tools = of_exact;
     if (!tools)
@@ -67,15 +67,15 @@ static enum pp_status prepare_with(void **of_exact, const struct pp_world *world
                 pp_diffusing_pane_init(&tools->panes[i], world, light, opening, err);
     }
     if (status != PP_OK)
-        destroy_tools(tools);
+        destroy_exact_tools(tools);
     else
         *of_exact = tools;
     return status;
 }
 
-static enum pp_status prepare(void **tools, const struct pp_world *world,
-                              const struct pp_outside_light *light,
-                              struct pp_error *err)
+static enum pp_status prepare_exact(void **tools, const struct pp_world *world,
+                                    const struct pp_outside_light *light,
+                                    struct pp_error *err)
 {
     return prepare_with(tools, world, light, NULL, err);
 }
@@ -197,11 +197,12 @@ static enum pp_status direct_of(const struct pp_world *world,
     return status;
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_exact(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
+                                     const struct pp_opening *opening,
+                                     const struct pp_receiver *receiver,
+                                     const void *tools, struct pp_part *part,
+                                     struct pp_error *err)
 {
     return direct_of(world, light, opening, receiver, false, tools, part, err);
 }
@@ -244,10 +245,11 @@ static enum pp_status average_of_even_pane(struct pp_beams *beams,
     return PP_OK;
 }
 
-static enum pp_status average(struct pp_beams *beams,
-                              const struct pp_outside_light *light,
-                              const struct pp_opening *opening, const void *tools,
-                              struct pp_part *part, bool *known, struct pp_error *err)
+static enum pp_status average_exact(struct pp_beams *beams,
+                                    const struct pp_outside_light *light,
+                                    const struct pp_opening *opening, const void *tools,
+                                    struct pp_part *part, bool *known,
+                                    struct pp_error *err)
 {
     (void)tools;
     *known = !opening->glass.diffusing
@@ -264,9 +266,9 @@ static enum pp_status average(struct pp_beams *beams,
     return status;
 }
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_outside_light *light,
-                                const struct pp_receiver *receiver)
+static const char *exact_refuses_room(const struct pp_world *world,
+                                      const struct pp_outside_light *light,
+                                      const struct pp_receiver *receiver)
 {
     (void)light, (void)receiver;
     return pp_refusals_if_fine_mesh(world);
@@ -279,11 +281,11 @@ const struct pp_method pp_method_exact = {
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_OWN_GLASS,
-    .refuses_room = refuses_room,
-    .prepare = prepare,
+    .refuses_room = exact_refuses_room,
+    .prepare = prepare_exact,
     .prepare_for_plane = prepare_for_plane,
-    .destroy_tools = destroy_tools,
-    .evaluate = evaluate,
-    .average = average,
+    .destroy_tools = destroy_exact_tools,
+    .evaluate = evaluate_exact,
+    .average = average_exact,
     .evaluate_roughly = evaluate_roughly,
 };

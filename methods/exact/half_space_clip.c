@@ -36,8 +36,8 @@ static double depth_in(struct pp_vec3 half_space, struct pp_vec3 v)
 
 /* The point where the edge from the inner point to the outer meets the stage's plane,
  * always worked out from the inner one, so that two polygons agree on a shared edge. */
-static struct pp_vec3 crossing(struct pp_vec3 inner, double inner_depth,
-                               struct pp_vec3 outer, double outer_depth)
+static struct pp_vec3 stage_crossing(struct pp_vec3 inner, double inner_depth,
+                                     struct pp_vec3 outer, double outer_depth)
 {
     return pp_vec_along(inner, inner_depth / (inner_depth - outer_depth),
                         pp_vec_sub(outer, inner));
@@ -49,8 +49,8 @@ static void clip_edge(struct clip *clip, int index, struct pp_vec3 a, double dep
     if ((depth_a > 0.0) == (depth_b > 0.0))
         return;
     clip_vertex(clip, index + 1,
-                depth_a > 0.0 ? crossing(a, depth_a, b, depth_b)
-                              : crossing(b, depth_b, a, depth_a));
+                depth_a > 0.0 ? stage_crossing(a, depth_a, b, depth_b)
+                              : stage_crossing(b, depth_b, a, depth_a));
 }
 
 static void clip_vertex(struct clip *clip, int index, struct pp_vec3 v)

@@ -109,10 +109,10 @@ static bool may_hide(const struct pp_polygon *polygon,
     return before && above && fabs(height) > hair;
 }
 
-static enum pp_status add_surface(struct pp_hidden_cones *cones,
-                                  const struct pp_surface *surface,
-                                  const struct pp_hidden_view *view,
-                                  struct pp_error *err)
+static enum pp_status add_hidden_surface(struct pp_hidden_cones *cones,
+                                         const struct pp_surface *surface,
+                                         const struct pp_hidden_view *view,
+                                         struct pp_error *err)
 {
     const struct pp_polygon *polygon = &surface->outline;
     if (!may_hide(polygon, view))
@@ -161,7 +161,7 @@ enum pp_status pp_hidden_cones_init(struct pp_hidden_cones *cones,
                    && &world->openings[surface->owner] == view->opening;
         if (i != view->face && surface->role != PP_COVER
             && (surface->role != PP_REVEAL || own))
-            status = add_surface(cones, surface, view, err);
+            status = add_hidden_surface(cones, surface, view, err);
     }
     for (int i = 0; i < world->skyline_count && status == PP_OK; i++)
         if (pp_world_skyline_is_far(&world->skylines[i], view->face))

@@ -143,8 +143,8 @@ static enum pp_status find_single(struct sky_outline *outline, struct pp_error *
 /* ---- columns ---- */
 
 /* All that the cones hide that are met at step `step` or the next. */
-static enum pp_status add_column(struct sky_outline *outline, double bearing, int step,
-                                 struct pp_error *err)
+static enum pp_status add_sky_column(struct sky_outline *outline, double bearing,
+                                     int step, struct pp_error *err)
 {
     enum pp_status status = pp_array_append(&outline->columns, outline->column_count,
                                             sizeof *outline->columns, err);
@@ -205,7 +205,7 @@ static enum pp_status add_ends(struct sky_outline *outline, int step,
                 continue;
             for (int end = 0; end < 2 && status == PP_OK; end++)
                 if (ends[end] > step * STEP_RAD && ends[end] < (step + 1) * STEP_RAD)
-                    status = add_column(outline, ends[end], step, err);
+                    status = add_sky_column(outline, ends[end], step, err);
         }
     }
     return status;
@@ -221,7 +221,7 @@ static enum pp_status find_columns(struct sky_outline *outline, struct pp_error 
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i <= STEPS && status == PP_OK; i++)
-        status = add_column(outline, i * STEP_RAD, i, err);
+        status = add_sky_column(outline, i * STEP_RAD, i, err);
     for (int i = 0; i < STEPS && status == PP_OK; i++)
         status = add_ends(outline, i, err);
     if (status == PP_OK)
@@ -241,8 +241,9 @@ static enum pp_status begin_piece(struct pp_sky_mask *mask, struct pp_error *err
     return status;
 }
 
-static enum pp_status add_edge(struct pp_sky_mask_piece *piece, double bearing,
-                               const struct hidden_span *span, struct pp_error *err)
+static enum pp_status add_outline_edge(struct pp_sky_mask_piece *piece, double bearing,
+                                       const struct hidden_span *span,
+                                       struct pp_error *err)
 {
     enum pp_status status = pp_array_reserve(
         &piece->edges, &piece->capacity, piece->count + 1, sizeof *piece->edges, err);
@@ -284,17 +285,19 @@ static enum pp_status bridge(struct pp_sky_mask *mask, const struct sky_column *
             continue;
         status = begin_piece(mask, err);
         if (status == PP_OK)
-            status = add_edge(&mask->pieces[mask->count - 1], a->bearing,
-                              &a->hidden.list[i], err);
+            status = add_outline_edge(&mask->pieces[mask->count - 1], a->bearing,
+                                      &a->hidden.list[i], err);
         if (status == PP_OK)
-            status = add_edge(&mask->pieces[mask->count - 1], b->bearing, to, err);
+            status =
+                add_outline_edge(&mask->pieces[mask->count - 1], b->bearing, to, err);
     }
     return status;
 }
 
 /* A span's `cone` is from now on the piece that ends with it. */
-static enum pp_status join(struct pp_sky_mask *mask, const struct sky_column *before,
-                           struct sky_column *column, struct pp_error *err)
+static enum pp_status join_mask_columns(struct pp_sky_mask *mask,
+                                        const struct sky_column *before,
+                                        struct sky_column *column, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < column->hidden.count && status == PP_OK; i++) {
@@ -313,7 +316,8 @@ static enum pp_status join(struct pp_sky_mask *mask, const struct sky_column *be
             span->cone = mask->count - 1;
         }
         if (status == PP_OK)
-            status = add_edge(&mask->pieces[span->cone], column->bearing, span, err);
+            status =
+                add_outline_edge(&mask->pieces[span->cone], column->bearing, span, err);
     }
     return status;
 }
@@ -331,8 +335,8 @@ enum pp_status pp_hidden_outline_add(struct pp_sky_mask *mask,
     if (status == PP_OK)
         status = find_columns(outline, err);
     for (int i = 0; i < outline->column_count && status == PP_OK; i++)
-        status = join(mask, i > 0 ? &outline->columns[i - 1] : NULL,
-                      &outline->columns[i], err);
+        status = join_mask_columns(mask, i > 0 ? &outline->columns[i - 1] : NULL,
+                                   &outline->columns[i], err);
     for (int i = 0; i < outline->column_count; i++)
         free(outline->columns[i].hidden.list);
     for (int i = 0; i <= STEPS; i++)

@@ -109,10 +109,11 @@ static enum pp_status add_sky(struct pp_pane_tables *tables,
 }
 
 /* What one opening needs. */
-static enum pp_status add_opening(struct pp_pane_tables *tables,
-                                  const struct pp_world *world,
-                                  const struct pp_sky *sky, const struct pp_vec3 *plane,
-                                  int index, struct pp_error *err)
+static enum pp_status add_pane_table(struct pp_pane_tables *tables,
+                                     const struct pp_world *world,
+                                     const struct pp_sky *sky,
+                                     const struct pp_vec3 *plane, int index,
+                                     struct pp_error *err)
 {
     const struct pp_glass *glass = &world->openings[index].glass;
     enum pp_status status = PP_OK;
@@ -144,7 +145,7 @@ enum pp_status pp_pane_tables_create(struct pp_pane_tables **tables,
     made->skies = malloc((count + 1) * sizeof *made->skies);
     enum pp_status status = made->glasses && made->skies ? PP_OK : pp_fail_memory(err);
     for (int i = 0; i < world->opening_count && status == PP_OK; i++)
-        status = add_opening(made, world, &light->sky, plane, i, err);
+        status = add_pane_table(made, world, &light->sky, plane, i, err);
     if (status != PP_OK)
         pp_pane_tables_destroy(made);
     else

@@ -244,7 +244,7 @@ bool pp_sky_table_is_for(const struct pp_sky_table *table, struct pp_vec3 normal
 /* ---- reading it ---- */
 
 /* The step that `at` is in, in steps, and the weights of four splines there. */
-static inline int weigh(double weights[4], double at, int steps)
+static inline int spline_weights(double weights[4], double at, int steps)
 {
     int i = (int)at;
     i = i < 0 ? 0 : i < steps ? i : steps - 1;
@@ -262,8 +262,8 @@ static inline double potential_at(const struct pp_sky_table *table, struct pp_ve
     int chart = fabs(u.y) > fabs(u.x);
     double first = chart ? u.y : u.x, second = chart ? u.x : u.y;
     double q = first != 0.0 ? second / first : 0.0;
-    int row = weigh(down, (copysign(t, first) + 1.0) * STEPS, 2 * STEPS);
-    int k = weigh(across, (q + 1.0) * (COLUMN_STEPS / 2.0), COLUMN_STEPS);
+    int row = spline_weights(down, (copysign(t, first) + 1.0) * STEPS, 2 * STEPS);
+    int k = spline_weights(across, (q + 1.0) * (COLUMN_STEPS / 2.0), COLUMN_STEPS);
     for (int i = 0; i < 4; i++) {
         const double *at = &table->chart[chart][row + BEYOND - 1 + i][k + BEYOND - 1];
         sum += down[i]

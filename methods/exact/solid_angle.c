@@ -52,7 +52,8 @@ static void add_arc(struct boundary_sums *sums, struct pp_vec3 v, double length,
 }
 
 /* The triangle of the first vertex, the last one and v. */
-static void add_triangle(struct boundary_sums *sums, struct pp_vec3 v, double length)
+static void add_boundary_triangle(struct boundary_sums *sums, struct pp_vec3 v,
+                                  double length)
 {
     struct pp_vec3 a = sums->first, b = sums->last;
     double la = sums->first_length, lb = sums->last_length;
@@ -80,7 +81,7 @@ static void add_vertex(void *data, struct pp_vec3 v)
     } else {
         add_arc(sums, sums->last, sums->last_length, v, length);
         if (sums->count > 1)
-            add_triangle(sums, v, length);
+            add_boundary_triangle(sums, v, length);
     }
     sums->last = v;
     sums->last_length = length;

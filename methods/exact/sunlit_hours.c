@@ -65,8 +65,8 @@ static struct arc arc_of(double a, double b, double c)
                                                     : acos(-c / radius)};
 }
 
-static enum pp_status append(struct pp_sunlit_day *day, double from, double to,
-                             struct pp_error *err)
+static enum pp_status append_sunlit_period(struct pp_sunlit_day *day, double from,
+                                           double to, struct pp_error *err)
 {
     enum pp_status status = pp_array_reserve(&day->times, &day->capacity,
                                              day->count + 1, sizeof *day->times, err);
@@ -79,8 +79,8 @@ static enum pp_status append(struct pp_sunlit_day *day, double from, double to,
 
 /* Keeps of the times from index `first` on what lies in the arc, a turn round the circle
  * earlier and later included. */
-static enum pp_status keep(struct pp_sunlit_day *day, int first, struct arc arc,
-                           struct pp_error *err)
+static enum pp_status keep_sunlit_arc(struct pp_sunlit_day *day, int first,
+                                      struct arc arc, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     if (arc.half >= PP_PI)
@@ -93,7 +93,7 @@ static enum pp_status keep(struct pp_sunlit_day *day, int first, struct arc arc,
             double low = fmax(from, middle - arc.half);
             double high = fmin(to, middle + arc.half);
             if (low < high)
-                status = append(day, low, high, err);
+                status = append_sunlit_period(day, low, high, err);
         }
     }
     for (int i = count; i < day->count; i++, kept++) {
@@ -110,13 +110,13 @@ static enum pp_status add_cone(struct pp_sunlit_day *hidden, const struct path *
                                struct pp_error *err)
 {
     int first = hidden->count;
-    enum pp_status status = append(hidden, -PP_PI, PP_PI, err);
+    enum pp_status status = append_sunlit_period(hidden, -PP_PI, PP_PI, err);
     for (int i = 0; i < count && status == PP_OK && hidden->count > first; i++) {
         struct pp_vec3 n = half_spaces[i];
-        status = keep(hidden, first,
-                      arc_of(pp_vec_dot(n, path->q), pp_vec_dot(n, path->r),
-                             pp_vec_dot(n, path->p)),
-                      err);
+        status = keep_sunlit_arc(hidden, first,
+                                 arc_of(pp_vec_dot(n, path->q), pp_vec_dot(n, path->r),
+                                        pp_vec_dot(n, path->p)),
+                                 err);
     }
     return status;
 }
@@ -152,10 +152,11 @@ static enum pp_status add_rest(struct pp_sunlit_day *day,
     for (int i = 0; i < hidden->count && status == PP_OK; i++) {
         double to = fmin(hidden->times[i][0], end);
         if (to > from)
-            status = append(day, from, to, err);
+            status = append_sunlit_period(day, from, to, err);
         from = fmax(from, hidden->times[i][1]);
     }
-    return status == PP_OK && from < end ? append(day, from, end, err) : status;
+    return status == PP_OK && from < end ? append_sunlit_period(day, from, end, err)
+                                         : status;
 }
 
 enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,

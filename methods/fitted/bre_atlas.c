@@ -80,10 +80,10 @@ static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W,
                                                     NULL};
 
 /* As the printed formula, whose sum it divides by, it needs light or reflectances. */
-static const char *refuses(const struct pp_world *world,
-                           const struct pp_outside_light *light,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver)
+static const char *bre_atlas_refuses(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
+                                     const struct pp_opening *opening,
+                                     const struct pp_receiver *receiver)
 {
     struct pp_interior_parts parts =
         pp_interior_split_without(world, opening->middle_z_m, opening->face);
@@ -92,11 +92,12 @@ static const char *refuses(const struct pp_world *world,
     return pp_fitted_parts_refuses(world, light, opening, receiver);
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_bre_atlas(const struct pp_world *world,
+                                         const struct pp_outside_light *light,
+                                         const struct pp_opening *opening,
+                                         const struct pp_receiver *receiver,
+                                         const void *tools, struct pp_part *part,
+                                         struct pp_error *err)
 {
     struct pp_worksheet *sheet = &part->sheet;
     struct pp_bre_terms terms;
@@ -127,8 +128,8 @@ const struct pp_method pp_method_bre_atlas = {
     .of_real_room = true,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_formula_room,
-    .refuses = refuses,
+    .refuses = bre_atlas_refuses,
     .prepare = pp_fitted_light_prepare,
     .destroy_tools = free,
-    .evaluate = evaluate,
+    .evaluate = evaluate_bre_atlas,
 };

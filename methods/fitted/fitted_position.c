@@ -97,7 +97,7 @@ const struct pp_formula pp_fitted_position_f_s = {
     .quantities = of_f_s,
 };
 
-static struct pp_vec3 middle_of(const struct pp_opening *opening)
+static struct pp_vec3 opening_middle(const struct pp_opening *opening)
 {
     struct pp_vec3 sum = {0.0, 0.0, 0.0};
     for (int i = 0; i < opening->inner.count; i++)
@@ -109,7 +109,7 @@ struct pp_fitted_place pp_fitted_position_of(const struct pp_world *world,
                                              const struct pp_opening *opening,
                                              const struct pp_receiver *receiver)
 {
-    struct pp_vec3 middle = middle_of(opening), in = opening->inner.normal;
+    struct pp_vec3 middle = opening_middle(opening), in = opening->inner.normal;
     double deep = 0.0, left = INFINITY, right = -INFINITY;
     for (int i = 0; i < world->face_count; i++)
         for (int k = 0; k < world->surfaces[i].outline.count; k++) {

@@ -85,11 +85,12 @@ static const struct pp_formula *const formulae[] = {&pp_allowance_glass_Ag,
                                                     &at_point,
                                                     NULL};
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_irc_atlas(const struct pp_world *world,
+                                         const struct pp_outside_light *light,
+                                         const struct pp_opening *opening,
+                                         const struct pp_receiver *receiver,
+                                         const void *tools, struct pp_part *part,
+                                         struct pp_error *err)
 {
     (void)light, (void)err;
     struct pp_worksheet *sheet = &part->sheet;
@@ -123,5 +124,5 @@ const struct pp_method pp_method_irc_atlas = {
     .refuses = pp_fitted_parts_refuses,
     .prepare = pp_fitted_light_prepare,
     .destroy_tools = free,
-    .evaluate = evaluate,
+    .evaluate = evaluate_irc_atlas,
 };

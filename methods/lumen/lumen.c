@@ -240,10 +240,10 @@ static enum pp_status read_openings(struct tools *tools, const struct pp_world *
     return status;
 }
 
-static enum pp_status prepare(void **result, const struct pp_world *world,
-                              const struct pp_outside_light *light,
-                              const struct pp_method_options *options,
-                              struct pp_error *err)
+static enum pp_status prepare_lumen(void **result, const struct pp_world *world,
+                                    const struct pp_outside_light *light,
+                                    const struct pp_method_options *options,
+                                    struct pp_error *err)
 {
     struct pp_lumen_table *own = NULL;
     size_t count = (size_t)world->opening_count + 1;
@@ -262,9 +262,9 @@ static enum pp_status prepare(void **result, const struct pp_world *world,
     return status;
 }
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_outside_light *light,
-                                const struct pp_receiver *receiver)
+static const char *lumen_refuses_room(const struct pp_world *world,
+                                      const struct pp_outside_light *light,
+                                      const struct pp_receiver *receiver)
 {
     (void)light;
     const char *why = pp_refusals_unless_up(receiver);
@@ -352,8 +352,8 @@ static double rooflight_value(const struct reading *r, const struct pp_opening *
 
 /* The point's distance from the opening's wall over the room's depth; NAN for no
  * point. */
-static double share_of(const struct reading *r, const struct pp_opening *opening,
-                       const struct pp_receiver *receiver)
+static double depth_share(const struct reading *r, const struct pp_opening *opening,
+                          const struct pp_receiver *receiver)
 {
     if (!receiver)
         return NAN;
@@ -379,7 +379,7 @@ static enum pp_status evaluate_by(const struct pp_world *world,
             part->value = rooflight_value(r, opening, &part->sheet);
         return PP_OK;
     }
-    double share = share_of(r, opening, receiver);
+    double share = depth_share(r, opening, receiver);
     if (share < 0.1 - 1e-9 || share > 0.9 + 1e-9)
         part->why =
             "has this point nearer than a tenth of the room's depth, or farther "
@@ -389,11 +389,12 @@ static enum pp_status evaluate_by(const struct pp_world *world,
     return PP_OK;
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_lumen(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
+                                     const struct pp_opening *opening,
+                                     const struct pp_receiver *receiver,
+                                     const void *tools, struct pp_part *part,
+                                     struct pp_error *err)
 {
     (void)light, (void)err;
     return evaluate_by(world, opening, receiver, tools, part, false);
@@ -419,10 +420,10 @@ const struct pp_method pp_method_lumen = {
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
     .has_average = true,
-    .refuses_room = refuses_room,
-    .prepare_with_options = prepare,
+    .refuses_room = lumen_refuses_room,
+    .prepare_with_options = prepare_lumen,
     .destroy_tools = free,
-    .evaluate = evaluate,
+    .evaluate = evaluate_lumen,
 };
 
 const struct pp_method pp_method_lumen_one = {
@@ -434,8 +435,8 @@ const struct pp_method pp_method_lumen_one = {
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
     .has_average = true,
-    .refuses_room = refuses_room,
-    .prepare_with_options = prepare,
+    .refuses_room = lumen_refuses_room,
+    .prepare_with_options = prepare_lumen,
     .destroy_tools = free,
     .evaluate = evaluate_one,
 };

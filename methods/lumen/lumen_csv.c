@@ -70,8 +70,8 @@ static bool is_white(char c)
 }
 
 /* Cuts one line; false, with a mistake noted, for a line that no table can have. */
-static bool cut(struct reader *reader, struct csv_fields *fields, const char *line,
-                size_t length)
+static bool cut_csv_line(struct reader *reader, struct csv_fields *fields,
+                         const char *line, size_t length)
 {
     fields->count = 0;
     for (size_t start = 0; start <= length;) {
@@ -334,7 +334,7 @@ static void read_top(struct reader *reader, const struct csv_fields *fields)
 }
 
 /* Reads one line of the file; false for lack of memory. */
-static bool read_line(struct reader *reader, const char *text, size_t length)
+static bool read_csv_line(struct reader *reader, const char *text, size_t length)
 {
     struct csv_fields fields;
     size_t blank = 0;
@@ -344,7 +344,7 @@ static bool read_line(struct reader *reader, const char *text, size_t length)
         return true;
     if (reader->columns > 0 && !reader->sound)
         return true; /* no line makes sense where the columns are wrong */
-    if (!cut(reader, &fields, text, length))
+    if (!cut_csv_line(reader, &fields, text, length))
         return true;
     if (reader->columns == 0) {
         read_header(reader, &fields);
@@ -366,8 +366,9 @@ static bool read_line(struct reader *reader, const char *text, size_t length)
 }
 
 /* Replaces the table of the same kind by the one that was read. */
-static enum pp_status build(struct reader *reader, struct pp_lumen_table *table,
-                            struct pp_error *err)
+static enum pp_status replace_lumen_table(struct reader *reader,
+                                          struct pp_lumen_table *table,
+                                          struct pp_error *err)
 {
     struct pp_lumen_table fresh = {0};
     for (int i = 0; i < reader->count; i++)
@@ -414,7 +415,7 @@ enum pp_status pp_lumen_csv_parse(struct pp_lumen_table *table, const char *text
         const char *end = memchr(text + start, '\n', length - start);
         size_t line = end ? (size_t)(end - text) - start : length - start;
         reader.number++;
-        memory = read_line(&reader, text + start, line);
+        memory = read_csv_line(&reader, text + start, line);
         start += line + 1;
     }
     if (reader.count == 0 && mistakes->count == 0)
@@ -429,7 +430,7 @@ enum pp_status pp_lumen_csv_parse(struct pp_lumen_table *table, const char *text
     else if (mistakes->count > 0)
         status = pp_fail(err, PP_BAD_INPUT, "the table has mistakes");
     else
-        status = build(&reader, table, err);
+        status = replace_lumen_table(&reader, table, err);
     free(reader.side_lines);
     free(reader.top_lines);
     free(reader.cu);

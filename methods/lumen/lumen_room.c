@@ -53,7 +53,7 @@ struct cuts {
     int count;
 };
 
-static double cut(const struct cuts *cuts, int i)
+static double cut_at(const struct cuts *cuts, int i)
 {
     double share = (double)i / cuts->count;
     return cuts->high
@@ -72,10 +72,10 @@ static void add_grid(struct pp_lumen_room *room, enum part part, int axis, doubl
             patch->part = part;
             patch->outline.axis = axis;
             patch->outline.low[axis] = patch->outline.high[axis] = place;
-            patch->outline.low[first_axis] = cut(first, i);
-            patch->outline.high[first_axis] = cut(first, i + 1);
-            patch->outline.low[second_axis] = cut(second, j);
-            patch->outline.high[second_axis] = cut(second, j + 1);
+            patch->outline.low[first_axis] = cut_at(first, i);
+            patch->outline.high[first_axis] = cut_at(first, i + 1);
+            patch->outline.low[second_axis] = cut_at(second, j);
+            patch->outline.high[second_axis] = cut_at(second, j + 1);
             patch->area = pp_rectangle_factor_area(&patch->outline);
         }
 }

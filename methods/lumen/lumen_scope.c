@@ -64,8 +64,8 @@ bool pp_lumen_scope_is_rooflight(const struct pp_opening *opening)
 }
 
 /* The least and greatest coordinate of the polygon along a direction. */
-static void extent(double range[2], const struct pp_polygon *polygon,
-                   struct pp_vec3 along)
+static void polygon_range(double range[2], const struct pp_polygon *polygon,
+                          struct pp_vec3 along)
 {
     range[0] = INFINITY;
     range[1] = -INFINITY;
@@ -82,7 +82,7 @@ static const char *refuses_neighbours(const struct pp_world *world,
                                       const struct pp_opening *opening)
 {
     double own[2], other[2];
-    extent(own, &opening->inner, opening->up);
+    polygon_range(own, &opening->inner, opening->up);
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *neighbour = &world->openings[i];
         if (pp_lumen_scope_is_rooflight(neighbour))
@@ -93,7 +93,7 @@ static const char *refuses_neighbours(const struct pp_world *world,
                 return "and another are in walls that do not face each other";
             continue;
         }
-        extent(other, &neighbour->inner, opening->up);
+        polygon_range(other, &neighbour->inner, opening->up);
         if (fabs(own[0] - other[0]) > level_within_m
             || fabs(own[1] - other[1]) > level_within_m)
             return "is not level with the others in its wall, sill and head";
@@ -108,13 +108,13 @@ static bool leaves_wall_bare(const struct pp_world *world,
 {
     struct pp_vec3 along = pp_vec_scale(opening->along, way);
     double own[2], wall[2], other[2];
-    extent(own, &opening->inner, along);
-    extent(wall, &world->surfaces[opening->face].outline, along);
+    polygon_range(own, &opening->inner, along);
+    polygon_range(wall, &world->surfaces[opening->face].outline, along);
     double gap_m = wall[1] - own[1], most_m = opening->height_m;
     for (int i = 0; i < world->opening_count; i++) {
         if (world->openings[i].face != opening->face || &world->openings[i] == opening)
             continue;
-        extent(other, &world->openings[i].inner, along);
+        polygon_range(other, &world->openings[i].inner, along);
         if (other[0] > own[1] - small && other[0] - own[1] < gap_m) {
             gap_m = other[0] - own[1];
             most_m = 2.0 * opening->height_m;
@@ -143,8 +143,8 @@ static bool is_spread(const struct pp_world *world)
             if (!pp_lumen_scope_is_rooflight(opening))
                 continue;
             double along[2], up[2];
-            extent(along, &opening->inner, opening->along);
-            extent(up, &opening->inner, opening->up);
+            polygon_range(along, &opening->inner, opening->along);
+            polygon_range(up, &opening->inner, opening->up);
             double x = pp_vec_dot(p, opening->along), y = pp_vec_dot(p, opening->up);
             double dx = fmax(fmax(along[0] - x, x - along[1]), 0.0);
             double dy = fmax(fmax(up[0] - y, y - up[1]), 0.0);
@@ -166,7 +166,7 @@ static const char *refuses_window(const struct pp_world *world,
         return "has diffusing glass; its tables are for clear windows";
     if (opening->reveal_m > reveal_most * opening->height_m + small)
         return "stands back in a reveal deeper than a fifth of its height";
-    extent(z, &opening->inner, opening->up);
+    polygon_range(z, &opening->inner, opening->up);
     if (fabs(z[0] - world->working_plane_m) > sill_within_m + small)
         return "has its sill more than 0.30 m above or below the working plane";
     const char *why = refuses_neighbours(world, opening);
@@ -202,9 +202,9 @@ void pp_lumen_scope_room_size(double *width_m, double *depth_m,
         top ? pp_vec_unit(pp_vec_sub(floor->vertices[3], floor->vertices[0]))
             : opening->inner.normal;
     double range[2];
-    extent(range, floor, along);
+    polygon_range(range, floor, along);
     *width_m = range[1] - range[0];
-    extent(range, floor, away);
+    polygon_range(range, floor, away);
     *depth_m = range[1] - range[0];
 }
 

@@ -28,9 +28,9 @@
 #include "methods/nomogram/nomogram_scale.h"
 #include "methods/refusals.h"
 
-static enum pp_status prepare(void **tools, const struct pp_world *world,
-                              const struct pp_outside_light *light,
-                              struct pp_error *err)
+static enum pp_status prepare_nomogram(void **tools, const struct pp_world *world,
+                                       const struct pp_outside_light *light,
+                                       struct pp_error *err)
 {
     (void)world, (void)light;
     struct pp_nomogram *nomogram = malloc(sizeof *nomogram);
@@ -41,9 +41,9 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
     return PP_OK;
 }
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_outside_light *light,
-                                const struct pp_receiver *receiver)
+static const char *nomogram_refuses_room(const struct pp_world *world,
+                                         const struct pp_outside_light *light,
+                                         const struct pp_receiver *receiver)
 {
     const char *why = pp_refusals_formula_room(world, light, receiver);
     return why ? why : pp_nomogram_reading_refuses_room(world);
@@ -88,11 +88,12 @@ static void add_steps(struct pp_worksheet *sheet, const struct pp_nomogram *nomo
 
 static const struct pp_formula *const formulae[] = {&pp_nomogram_reading_ratio, NULL};
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_nomogram(const struct pp_world *world,
+                                        const struct pp_outside_light *light,
+                                        const struct pp_opening *opening,
+                                        const struct pp_receiver *receiver,
+                                        const void *tools, struct pp_part *part,
+                                        struct pp_error *err)
 {
     (void)receiver;
     const struct pp_nomogram *nomogram = tools;
@@ -116,9 +117,9 @@ const struct pp_method pp_method_nomogram = {
     .own_ground = 0.1, /* that of `bre` */
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
-    .refuses_room = refuses_room,
+    .refuses_room = nomogram_refuses_room,
     .refuses = pp_refusals_sloping_opening,
-    .prepare = prepare,
+    .prepare = prepare_nomogram,
     .destroy_tools = free,
-    .evaluate = evaluate,
+    .evaluate = evaluate_nomogram,
 };

@@ -184,9 +184,9 @@ static double end_y(const struct pp_nomogram_stem *stem, bool upper)
 
 /* The stem that is read between two others, at the x by (4); constant: the factor that
  * the sum of their logarithms lacks. */
-static struct pp_nomogram_stem between(const struct pp_nomogram_stem *from,
-                                       const struct pp_nomogram_stem *to,
-                                       double constant)
+static struct pp_nomogram_stem stem_between(const struct pp_nomogram_stem *from,
+                                            const struct pp_nomogram_stem *to,
+                                            double constant)
 {
     double t = from->decade / (from->decade + to->decade);
     struct pp_nomogram_stem stem = {.quantity = PP_NOMOGRAM_COMPONENT,
@@ -229,16 +229,16 @@ static struct pp_nomogram make_position(void)
     stem[PP_STEM_A] = whole_stem(PP_NOMOGRAM_GLASS, 0.0, least_glass, most_glass);
     stem[PP_STEM_B] =
         whole_stem(PP_NOMOGRAM_LOSS, 0.24, PP_NOMOGRAM_LEAST_R, PP_NOMOGRAM_MOST_R);
-    stem[PP_STEM_C] = between(&stem[PP_STEM_A], &stem[PP_STEM_B], 1.0);
+    stem[PP_STEM_C] = stem_between(&stem[PP_STEM_A], &stem[PP_STEM_B], 1.0);
     stem[PP_STEM_C].quantity = PP_NOMOGRAM_GAIN;
     stem[PP_STEM_D] =
         middle_stem(PP_NOMOGRAM_LIGHT, 0.55, decade_for(&stem[PP_STEM_C], 0.33, 0.55),
                     least_light, most_light);
-    stem[PP_STEM_E] = between(&stem[PP_STEM_C], &stem[PP_STEM_D], 1.0);
+    stem[PP_STEM_E] = stem_between(&stem[PP_STEM_C], &stem[PP_STEM_D], 1.0);
     stem[PP_STEM_F] =
         middle_stem(PP_NOMOGRAM_FACTOR, 0.78, decade_for(&stem[PP_STEM_E], 0.465, 0.78),
                     least_factor, most_factor);
-    stem[PP_STEM_G] = between(&stem[PP_STEM_E], &stem[PP_STEM_F], 1.0);
+    stem[PP_STEM_G] = stem_between(&stem[PP_STEM_E], &stem[PP_STEM_F], 1.0);
     for (int i = PP_STEM_E; i <= PP_STEM_G; i += PP_STEM_G - PP_STEM_E) {
         stem[i].low = least_component;
         stem[i].high = most_component;
@@ -284,16 +284,16 @@ struct pp_nomogram pp_nomogram_scale_make(enum pp_nomogram_kind kind)
     stem[PP_STEM_A] = whole_stem(PP_NOMOGRAM_GLASS, 0.0, least_glass, most_glass);
     stem[PP_STEM_B] = whole_stem(PP_NOMOGRAM_REFLECTANCE, x[0], PP_NOMOGRAM_LEAST_R,
                                  PP_NOMOGRAM_MOST_R);
-    stem[PP_STEM_C] = between(&stem[PP_STEM_A], &stem[PP_STEM_B], K);
+    stem[PP_STEM_C] = stem_between(&stem[PP_STEM_A], &stem[PP_STEM_B], K);
     stem[PP_STEM_D] = middle_stem(top ? PP_NOMOGRAM_SLOPE : PP_NOMOGRAM_OBSTRUCTION,
                                   x[2], decade_for(&stem[PP_STEM_C], x[1], x[2]), 0.0,
                                   top ? PP_PI / 2.0 : most_obstruction_rad);
-    stem[PP_STEM_E] = between(&stem[PP_STEM_C], &stem[PP_STEM_D], 1.0);
+    stem[PP_STEM_E] = stem_between(&stem[PP_STEM_C], &stem[PP_STEM_D], 1.0);
     if (minimum) {
         stem[PP_STEM_F] = middle_stem(PP_NOMOGRAM_WALLS, x[4],
                                       decade_for(&stem[PP_STEM_E], x[3], x[4]),
                                       darkest_walls, lightest_walls);
-        stem[PP_STEM_G] = between(&stem[PP_STEM_E], &stem[PP_STEM_F], 1.0);
+        stem[PP_STEM_G] = stem_between(&stem[PP_STEM_E], &stem[PP_STEM_F], 1.0);
     }
     name_stems(&nomogram);
     return nomogram;

@@ -201,7 +201,8 @@ static enum pp_status add_window(const struct room_on_sheet *room,
 }
 
 /* The room's openings that the nomogram is made for. */
-static enum pp_status add_windows(struct room_on_sheet *room, struct pp_error *err)
+static enum pp_status add_nomogram_windows(struct room_on_sheet *room,
+                                           struct pp_error *err)
 {
     struct pp_nomogram_sheet *sheet = room->sheet;
     const struct pp_world *world = room->world;
@@ -258,5 +259,5 @@ enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "no nomogram serves here: %s", why);
     sheet->windows = calloc((size_t)world->opening_count + 1, sizeof *sheet->windows);
-    return sheet->windows ? add_windows(&room, err) : pp_fail_memory(err);
+    return sheet->windows ? add_nomogram_windows(&room, err) : pp_fail_memory(err);
 }

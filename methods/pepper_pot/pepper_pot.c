@@ -24,7 +24,7 @@ struct pepper_pot_diagrams {
     struct pp_pepper_pot *unglazed, *glazed;
 };
 
-static void destroy_tools(void *tools)
+static void destroy_pepper_pot_tools(void *tools)
 {
     struct pepper_pot_diagrams *diagrams = tools;
     if (diagrams) {
@@ -34,9 +34,9 @@ static void destroy_tools(void *tools)
     free(diagrams);
 }
 
-static enum pp_status prepare(void **tools, const struct pp_world *world,
-                              const struct pp_outside_light *light,
-                              struct pp_error *err)
+static enum pp_status prepare_pepper_pot(void **tools, const struct pp_world *world,
+                                         const struct pp_outside_light *light,
+                                         struct pp_error *err)
 {
     struct pepper_pot_diagrams *diagrams = calloc(1, sizeof *diagrams);
     if (!diagrams)
@@ -50,33 +50,34 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
                                                PP_PEPPER_POT_WORTH, err);
     }
     if (status != PP_OK)
-        destroy_tools(diagrams);
+        destroy_pepper_pot_tools(diagrams);
     else
         *tools = diagrams;
     return status;
 }
 
-static bool is_upright(struct pp_vec3 normal)
+static bool pane_is_upright(struct pp_vec3 normal)
 {
     return fabs(normal.z) < 1e-9;
 }
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_outside_light *light,
-                                const struct pp_receiver *receiver)
+static const char *pepper_pot_refuses_room(const struct pp_world *world,
+                                           const struct pp_outside_light *light,
+                                           const struct pp_receiver *receiver)
 {
     if (light->sky.kind == PP_SKY_ISO)
         return "the diagram holds the overcast and the uniform sky only";
-    if (receiver && !is_upright(receiver->normal) && pp_refusals_unless_up(receiver))
+    if (receiver && !pane_is_upright(receiver->normal)
+        && pp_refusals_unless_up(receiver))
         return "the diagram holds points that face up or are upright";
     const char *why = pp_refusals_if_fine_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
 }
 
-static const char *refuses(const struct pp_world *world,
-                           const struct pp_outside_light *light,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver)
+static const char *pepper_pot_refuses(const struct pp_world *world,
+                                      const struct pp_outside_light *light,
+                                      const struct pp_opening *opening,
+                                      const struct pp_receiver *receiver)
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
@@ -100,11 +101,12 @@ static void count_dots(struct pp_part *part, const struct pp_pepper_pot *pot,
     pp_part_steps_end(&terms);
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_pepper_pot(const struct pp_world *world,
+                                          const struct pp_outside_light *light,
+                                          const struct pp_opening *opening,
+                                          const struct pp_receiver *receiver,
+                                          const void *tools, struct pp_part *part,
+                                          struct pp_error *err)
 {
     const struct pepper_pot_diagrams *diagrams = tools;
     bool glazed = opening->glass.panes > 0;
@@ -113,7 +115,7 @@ static enum pp_status evaluate(const struct pp_world *world,
                                                    receiver->position, err);
     if (status != PP_OK)
         return status;
-    if (is_upright(receiver->normal)) {
+    if (pane_is_upright(receiver->normal)) {
         double facing = atan2(pp_vec_dot(receiver->normal, drawing.axes.along),
                               pp_vec_dot(receiver->normal, drawing.axes.out));
         struct pp_pepper_pot *pot;
@@ -131,10 +133,11 @@ static enum pp_status evaluate(const struct pp_world *world,
 
 /* The mean of many counts is the component itself, which an average over the plane
  * takes instead of dots. */
-static enum pp_status average(struct pp_beams *beams,
-                              const struct pp_outside_light *light,
-                              const struct pp_opening *opening, const void *tools,
-                              struct pp_part *part, bool *known, struct pp_error *err)
+static enum pp_status average_pepper_pot(struct pp_beams *beams,
+                                         const struct pp_outside_light *light,
+                                         const struct pp_opening *opening,
+                                         const void *tools, struct pp_part *part,
+                                         bool *known, struct pp_error *err)
 {
     const struct pepper_pot_diagrams *diagrams = tools;
     const struct pp_glass *glass =
@@ -156,10 +159,10 @@ const struct pp_method pp_method_pepper_pot = {
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
     .counts = true,
-    .prepare = prepare,
-    .destroy_tools = destroy_tools,
-    .refuses_room = refuses_room,
-    .refuses = refuses,
-    .evaluate = evaluate,
-    .average = average,
+    .prepare = prepare_pepper_pot,
+    .destroy_tools = destroy_pepper_pot_tools,
+    .refuses_room = pepper_pot_refuses_room,
+    .refuses = pepper_pot_refuses,
+    .evaluate = evaluate_pepper_pot,
+    .average = average_pepper_pot,
 };

@@ -84,14 +84,14 @@ static void fill_ring(double up_to[CELLS + 1], int ring,
 }
 
 /* The share of a step at which a sum that grows from `low` to `high` on it is `value`. */
-static double share_of(double low, double high, double value)
+static double step_share(double low, double high, double value)
 {
     double step = high - low;
     return step > 0.0 ? fmin((value - low) / step, 1.0) : 0.5;
 }
 
 /* Where an ascending list of `count` + 1 values reaches `value`, from 0 to count. */
-static double place_of(const double *ascending, int count, double value)
+static double ascending_position(const double *ascending, int count, double value)
 {
     int low = 0, high = count;
     while (high - low > 1) {
@@ -101,7 +101,7 @@ static double place_of(const double *ascending, int count, double value)
         else
             high = middle;
     }
-    return low + share_of(ascending[low], ascending[low + 1], value);
+    return low + step_share(ascending[low], ascending[low + 1], value);
 }
 
 /* Dots of cells that the plane of the glass cuts are taken to lie before it. */
@@ -115,7 +115,8 @@ static void place_dot(struct pp_pepper_pot_cloud *cloud, double ring,
     double *dot = cloud->dots[cloud->count];
     double whole, s = modf((cloud->count + 0.5) * golden, &whole);
     double theta = ring / RINGS * PP_PI / 2.0;
-    double psi = place_of(up_to, CELLS, s * up_to[CELLS]) / CELLS * 2.0 * PP_PI;
+    double psi =
+        ascending_position(up_to, CELLS, s * up_to[CELLS]) / CELLS * 2.0 * PP_PI;
     struct pp_vec3 u = direction(frame, pp_angle_of(theta), aside_at(frame, psi));
     double out = fmax(pp_vec_dot(u, axes->out), least_cosine);
     dot[0] = pp_vec_dot(u, axes->along) / out;
@@ -149,9 +150,10 @@ static enum pp_status place_dots(struct pp_pepper_pot_cloud *cloud,
         if (status != PP_OK)
             return status;
         while (cloud->count < count)
-            place_dot(cloud,
-                      i + share_of(before, cloud->whole, (cloud->count + 0.5) * worth),
-                      up_to, frame, axes);
+            place_dot(
+                cloud,
+                i + step_share(before, cloud->whole, (cloud->count + 0.5) * worth),
+                up_to, frame, axes);
     }
     return PP_OK;
 }

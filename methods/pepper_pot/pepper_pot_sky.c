@@ -30,7 +30,7 @@ static struct pp_glass glass_of(const struct pp_opening *opening)
     return opening->glass.panes > 0 ? pp_glass_clear_single() : opening->glass;
 }
 
-static void destroy_tools(void *tools)
+static void destroy_pepper_pot_sky_tools(void *tools)
 {
     struct pepper_pot_clouds *clouds = tools;
     for (int i = 0; clouds && i < clouds->count; i++)
@@ -44,9 +44,9 @@ static struct pp_window_axes axes_of(const struct pp_opening *opening)
                                    pp_vec_scale(opening->inner.normal, -1.0)};
 }
 
-static enum pp_status prepare(void **tools, const struct pp_world *world,
-                              const struct pp_outside_light *light,
-                              struct pp_error *err)
+static enum pp_status prepare_pepper_pot_sky(void **tools, const struct pp_world *world,
+                                             const struct pp_outside_light *light,
+                                             struct pp_error *err)
 {
     size_t openings = (size_t)world->opening_count;
     struct pepper_pot_clouds *clouds =
@@ -65,23 +65,23 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
     if (status == PP_OK)
         *tools = clouds;
     else
-        destroy_tools(clouds);
+        destroy_pepper_pot_sky_tools(clouds);
     return status;
 }
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_outside_light *light,
-                                const struct pp_receiver *receiver)
+static const char *pepper_pot_sky_refuses_room(const struct pp_world *world,
+                                               const struct pp_outside_light *light,
+                                               const struct pp_receiver *receiver)
 {
     (void)light, (void)receiver;
     const char *why = pp_refusals_if_fine_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
 }
 
-static const char *refuses(const struct pp_world *world,
-                           const struct pp_outside_light *light,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver)
+static const char *pepper_pot_sky_refuses(const struct pp_world *world,
+                                          const struct pp_outside_light *light,
+                                          const struct pp_opening *opening,
+                                          const struct pp_receiver *receiver)
 {
     (void)world, (void)light, (void)receiver;
     return opening->glass.diffusing
@@ -104,11 +104,12 @@ static void count_dots(struct pp_part *part, const struct pp_pepper_pot_cloud *c
     pp_part_steps_end(&terms);
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_pepper_pot_sky(const struct pp_world *world,
+                                              const struct pp_outside_light *light,
+                                              const struct pp_opening *opening,
+                                              const struct pp_receiver *receiver,
+                                              const void *tools, struct pp_part *part,
+                                              struct pp_error *err)
 {
     const struct pepper_pot_clouds *clouds = tools;
     struct pp_window_drawing drawing;
@@ -133,10 +134,11 @@ static enum pp_status evaluate(const struct pp_world *world,
 }
 
 /* The mean of many counts is the component itself. */
-static enum pp_status average(struct pp_beams *beams,
-                              const struct pp_outside_light *light,
-                              const struct pp_opening *opening, const void *tools,
-                              struct pp_part *part, bool *known, struct pp_error *err)
+static enum pp_status average_pepper_pot_sky(struct pp_beams *beams,
+                                             const struct pp_outside_light *light,
+                                             const struct pp_opening *opening,
+                                             const void *tools, struct pp_part *part,
+                                             bool *known, struct pp_error *err)
 {
     (void)tools;
     struct pp_direct mean = {0};
@@ -158,10 +160,10 @@ const struct pp_method pp_method_pepper_pot_sky = {
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
     .counts = true,
-    .prepare = prepare,
-    .destroy_tools = destroy_tools,
-    .refuses_room = refuses_room,
-    .refuses = refuses,
-    .evaluate = evaluate,
-    .average = average,
+    .prepare = prepare_pepper_pot_sky,
+    .destroy_tools = destroy_pepper_pot_sky_tools,
+    .refuses_room = pepper_pot_sky_refuses_room,
+    .refuses = pepper_pot_sky_refuses,
+    .evaluate = evaluate_pepper_pot_sky,
+    .average = average_pepper_pot_sky,
 };

@@ -32,7 +32,7 @@ struct dial_set {
     const struct pp_protractor_dial *of[];
 };
 
-static void destroy_tools(void *tools)
+static void destroy_protractor_tools(void *tools)
 {
     struct dial_set *set = tools;
     if (!set)
@@ -54,9 +54,9 @@ static int index_of(const struct pp_protractor *protractor)
                               : GLAZED_0;
 }
 
-static enum pp_status prepare(void **tools, const struct pp_world *world,
-                              const struct pp_outside_light *light,
-                              struct pp_error *err)
+static enum pp_status prepare_protractor(void **tools, const struct pp_world *world,
+                                         const struct pp_outside_light *light,
+                                         struct pp_error *err)
 {
     size_t openings = (size_t)world->opening_count;
     struct dial_set *set = calloc(1, sizeof *set + openings * sizeof *set->of);
@@ -71,7 +71,7 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
         if (!*dial) {
             *dial = malloc(sizeof **dial);
             if (!*dial) {
-                destroy_tools(set);
+                destroy_protractor_tools(set);
                 return pp_fail_memory(err);
             }
             pp_protractor_dial_init(*dial, &protractor);
@@ -82,9 +82,9 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
     return PP_OK;
 }
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_outside_light *light,
-                                const struct pp_receiver *receiver)
+static const char *protractor_refuses_room(const struct pp_world *world,
+                                           const struct pp_outside_light *light,
+                                           const struct pp_receiver *receiver)
 {
     if (light->sky.kind == PP_SKY_ISO)
         return "there are protractors for the overcast and the uniform sky only";
@@ -93,10 +93,10 @@ static const char *refuses_room(const struct pp_world *world,
     return why ? why : pp_refusals_if_luminous(world);
 }
 
-static const char *refuses(const struct pp_world *world,
-                           const struct pp_outside_light *light,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver)
+static const char *protractor_refuses(const struct pp_world *world,
+                                      const struct pp_outside_light *light,
+                                      const struct pp_opening *opening,
+                                      const struct pp_receiver *receiver)
 {
     (void)world, (void)receiver;
     if (opening->glass.diffusing)
@@ -167,11 +167,12 @@ static const struct pp_formula *const formulae[] = {
     &pp_protractor_read_e,        &pp_protractor_read_erc,
     &pp_protractor_read_less,     NULL};
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_protractor(const struct pp_world *world,
+                                          const struct pp_outside_light *light,
+                                          const struct pp_opening *opening,
+                                          const struct pp_receiver *receiver,
+                                          const void *tools, struct pp_part *part,
+                                          struct pp_error *err)
 {
     const struct dial_set *set = tools;
     const struct pp_protractor_dial *dial = set->of[opening - world->openings];
@@ -201,9 +202,9 @@ const struct pp_method pp_method_protractor = {
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
-    .prepare = prepare,
-    .destroy_tools = destroy_tools,
-    .refuses_room = refuses_room,
-    .refuses = refuses,
-    .evaluate = evaluate,
+    .prepare = prepare_protractor,
+    .destroy_tools = destroy_protractor_tools,
+    .refuses_room = protractor_refuses_room,
+    .refuses = protractor_refuses,
+    .evaluate = evaluate_protractor,
 };

@@ -68,7 +68,7 @@ enum pp_status pp_protractor_read_choose(struct pp_protractor *protractor,
                    slope / PP_RAD);
 }
 
-static bool is_upright(double slope)
+static bool slope_is_upright(double slope)
 {
     return fabs(slope - PP_PI / 2.0) < slope_tolerance_rad;
 }
@@ -131,7 +131,7 @@ static void read_rectangle(struct pp_protractor_reading *reading,
                            struct pp_angle section, const struct pp_slope_rectangle *at)
 {
     const double b[2] = {at->low, at->high}, x[2] = {at->left, at->right};
-    bool turned_down = !is_upright(slope);
+    bool turned_down = !slope_is_upright(slope);
     for (int i = 0; i < 2; i++) {
         reading->edge_rad[i] = pp_slope_rectangles_altitude(b[i], section);
         reading->share[i] = pp_protractor_dial_share(dial, reading->edge_rad[i]);
@@ -247,7 +247,7 @@ enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
                                  opening->inner.normal),
         .slope_rad = slope};
     enum pp_status status;
-    if (is_upright(slope)) {
+    if (slope_is_upright(slope)) {
         status = read_upright(readings, dial, world, light, opening, point, err);
     } else {
         struct pp_slope_rectangles rectangles;

@@ -134,8 +134,8 @@ static double one_side(const struct pp_protractor *protractor, double gamma,
 }
 
 /* The integral over all strips from low to high, both sides of the section. */
-static double between(const struct pp_protractor *protractor, double low_rad,
-                      double high_rad)
+static double strips_between(const struct pp_protractor *protractor, double low_rad,
+                             double high_rad)
 {
     struct strip strip = {protractor, 0.0};
     double low[2] = {0.0, low_rad}, high[2] = {PP_PI / 2.0, high_rad};
@@ -155,7 +155,7 @@ double pp_protractor_scale_primary(const struct pp_protractor *protractor,
         return 0.0;
     if (closed_form(protractor))
         return pp_graded_sky_below_plane(protractor->sky.gradation, gamma);
-    return between(protractor, 0.0, gamma);
+    return strips_between(protractor, 0.0, gamma);
 }
 
 double pp_protractor_scale_primary_slope(const struct pp_protractor *protractor,
@@ -175,8 +175,8 @@ double pp_protractor_scale_angle(const struct pp_protractor *protractor, double 
         double next = gamma + (share - sum) / slope;
         if (!(next > low && next < high))
             next = (low + high) / 2.0;
-        sum += next > gamma ? between(protractor, gamma, next)
-                            : -between(protractor, next, gamma);
+        sum += next > gamma ? strips_between(protractor, gamma, next)
+                            : -strips_between(protractor, next, gamma);
         double step = fabs(next - gamma);
         gamma = next;
         if (sum < share)

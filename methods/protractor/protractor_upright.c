@@ -95,7 +95,7 @@ static const struct pp_formula *const formulae[] = {
 
 /* ---- the protractors ---- */
 
-static void destroy_tools(void *tools)
+static void destroy_upright_protractor_tools(void *tools)
 {
     struct upright_set *set = tools;
     if (set) {
@@ -120,9 +120,10 @@ static struct upright_dials *dials_of(const struct pp_sky *sky, struct pp_glass 
     return dials;
 }
 
-static enum pp_status prepare(void **tools, const struct pp_world *world,
-                              const struct pp_outside_light *light,
-                              struct pp_error *err)
+static enum pp_status prepare_upright_protractor(void **tools,
+                                                 const struct pp_world *world,
+                                                 const struct pp_outside_light *light,
+                                                 struct pp_error *err)
 {
     (void)world;
     struct upright_set *set = malloc(sizeof *set);
@@ -134,13 +135,13 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
         *tools = set;
         return PP_OK;
     }
-    destroy_tools(set);
+    destroy_upright_protractor_tools(set);
     return pp_fail_memory(err);
 }
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_outside_light *light,
-                                const struct pp_receiver *receiver)
+static const char *upright_protractor_refuses_room(const struct pp_world *world,
+                                                   const struct pp_outside_light *light,
+                                                   const struct pp_receiver *receiver)
 {
     if (light->sky.kind == PP_SKY_ISO)
         return "there are protractors for the overcast and the uniform sky only";
@@ -150,10 +151,10 @@ static const char *refuses_room(const struct pp_world *world,
     return why ? why : pp_refusals_if_luminous(world);
 }
 
-static const char *refuses(const struct pp_world *world,
-                           const struct pp_outside_light *light,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver)
+static const char *upright_protractor_refuses(const struct pp_world *world,
+                                              const struct pp_outside_light *light,
+                                              const struct pp_opening *opening,
+                                              const struct pp_receiver *receiver)
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
@@ -245,11 +246,10 @@ static void cut_by_receiver(struct pp_elevation *elevation, double psi_rad)
     elevation->count = count;
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_upright_protractor(
+    const struct pp_world *world, const struct pp_outside_light *light,
+    const struct pp_opening *opening, const struct pp_receiver *receiver,
+    const void *tools, struct pp_part *part, struct pp_error *err)
 {
     const struct upright_set *set = tools;
     struct pp_vec3 out = pp_vec_scale(opening->inner.normal, -1.0);
@@ -281,9 +281,9 @@ const struct pp_method pp_method_protractor_upright = {
     .speaks_for = PP_FOR_POINT,
     .by_name = true,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
-    .prepare = prepare,
-    .destroy_tools = destroy_tools,
-    .refuses_room = refuses_room,
-    .refuses = refuses,
-    .evaluate = evaluate,
+    .prepare = prepare_upright_protractor,
+    .destroy_tools = destroy_upright_protractor_tools,
+    .refuses_room = upright_protractor_refuses_room,
+    .refuses = upright_protractor_refuses,
+    .evaluate = evaluate_upright_protractor,
 };

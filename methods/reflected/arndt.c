@@ -34,11 +34,12 @@ static const struct pp_formula average = {
 static const struct pp_formula *const formulae[] = {
     PP_ENTERING_LIGHT_FORMULAE, &average, PP_ENTERING_LIGHT_WELL_FORMULAE, NULL};
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_arndt(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
+                                     const struct pp_opening *opening,
+                                     const struct pp_receiver *receiver,
+                                     const void *tools, struct pp_part *part,
+                                     struct pp_error *err)
 {
     (void)receiver, (void)tools;
     enum pp_status status = pp_entering_light(&part->sheet, world, light, opening, err);
@@ -63,5 +64,5 @@ const struct pp_method pp_method_arndt = {
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_luminous_room,
-    .evaluate = evaluate,
+    .evaluate = evaluate_arndt,
 };

@@ -10,11 +10,12 @@
 #include "methods/method.h"
 #include "methods/refusals.h"
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_bre(const struct pp_world *world,
+                                   const struct pp_outside_light *light,
+                                   const struct pp_opening *opening,
+                                   const struct pp_receiver *receiver,
+                                   const void *tools, struct pp_part *part,
+                                   struct pp_error *err)
 {
     (void)receiver, (void)tools;
     struct pp_bre_terms terms;
@@ -39,5 +40,5 @@ const struct pp_method pp_method_bre = {
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_formula_room,
     .refuses = pp_refusals_sloping_opening,
-    .evaluate = evaluate,
+    .evaluate = evaluate_bre,
 };

@@ -38,11 +38,12 @@ static const struct pp_formula minimum = {
 static const struct pp_formula *const formulae[] = {
     &pp_allowance_glass_W, &pp_bre_terms_IRC_av, &minimum, NULL};
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_bre_min(const struct pp_world *world,
+                                       const struct pp_outside_light *light,
+                                       const struct pp_opening *opening,
+                                       const struct pp_receiver *receiver,
+                                       const void *tools, struct pp_part *part,
+                                       struct pp_error *err)
 {
     (void)receiver, (void)tools;
     struct pp_bre_terms terms;
@@ -72,5 +73,5 @@ const struct pp_method pp_method_bre_min = {
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_formula_room,
     .refuses = pp_refusals_sloping_opening,
-    .evaluate = evaluate,
+    .evaluate = evaluate_bre_min,
 };

@@ -90,9 +90,9 @@ static struct pp_irc_minimum_entry entry_of(const struct pp_world *world)
     return entry;
 }
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_outside_light *light,
-                                const struct pp_receiver *receiver)
+static const char *bre_table_refuses_room(const struct pp_world *world,
+                                          const struct pp_outside_light *light,
+                                          const struct pp_receiver *receiver)
 {
     const char *why = pp_refusals_formula_room(world, light, receiver);
     if (why)
@@ -124,11 +124,12 @@ static void put_reading(struct pp_worksheet *sheet,
                      "factor for the ceiling, from the table");
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_bre_table(const struct pp_world *world,
+                                         const struct pp_outside_light *light,
+                                         const struct pp_opening *opening,
+                                         const struct pp_receiver *receiver,
+                                         const void *tools, struct pp_part *part,
+                                         struct pp_error *err)
 {
     (void)receiver, (void)tools;
     struct pp_bre_terms terms;
@@ -159,7 +160,7 @@ const struct pp_method pp_method_bre_table = {
     .own_ground = PP_BRE_GROUND_REFLECTANCE,
     .speaks_for = PP_FOR_MINIMUM,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
-    .refuses_room = refuses_room,
+    .refuses_room = bre_table_refuses_room,
     .refuses = pp_refusals_sloping_opening,
-    .evaluate = evaluate,
+    .evaluate = evaluate_bre_table,
 };

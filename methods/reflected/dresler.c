@@ -104,11 +104,12 @@ static void put_parts(struct pp_worksheet *sheet, const struct pp_world *world,
     pp_worksheet_work(sheet, &k_l, "what the lower part reflects through the plane");
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_dresler(const struct pp_world *world,
+                                       const struct pp_outside_light *light,
+                                       const struct pp_opening *opening,
+                                       const struct pp_receiver *receiver,
+                                       const void *tools, struct pp_part *part,
+                                       struct pp_error *err)
 {
     (void)receiver, (void)tools;
     struct pp_worksheet *sheet = &part->sheet;
@@ -132,5 +133,5 @@ const struct pp_method pp_method_dresler = {
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_luminous_room,
     .refuses = pp_refusals_sloping_opening,
-    .evaluate = evaluate,
+    .evaluate = evaluate_dresler,
 };

@@ -234,8 +234,8 @@ static enum pp_status put_light(struct pp_worksheet *sheet,
 }
 
 /* The middle of what of the opening lies above the working plane. */
-static struct pp_vec3 middle_of(const struct pp_world *world,
-                                const struct pp_opening *opening)
+static struct pp_vec3 middle_above_plane(const struct pp_world *world,
+                                         const struct pp_opening *opening)
 {
     struct pp_vec3 middle = pp_polygon_middle(&opening->inner);
     double foot_m =
@@ -292,7 +292,7 @@ static void put_efficiencies(struct pp_worksheet *sheet, const struct pp_world *
                              const struct pp_opening *opening, double height_m)
 {
     double z = world->working_plane_m;
-    struct pp_vec3 middle = middle_of(world, opening);
+    struct pp_vec3 middle = middle_above_plane(world, opening);
     double f_c = pp_point_factor(middle, opening->inner.normal, &world->plane,
                                  fmax(z + height_m, middle.z));
     pp_worksheet_know(sheet, PP_UNIT_NUMBER, 0.0, "g");
@@ -311,11 +311,12 @@ static void put_efficiencies(struct pp_worksheet *sheet, const struct pp_world *
                       "efficiency for light of the ground");
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_efficiency(const struct pp_world *world,
+                                          const struct pp_outside_light *light,
+                                          const struct pp_opening *opening,
+                                          const struct pp_receiver *receiver,
+                                          const void *tools, struct pp_part *part,
+                                          struct pp_error *err)
 {
     (void)receiver, (void)tools;
     struct pp_worksheet *sheet = &part->sheet;
@@ -333,10 +334,10 @@ static enum pp_status evaluate(const struct pp_world *world,
     return PP_OK;
 }
 
-static const char *refuses(const struct pp_world *world,
-                           const struct pp_outside_light *light,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver)
+static const char *efficiency_refuses(const struct pp_world *world,
+                                      const struct pp_outside_light *light,
+                                      const struct pp_opening *opening,
+                                      const struct pp_receiver *receiver)
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing && !is_level(opening))
@@ -354,6 +355,6 @@ const struct pp_method pp_method_efficiency = {
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
     .refuses_room = pp_refusals_formula_room,
-    .refuses = refuses,
-    .evaluate = evaluate,
+    .refuses = efficiency_refuses,
+    .evaluate = evaluate_efficiency,
 };

@@ -14,7 +14,7 @@ static double twice_area(const struct pp_polygon *polygon, struct pp_vec3 o,
 }
 
 /* Where the edge from a to b meets the level plane at z; z lies between them. */
-static struct pp_vec3 crossing(struct pp_vec3 a, struct pp_vec3 b, double z)
+static struct pp_vec3 level_crossing_point(struct pp_vec3 a, struct pp_vec3 b, double z)
 {
     return pp_vec_along(a, (z - a.z) / (b.z - a.z), pp_vec_sub(b, a));
 }
@@ -44,7 +44,7 @@ double pp_interior_area_below(const struct pp_polygon *polygon, double z)
     for (int i = 0; i < polygon->count; i++) {
         struct pp_vec3 a = vertices[i], b = vertices[next(polygon, i)];
         if ((a.z < z) != (b.z < z))
-            o = crossing(a, b, z);
+            o = level_crossing_point(a, b, z);
     }
     double sum = 0.0;
     for (int i = 0; i < polygon->count; i++) {
@@ -52,7 +52,7 @@ double pp_interior_area_below(const struct pp_polygon *polygon, double z)
         if (a.z >= z && b.z >= z)
             continue;
         if ((a.z < z) != (b.z < z)) {
-            struct pp_vec3 cut = crossing(a, b, z);
+            struct pp_vec3 cut = level_crossing_point(a, b, z);
             if (a.z < z)
                 b = cut;
             else
@@ -78,7 +78,7 @@ struct sums {
     double area_m2, reflecting_m2;
 };
 
-static void add(struct sums *sums, double area_m2, double reflectance)
+static void add_reflecting_area(struct sums *sums, double area_m2, double reflectance)
 {
     sums->area_m2 += area_m2;
     sums->reflecting_m2 += area_m2 * reflectance;
@@ -97,8 +97,8 @@ static void add_split(struct sums *lower, struct sums *upper,
                       double reflectance)
 {
     double below_m2 = area_below(outline, z);
-    add(lower, share * below_m2, reflectance);
-    add(upper, share * (outline->area_m2 - below_m2), reflectance);
+    add_reflecting_area(lower, share * below_m2, reflectance);
+    add_reflecting_area(upper, share * (outline->area_m2 - below_m2), reflectance);
 }
 
 /* Adds the covers of a role's faces but one (-1: of none) in the place of what they
@@ -168,11 +168,12 @@ struct pp_interior pp_interior_role(const struct pp_world *world, enum pp_role r
     struct sums sums = {0};
     for (int i = 0; i < world->face_count; i++)
         if (world->surfaces[i].role == role)
-            add(&sums, world->surfaces[i].outline.area_m2, world->surfaces[i].front);
+            add_reflecting_area(&sums, world->surfaces[i].outline.area_m2,
+                                world->surfaces[i].front);
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_surface *face = world->surfaces + world->openings[i].face;
         if (face->role == role)
-            add(&sums, -world->openings[i].inner.area_m2, face->front);
+            add_reflecting_area(&sums, -world->openings[i].inner.area_m2, face->front);
     }
     add_covers(&sums, &sums, world, INFINITY, role, -1);
     return mean(sums);

@@ -35,7 +35,7 @@ enum {
 
 static const double small_floor_m2 = 10.0, floor_m2 = 40.0, large_floor_m2 = 90.0;
 
-static double between(double low, double high, double share)
+static double reflectance_between(double low, double high, double share)
 {
     return low + share * (high - low);
 }
@@ -63,15 +63,15 @@ const char *pp_irc_minimum_lacks(const struct pp_irc_minimum_entry *entry)
 }
 
 /* The minimum of one row, interpolated to the room's reflectances. */
-static double read_row(const double row[COLUMNS], int floor, double floor_share,
-                       int walls, double walls_share)
+static double read_irc_row(const double row[COLUMNS], int floor, double floor_share,
+                           int walls, double walls_share)
 {
     double at[2];
     for (int i = 0; i < 2; i++) {
         const double *cells = row + 1 + (floor - 1 + i) * WALLS;
-        at[i] = between(cells[walls - 1], cells[walls], walls_share);
+        at[i] = reflectance_between(cells[walls - 1], cells[walls], walls_share);
     }
-    return between(at[0], at[1], floor_share);
+    return reflectance_between(at[0], at[1], floor_share);
 }
 
 /* The factor is 1 at 40 m2, and linear in the side of a square of that area between the
@@ -94,15 +94,15 @@ struct pp_irc_minimum pp_irc_minimum_read(const struct pp_irc_minimum_entry *ent
                                         100.0 * entry->walls, &walls_share);
     int row = pp_interpolate_interval(&printed[0][0], ROWS, COLUMNS, 0, percent,
                                       &glass_share);
-    double low = read_row(printed[row - 1], floor, floor_share, walls, walls_share);
-    double high = read_row(printed[row], floor, floor_share, walls, walls_share);
-    double value = between(low, high, glass_share);
+    double low = read_irc_row(printed[row - 1], floor, floor_share, walls, walls_share);
+    double high = read_irc_row(printed[row], floor, floor_share, walls, walls_share);
+    double value = reflectance_between(low, high, glass_share);
     if (percent < printed[0][0])
         value = low * percent / printed[0][0];
 
     const double *dark = by_walls[walls - 1], *light = by_walls[walls];
-    const double factors[2] = {between(dark[2], light[2], walls_share),
-                               between(dark[3], light[3], walls_share)};
+    const double factors[2] = {reflectance_between(dark[2], light[2], walls_share),
+                               reflectance_between(dark[3], light[3], walls_share)};
     return (struct pp_irc_minimum){
         .printed = value / 100.0,
         .floor_factor = floor_factor(entry->floor_m2, factors),
@@ -115,5 +115,5 @@ double pp_irc_minimum_average_ratio(double walls)
     double share;
     int upper =
         pp_interpolate_interval(&by_walls[0][0], WALLS, 4, 0, 100.0 * walls, &share);
-    return between(by_walls[upper - 1][1], by_walls[upper][1], share);
+    return reflectance_between(by_walls[upper - 1][1], by_walls[upper][1], share);
 }

@@ -83,10 +83,10 @@ static bool is_level(const struct pp_opening *opening)
     return sin(opening->slope_rad) < 1e-6;
 }
 
-static const char *refuses(const struct pp_world *world,
-                           const struct pp_outside_light *light,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver)
+static const char *k_factor_refuses(const struct pp_world *world,
+                                    const struct pp_outside_light *light,
+                                    const struct pp_opening *opening,
+                                    const struct pp_receiver *receiver)
 {
     (void)world, (void)light, (void)receiver;
     if (is_level(opening) || !pp_refusals_unless_vertical(opening))
@@ -126,11 +126,12 @@ static double of_level_glass(struct pp_worksheet *sheet, const struct pp_world *
     return pp_entering_light_of_well(sheet, &well, world, opening, irc);
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_k_factor(const struct pp_world *world,
+                                        const struct pp_outside_light *light,
+                                        const struct pp_opening *opening,
+                                        const struct pp_receiver *receiver,
+                                        const void *tools, struct pp_part *part,
+                                        struct pp_error *err)
 {
     (void)receiver, (void)tools;
     double alpha_rad;
@@ -158,6 +159,6 @@ const struct pp_method pp_method_k_factor = {
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_formula_room,
-    .refuses = refuses,
-    .evaluate = evaluate,
+    .refuses = k_factor_refuses,
+    .evaluate = evaluate_k_factor,
 };

@@ -50,11 +50,12 @@ static const struct pp_formula *const formulae[] = {
     PP_ENTERING_LIGHT_FORMULAE, &clear, &diffusing, PP_ENTERING_LIGHT_WELL_FORMULAE,
     NULL};
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_sphere(const struct pp_world *world,
+                                      const struct pp_outside_light *light,
+                                      const struct pp_opening *opening,
+                                      const struct pp_receiver *receiver,
+                                      const void *tools, struct pp_part *part,
+                                      struct pp_error *err)
 {
     (void)receiver, (void)tools;
     struct pp_worksheet *sheet = &part->sheet;
@@ -87,5 +88,5 @@ const struct pp_method pp_method_sphere = {
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_luminous_room,
-    .evaluate = evaluate,
+    .evaluate = evaluate_sphere,
 };

@@ -16,10 +16,10 @@
 #include "methods/method.h"
 #include "methods/refusals.h"
 
-static const char *refuses(const struct pp_world *world,
-                           const struct pp_outside_light *light,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver)
+static const char *split_flux_refuses(const struct pp_world *world,
+                                      const struct pp_outside_light *light,
+                                      const struct pp_opening *opening,
+                                      const struct pp_receiver *receiver)
 {
     (void)light, (void)receiver;
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
@@ -76,11 +76,12 @@ static const struct pp_formula *const formulae[] = {
     PP_ENTERING_LIGHT_FORMULAE,      &clear, &diffusing, &one_part,
     PP_ENTERING_LIGHT_WELL_FORMULAE, NULL};
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_split_flux(const struct pp_world *world,
+                                          const struct pp_outside_light *light,
+                                          const struct pp_opening *opening,
+                                          const struct pp_receiver *receiver,
+                                          const void *tools, struct pp_part *part,
+                                          struct pp_error *err)
 {
     (void)receiver, (void)tools;
     struct pp_worksheet *sheet = &part->sheet;
@@ -119,6 +120,6 @@ const struct pp_method pp_method_split_flux = {
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_luminous_room,
-    .refuses = refuses,
-    .evaluate = evaluate,
+    .refuses = split_flux_refuses,
+    .evaluate = evaluate_split_flux,
 };

@@ -204,10 +204,10 @@ static struct silhouette no_silhouette(void)
     return (struct silhouette){pp_area_moments_empty(), INFINITY};
 }
 
-static enum pp_status add_surface(struct silhouette *silhouette,
-                                  const struct opening_drawing *drawing,
-                                  const struct pp_polygon *outline,
-                                  struct pp_error *err)
+static enum pp_status add_to_silhouette(struct silhouette *silhouette,
+                                        const struct opening_drawing *drawing,
+                                        const struct pp_polygon *outline,
+                                        struct pp_error *err)
 {
     const struct pp_elevation_part *seen = &drawing->seen;
     enum { CORNERS_ON_STACK = 8 };
@@ -297,7 +297,7 @@ static enum pp_status add_surfaces(struct opening_drawing *drawing,
             continue;
         struct silhouette silhouette = no_silhouette();
         bool front = faces(&surface->outline, drawing->frame.point);
-        status = add_surface(&silhouette, drawing, &surface->outline, err);
+        status = add_to_silhouette(&silhouette, drawing, &surface->outline, err);
         if (status == PP_OK)
             status = add_silhouette(drawing, &silhouette,
                                     front ? surface->front : surface->back, err);
@@ -315,7 +315,7 @@ static enum pp_status add_facade(struct opening_drawing *drawing, int index,
     struct pp_elevation_part bands[4];
     enum pp_status status = PP_OK;
     if (index != drawing->opening->facade) {
-        status = add_surface(&solid, drawing, &sheet, err);
+        status = add_to_silhouette(&solid, drawing, &sheet, err);
         return status ? status : add_silhouette(drawing, &solid, of->reflectance, err);
     }
     int count = pp_hole_bands(bands, drawing->world, drawing->opening,
@@ -335,7 +335,7 @@ static enum pp_status add_block(struct opening_drawing *drawing,
     enum pp_status status = PP_OK;
     for (int i = 0; i < block->side_count && status == PP_OK; i++)
         if (faces(&sides[i].outline, drawing->frame.point))
-            status = add_surface(&silhouette, drawing, &sides[i].outline, err);
+            status = add_to_silhouette(&silhouette, drawing, &sides[i].outline, err);
     return status ? status
                   : add_silhouette(drawing, &silhouette, block->reflectance, err);
 }

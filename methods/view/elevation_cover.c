@@ -28,7 +28,7 @@ static void part_columns(struct pp_elevation_cover *cover)
 }
 
 /* A jamb in columns from the first, within those there are. */
-static double column_of(const struct pp_elevation_cover *cover, double x)
+static double cover_column(const struct pp_elevation_cover *cover, double x)
 {
     double at = (x - cover->left) / cover->width;
     return fmin(fmax(at, 0.0), PP_ELEVATION_COLUMNS);
@@ -37,8 +37,8 @@ static double column_of(const struct pp_elevation_cover *cover, double x)
 void pp_elevation_cover_add(struct pp_elevation_cover *cover,
                             const struct pp_elevation_part *outline, double distance_m)
 {
-    int first = (int)ceil(column_of(cover, outline->left) + grain);
-    int end = (int)floor(column_of(cover, outline->right) - grain);
+    int first = (int)ceil(cover_column(cover, outline->left) + grain);
+    int end = (int)floor(cover_column(cover, outline->right) - grain);
     if (outline->left <= cover->left)
         first = 0;
     if (outline->right >= cover->left + PP_ELEVATION_COLUMNS * cover->width)
@@ -57,8 +57,8 @@ void pp_elevation_cover_add(struct pp_elevation_cover *cover,
 bool pp_elevation_cover_hides(const struct pp_elevation_cover *cover, double left,
                               double right, double high, double distance_m)
 {
-    int first = (int)floor(column_of(cover, left) - grain);
-    int end = (int)ceil(column_of(cover, right) + grain);
+    int first = (int)floor(cover_column(cover, left) - grain);
+    int end = (int)ceil(cover_column(cover, right) + grain);
     first = first < 0 ? 0 : first;
     end = end > PP_ELEVATION_COLUMNS ? PP_ELEVATION_COLUMNS : end;
     if (cover->alike && first < end) {

@@ -199,7 +199,7 @@ static enum pp_status add_strip(struct pp_elevation *elevation, int *capacity,
 
 /* A strip of `count` parts from `now` on that continues the one from `before` on is
  * joined to it. */
-static bool join(struct pp_elevation *elevation, int before, int now)
+static bool join_strips(struct pp_elevation *elevation, int before, int now)
 {
     int count = elevation->count - now;
     struct pp_elevation_part *a = elevation->parts + before,
@@ -227,16 +227,16 @@ static enum pp_status add_strips(struct pp_elevation *elevation,
         int now = elevation->count;
         move_to(sweep, sweep->edges[i], sweep->edges[i + 1]);
         status = add_strip(elevation, &capacity, sweep, err);
-        if (status == PP_OK && (now == before || !join(elevation, before, now)))
+        if (status == PP_OK && (now == before || !join_strips(elevation, before, now)))
             before = now;
     }
     return status;
 }
 
 /* With nothing before it, the opening is one part. */
-static enum pp_status add_whole(struct pp_elevation *elevation,
-                                const struct pp_elevation_part *seen,
-                                struct pp_error *err)
+static enum pp_status add_whole_opening(struct pp_elevation *elevation,
+                                        const struct pp_elevation_part *seen,
+                                        struct pp_error *err)
 {
     elevation->parts = malloc(sizeof *elevation->parts);
     if (!elevation->parts)
@@ -253,7 +253,7 @@ enum pp_status pp_elevation_strips_cut(struct pp_elevation *elevation,
                                        struct pp_error *err)
 {
     if (obstructions->count == 0)
-        return add_whole(elevation, seen, err);
+        return add_whole_opening(elevation, seen, err);
     size_t most = 2 * (size_t)obstructions->count + 2;
     double *numbers = malloc(4 * most * sizeof *numbers);
     int *places = malloc(2 * most * sizeof *places);

@@ -8,7 +8,7 @@
 #include "model/base/array.h"
 #include "model/geometry/min_max.h"
 
-static void measure(struct pp_fragment *fragment)
+static void measure_fragment(struct pp_fragment *fragment)
 {
     for (int axis = 0; axis < 2; axis++) {
         double low = fragment->xy[0][axis], high = low;
@@ -41,7 +41,7 @@ static enum pp_status push(struct pp_fragments *fragments, int owner,
         memcpy(part->xy[part->count++], xy[0], sizeof *xy);
         for (int i = first; i < count && part->count < MOST; i++)
             memcpy(part->xy[part->count++], xy[i], sizeof *xy);
-        measure(part);
+        measure_fragment(part);
     }
     return status;
 }
@@ -117,8 +117,8 @@ static struct cut_line line_of_edge(const struct pp_fragment_ring *ring, int i)
 
 /* Divides a ring by a line. Above 0: all of it lies where the line is 0 or greater, below
  * 0: where it is 0 or less; 0: in both, and `in` has what is greater, `out` what is less. */
-static int divide(struct cut_ring *in, struct cut_ring *out,
-                  const struct cut_ring *whole, struct cut_line line)
+static int divide_ring(struct cut_ring *in, struct cut_ring *out,
+                       const struct cut_ring *whole, struct cut_line line)
 {
     double side[2 * PP_FRAGMENT_CORNERS + 2];
     int count = whole->count, above = 0, below = 0;
@@ -190,8 +190,8 @@ static bool divide_by_ring(struct cut_parts *parts, const struct pp_fragment *fr
            (size_t)fragment->count * sizeof *fragment->xy);
     for (int i = 0; i < ring->count; i++) {
         struct cut_ring *out = &parts->outside[parts->outside_count];
-        int side = divide(&parts->rings[1 - at], out, &parts->rings[at],
-                          line_of_edge(ring, i));
+        int side = divide_ring(&parts->rings[1 - at], out, &parts->rings[at],
+                               line_of_edge(ring, i));
         if (side < 0)
             return false;
         if (side > 0)
@@ -272,7 +272,8 @@ static enum pp_status cover_one(struct pp_fragments *fragments, int at,
     struct cut_ring nearer, behind;
     behind.count = 0;
     if (owner != PP_FRAGMENT_FREE) {
-        int side = divide(&nearer, &behind, front, nearer_than(ring, &rings[owner]));
+        int side =
+            divide_ring(&nearer, &behind, front, nearer_than(ring, &rings[owner]));
         if (side < 0)
             return PP_OK;
         front = side > 0 ? front : &nearer;

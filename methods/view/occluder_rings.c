@@ -165,7 +165,7 @@ static enum pp_status mark_in_front(bool *is_seen, struct pp_fragments *open,
     return status;
 }
 
-static void keep(struct pp_occluders *pieces, const bool *is_seen)
+static void keep_seen_pieces(struct pp_occluders *pieces, const bool *is_seen)
 {
     int kept = 0;
     for (int i = 0; i < pieces->count; i++) {
@@ -196,7 +196,7 @@ enum pp_status pp_occluder_rings_drop_hidden(struct pp_occluders *pieces,
         status = one_light ? mark_in_union(is_seen, &open, &rings, err)
                            : mark_in_front(is_seen, &open, &rings, err);
     if (status == PP_OK)
-        keep(pieces, is_seen);
+        keep_seen_pieces(pieces, is_seen);
     free(is_seen);
     pp_occluder_rings_clear(&rings);
     pp_fragments_clear(&open);

@@ -30,11 +30,11 @@ static double snap(double at, double low, double high)
     return fabs(at - low) <= grain ? low : fabs(at - high) <= grain ? high : at;
 }
 
-static enum pp_status add_piece(struct pp_occluders *pieces,
-                                const struct pp_occluder *like,
-                                const struct pp_vec3 *corners, int count,
-                                const struct pp_occluders_scene *scene,
-                                struct pp_error *err)
+static enum pp_status add_occluder_piece(struct pp_occluders *pieces,
+                                         const struct pp_occluder *like,
+                                         const struct pp_vec3 *corners, int count,
+                                         const struct pp_occluders_scene *scene,
+                                         struct pp_error *err)
 {
     double(*xy)[2] = malloc((size_t)count * sizeof *xy);
     if (!xy)
@@ -124,19 +124,19 @@ static enum pp_status add_convex(struct pp_occluders *pieces,
         turn = 1 - turn;
     }
     enum pp_status status =
-        left > 0 ? add_piece(pieces, like, from, left, scene, err) : PP_OK;
+        left > 0 ? add_occluder_piece(pieces, like, from, left, scene, err) : PP_OK;
     free(heap);
     return status;
 }
 
 /* Cuts any surface, with corners in the view's axes, and adds the rest. */
-static enum pp_status add_surface(struct pp_occluders *pieces,
-                                  const struct pp_occluder *like,
-                                  const struct pp_surface *surface,
-                                  const struct pp_vec3 *corners,
-                                  const struct sides *sides,
-                                  const struct pp_occluders_scene *scene,
-                                  struct pp_error *err)
+static enum pp_status add_occluder_surface(struct pp_occluders *pieces,
+                                           const struct pp_occluder *like,
+                                           const struct pp_surface *surface,
+                                           const struct pp_vec3 *corners,
+                                           const struct sides *sides,
+                                           const struct pp_occluders_scene *scene,
+                                           struct pp_error *err)
 {
     if (!surface->triangles)
         return add_convex(pieces, like, corners, surface->outline.count, sides, scene,
@@ -218,7 +218,8 @@ static enum pp_status collect_surface(struct pp_occluders *inside,
     double hair = 1e-9 * fmin(plane_m, 1.0);
     if (hides_inside) {
         struct sides sides = sides_of(scene, hair, plane_m);
-        status = add_surface(inside, &like, surface, corners, &sides, scene, err);
+        status =
+            add_occluder_surface(inside, &like, surface, corners, &sides, scene, err);
     }
     if (hides_outside && status == PP_OK) {
         double from = hair;
@@ -227,7 +228,8 @@ static enum pp_status collect_surface(struct pp_occluders *inside,
                        ? nearest - PP_OCCLUDERS_COPLANAR_M
                        : plane_m;
         struct sides sides = sides_of(scene, from, 2.0 * farthest);
-        status = add_surface(outside, &like, surface, corners, &sides, scene, err);
+        status =
+            add_occluder_surface(outside, &like, surface, corners, &sides, scene, err);
     }
     if (corners != stack)
         free(corners);
@@ -362,5 +364,5 @@ enum pp_status pp_occluders_add_skyline(struct pp_occluders *outside,
     if (count == 0)
         return PP_OK;
     struct pp_occluder like = {.reflectance = skyline->reflectance};
-    return add_piece(outside, &like, left, count, scene, err);
+    return add_occluder_piece(outside, &like, left, count, scene, err);
 }

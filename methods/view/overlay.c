@@ -90,7 +90,7 @@ static enum pp_status part_in_front(struct pp_occluders *parts,
     return PP_OK;
 }
 
-static struct pp_bounds2 bounds_of(const struct pp_occluder *piece)
+static struct pp_bounds2 occluder_bounds(const struct pp_occluder *piece)
 {
     struct pp_bounds2 bounds = pp_bounds2_empty();
     for (int i = 0; i < piece->count; i++)
@@ -115,9 +115,9 @@ static enum pp_status seen_part(struct pp_clipper *clipper, struct pp_region *se
     nearer.capacity = pieces->count;
     nearer.list = calloc((size_t)nearer.capacity, sizeof *nearer.list);
     enum pp_status status = nearer.list ? PP_OK : pp_fail_memory(err);
-    struct pp_bounds2 own = bounds_of(piece);
+    struct pp_bounds2 own = occluder_bounds(piece);
     for (int k = 0; k < pieces->count && status == PP_OK; k++) {
-        struct pp_bounds2 other = bounds_of(&pieces->list[k]);
+        struct pp_bounds2 other = occluder_bounds(&pieces->list[k]);
         if (!pp_overlay_same_light(&pieces->list[k], piece) && !are_apart(&own, &other))
             status = part_in_front(&nearer, &pieces->list[k], piece, distance_m, err);
     }

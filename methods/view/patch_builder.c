@@ -124,8 +124,9 @@ static enum pp_status divide_same_light(struct pp_visible *visible,
 }
 
 /* Divides builder->open by the pieces outside. */
-static enum pp_status divide(struct pp_visible *visible,
-                             struct pp_patch_builder *builder, struct pp_error *err)
+static enum pp_status divide_open_patches(struct pp_visible *visible,
+                                          struct pp_patch_builder *builder,
+                                          struct pp_error *err)
 {
     const struct pp_occluders *outside = &builder->outside;
     bool one_light = all_same_light(outside);
@@ -271,5 +272,5 @@ enum pp_status pp_patch_builder_fill(struct pp_visible *visible,
         builder->open = (struct pp_region){0};
         return PP_OK;
     }
-    return divide(visible, builder, err);
+    return divide_open_patches(visible, builder, err);
 }

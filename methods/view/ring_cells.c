@@ -18,7 +18,7 @@ struct extent {
     double low[2], high[2];
 };
 
-static struct extent extent_of(const struct pp_fragments *fragments)
+static struct extent fragments_extent(const struct pp_fragments *fragments)
 {
     const struct pp_fragment *first = &fragments->list[0];
     struct extent all = {{first->low[0], first->low[1]},
@@ -88,7 +88,7 @@ static enum pp_status in_cells(const struct ring_cells *cells,
         return PP_OK;
     if (count <= FEW || depth == 0)
         return cells->act(cells->data, open, rings, count, err);
-    struct extent all = extent_of(open), halves[2];
+    struct extent all = fragments_extent(open), halves[2];
     struct pp_fragments left = {0};
     int *reach[2] = {malloc((size_t)count * sizeof **reach),
                      malloc((size_t)count * sizeof **reach)};

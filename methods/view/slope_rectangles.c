@@ -37,9 +37,10 @@ static struct axes section_axes(const struct pp_opening *opening, double slope)
 }
 
 /* Adds the part of a ring above the point's horizon, in the section's axes. */
-static enum pp_status add_ring(struct pp_area_moments *sum, const struct pp_ring *ring,
-                               const struct axes *axes, double horizon,
-                               struct pp_error *err)
+static enum pp_status add_ring_moments(struct pp_area_moments *sum,
+                                       const struct pp_ring *ring,
+                                       const struct axes *axes, double horizon,
+                                       struct pp_error *err)
 {
     size_t room = (size_t)ring->count * PP_AREA_MOMENTS_POINTS;
     double(*points)[2] = malloc(2 * (room + 1) * sizeof *points);
@@ -90,13 +91,14 @@ static struct pp_slope_rectangle equal_rectangle(const struct pp_area_moments *e
                                        .high = extent->high - margin * height};
 }
 
-static enum pp_status extent_of(struct pp_area_moments *extent,
-                                const struct pp_region *region, const struct axes *axes,
-                                double horizon, struct pp_error *err)
+static enum pp_status region_extent(struct pp_area_moments *extent,
+                                    const struct pp_region *region,
+                                    const struct axes *axes, double horizon,
+                                    struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int r = 0; r < region->count && status == PP_OK; r++)
-        status = add_ring(extent, &region->rings[r], axes, horizon, err);
+        status = add_ring_moments(extent, &region->rings[r], axes, horizon, err);
     return status;
 }
 
@@ -107,9 +109,10 @@ struct pp_vec3 pp_slope_rectangles_along(const struct pp_opening *opening,
 }
 
 /* The rectangles of the drawing's parts, the whole first. */
-static enum pp_status fill(struct pp_slope_rectangles *rectangles,
-                           const struct pp_window_drawing *drawing,
-                           const struct axes *axes, struct pp_error *err)
+static enum pp_status fill_slope_rectangles(struct pp_slope_rectangles *rectangles,
+                                            const struct pp_window_drawing *drawing,
+                                            const struct axes *axes,
+                                            struct pp_error *err)
 {
     double slope = rectangles->slope_rad;
     double horizon =
@@ -117,7 +120,7 @@ static enum pp_status fill(struct pp_slope_rectangles *rectangles,
     struct pp_area_moments whole = pp_area_moments_empty();
     enum pp_status status = PP_OK;
     for (int i = 0; i < drawing->count && status == PP_OK; i++)
-        status = extent_of(&whole, &drawing->parts[i].region, axes, horizon, err);
+        status = region_extent(&whole, &drawing->parts[i].region, axes, horizon, err);
     if (status != PP_OK || !(whole.area > 0.0))
         return status;
     struct pp_slope_rectangle *all = &rectangles->list[rectangles->count++];
@@ -127,7 +130,7 @@ static enum pp_status fill(struct pp_slope_rectangles *rectangles,
         struct pp_area_moments extent = pp_area_moments_empty();
         if (!drawing->parts[i].hidden)
             continue;
-        status = extent_of(&extent, &drawing->parts[i].region, axes, horizon, err);
+        status = region_extent(&extent, &drawing->parts[i].region, axes, horizon, err);
         if (status != PP_OK || !(extent.area > 1e-12))
             continue;
         struct pp_slope_rectangle *part = &rectangles->list[rectangles->count++];
@@ -153,8 +156,8 @@ enum pp_status pp_slope_rectangles_init(struct pp_slope_rectangles *rectangles,
         return status;
     struct axes axes = section_axes(opening, rectangles->slope_rad);
     rectangles->list = calloc((size_t)drawing.count + 1, sizeof *rectangles->list);
-    status =
-        rectangles->list ? fill(rectangles, &drawing, &axes, err) : pp_fail_memory(err);
+    status = rectangles->list ? fill_slope_rectangles(rectangles, &drawing, &axes, err)
+                              : pp_fail_memory(err);
     pp_window_drawing_clear(&drawing);
     if (status != PP_OK)
         pp_slope_rectangles_clear(rectangles);

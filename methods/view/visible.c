@@ -7,7 +7,7 @@
 
 #include "methods/view/patch_builder.h"
 
-static void find_extent(struct pp_occluders_scene *scene)
+static void find_scene_extent(struct pp_occluders_scene *scene)
 {
     for (int axis = 0; axis < 2; axis++) {
         scene->low[axis] = scene->high[axis] = scene->outline[0][axis];
@@ -136,7 +136,7 @@ static enum pp_status through(struct pp_visible *visible, const struct pp_world 
         for (int r = 0; r < builder.open.count; r++) {
             all.outline = (const double(*)[2])builder.open.rings[r].xy;
             all.outline_count = builder.open.rings[r].count;
-            find_extent(&all);
+            find_scene_extent(&all);
             for (int axis = 0; axis < 2; axis++) {
                 builder.scene.low[axis] = fmin(builder.scene.low[axis], all.low[axis]);
                 builder.scene.high[axis] =
@@ -150,7 +150,7 @@ static enum pp_status through(struct pp_visible *visible, const struct pp_world 
         builder.scene.outline = outline;
         builder.scene.outline_count = 4;
     }
-    find_extent(&builder.scene);
+    find_scene_extent(&builder.scene);
     status = pp_patch_builder_fill(visible, &builder, with_outside, err);
     pp_patch_builder_clear(&builder);
     if (status != PP_OK)
@@ -227,7 +227,7 @@ enum pp_status pp_visible_in_air(struct pp_visible *visible,
                   .outline = (const double(*)[2])visible->corners,
                   .outline_count = 4},
         .in_parts = true};
-    find_extent(&builder.scene);
+    find_scene_extent(&builder.scene);
     enum pp_status status = pp_patch_builder_fill(visible, &builder, true, err);
     pp_patch_builder_clear(&builder);
     if (status != PP_OK)

@@ -36,9 +36,10 @@ static void place_marks(struct pp_skylight_indicator_sheet *sheet,
 /* How much farther the plan goes than the lowest marks. */
 #define REACH_BEYOND 1.06
 
-static enum pp_status fill(struct pp_skylight_indicator_sheet *sheet,
-                           struct pp_waldram *waldram, const struct pp_sky *sky,
-                           struct pp_vec3 facing, struct pp_error *err)
+static enum pp_status fill_indicator_sheet(struct pp_skylight_indicator_sheet *sheet,
+                                           struct pp_waldram *waldram,
+                                           const struct pp_sky *sky,
+                                           struct pp_vec3 facing, struct pp_error *err)
 {
     *sheet = (struct pp_skylight_indicator_sheet){.sky = *sky};
     enum pp_status status = pp_waldram_scale_init_upright(waldram, sky, facing, err);
@@ -56,7 +57,8 @@ enum pp_status pp_skylight_indicator_fill_blank(
     struct pp_error *err)
 {
     struct pp_waldram waldram;
-    enum pp_status status = fill(sheet, &waldram, sky, pp_vec(0.0, 1.0, 0.0), err);
+    enum pp_status status =
+        fill_indicator_sheet(sheet, &waldram, sky, pp_vec(0.0, 1.0, 0.0), err);
     sheet->blank = true;
     return status;
 }
@@ -69,7 +71,8 @@ enum pp_status pp_skylight_indicator_fill_site(
     const struct pp_sky overcast = pp_sky_overcast();
     struct pp_vec3 facing = pp_vec_scale(window->inner.normal, -1.0);
     struct pp_waldram waldram;
-    enum pp_status status = fill(sheet, &waldram, &overcast, facing, err);
+    enum pp_status status =
+        fill_indicator_sheet(sheet, &waldram, &overcast, facing, err);
     if (status != PP_OK)
         return status;
     sheet->name = world->name;

@@ -25,9 +25,9 @@ struct waldram_diagrams {
     struct pp_waldram unglazed, glazed;
 };
 
-static enum pp_status prepare(void **tools, const struct pp_world *world,
-                              const struct pp_outside_light *light,
-                              struct pp_error *err)
+static enum pp_status prepare_waldram(void **tools, const struct pp_world *world,
+                                      const struct pp_outside_light *light,
+                                      struct pp_error *err)
 {
     struct waldram_diagrams *diagrams = malloc(sizeof *diagrams);
     if (!diagrams)
@@ -47,9 +47,9 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
     return status;
 }
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_outside_light *light,
-                                const struct pp_receiver *receiver)
+static const char *waldram_refuses_room(const struct pp_world *world,
+                                        const struct pp_outside_light *light,
+                                        const struct pp_receiver *receiver)
 {
     if (pp_sky_has_azimuth(&light->sky))
         return "the diagram holds skies that are the same in all azimuths";
@@ -58,10 +58,10 @@ static const char *refuses_room(const struct pp_world *world,
     return why ? why : pp_refusals_if_luminous(world);
 }
 
-static const char *refuses(const struct pp_world *world,
-                           const struct pp_outside_light *light,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver)
+static const char *waldram_refuses(const struct pp_world *world,
+                                   const struct pp_outside_light *light,
+                                   const struct pp_opening *opening,
+                                   const struct pp_receiver *receiver)
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
@@ -71,11 +71,12 @@ static const char *refuses(const struct pp_world *world,
     return NULL;
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_waldram(const struct pp_world *world,
+                                       const struct pp_outside_light *light,
+                                       const struct pp_opening *opening,
+                                       const struct pp_receiver *receiver,
+                                       const void *tools, struct pp_part *part,
+                                       struct pp_error *err)
 {
     const struct waldram_diagrams *diagrams = tools;
     const struct pp_waldram *waldram =
@@ -127,10 +128,11 @@ static double charted_luminance(const void *context, struct pp_vec3 u)
 
 /* The mean of many counts is the area: an average over the plane takes the area, with
  * the diagram's losses, instead of squares. */
-static enum pp_status average(struct pp_beams *beams,
-                              const struct pp_outside_light *light,
-                              const struct pp_opening *opening, const void *tools,
-                              struct pp_part *part, bool *known, struct pp_error *err)
+static enum pp_status average_waldram(struct pp_beams *beams,
+                                      const struct pp_outside_light *light,
+                                      const struct pp_opening *opening,
+                                      const void *tools, struct pp_part *part,
+                                      bool *known, struct pp_error *err)
 {
     const struct waldram_diagrams *diagrams = tools;
     *known = true;
@@ -166,10 +168,10 @@ const struct pp_method pp_method_waldram = {
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_NO_GLASS,
     .counts = true,
-    .prepare = prepare,
+    .prepare = prepare_waldram,
     .destroy_tools = free,
-    .refuses_room = refuses_room,
-    .refuses = refuses,
-    .evaluate = evaluate,
-    .average = average,
+    .refuses_room = waldram_refuses_room,
+    .refuses = waldram_refuses,
+    .evaluate = evaluate_waldram,
+    .average = average_waldram,
 };

@@ -68,9 +68,10 @@ static void place_rows(struct overlay *overlay)
     }
 }
 
-static enum pp_status prepare(void **tools, const struct pp_world *world,
-                              const struct pp_outside_light *light,
-                              struct pp_error *err)
+static enum pp_status prepare_waldram_overlay(void **tools,
+                                              const struct pp_world *world,
+                                              const struct pp_outside_light *light,
+                                              struct pp_error *err)
 {
     (void)world;
     struct overlay *overlay = malloc(sizeof *overlay);
@@ -87,10 +88,10 @@ static enum pp_status prepare(void **tools, const struct pp_world *world,
     return PP_OK;
 }
 
-static const char *refuses(const struct pp_world *world,
-                           const struct pp_outside_light *light,
-                           const struct pp_opening *opening,
-                           const struct pp_receiver *receiver)
+static const char *waldram_overlay_refuses(const struct pp_world *world,
+                                           const struct pp_outside_light *light,
+                                           const struct pp_opening *opening,
+                                           const struct pp_receiver *receiver)
 {
     (void)world, (void)light, (void)receiver;
     return opening->glass.diffusing
@@ -133,8 +134,9 @@ static double mean_transmittance(const struct overlay *overlay,
     return sum / count->squares;
 }
 
-static double work(struct pp_part_steps *terms, const struct pp_drawn_part *part,
-                   double squares, double tau)
+static double squares_worked(struct pp_part_steps *terms,
+                             const struct pp_drawn_part *part, double squares,
+                             double tau)
 {
     pp_part_steps_next(terms);
     pp_worksheet_put(terms->sheet, PP_UNIT_COUNT, squares, "n", "squares on %s",
@@ -150,11 +152,12 @@ static double work(struct pp_part_steps *terms, const struct pp_drawn_part *part
                               "externally reflected component");
 }
 
-static enum pp_status evaluate(const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               const struct pp_opening *opening,
-                               const struct pp_receiver *receiver, const void *tools,
-                               struct pp_part *part, struct pp_error *err)
+static enum pp_status evaluate_waldram_overlay(const struct pp_world *world,
+                                               const struct pp_outside_light *light,
+                                               const struct pp_opening *opening,
+                                               const struct pp_receiver *receiver,
+                                               const void *tools, struct pp_part *part,
+                                               struct pp_error *err)
 {
     const struct overlay *overlay = tools;
     struct pp_window_drawing drawing;
@@ -175,7 +178,7 @@ static enum pp_status evaluate(const struct pp_world *world,
         double tau =
             mean_transmittance(overlay, &opening->glass, &drawing.axes, &count);
         *(drawn->hidden ? &part->external : &part->sky) +=
-            work(&terms, drawn, count.squares, tau);
+            squares_worked(&terms, drawn, count.squares, tau);
         pp_waldram_squares_clear(&count);
     }
     pp_part_steps_end(&terms);
@@ -184,10 +187,11 @@ static enum pp_status evaluate(const struct pp_world *world,
 }
 
 /* The mean of many counts is the component itself. */
-static enum pp_status average(struct pp_beams *beams,
-                              const struct pp_outside_light *light,
-                              const struct pp_opening *opening, const void *tools,
-                              struct pp_part *part, bool *known, struct pp_error *err)
+static enum pp_status average_waldram_overlay(struct pp_beams *beams,
+                                              const struct pp_outside_light *light,
+                                              const struct pp_opening *opening,
+                                              const void *tools, struct pp_part *part,
+                                              bool *known, struct pp_error *err)
 {
     (void)tools;
     struct pp_direct mean = {0};
@@ -199,9 +203,9 @@ static enum pp_status average(struct pp_beams *beams,
     return status;
 }
 
-static const char *refuses_room(const struct pp_world *world,
-                                const struct pp_outside_light *light,
-                                const struct pp_receiver *receiver)
+static const char *waldram_overlay_refuses_room(const struct pp_world *world,
+                                                const struct pp_outside_light *light,
+                                                const struct pp_receiver *receiver)
 {
     return pp_method_waldram.refuses_room(world, light, receiver);
 }
@@ -216,10 +220,10 @@ const struct pp_method pp_method_waldram_overlay = {
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_OWN_GLASS,
     .counts = true,
-    .prepare = prepare,
+    .prepare = prepare_waldram_overlay,
     .destroy_tools = free,
-    .refuses_room = refuses_room,
-    .refuses = refuses,
-    .evaluate = evaluate,
-    .average = average,
+    .refuses_room = waldram_overlay_refuses_room,
+    .refuses = waldram_overlay_refuses,
+    .evaluate = evaluate_waldram_overlay,
+    .average = average_waldram_overlay,
 };

@@ -58,8 +58,8 @@ struct mapping {
 
 /* The point of direction u (right, ahead, up), with an azimuth within 180 degrees of
  * `near`. */
-static struct diagram_point point_of(const struct mapping *mapping, struct pp_vec3 u,
-                                     double near)
+static struct diagram_point diagram_point_of(const struct mapping *mapping,
+                                             struct pp_vec3 u, double near)
 {
     double azimuth = u.x == 0.0 && u.y == 0.0 ? near : atan2(u.x, u.y);
     azimuth += 2.0 * PP_PI * round((near - azimuth) / (2.0 * PP_PI));
@@ -73,12 +73,12 @@ static struct diagram_point point_of(const struct mapping *mapping, struct pp_ve
  * edge is its own chord. Between the last chord and the edge a triangle of equal area is
  * added (a parabola has 2/3 of its box, a triangle 1/2, so that the triangle has 4/3 of the
  * height), so that counts have no bias. */
-static void add_edge(struct droop_polyline *line, const struct mapping *mapping,
-                     struct pp_vec3 a, struct diagram_point from, struct pp_vec3 b,
-                     struct diagram_point to, int depth)
+static void add_droop_edge(struct droop_polyline *line, const struct mapping *mapping,
+                           struct pp_vec3 a, struct diagram_point from,
+                           struct pp_vec3 b, struct diagram_point to, int depth)
 {
     struct pp_vec3 middle = pp_vec_scale(pp_vec_add(a, b), 0.5);
-    struct diagram_point half = point_of(mapping, middle, from.azimuth);
+    struct diagram_point half = diagram_point_of(mapping, middle, from.azimuth);
     double run = (to.x - from.x) / mapping->width;
     double dx = (half.x - (from.x + to.x) / 2.0) / mapping->width;
     double dy = (half.y - (from.y + to.y) / 2.0) / mapping->height;
@@ -87,8 +87,8 @@ static void add_edge(struct droop_polyline *line, const struct mapping *mapping,
         return;
     }
     if (depth < DEEPEST && (fabs(run) > 4.0 || dx * dx + dy * dy > NEAR * NEAR)) {
-        add_edge(line, mapping, a, from, middle, half, depth + 1);
-        add_edge(line, mapping, middle, half, b, to, depth + 1);
+        add_droop_edge(line, mapping, a, from, middle, half, depth + 1);
+        add_droop_edge(line, mapping, middle, half, b, to, depth + 1);
         return;
     }
     add_point(line, half.x + dx / 3.0 * mapping->width,
@@ -107,21 +107,21 @@ static struct droop_polyline ring_outline(const struct mapping *mapping,
         struct pp_vec3 here = pp_waldram_scale_direction(mapping->waldram, axes,
                                                          ring->xy[i % ring->count]);
         if (i == 0) {
-            from = first = point_of(mapping, here, 0.0);
+            from = first = diagram_point_of(mapping, here, 0.0);
             add_point(&line, first.x, first.y);
         } else {
             /* The far end's azimuth is followed along the edge, through its middle. */
             struct pp_vec3 middle = pp_vec_scale(pp_vec_add(last, here), 0.5);
-            struct diagram_point half = point_of(mapping, middle, from.azimuth);
-            struct diagram_point to = point_of(mapping, here, half.azimuth);
+            struct diagram_point half = diagram_point_of(mapping, middle, from.azimuth);
+            struct diagram_point to = diagram_point_of(mapping, here, half.azimuth);
             if (last.z * here.z < 0.0) {
                 double t = last.z / (last.z - here.z);
                 struct pp_vec3 cut = pp_vec_along(last, t, pp_vec_sub(here, last));
-                struct diagram_point at = point_of(mapping, cut, from.azimuth);
-                add_edge(&line, mapping, last, from, cut, at, 0);
-                add_edge(&line, mapping, cut, at, here, to, 0);
+                struct diagram_point at = diagram_point_of(mapping, cut, from.azimuth);
+                add_droop_edge(&line, mapping, last, from, cut, at, 0);
+                add_droop_edge(&line, mapping, cut, at, here, to, 0);
             } else {
-                add_edge(&line, mapping, last, from, here, to, 0);
+                add_droop_edge(&line, mapping, last, from, here, to, 0);
             }
             from = to;
         }
@@ -204,7 +204,7 @@ static void add_below(struct square_field *field, int column, const double *p,
 }
 
 /* The column over which x is; without the call of floor. */
-static int column_of(const struct square_field *field, double x)
+static int square_column(const struct square_field *field, double x)
 {
     double columns = x / field->width;
     int whole = (int)columns;
@@ -213,13 +213,13 @@ static int column_of(const struct square_field *field, double x)
 
 /* Adds the area of a ring to the squares: by Green's theorem the sum of what lies below
  * its edges. */
-static void add_ring(struct square_field *field, const struct pp_ring *ring)
+static void add_ring_squares(struct square_field *field, const struct pp_ring *ring)
 {
     int end = field->first + field->columns;
-    int from = ring->count > 0 ? column_of(field, ring->xy[0][0]) : 0;
+    int from = ring->count > 0 ? square_column(field, ring->xy[0][0]) : 0;
     for (int i = 0; i < ring->count; i++) {
         const double *p = ring->xy[i], *q = ring->xy[i + 1 < ring->count ? i + 1 : 0];
-        int to = column_of(field, q[0]);
+        int to = square_column(field, q[0]);
         int first = from < to ? from : to, last = from < to ? to : from;
         for (int k = first > field->first ? first : field->first; k <= last && k < end;
              k++)
@@ -276,7 +276,7 @@ enum pp_status pp_waldram_squares_count_outline(struct pp_waldram_count *count,
     bool ok = field.parts != NULL;
     double carried = 0.0;
     for (int r = 0; ok && r < outline->count; r++)
-        add_ring(&field, &outline->rings[r]);
+        add_ring_squares(&field, &outline->rings[r]);
     for (int k = 0; ok && k < field.columns; k++)
         ok = count_column(count, &carried, field.parts + k * field.rows, field.rows,
                           field.first + k, field.width * field.height);

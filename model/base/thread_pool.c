@@ -97,7 +97,7 @@ int pp_thread_pool_size(const struct pp_thread_pool *pool)
 
 /* Takes indices until there are none. No index is taken after one whose work has
  * stopped the rest, but what was taken is done, so that those that are done are the first. */
-static void take(struct pp_thread_pool *pool, int worker)
+static void run_indices(struct pp_thread_pool *pool, int worker)
 {
     while (!atomic_load(&pool->stopped)) {
         int first = atomic_fetch_add(&pool->next, pool->batch);
@@ -125,7 +125,7 @@ static void *life(void *data)
         seen = pool->number;
         pool->at_work++;
         pthread_mutex_unlock(&pool->mutex);
-        take(pool, worker->number);
+        run_indices(pool, worker->number);
         pthread_mutex_lock(&pool->mutex);
         if (--pool->at_work == 0)
             pthread_cond_signal(&pool->left);
@@ -171,8 +171,8 @@ static void close_and_wait(struct pp_thread_pool *pool)
     pthread_mutex_unlock(&pool->mutex);
 }
 
-static int run(struct pp_thread_pool *pool, int first, int end, int batch,
-               pp_thread_pool_work *work, void *data)
+static int run_range(struct pp_thread_pool *pool, int first, int end, int batch,
+                     pp_thread_pool_work *work, void *data)
 {
     int count = end - first;
     if (count <= 0)
@@ -188,7 +188,7 @@ static int run(struct pp_thread_pool *pool, int first, int end, int batch,
         start(pool, others);
         call(pool);
     }
-    take(pool, 0);
+    run_indices(pool, 0);
     if (others > 0)
         close_and_wait(pool);
     int next = atomic_load(&pool->next);
@@ -198,7 +198,7 @@ static int run(struct pp_thread_pool *pool, int first, int end, int batch,
 int pp_thread_pool_run(struct pp_thread_pool *pool, int first, int end,
                        pp_thread_pool_work *work, void *data)
 {
-    return run(pool, first, end, 1, work, data);
+    return run_range(pool, first, end, 1, work, data);
 }
 
 int pp_thread_pool_run_small(struct pp_thread_pool *pool, int first, int end,
@@ -206,7 +206,7 @@ int pp_thread_pool_run_small(struct pp_thread_pool *pool, int first, int end,
 {
     int fair = (end - first) / (BATCHES_LEAST * pool->size);
     int batch = fair < 1 ? 1 : fair > BATCH_MOST ? BATCH_MOST : fair;
-    return run(pool, first, end, batch, work, data);
+    return run_range(pool, first, end, batch, work, data);
 }
 
 void pp_thread_pool_lock(struct pp_thread_pool *pool)

@@ -159,7 +159,7 @@ static void lead(struct leading *leading)
 }
 
 /* A thread of rank 0's own: the next index of any, until it is over. */
-static void work(struct leading *leading, int worker)
+static void work_for_rank_0(struct leading *leading, int worker)
 {
     const struct pp_work_queue *queue = leading->queue;
     for (;;) {
@@ -196,7 +196,7 @@ static bool lead_or_work(void *data, int worker, int index)
     if (worker == 0)
         lead(leading);
     else
-        work(leading, worker);
+        work_for_rank_0(leading, worker);
     return true;
 }
 

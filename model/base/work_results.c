@@ -30,7 +30,7 @@ struct pp_work_results {
     struct pp_error why;
 };
 
-static struct slot *slot_of(const struct pp_work_results *results, int index)
+static struct slot *result_slot(const struct pp_work_results *results, int index)
 {
     return &results->slots[index - results->queue->first];
 }
@@ -87,11 +87,11 @@ void pp_work_results_work(const struct pp_work_queue *queue, int worker, int ind
 }
 
 /* Takes what has nothing missing before it. */
-static void take(struct pp_work_results *results)
+static void collect_results(struct pp_work_results *results)
 {
     const struct pp_work_queue *queue = results->queue;
     while (results->status == PP_OK && results->next < results->end) {
-        struct slot *slot = slot_of(results, results->next);
+        struct slot *slot = result_slot(results, results->next);
         if (!slot->done)
             return;
         results->status = queue->collect(queue->data, results->next, slot->bytes,
@@ -106,7 +106,7 @@ void pp_work_results_enter(struct pp_work_results *results, int index,
                            const struct pp_work_result *result)
 {
     const struct pp_work_queue *queue = results->queue;
-    struct slot *slot = slot_of(results, index);
+    struct slot *slot = result_slot(results, index);
     if (slot->done) {
         free(result->bytes);
         return;
@@ -119,7 +119,7 @@ void pp_work_results_enter(struct pp_work_results *results, int index,
         results->failure = result->status;
         results->why = result->err;
     }
-    take(results);
+    collect_results(results);
     int count = queue->end - queue->first;
     if (!results->stopped && queue->goes_on)
         results->stopped = !queue->goes_on(
@@ -143,7 +143,7 @@ int pp_work_results_assign(struct pp_work_results *results, int rank, int most,
     int left = pp_work_results_unassigned(results), count = left < most ? left : most;
     *index = results->unassigned;
     for (int i = 0; i < count; i++) {
-        struct slot *slot = slot_of(results, results->unassigned++);
+        struct slot *slot = result_slot(results, results->unassigned++);
         slot->rank = rank;
         slot->since_s = now_s;
     }
@@ -155,7 +155,7 @@ void pp_work_results_heard_from(struct pp_work_results *results, int rank, doubl
 {
     double *heard_s = &results->heard_s[rank];
     for (int i = results->next; i < results->unassigned; i++) {
-        const struct slot *slot = slot_of(results, i);
+        const struct slot *slot = result_slot(results, i);
         double from_s = slot->since_s > *heard_s ? slot->since_s : *heard_s;
         if (slot->rank == rank && now_s - from_s > results->longest_s)
             results->longest_s = now_s - from_s;
@@ -169,7 +169,7 @@ bool pp_work_results_reassign(struct pp_work_results *results, int rank, double 
     double patience_s = silence_s + silence_times * results->longest_s;
     int end = results->unassigned < results->end ? results->unassigned : results->end;
     for (int i = results->next; i < end; i++) {
-        struct slot *slot = slot_of(results, i);
+        struct slot *slot = result_slot(results, i);
         double from_s = slot->since_s > results->heard_s[slot->rank]
                             ? slot->since_s
                             : results->heard_s[slot->rank];

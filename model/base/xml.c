@@ -402,7 +402,7 @@ static void on_error(void *context, const xmlError *error)
 
 /* ---- the parser ---- */
 
-static void build(struct xml_builder *b)
+static void build_xml_element(struct xml_builder *b)
 {
     xmlSAXHandler handler = {.initialized = XML_SAX2_MAGIC,
                              .startElementNs = on_start,
@@ -446,7 +446,7 @@ enum pp_status pp_xml_parse(struct pp_xml *xml, const char *bytes, size_t length
     enum pp_status status =
         pp_xml_text_read(&b.text, bytes, length, format, mistakes, err);
     if (status == PP_OK && b.text.bytes)
-        build(&b);
+        build_xml_element(&b);
     pp_xml_text_clear(&b.text);
     xmlSetStructuredErrorFunc(before_context, before);
     free(b.letters);

@@ -30,7 +30,7 @@ static bool starts(const char *p, const char *end, const char *with, size_t leng
     return (size_t)(end - p) >= length && memcmp(p, with, length) == 0;
 }
 
-static const char *find(const char *p, const char *end, const char *what)
+static const char *find_text(const char *p, const char *end, const char *what)
 {
     return memmem(p, (size_t)(end - p), what, strlen(what));
 }
@@ -42,8 +42,8 @@ static const char *find(const char *p, const char *end, const char *what)
 static const char *declared(char *name, size_t room, const char *p, const char *end)
 {
     name[0] = '\0';
-    const char *close = starts(p, end, "<?xml", 5) ? find(p, end, "?>") : NULL;
-    const char *at = close ? find(p, close, "encoding") : NULL;
+    const char *close = starts(p, end, "<?xml", 5) ? find_text(p, end, "?>") : NULL;
+    const char *at = close ? find_text(p, close, "encoding") : NULL;
     if (!at)
         return p;
     at += strlen("encoding");
@@ -201,7 +201,7 @@ static const char *markup_end(const char *p, const char *end, bool *is_tag)
     for (int i = 0; i < 3; i++) {
         size_t length = strlen(skipped[i][0]);
         if (starts(p, end, skipped[i][0], length)) {
-            const char *close = find(p + length, end, skipped[i][1]);
+            const char *close = find_text(p + length, end, skipped[i][1]);
             return close ? close + strlen(skipped[i][1]) : NULL;
         }
     }

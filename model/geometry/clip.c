@@ -5,8 +5,8 @@
 
 /* Where an edge meets the plane: reckoned from the end that comes first in x, y, z, so
  * that neither the edge's direction nor the plane's changes a bit of it. */
-static struct pp_vec3 crossing(struct pp_vec3 a, double depth_a, struct pp_vec3 b,
-                               double depth_b)
+static struct pp_vec3 edge_crossing(struct pp_vec3 a, double depth_a, struct pp_vec3 b,
+                                    double depth_b)
 {
     bool swap = a.x != b.x ? a.x > b.x : a.y != b.y ? a.y > b.y : a.z > b.z;
     if (swap)
@@ -25,7 +25,7 @@ int pp_clip_convex(struct pp_vec3 *out, const struct pp_vec3 *in, int count,
     for (int i = 0; i < count; i++) {
         double depth = pp_vec_dot(normal, in[i]) - offset;
         if ((depth > 0.0) != (last_depth > 0.0))
-            out[left++] = crossing(last, last_depth, in[i], depth);
+            out[left++] = edge_crossing(last, last_depth, in[i], depth);
         if (depth > 0.0)
             out[left++] = in[i];
         last = in[i];

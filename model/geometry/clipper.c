@@ -58,7 +58,7 @@ static enum pp_status fail_geos(struct pp_clipper *clipper, const char *what,
 /* ---- regions of rings ---- */
 
 /* Does the ring turn one way at every corner, by more than rounding, and round once? */
-static bool is_convex(const double (*xy)[2], int count)
+static bool ring_is_convex(const double (*xy)[2], int count)
 {
     int left = 0, right = 0, over = 0;
     for (int i = 0; i < count; i++) {
@@ -78,7 +78,7 @@ enum pp_status pp_clipper_ring_is_simple(bool *simple, struct pp_clipper *clippe
                                          struct pp_error *err)
 {
     GEOSContextHandle_t geos = clipper->geos;
-    *simple = is_convex(xy, count);
+    *simple = ring_is_convex(xy, count);
     if (*simple || count < 3 || pp_region_ring_area(xy, count) == 0.0)
         return PP_OK;
     GEOSGeometry *ring = pp_geos_region_ring(geos, xy, count);
@@ -349,7 +349,7 @@ enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
         return PP_OK;
     const struct pp_ring *first = &region->rings[0];
     if (region->count == 1 && first->count <= 4 && !(clipper->grid > 0.0)
-        && is_convex((const double(*)[2])first->xy, first->count))
+        && ring_is_convex((const double(*)[2])first->xy, first->count))
         return cut_convex(triangles, count, first, err);
     GEOSGeometry *shape = pp_geos_region_polygons(geos, region, 1);
     if (!shape)

@@ -21,7 +21,7 @@ bool pp_convex_parts_is_convex(const struct pp_polygon *outline)
 
 /* Coordinates of a vertex in its polygon's plane: the two axes along which the polygon
  * is largest, unchanged, so that the corners of triangles are found again exactly. */
-static void flatten(double xy[2], struct pp_vec3 v, struct pp_vec3 normal)
+static void drop_largest_axis(double xy[2], struct pp_vec3 v, struct pp_vec3 normal)
 {
     struct pp_vec3 n = pp_vec(fabs(normal.x), fabs(normal.y), fabs(normal.z));
     if (n.z >= n.x && n.z >= n.y)
@@ -46,7 +46,7 @@ enum pp_status pp_convex_parts_triangles(int (**triangles)[3], int *count,
     struct pp_region region = {0};
     enum pp_status status = flat ? PP_OK : pp_fail_memory(err);
     for (int i = 0; flat && i < outline->count; i++)
-        flatten(flat[i], outline->vertices[i], outline->normal);
+        drop_largest_axis(flat[i], outline->vertices[i], outline->normal);
     if (status == PP_OK)
         status = pp_clipper_create(&clipper, err);
     if (status == PP_OK)

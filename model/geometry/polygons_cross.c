@@ -20,9 +20,9 @@ struct stretches {
 
 /* Where the plane `level` above the one through `origin` with this normal cuts the
  * polygon, as stretches along `line`. list has room for half the vertices. */
-static void cut(struct stretches *cuts, const struct pp_polygon *polygon,
-                struct pp_vec3 origin, struct pp_vec3 normal, double level,
-                struct pp_vec3 line)
+static void cut_polygon(struct stretches *cuts, const struct pp_polygon *polygon,
+                        struct pp_vec3 origin, struct pp_vec3 normal, double level,
+                        struct pp_vec3 line)
 {
     double *ends = (double *)cuts->list;
     int count = 0;
@@ -102,9 +102,9 @@ enum pp_status pp_polygons_cross(bool *cross, const struct pp_polygon *a,
     for (int k = 0; k < 4; k++) {
         double side = k % 2 ? PP_SAME_M : -PP_SAME_M;
         if (k < 2)
-            cut(&next, b, origin, a->normal, side, line);
+            cut_polygon(&next, b, origin, a->normal, side, line);
         else
-            cut(&next, a, origin, b->normal, b_level + side, line);
+            cut_polygon(&next, a, origin, b->normal, b_level + side, line);
         if (k == 0) {
             memcpy(common.list, next.list, next.count * sizeof *next.list);
             common.count = next.count;

@@ -10,9 +10,10 @@ struct piece_plane {
     double least_m2;
 };
 
-static enum pp_status add_piece(struct pp_region_pieces *pieces,
-                                const struct piece_plane *plane, const double (*xy)[2],
-                                int count, struct pp_error *err)
+static enum pp_status add_region_piece(struct pp_region_pieces *pieces,
+                                       const struct piece_plane *plane,
+                                       const double (*xy)[2], int count,
+                                       struct pp_error *err)
 {
     if (pp_region_ring_area(xy, count) < plane->least_m2)
         return PP_OK;
@@ -33,17 +34,19 @@ static enum pp_status add_piece(struct pp_region_pieces *pieces,
 }
 
 /* An outer ring and the holes in it. */
-static enum pp_status add_triangles(struct pp_region_pieces *pieces,
-                                    const struct piece_plane *plane,
-                                    const struct pp_region *part,
-                                    struct pp_clipper *clipper, struct pp_error *err)
+static enum pp_status add_region_triangles(struct pp_region_pieces *pieces,
+                                           const struct piece_plane *plane,
+                                           const struct pp_region *part,
+                                           struct pp_clipper *clipper,
+                                           struct pp_error *err)
 {
     double(*triangles)[3][2] = NULL;
     int count = 0;
     enum pp_status status =
         pp_clipper_triangulate(clipper, &triangles, &count, part, err);
     for (int i = 0; i < count && status == PP_OK; i++)
-        status = add_piece(pieces, plane, (const double(*)[2])triangles[i], 3, err);
+        status =
+            add_region_piece(pieces, plane, (const double(*)[2])triangles[i], 3, err);
     free(triangles);
     return status;
 }
@@ -68,9 +71,10 @@ enum pp_status pp_region_pieces_cut(struct pp_region_pieces *pieces,
         while (next < figure->count && is_hole(&figure->rings[next]))
             next++;
         const struct pp_region part = {next - i, figure->rings + i};
-        status = part.count == 1 ? add_piece(
-                     pieces, &plane, (const double(*)[2])outer->xy, outer->count, err)
-                                 : add_triangles(pieces, &plane, &part, clipper, err);
+        status = part.count == 1
+                     ? add_region_piece(pieces, &plane, (const double(*)[2])outer->xy,
+                                        outer->count, err)
+                     : add_region_triangles(pieces, &plane, &part, clipper, err);
     }
     return status;
 }

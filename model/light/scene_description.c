@@ -27,8 +27,8 @@ void pp_scene_description_clear(struct pp_scene_description *scene)
 }
 
 /* Room for `more` items beyond count. */
-static enum pp_status grow(void *list, int count, int *space, int more, size_t size,
-                           struct pp_error *err)
+static enum pp_status grow_shape_list(void *list, int count, int *space, int more,
+                                      size_t size, struct pp_error *err)
 {
     if (more > INT_MAX / 2 - count)
         return pp_fail(err, PP_BAD_INPUT, "the scene has more than %d parts of a kind",
@@ -37,8 +37,8 @@ static enum pp_status grow(void *list, int count, int *space, int more, size_t s
 }
 
 #define GROW(scene, list, what, more, err)                                             \
-    grow(&(scene)->list, (scene)->what##_count, &(scene)->what##_space, more,          \
-         sizeof *(scene)->list, err)
+    grow_shape_list(&(scene)->list, (scene)->what##_count, &(scene)->what##_space,     \
+                    more, sizeof *(scene)->list, err)
 
 enum pp_status pp_scene_description_add_material(struct pp_scene_description *scene,
                                                  const struct pp_material *material,
@@ -80,9 +80,9 @@ static bool same_point(struct pp_vec3 a, struct pp_vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-static enum pp_status append(struct pp_scene_description *scene,
-                             const struct pp_shape *shape, int *index,
-                             struct pp_error *err)
+static enum pp_status append_shape(struct pp_scene_description *scene,
+                                   const struct pp_shape *shape, int *index,
+                                   struct pp_error *err)
 {
     enum pp_status status = GROW(scene, shapes, shape, 1, err);
     if (status != PP_OK)
@@ -147,7 +147,7 @@ enum pp_status pp_scene_description_add_polygon(struct pp_scene_description *sce
                              .back_material = -1,
                              .is.polygon = {scene->vertex_count, kept}};
     if (status == PP_OK)
-        status = append(scene, &shape, index, err);
+        status = append_shape(scene, &shape, index, err);
     if (status == PP_OK)
         scene->vertex_count += kept;
     return status;
@@ -214,7 +214,7 @@ enum pp_status pp_scene_description_add_shape(struct pp_scene_description *scene
 {
     struct pp_shape copy = *shape;
     enum pp_status status = check_shape(&copy, err);
-    return status == PP_OK ? append(scene, &copy, index, err) : status;
+    return status == PP_OK ? append_shape(scene, &copy, index, err) : status;
 }
 
 /* ---- patterns ---- */

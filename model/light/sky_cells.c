@@ -49,7 +49,7 @@ static void sum_strips(struct net *net)
 }
 
 /* Where a rising table of count + 1 shares reaches one, in its steps. */
-static double place_of(const double *shares, int count, double share)
+static double share_position(const double *shares, int count, double share)
 {
     int low = 0, high = count;
     while (high - low > 1) {
@@ -81,12 +81,12 @@ static void sum_ring(struct net *net, double upper, double lower)
  * to square, and all that are left where another such ring has no room. */
 static int ring_size(const struct net *net, int done, int count)
 {
-    double top = altitude_of(place_of(net->above, STRIPS, (double)done / count));
+    double top = altitude_of(share_position(net->above, STRIPS, (double)done / count));
     int best = count - done;
     double least = INFINITY;
     for (int size = 1; size <= count - done; size++) {
-        double low =
-            altitude_of(place_of(net->above, STRIPS, (double)(done + size) / count));
+        double low = altitude_of(
+            share_position(net->above, STRIPS, (double)(done + size) / count));
         double wide = 2.0 * PP_PI * cos(0.5 * (top + low)) / size;
         double off = fabs(log((top - low) / wide));
         if (off >= least)
@@ -100,19 +100,20 @@ static int ring_size(const struct net *net, int done, int count)
 static void fill_ring(struct net *net, struct pp_sky_cell *cells, int done, int size,
                       int count)
 {
-    double upper = place_of(net->above, STRIPS, (double)done / count);
-    double middle = place_of(net->above, STRIPS, (done + 0.5 * size) / count);
-    double lower = place_of(net->above, STRIPS, (double)(done + size) / count);
+    double upper = share_position(net->above, STRIPS, (double)done / count);
+    double middle = share_position(net->above, STRIPS, (done + 0.5 * size) / count);
+    double lower = share_position(net->above, STRIPS, (double)(done + size) / count);
     double turn = 2.0 * PP_PI / net->bearings;
     sum_ring(net, upper, lower);
     for (int i = 0; i < size; i++)
         cells[done + i] = (struct pp_sky_cell){
             .low = altitude_of(lower),
             .high = altitude_of(upper),
-            .from = turn * place_of(net->turn, net->bearings, (double)i / size),
-            .to = turn * place_of(net->turn, net->bearings, (i + 1.0) / size),
+            .from = turn * share_position(net->turn, net->bearings, (double)i / size),
+            .to = turn * share_position(net->turn, net->bearings, (i + 1.0) / size),
             .altitude = size == 1 && done == 0 ? 0.5 * PP_PI : altitude_of(middle),
-            .bearing = turn * place_of(net->turn, net->bearings, (i + 0.5) / size)};
+            .bearing =
+                turn * share_position(net->turn, net->bearings, (i + 0.5) / size)};
 }
 
 enum pp_status pp_sky_cells(struct pp_sky_cell **cells, const struct pp_sky *sky,

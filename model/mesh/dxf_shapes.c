@@ -18,8 +18,8 @@ struct pp_vec3 pp_dxf_shapes_moved(const struct pp_dxf_move *move, struct pp_vec
     return pp_vec_along(moved, p.z, move->axes[2]);
 }
 
-static enum pp_status number_of(double *number, const struct pp_dxf_entity *e, int code,
-                                double fallback, struct pp_error *err)
+static enum pp_status dxf_number(double *number, const struct pp_dxf_entity *e,
+                                 int code, double fallback, struct pp_error *err)
 {
     return pp_dxf_tags_number(number, e->tags, e->from, e->to, code, fallback, e->lines,
                               err);
@@ -30,7 +30,7 @@ static enum pp_status count_of(int *count, const struct pp_dxf_entity *e, int co
                                struct pp_error *err)
 {
     double number;
-    enum pp_status status = number_of(&number, e, code, 0.0, err);
+    enum pp_status status = dxf_number(&number, e, code, 0.0, err);
     *count = status == PP_OK && fabs(number) <= PP_MESH_CORNERS_MOST ? (int)number : 0;
     return status;
 }
@@ -43,10 +43,10 @@ static int line_of(const struct pp_dxf_entity *e)
 enum pp_status pp_dxf_shapes_point(struct pp_vec3 *point, const struct pp_dxf_entity *e,
                                    int first, struct pp_error *err)
 {
-    enum pp_status status = number_of(&point->x, e, first, 0.0, err);
+    enum pp_status status = dxf_number(&point->x, e, first, 0.0, err);
     if (status == PP_OK)
-        status = number_of(&point->y, e, first + 10, 0.0, err);
-    return status == PP_OK ? number_of(&point->z, e, first + 20, 0.0, err) : status;
+        status = dxf_number(&point->y, e, first + 10, 0.0, err);
+    return status == PP_OK ? dxf_number(&point->z, e, first + 20, 0.0, err) : status;
 }
 
 enum pp_status pp_dxf_shapes_axes(struct pp_dxf_move *move,
@@ -65,16 +65,16 @@ enum pp_status pp_dxf_shapes_axes(struct pp_dxf_move *move,
 }
 
 /* Adds a corner, given in the entity's coordinates. */
-static enum pp_status add_corner(const struct pp_dxf_entity *e, struct pp_vec3 p,
-                                 int line, struct pp_error *err)
+static enum pp_status add_dxf_corner(const struct pp_dxf_entity *e, struct pp_vec3 p,
+                                     int line, struct pp_error *err)
 {
     return pp_mesh_lines_say(
         e->lines, line,
         pp_mesh_triangles_add_corner(e->mesh, pp_dxf_shapes_moved(e->move, p)), err);
 }
 
-static enum pp_status add_face(const struct pp_dxf_entity *e, const int *corners,
-                               int count, int line, struct pp_error *err)
+static enum pp_status add_dxf_face(const struct pp_dxf_entity *e, const int *corners,
+                                   int count, int line, struct pp_error *err)
 {
     return pp_mesh_lines_say(e->lines, line,
                              pp_mesh_triangles_add_face(e->mesh, corners, count), err);
@@ -91,9 +91,9 @@ enum pp_status pp_dxf_shapes_face(const struct pp_dxf_entity *e, struct pp_error
         struct pp_vec3 p;
         status = pp_dxf_shapes_point(&p, e, 10 + i, err);
         if (status == PP_OK)
-            status = add_corner(e, p, line_of(e), err);
+            status = add_dxf_corner(e, p, line_of(e), err);
     }
-    return status == PP_OK ? add_face(e, corners, count, line_of(e), err) : status;
+    return status == PP_OK ? add_dxf_face(e, corners, count, line_of(e), err) : status;
 }
 
 /* ---- Outlines that are raised ---- */
@@ -106,8 +106,8 @@ struct outline {
     double thickness;
 };
 
-static enum pp_status append(struct outline *outline, struct pp_vec3 p,
-                             struct pp_error *err)
+static enum pp_status append_outline_point(struct outline *outline, struct pp_vec3 p,
+                                           struct pp_error *err)
 {
     enum pp_status status =
         pp_array_reserve(&outline->list, &outline->space, outline->count + 1,
@@ -130,16 +130,16 @@ static enum pp_status raise(const struct pp_dxf_entity *e,
     for (int i = 0; i < 2 * n && status == PP_OK; i++) {
         struct pp_vec3 p = outline->list[i % n];
         p.z += i < n ? 0.0 : outline->thickness;
-        status = add_corner(e, pp_dxf_shapes_moved(&own, p), line, err);
+        status = add_dxf_corner(e, pp_dxf_shapes_moved(&own, p), line, err);
     }
     for (int i = 0; i < (outline->closed ? n : n - 1) && status == PP_OK; i++) {
         int a = first + i, b = first + (i + 1) % n;
-        status = add_face(e, (int[]){a, b, b + n, a + n}, 4, line, err);
+        status = add_dxf_face(e, (int[]){a, b, b + n, a + n}, 4, line, err);
     }
     for (int lid = 0; lid < 2 && outline->closed && n > 2 && status == PP_OK; lid++) {
         for (int i = 0; i < n; i++)
             ring[i] = first + lid * n + i;
-        status = add_face(e, ring, n, line, err);
+        status = add_dxf_face(e, ring, n, line, err);
     }
     free(ring);
     return status;
@@ -160,10 +160,10 @@ enum pp_status pp_dxf_shapes_lwpolyline(const struct pp_dxf_entity *e,
     struct outline outline = {0};
     double elevation;
     int flags;
-    enum pp_status status = number_of(&outline.thickness, e, 39, 0.0, err);
+    enum pp_status status = dxf_number(&outline.thickness, e, 39, 0.0, err);
     if (status != PP_OK || outline.thickness == 0.0)
         return status;
-    status = number_of(&elevation, e, 38, 0.0, err);
+    status = dxf_number(&elevation, e, 38, 0.0, err);
     if (status == PP_OK)
         status = count_of(&flags, e, 70, err);
     outline.closed = status == PP_OK && flags & CLOSED;
@@ -182,7 +182,7 @@ enum pp_status pp_dxf_shapes_lwpolyline(const struct pp_dxf_entity *e,
         if (status == PP_OK)
             status = pp_dxf_tags_number(&y, e->tags, i, end, 20, 0.0, e->lines, err);
         if (status == PP_OK)
-            status = append(&outline, pp_vec(x, y, elevation), err);
+            status = append_outline_point(&outline, pp_vec(x, y, elevation), err);
     }
     if (status == PP_OK && outline.count > 1)
         status = raise(e, &outline, err);
@@ -225,7 +225,7 @@ static enum pp_status add_record(const struct pp_dxf_entity *vertex, int first,
         if (index > 0)
             corners[sides++] = first + index - 1;
     }
-    return sides > 2 ? add_face(vertex, corners, sides, line, err) : PP_OK;
+    return sides > 2 ? add_dxf_face(vertex, corners, sides, line, err) : PP_OK;
 }
 
 static enum pp_status read_polyface(const struct pp_dxf_entity *e, struct pp_error *err)
@@ -247,7 +247,7 @@ static enum pp_status read_polyface(const struct pp_dxf_entity *e, struct pp_err
         }
         status = pp_dxf_shapes_point(&p, &vertex, 10, err);
         if (status == PP_OK)
-            status = add_corner(e, p, line_of(&vertex), err);
+            status = add_dxf_corner(e, p, line_of(&vertex), err);
         count++;
     }
     return status;
@@ -271,11 +271,11 @@ static enum pp_status read_corners(struct outline *outline,
         if (status == PP_OK)
             status = pp_dxf_shapes_point(&p, &vertex, 10, err);
         if (status == PP_OK && arcs_count)
-            status = number_of(&bulge, &vertex, 42, 0.0, err);
+            status = dxf_number(&bulge, &vertex, 42, 0.0, err);
         if (status == PP_OK && bulge != 0.0)
             status = refuse_arc(e, line_of(&vertex), err);
         if (status == PP_OK && !(flags & OF_SPLINE_FRAME))
-            status = append(outline, p, err);
+            status = append_outline_point(outline, p, err);
     }
     return status;
 }
@@ -297,13 +297,13 @@ static enum pp_status read_net(const struct pp_dxf_entity *e, int flags,
                                     "expected their product, each 2 or more",
                                     m, n, net.count);
     for (int i = 0; i < net.count && status == PP_OK; i++)
-        status = add_corner(e, net.list[i], line_of(e), err);
+        status = add_dxf_corner(e, net.list[i], line_of(e), err);
     for (int i = 0; i < (flags & CLOSED ? m : m - 1) && status == PP_OK; i++)
         for (int k = 0; k < (flags & CLOSED_ACROSS ? n : n - 1) && status == PP_OK;
              k++) {
             int a = first + i * n, b = first + (i + 1) % m * n, next = (k + 1) % n;
-            status = add_face(e, (int[]){a + k, a + next, b + next, b + k}, 4,
-                              line_of(e), err);
+            status = add_dxf_face(e, (int[]){a + k, a + next, b + next, b + k}, 4,
+                                  line_of(e), err);
         }
     free(net.list);
     return status;
@@ -321,7 +321,7 @@ enum pp_status pp_dxf_shapes_polyline(const struct pp_dxf_entity *e,
     if (status == PP_OK && flags & POLYGON_MESH)
         return read_net(e, flags, err);
     if (status == PP_OK)
-        status = number_of(&outline.thickness, &head, 39, 0.0, err);
+        status = dxf_number(&outline.thickness, &head, 39, 0.0, err);
     if (status != PP_OK || outline.thickness == 0.0)
         return status;
     outline.closed = flags & CLOSED;

@@ -184,7 +184,8 @@ static enum pp_status read_insert(struct dxf *dxf, const struct pp_dxf_entity *e
 }
 
 /* Surfaces that are not read. What is raised by a thickness (39) is one too. */
-static enum pp_status refuse(const struct pp_dxf_entity *e, struct pp_error *err)
+static enum pp_status refuse_dxf_entity(const struct pp_dxf_entity *e,
+                                        struct pp_error *err)
 {
     static const char *const surfaces[] = {
         "3DSOLID",         "BODY",         "REGION",          "MESH",
@@ -228,7 +229,7 @@ static enum pp_status read_entity(struct dxf *dxf, struct pp_dxf_entity *e, int 
         return pp_dxf_shapes_polyline(e, err);
     if (is(tag, "INSERT"))
         return read_insert(dxf, e, depth, err);
-    return refuse(e, err);
+    return refuse_dxf_entity(e, err);
 }
 
 /* The end of the entity: of a polyline, behind its corners. */

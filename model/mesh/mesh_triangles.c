@@ -34,7 +34,8 @@ const char *pp_mesh_triangles_add_corner(struct pp_mesh_triangles *mesh,
     return NULL;
 }
 
-static const char *add_triangle(struct pp_mesh_triangles *mesh, int a, int b, int c)
+static const char *add_mesh_triangle(struct pp_mesh_triangles *mesh, int a, int b,
+                                     int c)
 {
     struct pp_vec3 p = mesh->corners[a];
     struct pp_vec3 along = pp_vec_sub(mesh->corners[b], p);
@@ -54,9 +55,9 @@ static const char *add_triangle(struct pp_mesh_triangles *mesh, int a, int b, in
 
 /* Triangles of a polygon that is plane and not convex; PP_BAD_INPUT where it crosses
  * itself, and a fan has to do. */
-static enum pp_status cut(int (**triangles)[3], int *triangle_count,
-                          const struct pp_mesh_triangles *mesh, const int *corners,
-                          int count)
+static enum pp_status cut_concave_polygon(int (**triangles)[3], int *triangle_count,
+                                          const struct pp_mesh_triangles *mesh,
+                                          const int *corners, int count)
 {
     struct pp_polygon polygon = {0};
     struct pp_vec3 *ring = malloc((size_t)count * sizeof *ring);
@@ -74,18 +75,19 @@ static enum pp_status cut(int (**triangles)[3], int *triangle_count,
     return status;
 }
 
-static const char *add_ring(struct pp_mesh_triangles *mesh, const int *corners,
-                            int count)
+static const char *add_mesh_ring(struct pp_mesh_triangles *mesh, const int *corners,
+                                 int count)
 {
     int(*triangles)[3], triangle_count = 0;
-    if (cut(&triangles, &triangle_count, mesh, corners, count) == PP_SYSTEM)
+    if (cut_concave_polygon(&triangles, &triangle_count, mesh, corners, count)
+        == PP_SYSTEM)
         return pp_mesh_triangles_no_memory;
     const char *why = NULL;
     for (int i = 0; i < triangle_count && !why; i++)
-        why = add_triangle(mesh, corners[triangles[i][0]], corners[triangles[i][1]],
-                           corners[triangles[i][2]]);
+        why = add_mesh_triangle(mesh, corners[triangles[i][0]],
+                                corners[triangles[i][1]], corners[triangles[i][2]]);
     for (int i = 1; i + 1 < count && triangle_count == 0 && !why; i++)
-        why = add_triangle(mesh, corners[0], corners[i], corners[i + 1]);
+        why = add_mesh_triangle(mesh, corners[0], corners[i], corners[i + 1]);
     free(triangles);
     return why;
 }
@@ -94,7 +96,7 @@ const char *pp_mesh_triangles_add_face(struct pp_mesh_triangles *mesh,
                                        const int *corners, int count)
 {
     if (count == 3)
-        return add_triangle(mesh, corners[0], corners[1], corners[2]);
+        return add_mesh_triangle(mesh, corners[0], corners[1], corners[2]);
     int *kept = malloc((size_t)count * sizeof *kept), left = 0;
     if (!kept)
         return pp_mesh_triangles_no_memory;
@@ -104,7 +106,7 @@ const char *pp_mesh_triangles_add_face(struct pp_mesh_triangles *mesh,
         if (pp_vec_length(pp_vec_sub(here, next)) > 0.0)
             kept[left++] = corners[i];
     }
-    const char *why = left >= 3 ? add_ring(mesh, kept, left) : NULL;
+    const char *why = left >= 3 ? add_mesh_ring(mesh, kept, left) : NULL;
     free(kept);
     return why;
 }

@@ -51,8 +51,8 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static void settle(struct pp_false_colour_scale *scale, double low, double high,
-                   bool logarithmic)
+static void settle_colour_scale(struct pp_false_colour_scale *scale, double low,
+                                double high, bool logarithmic)
 {
     int top = round_above(high), bottom = round_below(low);
     if (bottom < top - 3 * DECADES_MOST)
@@ -81,7 +81,7 @@ enum pp_status pp_false_colour_scale_fit(struct pp_false_colour_scale *scale,
     if (count > 0) {
         qsort(values, count, sizeof *values, ascending);
         size_t out = (size_t)(left_out * (double)count);
-        settle(scale, values[out], values[count - 1 - out], logarithmic);
+        settle_colour_scale(scale, values[out], values[count - 1 - out], logarithmic);
     }
     free(values);
     return PP_OK;

@@ -176,8 +176,8 @@ static void place_of_edge(const struct squares *squares, int edge, double xy[2])
 }
 
 /* Takes the line that begins at an edge out of the squares, if it is long enough. */
-static enum pp_status take_line(struct squares *squares, int start, double shortest,
-                                struct pp_curve_list *lines, struct pp_error *err)
+static enum pp_status take_iso_line(struct squares *squares, int start, double shortest,
+                                    struct pp_curve_list *lines, struct pp_error *err)
 {
     int count = 1;
     bool closed = false;
@@ -209,8 +209,8 @@ static enum pp_status take_line(struct squares *squares, int start, double short
     return pp_curve_list_add(lines, curve, err);
 }
 
-static enum pp_status trace(struct squares *squares, double shortest,
-                            struct pp_curve_list *lines, struct pp_error *err)
+static enum pp_status trace_iso_lines(struct squares *squares, double shortest,
+                                      struct pp_curve_list *lines, struct pp_error *err)
 {
     const struct log_picture *field = squares->field;
     int edges = 2 * field->width * field->height;
@@ -224,10 +224,10 @@ static enum pp_status trace(struct squares *squares, double shortest,
     enum pp_status status = PP_OK;
     for (int i = 0; i < edges && status == PP_OK; i++)
         if (squares->next[i] >= 0 && !squares->entered[i])
-            status = take_line(squares, i, shortest, lines, err);
+            status = take_iso_line(squares, i, shortest, lines, err);
     for (int i = 0; i < edges && status == PP_OK; i++)
         if (squares->next[i] >= 0)
-            status = take_line(squares, i, shortest, lines, err);
+            status = take_iso_line(squares, i, shortest, lines, err);
     return status;
 }
 
@@ -248,7 +248,7 @@ enum pp_status pp_iso_lines(struct pp_curve_list *lines,
     for (int i = 0; i < count && status == PP_OK; i++) {
         int before = lines->count;
         squares.level = log(levels[i]);
-        status = trace(&squares, shortest, lines, err);
+        status = trace_iso_lines(&squares, shortest, lines, err);
         for (int k = before; k < lines->count; k++)
             lines->list[k].level = levels[i];
     }

@@ -42,14 +42,16 @@ enum pp_status pp_document_status(const struct pp_document *document,
 }
 
 /* A place behind the last of a list; false where there is none, or was none before. */
-static bool grow(struct pp_document *document, void *list, int count, size_t size)
+static bool grow_document_list(struct pp_document *document, void *list, int count,
+                               size_t size)
 {
     if (!document->lacks_memory && pp_array_append(list, count, size, NULL) != PP_OK)
         document->lacks_memory = true;
     return !document->lacks_memory;
 }
 
-static char *print(struct pp_document *document, const char *format, va_list arguments)
+static char *formatted_words(struct pp_document *document, const char *format,
+                             va_list arguments)
 {
     char *text;
     if (vasprintf(&text, format, arguments) >= 0)
@@ -63,8 +65,8 @@ static char *print(struct pp_document *document, const char *format, va_list arg
 static struct pp_document_block *add_block(struct pp_document *document,
                                            enum pp_document_block_kind kind)
 {
-    if (!grow(document, &document->blocks, document->block_count,
-              sizeof *document->blocks))
+    if (!grow_document_list(document, &document->blocks, document->block_count,
+                            sizeof *document->blocks))
         return NULL;
     struct pp_document_block *block = &document->blocks[document->block_count++];
     *block = (struct pp_document_block){.kind = kind};
@@ -80,7 +82,7 @@ void pp_document_heading(struct pp_document *document, int level, const char *fo
     va_list arguments;
     va_start(arguments, format);
     block->level = level;
-    block->text = print(document, format, arguments);
+    block->text = formatted_words(document, format, arguments);
     va_end(arguments);
 }
 
@@ -93,7 +95,7 @@ void pp_document_paragraph(struct pp_document *document, enum pp_tone tone,
     va_list arguments;
     va_start(arguments, format);
     block->tone = tone;
-    block->text = print(document, format, arguments);
+    block->text = formatted_words(document, format, arguments);
     va_end(arguments);
 }
 
@@ -132,20 +134,22 @@ void pp_document_column(struct pp_document *document, enum pp_document_column_ki
 {
     struct pp_document_table *table = last_table(document);
     if (!table
-        || !grow(document, &table->columns, table->column_count,
-                 sizeof *table->columns))
+        || !grow_document_list(document, &table->columns, table->column_count,
+                               sizeof *table->columns))
         return;
     va_list arguments;
     va_start(arguments, format);
     table->columns[table->column_count++] =
-        (struct pp_document_column){kind, print(document, format, arguments)};
+        (struct pp_document_column){kind, formatted_words(document, format, arguments)};
     va_end(arguments);
 }
 
 void pp_document_row(struct pp_document *document, enum pp_document_row_kind kind)
 {
     struct pp_document_table *table = last_table(document);
-    if (table && grow(document, &table->rows, table->row_count, sizeof *table->rows))
+    if (table
+        && grow_document_list(document, &table->rows, table->row_count,
+                              sizeof *table->rows))
         table->rows[table->row_count++] = (struct pp_document_row){.kind = kind};
 }
 
@@ -153,12 +157,14 @@ void pp_document_cell(struct pp_document *document, enum pp_tone tone,
                       const char *format, ...)
 {
     struct pp_document_row *row = last_row(document);
-    if (!row || !grow(document, &row->cells, row->cell_count, sizeof *row->cells))
+    if (!row
+        || !grow_document_list(document, &row->cells, row->cell_count,
+                               sizeof *row->cells))
         return;
     va_list arguments;
     va_start(arguments, format);
     row->cells[row->cell_count++] = (struct pp_document_cell){
-        .tone = tone, .text = print(document, format, arguments)};
+        .tone = tone, .text = formatted_words(document, format, arguments)};
     va_end(arguments);
 }
 

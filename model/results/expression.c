@@ -82,7 +82,7 @@ static char peek(struct parser *parser)
     return *parser->at;
 }
 
-static bool take(struct parser *parser, char c)
+static bool accept_character(struct parser *parser, char c)
 {
     if (peek(parser) != c)
         return false;
@@ -102,7 +102,7 @@ static struct pp_operation *emit(struct parser *parser, enum pp_operation_kind k
     return operation;
 }
 
-static struct term number_of(struct parser *parser, const char *at, double value)
+static struct term number_term(struct parser *parser, const char *at, double value)
 {
     emit(parser, PP_DO_NUMBER, at)->number = value;
     return (struct term){plain, at, true, value};
@@ -119,7 +119,7 @@ static struct term number(struct parser *parser)
     if (!pp_text_parse_number(digits, &value))
         return fail(parser, start, "this is no number; expected one such as 0.85");
     parser->at += length;
-    return number_of(parser, start, value);
+    return number_term(parser, start, value);
 }
 
 static struct term unknown_name(struct parser *parser, const char *start, int length)
@@ -155,7 +155,7 @@ static struct term name(struct parser *parser, const char *start, int length)
         return (struct term){parser->names[i].dimension, start, false, NAN};
     }
     if (pp_text_is_word("pi", start, (size_t)length))
-        return number_of(parser, start, PP_PI);
+        return number_term(parser, start, PP_PI);
     return unknown_name(parser, start, length);
 }
 
@@ -233,7 +233,7 @@ static struct term call(struct parser *parser, enum pp_operation_kind kind,
     double values[PP_EXPRESSION_MOST];
     struct term all = {.start = start, .constant = true};
     int count = 0;
-    if (!take(parser, '('))
+    if (!accept_character(parser, '('))
         return fail(parser, parser->at, "expected \"(\" behind the function");
     const char *opened = parser->at - 1;
     do {
@@ -250,8 +250,8 @@ static struct term call(struct parser *parser, enum pp_operation_kind kind,
                                   : argument.dimension;
         all.constant &= argument.constant;
         values[count++] = argument.value;
-    } while (take(parser, ','));
-    if (!parser->failed && !take(parser, ')')) {
+    } while (accept_character(parser, ','));
+    if (!parser->failed && !accept_character(parser, ')')) {
         char what[96];
         snprintf(what, sizeof what, "expected \")\", for the \"(\" in column %d",
                  (int)(opened - parser->text) + parser->shift + 1);
@@ -276,11 +276,11 @@ static struct term primary(struct parser *parser)
                 return call(parser, (enum pp_operation_kind)(PP_DO_SQRT + i), start);
         return name(parser, start, length);
     }
-    if (!take(parser, '('))
+    if (!accept_character(parser, '('))
         return fail(parser, start, "expected a number, a quantity or \"(\"");
     struct term inside = sum(parser);
     inside.start = start;
-    if (!parser->failed && !take(parser, ')')) {
+    if (!parser->failed && !accept_character(parser, ')')) {
         char what[96];
         snprintf(what, sizeof what, "expected \")\", for the \"(\" in column %d",
                  (int)(start - parser->text) + parser->shift + 1);
@@ -305,7 +305,7 @@ static struct term power_parts(struct parser *parser)
 {
     peek(parser);
     const char *start = parser->at;
-    if (take(parser, '-')) {
+    if (accept_character(parser, '-')) {
         struct term term = power(parser);
         emit(parser, PP_DO_NEGATIVE, start);
         term.start = start;
@@ -313,7 +313,7 @@ static struct term power_parts(struct parser *parser)
         return term;
     }
     struct term base = primary(parser);
-    if (parser->failed || !take(parser, '^'))
+    if (parser->failed || !accept_character(parser, '^'))
         return base;
     const char *sign = parser->at - 1;
     struct term exponent = power(parser);
@@ -346,8 +346,8 @@ static struct term product(struct parser *parser)
     while (!parser->failed) {
         char c = peek(parser);
         const char *sign = parser->at;
-        bool over = take(parser, '/');
-        if (!over && !take(parser, '*') && !begins_factor(c))
+        bool over = accept_character(parser, '/');
+        if (!over && !accept_character(parser, '*') && !begins_factor(c))
             break;
         struct term factor = power(parser);
         if (parser->failed)
@@ -370,8 +370,8 @@ static struct term sum(struct parser *parser)
     while (!parser->failed) {
         peek(parser);
         const char *sign = parser->at;
-        bool plus = take(parser, '+');
-        if (!plus && !take(parser, '-'))
+        bool plus = accept_character(parser, '+');
+        if (!plus && !accept_character(parser, '-'))
             break;
         struct term next = product(parser);
         if (!check_alike(parser, &term, &next))

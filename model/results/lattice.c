@@ -7,7 +7,7 @@
 /* Coordinates that differ by less are one (m), and steps by less than this share. */
 static const double same_m = 1e-6, even = 1e-3;
 
-static int compare(const void *a, const void *b)
+static int compare_coordinates(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
@@ -17,7 +17,7 @@ static int compare(const void *a, const void *b)
 static int distinct(double *values, int count)
 {
     int kept = 0;
-    qsort(values, (size_t)count, sizeof *values, compare);
+    qsort(values, (size_t)count, sizeof *values, compare_coordinates);
     for (int i = 0; i < count; i++)
         if (kept == 0 || values[i] - values[kept - 1] > same_m)
             values[kept++] = values[i];
@@ -38,7 +38,7 @@ static bool is_even(const double *values, int count)
     return count >= 2;
 }
 
-static int place_of(const double *values, int count, double value)
+static int lattice_index(const double *values, int count, double value)
 {
     int low = 0, high = count - 1;
     while (low < high) {
@@ -61,17 +61,17 @@ static bool faces_up_at_one_height(const struct pp_receiver *receivers, int coun
 }
 
 /* False: two receivers stand in one place. */
-static bool settle(struct pp_lattice *lattice, const struct pp_receiver *receivers,
-                   int count)
+static bool settle_lattice(struct pp_lattice *lattice,
+                           const struct pp_receiver *receivers, int count)
 {
     for (int i = 0; i < lattice->columns * lattice->rows; i++)
         lattice->receivers[i] = -1;
     for (int i = 0; i < count; i++) {
-        int *cell = &lattice->receivers[place_of(lattice->y, lattice->rows,
-                                                 receivers[i].position.y)
+        int *cell = &lattice->receivers[lattice_index(lattice->y, lattice->rows,
+                                                      receivers[i].position.y)
                                             * lattice->columns
-                                        + place_of(lattice->x, lattice->columns,
-                                                   receivers[i].position.x)];
+                                        + lattice_index(lattice->x, lattice->columns,
+                                                        receivers[i].position.x)];
         if (*cell >= 0)
             return false;
         *cell = i;
@@ -105,7 +105,7 @@ enum pp_status pp_lattice_find(struct pp_lattice *lattice,
         lattice->receivers = malloc(cells * sizeof *lattice->receivers);
         good = lattice->receivers != NULL;
     }
-    if (!good || !is_one || !settle(lattice, receivers, count))
+    if (!good || !is_one || !settle_lattice(lattice, receivers, count))
         pp_lattice_clear(lattice);
     return good ? PP_OK : pp_fail_memory(err);
 }

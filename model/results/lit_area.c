@@ -40,7 +40,7 @@ struct pp_lit_change pp_lit_area_change(double plane_m2, double before_m2,
     return change;
 }
 
-static void add(double *sum, double value)
+static void add_compensated(double *sum, double value)
 {
     if (!isnan(value))
         *sum = isnan(*sum) ? value : *sum + value;
@@ -48,13 +48,13 @@ static void add(double *sum, double value)
 
 void pp_lit_area_add(struct pp_lit_change *sum, const struct pp_lit_change *room)
 {
-    add(&sum->plane_m2, room->plane_m2);
-    add(&sum->lit_m2, room->lit_m2);
-    add(&sum->before_m2, room->before_m2);
-    add(&sum->lost_m2, room->lost_m2);
+    add_compensated(&sum->plane_m2, room->plane_m2);
+    add_compensated(&sum->lit_m2, room->lit_m2);
+    add_compensated(&sum->before_m2, room->before_m2);
+    add_compensated(&sum->lost_m2, room->lost_m2);
     for (int i = 0; i < PP_ZONE_COUNT; i++)
-        add(&sum->loss.zones_m2[i], room->loss.zones_m2[i]);
-    add(&sum->loss.equivalent_m2, room->loss.equivalent_m2);
+        add_compensated(&sum->loss.zones_m2[i], room->loss.zones_m2[i]);
+    add_compensated(&sum->loss.equivalent_m2, room->loss.equivalent_m2);
 }
 
 const char *pp_lit_area_zone_name(enum pp_lit_zone zone)

@@ -120,7 +120,8 @@ static const struct pp_calculation_step *step_named(const struct pp_steps *steps
 
 /* The value of a step, for a formula: degrees with their sign, what is negative in
  * parentheses. */
-static void add_value(char *text, size_t room, const struct pp_calculation_step *step)
+static void append_step_value(char *text, size_t room,
+                              const struct pp_calculation_step *step)
 {
     char value[48];
     const char *unit = pp_step_text_value(value, sizeof value, step, true);
@@ -163,7 +164,7 @@ void pp_step_text_put_in(char *text, size_t room, const struct pp_steps *steps,
         if (ends_operand && operand)
             pp_text_append(text, room, " \xc3\x97 ");
         if (found)
-            add_value(text, room, found);
+            append_step_value(text, room, found);
         else if (*at == '*')
             pp_text_append(text, room, " \xc3\x97 ");
         else if (strchr("+/", *at) || (*at == '-' && ends_operand))

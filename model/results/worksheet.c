@@ -11,7 +11,7 @@
 #include "model/base/text.h"
 
 /* Which of the sheet's places a symbol has, by its first two letters. */
-static int place_of(const char *symbol)
+static int symbol_place(const char *symbol)
 {
     return (symbol[0] + 9 * symbol[1]) & (PP_WORKSHEET_PLACES - 1);
 }
@@ -38,7 +38,7 @@ static const struct pp_worksheet_figure *find_at(const struct pp_worksheet *shee
 static const struct pp_worksheet_figure *find_symbol(const struct pp_worksheet *sheet,
                                                      const char *symbol)
 {
-    return find_at(sheet, place_of(symbol), symbol);
+    return find_at(sheet, symbol_place(symbol), symbol);
 }
 
 static void enter(struct pp_worksheet *sheet, const char *symbol, double printed)
@@ -46,7 +46,7 @@ static void enter(struct pp_worksheet *sheet, const char *symbol, double printed
     if (!symbol[0])
         return;
     /* A figure that is put down anew takes the place of the last of its name. */
-    int place = place_of(symbol);
+    int place = symbol_place(symbol);
     const struct pp_worksheet_figure *last = find_at(sheet, place, symbol);
     int at = last ? (int)(last - sheet->list) : sheet->count;
     assert(at < PP_WORKSHEET_MOST);
@@ -102,8 +102,8 @@ void pp_worksheet_note(struct pp_worksheet *sheet, enum pp_step_unit unit, doubl
     va_end(args);
 }
 
-static const struct pp_worksheet_figure *find(const struct pp_worksheet *sheet,
-                                              const char *symbol, int length)
+static const struct pp_worksheet_figure *find_figure(const struct pp_worksheet *sheet,
+                                                     const char *symbol, int length)
 {
     for (int i = 0; i < sheet->count; i++)
         if (pp_text_is_word(sheet->list[i].symbol, symbol, (size_t)length))
@@ -125,7 +125,7 @@ static void write_sum(char *text, size_t room, const struct pp_worksheet *sheet,
     while (*sum) {
         int length = pp_expression_name_length(sum);
         const struct pp_worksheet_figure *figure =
-            length > 0 ? find(sheet, sum, length) : NULL;
+            length > 0 ? find_figure(sheet, sum, length) : NULL;
         pp_text_append(text, room, "%.*s", length > 0 ? length : 1, sum);
         if (figure && figure->part > 0)
             pp_text_append(text, room, "_%d", figure->part);

@@ -98,7 +98,7 @@ enum pp_status pp_face_frame_fit(const struct pp_face_frame *frame,
     return status;
 }
 
-static struct pp_bounds2 bounds_of(const double (*xy)[2], int count)
+static struct pp_bounds2 outline_bounds(const double (*xy)[2], int count)
 {
     struct pp_bounds2 bounds = pp_bounds2_empty();
     for (int i = 0; i < count; i++)
@@ -121,7 +121,7 @@ enum pp_status pp_face_frame_rings_overlap(struct pp_clipper *clipper,
                                            double *area_m2, struct pp_error *err)
 {
     *area_m2 = 0.0;
-    if (!bounds_overlap(bounds_of(a, a_count), bounds_of(b, b_count)))
+    if (!bounds_overlap(outline_bounds(a, a_count), outline_bounds(b, b_count)))
         return PP_OK;
     struct pp_region first = {0}, second = {0}, both = {0};
     enum pp_status status = pp_clipper_of_ring(clipper, &first, a, a_count, err);

@@ -27,9 +27,11 @@ static enum pp_status region_of(struct pp_region *region, struct pp_clipper *cli
 }
 
 /* Takes an opening's outline from the region. */
-static enum pp_status cut(struct pp_region *region, struct pp_clipper *clipper,
-                          const struct pp_face_axes *axes,
-                          const struct pp_polygon *hole, struct pp_error *err)
+static enum pp_status cut_opening_from_face(struct pp_region *region,
+                                            struct pp_clipper *clipper,
+                                            const struct pp_face_axes *axes,
+                                            const struct pp_polygon *hole,
+                                            struct pp_error *err)
 {
     struct pp_region gap = {0, NULL};
     enum pp_status status = region_of(&gap, clipper, axes, hole, err);
@@ -50,7 +52,8 @@ enum pp_status pp_face_less_openings(struct pp_region *region,
     enum pp_status status = region_of(region, clipper, axes, polygon, err);
     for (int i = 0; status == PP_OK && face >= 0 && i < world->opening_count; i++)
         if (world->openings[i].face == face)
-            status = cut(region, clipper, axes, &world->openings[i].inner, err);
+            status = cut_opening_from_face(region, clipper, axes,
+                                           &world->openings[i].inner, err);
     return status;
 }
 

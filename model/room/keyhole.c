@@ -168,8 +168,9 @@ static bool is_hole(const struct pp_ring *ring)
     return pp_region_ring_area((const double(*)[2])ring->xy, ring->count) < 0.0;
 }
 
-static enum pp_status add_whole(struct pp_keyhole_outlines *cut,
-                                const struct pp_polygon *face, struct pp_error *err)
+static enum pp_status add_whole_face(struct pp_keyhole_outlines *cut,
+                                     const struct pp_polygon *face,
+                                     struct pp_error *err)
 {
     size_t size = (size_t)face->count * sizeof *face->vertices;
     struct pp_vec3 *corners = malloc(size);
@@ -202,7 +203,7 @@ enum pp_status pp_keyhole_outlines_init(struct pp_keyhole_outlines *cut,
     if (status == PP_OK && !cut->outlines)
         status = pp_fail_memory(err);
     if (status == PP_OK && whole)
-        status = add_whole(cut, outline, err);
+        status = add_whole_face(cut, outline, err);
     for (int i = 0, next; i < region.count && status == PP_OK; i = next) {
         next = i + 1;
         while (next < region.count && is_hole(&region.rings[next]))

@@ -8,7 +8,7 @@
 #include "model/base/array.h"
 #include "model/room/room_parts.h"
 
-static bool is_upright(const struct pp_polygon *outline)
+static bool outline_is_upright(const struct pp_polygon *outline)
 {
     return fabs(outline->normal.z) < 1e-6;
 }
@@ -16,7 +16,7 @@ static bool is_upright(const struct pp_polygon *outline)
 static bool has_roof_above(const struct pp_world *world)
 {
     for (int i = 0; i < world->opening_count; i++)
-        if (!is_upright(&world->openings[i].outer))
+        if (!outline_is_upright(&world->openings[i].outer))
             return true;
     return false;
 }
@@ -78,7 +78,8 @@ enum pp_status pp_room_facades_add(struct pp_room *room, const struct pp_world *
     *added = 0;
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_surface *wall = &world->surfaces[world->openings[i].face];
-        if (wall->name && is_upright(&wall->outline) && !has_facade(room, wall->name))
+        if (wall->name && outline_is_upright(&wall->outline)
+            && !has_facade(room, wall->name))
             status = extend(room, wall->name, reach_m, up_m, added, err);
     }
     return status;

@@ -127,8 +127,8 @@ static struct segment *segment_from(const struct plane_section *section,
 
 /* Puts the points of a ring at the end of the region; a point that repeats the one
  * before is left out, and so is a ring without area. */
-static enum pp_status add_ring(struct pp_region *region, const double (*xy)[2],
-                               int count, struct pp_error *err)
+static enum pp_status add_section_ring(struct pp_region *region, const double (*xy)[2],
+                                       int count, struct pp_error *err)
 {
     enum pp_status status =
         pp_array_append(&region->rings, region->count, sizeof *region->rings, err);
@@ -168,7 +168,7 @@ static enum pp_status join_segments(struct pp_region *region,
             xy[count++][1] = segment->from.xy[1];
         }
         if (count >= 3)
-            status = add_ring(region, (const double(*)[2])xy, count, err);
+            status = add_section_ring(region, (const double(*)[2])xy, count, err);
     }
     free(xy);
     return status;

@@ -7,7 +7,7 @@
 
 #include "model/base/array.h"
 
-static const char *name_of(const struct pp_surface *surface)
+static const char *surface_name(const struct pp_surface *surface)
 {
     switch (surface->role) {
     case PP_FLOOR:
@@ -55,7 +55,7 @@ struct pp_material pp_surface_materials_of(const struct pp_world *world, int ind
         material.radiance = pp_rgb_grey(surface->exitance / PP_PI);
     }
     bool envelope = index < world->face_count || surface->role == PP_REVEAL;
-    name(&material, name_of(surface), !front && envelope);
+    name(&material, surface_name(surface), !front && envelope);
     return material;
 }
 
@@ -103,16 +103,16 @@ struct pp_material pp_surface_materials_pane(const struct pp_world *world, int i
 }
 
 /* Behind *end, which goes on. */
-static void put(double **end, double number)
+static void put_material_number(double **end, double number)
 {
     *(*end)++ = number + 0.0;
 }
 
 static void put_rgb(double **end, struct pp_rgb c)
 {
-    put(end, c.r);
-    put(end, c.g);
-    put(end, c.b);
+    put_material_number(end, c.r);
+    put_material_number(end, c.g);
+    put_material_number(end, c.b);
 }
 
 struct pp_material_key pp_surface_materials_key(const struct pp_material *m)
@@ -121,10 +121,10 @@ struct pp_material_key pp_surface_materials_key(const struct pp_material *m)
     double *end = key.numbers;
     memcpy(key.name, m->name, strlen(m->name));
     for (int i = 0; i < 3; i++) {
-        put(&end, m->glass[i].panes);
-        put(&end, m->glass[i].n);
-        put(&end, m->glass[i].kl);
-        put(&end, m->glass[i].scale);
+        put_material_number(&end, m->glass[i].panes);
+        put_material_number(&end, m->glass[i].n);
+        put_material_number(&end, m->glass[i].kl);
+        put_material_number(&end, m->glass[i].scale);
     }
     put_rgb(&end, m->diffuse);
     put_rgb(&end, m->gloss);
@@ -132,15 +132,15 @@ struct pp_material_key pp_surface_materials_key(const struct pp_material *m)
     put_rgb(&end, m->through_gloss);
     put_rgb(&end, m->radiance);
     put_rgb(&end, pp_rgb(m->grain.x, m->grain.y, m->grain.z));
-    put(&end, m->roughness[0]);
-    put(&end, m->roughness[1]);
-    put(&end, m->clear_share);
-    put(&end, m->dirt);
-    put(&end, m->kind);
-    put(&end, m->emits);
-    put(&end, m->emits_both_sides);
-    put(&end, m->unseen);
-    put(&end, m->pattern);
+    put_material_number(&end, m->roughness[0]);
+    put_material_number(&end, m->roughness[1]);
+    put_material_number(&end, m->clear_share);
+    put_material_number(&end, m->dirt);
+    put_material_number(&end, m->kind);
+    put_material_number(&end, m->emits);
+    put_material_number(&end, m->emits_both_sides);
+    put_material_number(&end, m->unseen);
+    put_material_number(&end, m->pattern);
     return key;
 }
 
@@ -157,9 +157,9 @@ bool pp_surface_materials_same(const struct pp_material *a, const struct pp_mate
  * has few materials, and neighbours mostly share theirs. */
 enum { LOOKED_BACK = 64 };
 
-static enum pp_status find(struct pp_surface_materials *materials,
-                           const struct pp_material *material, int *index,
-                           struct pp_error *err)
+static enum pp_status find_material(struct pp_surface_materials *materials,
+                                    const struct pp_material *material, int *index,
+                                    struct pp_error *err)
 {
     int last = materials->count - LOOKED_BACK;
     for (*index = materials->count - 1; *index >= 0 && *index >= last; --*index)
@@ -173,8 +173,8 @@ static enum pp_status find(struct pp_surface_materials *materials,
     return status;
 }
 
-static struct pp_material side_of(const struct pp_world *world, int index, bool front,
-                                  bool matt)
+static struct pp_material surface_side_material(const struct pp_world *world, int index,
+                                                bool front, bool matt)
 {
     if (index >= world->surface_count)
         return pp_surface_materials_pane(world, index - world->surface_count, front);
@@ -191,8 +191,8 @@ enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
         .sides = malloc(((size_t)count + 1) * sizeof *materials->sides)};
     enum pp_status status = materials->sides ? PP_OK : pp_fail_memory(err);
     for (int i = 0; status == PP_OK && i < 2 * count; i++) {
-        struct pp_material side = side_of(world, i / 2, i % 2 == 0, matt);
-        status = find(materials, &side, &materials->sides[i / 2][i % 2], err);
+        struct pp_material side = surface_side_material(world, i / 2, i % 2 == 0, matt);
+        status = find_material(materials, &side, &materials->sides[i / 2][i % 2], err);
     }
     if (status != PP_OK)
         pp_surface_materials_clear(materials);

@@ -128,7 +128,7 @@ static enum pp_status find_triangles(struct pp_resolver *r, struct pp_error *err
     return status;
 }
 
-static enum pp_status resolve(struct pp_resolver *r, struct pp_error *err)
+static enum pp_status resolve_world(struct pp_resolver *r, struct pp_error *err)
 {
     if (!check_comparable(r))
         return PP_OK;
@@ -175,7 +175,7 @@ enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *ro
         return pp_fail_memory(err);
     struct pp_resolver r = {.room = room, .world = made, .mistakes = mistakes};
     struct pp_error fault = {0};
-    enum pp_status status = resolve(&r, &fault);
+    enum pp_status status = resolve_world(&r, &fault);
     /* For example polygons that GEOS can't overlay. */
     if (status == PP_BAD_INPUT)
         pp_mistakes_add(mistakes, room->line, "room: %s", fault.message);

@@ -26,7 +26,7 @@ static void put_areas(const struct pp_lit_change *lit, FILE *out)
     pp_format_csv_number(lit ? lit->loss.equivalent_m2 : NAN, out);
 }
 
-static void put_row(const struct pp_site_row *row, FILE *out)
+static void put_assess_row(const struct pp_site_row *row, FILE *out)
 {
     const struct pp_study_room *room = row->room->room;
     pp_format_csv_field(room->file, out);
@@ -55,7 +55,7 @@ enum pp_status pp_assess_table_csv(const struct pp_assessments *all, FILE *out,
               "lost_as_first_zone_m2,verdict,note\r\n",
               out);
         for (int i = 0; i < table.rights_count; i++)
-            put_row(&table.rights[i], out);
+            put_assess_row(&table.rights[i], out);
         fputs(",sum,,", out);
         put_areas(&table.rights_sum, out);
         fputs(",,\r\n", out);

@@ -57,7 +57,8 @@ static void write_cells(char cells[COLUMNS][CELL], const struct pp_finding *find
 
 /* All columns but the first are as wide as they need to be, and no narrower than a row
  * of most criteria needs, so that these stand below each other. */
-static void lay_out(struct layout *layout, const struct pp_finding_list *findings)
+static void lay_out_columns(struct layout *layout,
+                            const struct pp_finding_list *findings)
 {
     static const int usual[COLUMNS] = {[FIGURE] = 9, [WANTED] = 9, [VERDICT] = 10};
     char cells[COLUMNS][CELL];
@@ -150,7 +151,7 @@ static void print_finding(const struct pp_finding *finding, const struct layout 
 static void print_answer(const struct pp_answer *answer, struct layout layout,
                          FILE *out)
 {
-    lay_out(&layout, &answer->findings);
+    lay_out_columns(&layout, &answer->findings);
     fprintf(out, "\n  %s  [%s]\n", answer->criterion->title, answer->criterion->source);
     const struct pp_finding_list *findings = &answer->findings;
     if (findings->basis[0]) {
@@ -247,9 +248,9 @@ static void print_bands(const struct pp_assessment *assessment,
     pp_print_wrapped(text, 2, 2, layout->width, out);
 }
 
-static void print_room(const struct pp_assessment *assessment,
-                       const struct pp_study_options *options, struct layout layout,
-                       FILE *out)
+static void print_assessed_room(const struct pp_assessment *assessment,
+                                const struct pp_study_options *options,
+                                struct layout layout, FILE *out)
 {
     pp_print_title(assessment->room->world, assessment->room->file, out);
     fputc('\n', out);
@@ -287,7 +288,7 @@ enum pp_status pp_assess_text(const struct pp_assessments *assessments, int widt
     for (int i = 0; i < assessments->count; i++) {
         if (i > 0)
             fputs("\n\n", out);
-        print_room(&assessments->list[i], assessments->options, layout, out);
+        print_assessed_room(&assessments->list[i], assessments->options, layout, out);
     }
     return PP_OK;
 }

@@ -112,7 +112,8 @@ static bool add_ratio(struct json_object *object, const char *key,
     return !isfinite(ratio->low) || pp_json_numbers(object, key, ends, 3);
 }
 
-static bool add_points(struct json_object *object, const struct pp_advice_item *item)
+static bool add_advice_points(struct json_object *object,
+                              const struct pp_advice_item *item)
 {
     struct json_object *points = json_object_new_array();
     bool good = pp_json_add(object, "points", points);
@@ -157,7 +158,7 @@ static bool add_item(struct json_object *list, const struct pp_advice_item *item
     pp_band_words_regime(regime, sizeof regime, &best->regime);
     return pp_json_append(list, object)
            && pp_json_text(object, "of", item->of_average ? "average" : "points")
-           && (item->of_average || add_points(object, item))
+           && (item->of_average || add_advice_points(object, item))
            && pp_json_text(object, "use", item->best.column)
            && add_corrected(object, item) && pp_json_text(object, "regime", regime)
            && pp_json_add(object, "rooms", json_object_new_int(best->regime.rooms))

@@ -55,7 +55,7 @@ static void write_band(char cell[CELL], const struct pp_band_quantiles *ratio)
         snprintf(cell, CELL, "-");
 }
 
-static void put_row(const struct pp_band_entry *entry, FILE *out)
+static void put_band_row(const struct pp_band_entry *entry, FILE *out)
 {
     char words[REGIME], band[CELL], formula[CELL], assumption[CELL];
     pp_band_words_regime(words, sizeof words, &entry->regime);
@@ -77,7 +77,8 @@ static void put_head(const struct pp_band_record *record, FILE *out)
             record->place == PP_BAND_AVERAGE ? "on average" : "at points");
 }
 
-static bool is_same(const struct pp_band_record *a, const struct pp_band_record *b)
+static bool same_band_entry(const struct pp_band_record *a,
+                            const struct pp_band_record *b)
 {
     return a->place == b->place && a->component == b->component
            && strcmp(a->column, b->column) == 0;
@@ -94,9 +95,9 @@ static void put_component(enum pp_component component,
     for (int i = 0; pp_band_table_at(&record, table, i); i++) {
         if (record.component != component)
             continue;
-        if (!is_same(&record, &last))
+        if (!same_band_entry(&record, &last))
             put_head(&record, out);
-        put_row(&record.entry, out);
+        put_band_row(&record.entry, out);
         last = record;
     }
 }

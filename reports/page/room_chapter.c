@@ -35,7 +35,7 @@ void pp_room_chapter_pictures(struct pp_document *document,
 
 /* ---- what is known ---- */
 
-static void put_fact(void *document, const char *label, const char *text)
+static void add_chapter_fact(void *document, const char *label, const char *text)
 {
     pp_document_row(document, PP_ROW_CELLS);
     pp_document_cell(document, PP_TONE_PLAIN, "%s", label);
@@ -49,10 +49,10 @@ static void put_facts(struct pp_document *document, const struct pp_assessment *
     pp_document_column(document, PP_COLUMN_LABELS, "%s", "");
     pp_document_column(document, PP_COLUMN_WORDS, "%s", "");
     if (world->ref)
-        put_fact(document, "reference", world->ref);
+        add_chapter_fact(document, "reference", world->ref);
     if (world->use)
-        put_fact(document, "use", pp_room_use_words[world->use]);
-    pp_print_facts(world, &room->room->light, put_fact, document);
+        add_chapter_fact(document, "use", pp_room_use_words[world->use]);
+    pp_print_facts(world, &room->room->light, add_chapter_fact, document);
 }
 
 /* ---- averages ---- */

@@ -84,8 +84,8 @@ static bool has_mirror_image(const struct pp_site_row *rows, int count)
     return false;
 }
 
-static void put_row(struct pp_document *document, const struct pp_site_row *row,
-                    bool named, bool compares, bool mirrored)
+static void put_site_row(struct pp_document *document, const struct pp_site_row *row,
+                         bool named, bool compares, bool mirrored)
 {
     const char *name = row->room->room->world->name;
     double scale = pp_figure_scale(row->finding->compared);
@@ -131,7 +131,7 @@ static void put_rows(struct pp_document *document, const char *title, const char
         pp_document_column(document, PP_COLUMN_WORDS, "verdict by it");
     }
     for (int i = 0; i < count; i++)
-        put_row(document, &rows[i], of != NULL, compares, mirrored);
+        put_site_row(document, &rows[i], of != NULL, compares, mirrored);
 }
 
 static void put_areas(struct pp_document *document, const char *name,

@@ -112,8 +112,8 @@ bool pp_json_simulation(struct json_object *object,
 }
 
 /* The rooms' objects as one: the array of them, or the only one. NULL: no memory. */
-static struct json_object *gather(pp_json_room *room, const void *all, int count,
-                                  bool several)
+static struct json_object *gather_room_objects(pp_json_room *room, const void *all,
+                                               int count, bool several)
 {
     if (!several)
         return room(all, 0);
@@ -139,5 +139,5 @@ enum pp_status pp_json_print(FILE *out, struct json_object *object,
 enum pp_status pp_json_print_rooms(FILE *out, pp_json_room *room, const void *all,
                                    int count, bool several, struct pp_error *err)
 {
-    return pp_json_print(out, gather(room, all, count, several), err);
+    return pp_json_print(out, gather_room_objects(room, all, count, several), err);
 }

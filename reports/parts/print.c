@@ -271,7 +271,7 @@ struct lines {
 };
 
 /* "  label        the fact, wrapped" */
-static void put_fact(void *closure, const char *label, const char *text)
+static void print_fact(void *closure, const char *label, const char *text)
 {
     const struct lines *lines = closure;
     fprintf(lines->out, "  %-*s", LABEL, label);
@@ -282,5 +282,5 @@ void pp_print_assumed(const struct pp_world *world,
                       const struct pp_outside_light *light, int width, FILE *out)
 {
     struct lines lines = {out, width};
-    pp_print_facts(world, light, put_fact, &lines);
+    pp_print_facts(world, light, print_fact, &lines);
 }

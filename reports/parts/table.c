@@ -128,7 +128,7 @@ static void widen_groups(struct pp_table *table)
     }
 }
 
-static void measure(struct pp_table *table)
+static void measure_columns(struct pp_table *table)
 {
     for (int i = 0; i < table->column_count; i++) {
         struct pp_table_column *column = &table->columns[i];
@@ -390,7 +390,7 @@ static bool tells_apart(const struct pp_table *table, int k, int columns)
 void pp_table_fit(struct pp_table *table, int width)
 {
     enum { KEY_LEAST = 9 };
-    measure(table);
+    measure_columns(table);
     int needed = keys_width(table);
     for (int i = table->key_count; i < table->column_count; i++)
         needed += gap_before(table, i, table->key_count) + table->columns[i].width;
@@ -414,7 +414,7 @@ void pp_table_fit(struct pp_table *table, int width)
 
 void pp_table_print(struct pp_table *table, int width, FILE *out)
 {
-    measure(table);
+    measure_columns(table);
     int key_width = keys_width(table) - INDENT;
     int label_width = table->last_label ? pp_format_utf8_width(table->last_label) : 0;
     if (table->key_count > 0 && key_width < label_width)

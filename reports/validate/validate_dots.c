@@ -25,7 +25,7 @@ static const char *const rows[ROWS] = {"difference", "assumption", "formula"};
 /* Fraction of the open sky, below which a share of it says nothing. */
 static const double LEAST = 1e-4;
 
-static double part_of(const struct pp_known_case *one, int row)
+static double dots_of_case(const struct pp_known_case *one, int row)
 {
     const double parts[ROWS] = {one->answer - one->expected, one->assumption,
                                 one->formula};
@@ -38,7 +38,7 @@ static bool has_dots(const struct pp_known_case *one, const char *group)
            && isfinite(one->assumption) && isfinite(one->formula);
 }
 
-static double place_of(double share)
+static double share_on_axis(double share)
 {
     return LEFT + (fmin(fmax(share, -1.0), 1.0) + 1.0) / 2.0 * (RIGHT - LEFT);
 }
@@ -60,21 +60,21 @@ static void put_dot(double share, int number, int middle, FILE *out)
 {
     double y = middle + 2.0 * (number * 3 % 7 - 3);
     fprintf(out, "<circle%s cx=\"%.1f\" cy=\"%.1f\" r=\"2\"/>",
-            fabs(share) > 1.0 ? " class=\"edge\"" : "", place_of(share), y);
+            fabs(share) > 1.0 ? " class=\"edge\"" : "", share_on_axis(share), y);
 }
 
-static void put_row(const struct pp_known_cases *cases, const char *group, int row,
-                    double *shares, FILE *out)
+static void put_dots_row(const struct pp_known_cases *cases, const char *group, int row,
+                         double *shares, FILE *out)
 {
     int count = 0, middle = row * ROW + ROW / 2;
     fprintf(out, "<text x=\"0\" y=\"%d\">%s</text>", middle + 4, rows[row]);
     for (int i = 0; i < cases->count; i++)
         if (has_dots(&cases->list[i], group)) {
-            shares[count] = part_of(&cases->list[i], row);
+            shares[count] = dots_of_case(&cases->list[i], row);
             put_dot(shares[count], count, middle, out);
             count++;
         }
-    double x = place_of(median_of(shares, count));
+    double x = share_on_axis(median_of(shares, count));
     fprintf(out,
             "<line class=\"median\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%d\" y2=\"%d\"/>\n", x,
             x, middle - ROW / 2 + 1, middle + ROW / 2 - 1);
@@ -94,7 +94,7 @@ static void put_axis(FILE *out)
     fprintf(out, "<line x1=\"%d\" x2=\"%d\" y1=\"%d.5\" y2=\"%d.5\"/>", LEFT, RIGHT,
             bottom, bottom);
     for (size_t i = 0; i < sizeof marks / sizeof *marks; i++) {
-        double x = place_of(marks[i].share);
+        double x = share_on_axis(marks[i].share);
         bool end = strcmp(marks[i].anchor, "end") == 0;
         fprintf(out,
                 "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%d\" y2=\"%d\"/><text x=\"%.1f\" "
@@ -120,7 +120,7 @@ void pp_validate_dots(const struct pp_known_cases *cases, const char *group, FIL
             "in per cent: difference, assumption, formula\">\n",
             WIDTH, ROWS * ROW + AXIS);
     for (int row = 0; row < ROWS; row++)
-        put_row(cases, group, row, shares, out);
+        put_dots_row(cases, group, row, shares, out);
     put_axis(out);
     fputs("</svg></figure>\n", out);
     free(shares);

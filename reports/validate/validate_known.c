@@ -56,8 +56,8 @@ static void print_head(const struct pp_known_result *result, bool parts, FILE *o
 }
 
 /* The room, where it is another than before. */
-static void print_room(const struct pp_known_case *one, const char **file,
-                       const char **room, FILE *out)
+static void print_known_room(const struct pp_known_case *one, const char **file,
+                             const char **room, FILE *out)
 {
     if (!one->file || (one->file == *file && one->room == *room))
         return;
@@ -92,7 +92,7 @@ void pp_validate_known_text(const struct pp_known_result *result, int width, FIL
     print_head(result, parts, out);
     for (int i = 0; i < cases->count; i++) {
         const struct pp_known_case *one = &cases->list[i];
-        print_room(one, &file, &room, out);
+        print_known_room(one, &file, &room, out);
         bool is_room = one->file && strcmp(one->by, "traced") == 0;
         if (strcmp(group, one->group) != 0 && !is_room) {
             fputc('\n', out);

@@ -74,7 +74,8 @@ static void count_case(struct group *group, const struct pp_known_case *one)
  * methods; their number. */
 enum { GROUPS_MOST = 256 };
 
-static int gather(struct group groups[GROUPS_MOST], const struct pp_known_cases *cases)
+static int gather_case_groups(struct group groups[GROUPS_MOST],
+                              const struct pp_known_cases *cases)
 {
     int count = 0;
     for (int i = 0; i < cases->count; i++) {
@@ -267,7 +268,7 @@ void pp_validate_page(const struct pp_known_result *result, FILE *out)
     const struct pp_known_cases *cases = &result->cases;
     struct pp_suite_score score = pp_suite_score(result->suite, cases);
     struct group groups[GROUPS_MOST];
-    int count = gather(groups, cases);
+    int count = gather_case_groups(groups, cases);
     char title[128], style[2000];
     snprintf(title, sizeof title, PACKAGE_NAME " validate %s", result->suite->name);
     snprintf(style, sizeof style, "%s%s", more_style, pp_validate_dots_style);

@@ -104,8 +104,9 @@ static void print_refusals(const struct pp_comparison *list, int count, int widt
 }
 
 /* Returns whether there were parts of the differences to be told. */
-static bool print_room(const struct pp_result *result, const struct pp_comparison *list,
-                       int count, int width, FILE *out)
+static bool print_compared_room(const struct pp_result *result,
+                                const struct pp_comparison *list, int count, int width,
+                                FILE *out)
 {
     const struct pp_report *report = &result->report;
     const char *name = report->world->name;
@@ -186,8 +187,8 @@ void pp_validate_report_rooms(const struct pp_validation *validation, int width,
     for (int i = 0; i < results->count; i++) {
         if (i > 0)
             fputs("\n\n", out);
-        parts |= print_room(&results->list[i], validation->rooms[i],
-                            validation->counts[i], width, out);
+        parts |= print_compared_room(&results->list[i], validation->rooms[i],
+                                     validation->counts[i], width, out);
     }
     if (results->count > 1) {
         print_overall(validation, out);

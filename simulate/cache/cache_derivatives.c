@@ -15,7 +15,7 @@ struct integrals {
     double k3;         /* m = 2 */
 };
 
-static bool integrate(double a, double b, double c, struct integrals *is)
+static bool integrate_edge(double a, double b, double c, struct integrals *is)
 {
     double d = a * c - b * b;
     if (!(d > IN_LINE * a * c))
@@ -37,7 +37,7 @@ void pp_cache_derivatives_edge(struct pp_vec3 r, struct pp_vec3 r1, double gradi
     struct pp_vec3 e = pp_vec_sub(r1, r);
     struct integrals is;
     gradient[0] = gradient[1] = hessian[0] = hessian[1] = hessian[2] = 0.0;
-    if (!integrate(pp_vec_dot(e, e), pp_vec_dot(r, e), pp_vec_dot(r, r), &is))
+    if (!integrate_edge(pp_vec_dot(e, e), pp_vec_dot(r, e), pp_vec_dot(r, r), &is))
         return;
     double A = r.x * e.y - r.y * e.x;
     double w[2] = {e.y, -e.x};
@@ -77,10 +77,10 @@ static struct pp_vec3 on_surface(const struct pp_cache_hemisphere *h,
 }
 
 /* An edge between two cells. */
-static void add(struct pp_irradiance_change *change,
-                struct pp_cache_hemisphere_cell *first,
-                struct pp_cache_hemisphere_cell *second, const double gradient[2],
-                const double hessian[3])
+static void add_cell_edge(struct pp_irradiance_change *change,
+                          struct pp_cache_hemisphere_cell *first,
+                          struct pp_cache_hemisphere_cell *second,
+                          const double gradient[2], const double hessian[3])
 {
     struct pp_rgb difference = pp_rgb_sub(first->radiance, second->radiance);
     for (int i = 0; i < 2; i++) {
@@ -98,11 +98,11 @@ static void add(struct pp_irradiance_change *change,
 }
 
 /* The edge between two cells from direction p to q, ccw round the first. */
-static void add_edge(struct pp_irradiance_change *change,
-                     const struct pp_cache_hemisphere *h,
-                     struct pp_cache_hemisphere_cell *first,
-                     struct pp_cache_hemisphere_cell *second, struct pp_vec3 p,
-                     struct pp_vec3 q)
+static void add_direction_edge(struct pp_irradiance_change *change,
+                               const struct pp_cache_hemisphere *h,
+                               struct pp_cache_hemisphere_cell *first,
+                               struct pp_cache_hemisphere_cell *second,
+                               struct pp_vec3 p, struct pp_vec3 q)
 {
     const struct pp_cache_hemisphere_cell *near = nearer(first, second);
     if (!isfinite(near->distance_m))
@@ -110,7 +110,7 @@ static void add_edge(struct pp_irradiance_change *change,
     double gradient[2], hessian[3];
     pp_cache_derivatives_edge(on_surface(h, near, p), on_surface(h, near, q), gradient,
                               hessian);
-    add(change, first, second, gradient, hessian);
+    add_cell_edge(change, first, second, gradient, hessian);
 }
 
 static struct pp_vec3 corner(const struct pp_cache_hemisphere *h, int i, int j)
@@ -127,9 +127,9 @@ static void add_edges(struct pp_irradiance_change *change,
             struct pp_cache_hemisphere_cell *cell = &h->cells[j * n + i];
             struct pp_vec3 far = corner(h, i + 1, j + 1);
             if (i + 1 < n)
-                add_edge(change, h, cell, cell + 1, corner(h, i + 1, j), far);
+                add_direction_edge(change, h, cell, cell + 1, corner(h, i + 1, j), far);
             if (j + 1 < n)
-                add_edge(change, h, cell, cell + n, far, corner(h, i, j + 1));
+                add_direction_edge(change, h, cell, cell + n, far, corner(h, i, j + 1));
         }
 }
 
@@ -174,7 +174,7 @@ static void add_horizon(struct pp_irradiance_change *change,
         double gradient[2] = {0.5 * r.y / r2, -0.5 * r.x / r2};
         double hessian[3] = {r.x * r.y / r4, 0.5 * (r.y * r.y - r.x * r.x) / r4,
                              -r.x * r.y / r4};
-        add(change, p, q, gradient, hessian);
+        add_cell_edge(change, p, q, gradient, hessian);
     }
 }
 

@@ -135,10 +135,11 @@ enum pp_status pp_cache_file_pack(const struct pp_irradiance_cache *cache, char 
 }
 
 /* Checks all but the records. */
-static enum pp_status check(const struct pp_irradiance_cache *cache,
-                            const unsigned char *bytes, size_t length,
-                            const char *title, uint64_t counts[PP_CACHE_DEPTHS],
-                            struct pp_error *err)
+static enum pp_status check_cache_header(const struct pp_irradiance_cache *cache,
+                                         const unsigned char *bytes, size_t length,
+                                         const char *title,
+                                         uint64_t counts[PP_CACHE_DEPTHS],
+                                         struct pp_error *err)
 {
     if (length < 16 || memcmp(bytes, magic, 16) != 0)
         return pp_fail(err, PP_BAD_INPUT,
@@ -214,7 +215,7 @@ enum pp_status pp_cache_file_unpack(struct pp_irradiance_cache *cache,
 {
     uint64_t counts[PP_CACHE_DEPTHS];
     const unsigned char *at = (const unsigned char *)bytes;
-    enum pp_status status = check(cache, at, length, title, counts, err);
+    enum pp_status status = check_cache_header(cache, at, length, title, counts, err);
     if (status == PP_OK)
         status = take_all(cache, at + HEAD, title, counts, err);
     if (status == PP_OK)

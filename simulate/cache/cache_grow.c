@@ -49,7 +49,8 @@ static enum pp_status reserve(struct pp_cache_layer *layer, int count,
 }
 
 /* Appends a request, for which there is room. */
-static void append(struct pp_cache_layer *layer, const struct pp_cache_place *place)
+static void append_cache_request(struct pp_cache_layer *layer,
+                                 const struct pp_cache_place *place)
 {
     layer->requests[layer->request_count++] =
         (struct pp_cache_request){.place = *place};
@@ -170,7 +171,7 @@ static enum pp_status request_along(struct pp_irradiance_cache *cache,
         status = reserve(layer, wanted, err);
         for (int i = 0; i < n && status == PP_OK; i++)
             for (int k = 0; k < rays_requests[i].count; k++)
-                append(layer, &rays_requests[i].places[k]);
+                append_cache_request(layer, &rays_requests[i].places[k]);
     }
     free(rays_requests);
     if (status == PP_OK)
@@ -198,7 +199,7 @@ enum pp_status pp_cache_grow_request_point(struct pp_irradiance_cache *cache,
     forget(cache);
     enum pp_status status = reserve(&cache->layers[0], 1, err);
     if (status == PP_OK)
-        append(&cache->layers[0], &place);
+        append_cache_request(&cache->layers[0], &place);
     return status;
 }
 
@@ -279,8 +280,8 @@ static bool ask_from_record(void *store, const struct pp_light_hit *hit,
     return cache->ambient.irradiance(cache, hit, normal, at, value);
 }
 
-static uint64_t seed_of(const struct pp_irradiance_cache *cache,
-                        const struct pp_cache_place *place, int depth)
+static uint64_t cache_place_seed(const struct pp_irradiance_cache *cache,
+                                 const struct pp_cache_place *place, int depth)
 {
     uint64_t seed = pp_hash(cache->options.seed, (uint64_t)depth);
     return pp_hash_vec(pp_hash_vec(seed, place->point), place->normal);
@@ -343,8 +344,9 @@ static bool stands_apart(const struct pp_cache_request *request,
 
 /* The first open requests that stand apart. Those that are covered by now leave the
  * list; hardly more of it is looked at than a batch needs. */
-static int choose(struct pp_irradiance_cache *cache, struct pp_cache_layer *layer,
-                  const struct pp_cache_request *chosen[])
+static int choose_open_requests(struct pp_irradiance_cache *cache,
+                                struct pp_cache_layer *layer,
+                                const struct pp_cache_request *chosen[])
 {
     struct look look = {cache, layer};
     int count = 0, kept = 0, i = 0, looked = 0;
@@ -385,7 +387,8 @@ static bool compute_one(void *data, int worker, int i)
     const struct pp_cache_place *place = &records->chosen[i]->place;
     struct asking_record from = {cache, depth};
     struct pp_ambient ambient = {ask_from_record, &from};
-    struct pp_radiance_state state = state_of(cache, seed_of(cache, place, depth));
+    struct pp_radiance_state state =
+        state_of(cache, cache_place_seed(cache, place, depth));
     state.ambient = &ambient;
     size_t cells = (size_t)settings->side * (size_t)settings->side;
     pp_cache_record_compute(settings, &state, place,
@@ -401,7 +404,7 @@ static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
 {
     struct pp_cache_layer *layer = &cache->layers[depth];
     const struct pp_cache_request *chosen[PP_CACHE_BATCH];
-    int count = choose(cache, layer, chosen);
+    int count = choose_open_requests(cache, layer, chosen);
     if (count == 0)
         return PP_OK;
     size_t side = (size_t)layer->settings.side;

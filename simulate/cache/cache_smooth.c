@@ -50,7 +50,7 @@ static struct pp_rgb turned_to(const struct pp_cache_record *is, struct pp_vec3 
                   is->value.b + pp_vec_dot(is->turned[2], turn));
 }
 
-static struct pp_cache_place place_of(const struct pp_cache_record *is)
+static struct pp_cache_place record_place(const struct pp_cache_record *is)
 {
     return (struct pp_cache_place){is->point, is->normal, is->space};
 }
@@ -64,7 +64,7 @@ static void add_neighbour(void *context, int record)
     const struct pp_cache_entry *other = &fit->layer->entries[record];
     const struct pp_cache_record *is = &fit->entry->is;
     const struct pp_cache_record_settings *settings = &fit->layer->settings;
-    struct pp_cache_place here = place_of(is), there = place_of(&other->is);
+    struct pp_cache_place here = record_place(is), there = record_place(&other->is);
     double distance = fmax(pp_cache_entry_distance(fit->entry, &there, INFINITY),
                            pp_cache_entry_distance(other, &here, INFINITY));
     if (!(distance < NEAR))

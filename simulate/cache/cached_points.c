@@ -67,7 +67,7 @@ static struct pp_vec3 plane_point(const struct pp_cached_points *points, double 
                       points->scene->centre);
 }
 
-static void begin(const void *client, void *state)
+static void begin_cached_state(const void *client, void *state)
 {
     const struct pp_cached_points *points = client;
     *(struct pp_radiance_state *)state = (struct pp_radiance_state){
@@ -78,13 +78,14 @@ static void begin(const void *client, void *state)
         .ambient = pp_irradiance_cache_ambient(points->cache)};
 }
 
-static uint64_t seed_of(const void *client, int point)
+static uint64_t cached_point_seed(const void *client, int point)
 {
     return ((const struct pp_cached_points *)client)->points[point].seed;
 }
 
-static void follow(const void *client, void *state, const struct pp_path_range *range,
-                   struct pp_randomisation *randomisation)
+static void follow_cached_paths(const void *client, void *state,
+                                const struct pp_path_range *range,
+                                struct pp_randomisation *randomisation)
 {
     const struct pp_cached_points *points = client;
     const struct cached_point *point = &points->points[range->point];
@@ -113,8 +114,9 @@ static void follow(const void *client, void *state, const struct pp_path_range *
     randomisation->leaks += radiance->leaks - leaks;
 }
 
-static double value_of(const void *client, int index,
-                       const struct pp_randomisation *randomisation, int component)
+static double cached_point_value(const void *client, int index,
+                                 const struct pp_randomisation *randomisation,
+                                 int component)
 {
     const struct pp_cached_points *points = client;
     double value[3];
@@ -126,8 +128,8 @@ static double value_of(const void *client, int index,
                               : value[component];
 }
 
-static double bound_of(const void *client, int index, int component, unsigned found,
-                       const double *paths)
+static double cached_point_bound(const void *client, int index, int component,
+                                 unsigned found, const double *paths)
 {
     const struct cached_point *point =
         &((const struct pp_cached_points *)client)->points[index];
@@ -144,11 +146,11 @@ static const struct pp_sampler sampler = {
     .pilot = {{8}},
     .least = {{16}},
     .state_size = sizeof(struct pp_radiance_state),
-    .begin = begin,
-    .seed = seed_of,
-    .follow = follow,
-    .value = value_of,
-    .bound = bound_of,
+    .begin = begin_cached_state,
+    .seed = cached_point_seed,
+    .follow = follow_cached_paths,
+    .value = cached_point_value,
+    .bound = cached_point_bound,
 };
 
 /* ---- making ---- */
@@ -186,8 +188,8 @@ static enum reflected_by reflected_by(const struct pp_cached_points *points, boo
 }
 
 /* The point of a receiver; NULL: the working plane as a whole. */
-static struct cached_point point_of(const struct pp_cached_points *points,
-                                    const struct pp_receiver *receiver)
+static struct cached_point cached_point_of(const struct pp_cached_points *points,
+                                           const struct pp_receiver *receiver)
 {
     struct cached_point point = {.plane = !receiver,
                                  .normal = {0.0, 0.0, 1.0},
@@ -207,9 +209,9 @@ static struct cached_point point_of(const struct pp_cached_points *points,
     return point;
 }
 
-static enum pp_status make(struct pp_cached_points *points,
-                           const struct pp_receiver *receivers, int receiver_count,
-                           struct pp_error *err)
+static enum pp_status make_cached_points(struct pp_cached_points *points,
+                                         const struct pp_receiver *receivers,
+                                         int receiver_count, struct pp_error *err)
 {
     bool average = points->options.average && points->scene->plane_count > 0;
     points->receiver_count = receiver_count;
@@ -217,7 +219,8 @@ static enum pp_status make(struct pp_cached_points *points,
     points->points = calloc((size_t)points->point_count + 1, sizeof *points->points);
     enum pp_status status = points->points ? PP_OK : pp_fail_memory(err);
     for (int i = 0; status == PP_OK && i < points->point_count; i++) {
-        points->points[i] = point_of(points, i < receiver_count ? &receivers[i] : NULL);
+        points->points[i] =
+            cached_point_of(points, i < receiver_count ? &receivers[i] : NULL);
         status = request(points, &points->points[i], err);
     }
     const struct pp_planner_options planned = {.error = points->options.error,
@@ -249,7 +252,7 @@ enum pp_status pp_cached_points_create(
     points->store = store;
     points->cache = cache;
     points->options = *options;
-    enum pp_status status = make(points, receivers, receiver_count, err);
+    enum pp_status status = make_cached_points(points, receivers, receiver_count, err);
     if (status != PP_OK) {
         pp_cached_points_destroy(points);
         return status;

@@ -174,7 +174,8 @@ static enum pp_status make_layer(struct pp_irradiance_cache *cache, int depth,
     return pp_cache_octree_init(&layer->tree, low, size, err);
 }
 
-static enum pp_status make(struct pp_irradiance_cache *cache, struct pp_error *err)
+static enum pp_status make_irradiance_cache(struct pp_irradiance_cache *cache,
+                                            struct pp_error *err)
 {
     cache->size_m = longest_side(pp_light_scene_bounds(cache->scene, true));
     if (!(cache->size_m > 0.0))
@@ -214,7 +215,7 @@ enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **result,
     cache->options = *options;
     status = pp_thread_pool_create(&cache->pool, options->threads, err);
     if (status == PP_OK)
-        status = make(cache, err);
+        status = make_irradiance_cache(cache, err);
     cache->options.materials = NULL; /* the caller's: `left_out` has what they say */
     if (status != PP_OK) {
         pp_irradiance_cache_destroy(cache);

@@ -83,7 +83,7 @@ static double skewness_squared(const struct outlook *outlook)
 }
 
 /* The bound on what is not found, of the last value. */
-static double bound_of(const struct outlook *outlook)
+static double unfound_bound(const struct outlook *outlook)
 {
     const struct pp_sampler *sampler = outlook->pilot->sampler;
     double paths[PP_ESTIMATORS_MOST];
@@ -112,7 +112,7 @@ static double height(const struct outlook *outlook, enum aim aim)
 {
     return aim == VARIANCE   ? sum_of(outlook, outlook->variance)
            : aim == SKEWNESS ? sum_of(outlook, outlook->third)
-                             : bound_of(outlook);
+                             : unfound_bound(outlook);
 }
 
 /* Doubles the estimator that takes away most for its cost; false: none does. Of skewness
@@ -147,7 +147,7 @@ static bool double_best(struct outlook *outlook, enum aim aim)
  * PP_RANDOMISATIONS. */
 static double allowed_variance(const struct outlook *outlook, double wanted)
 {
-    double planned = PLANNED_SHARE * wanted, bound = bound_of(outlook);
+    double planned = PLANNED_SHARE * wanted, bound = unfound_bound(outlook);
     double left = fmax(planned * planned - bound * bound, 0.25 * planned * planned);
     double student = pp_spread_student(PP_RANDOMISATIONS);
     return left * PP_RANDOMISATIONS / (student * student);
@@ -199,7 +199,7 @@ static struct pp_plan plan_by(struct outlook outlook, double wanted)
     while (skewness_squared(&outlook) > SKEWNESS_SQUARED
            && double_best(&outlook, SKEWNESS))
         ;
-    while (bound_of(&outlook) > 0.5 * wanted && double_best(&outlook, BOUND))
+    while (unfound_bound(&outlook) > 0.5 * wanted && double_best(&outlook, BOUND))
         ;
     plan.counts = outlook.counts;
     return plan;
@@ -229,7 +229,8 @@ static bool is_too_little(const struct outlook *now, double wanted,
     bool skewed = skewness_squared(&planned) > SKEWNESS_SQUARED;
     bool vague =
         height(now, VARIANCE) > VAGUE * VAGUE * PP_RANDOMISATIONS * wanted * wanted;
-    bool blind = bound_of(now) > 2.0 * wanted && bound_of(&more) < bound_of(now);
+    bool blind =
+        unfound_bound(now) > 2.0 * wanted && unfound_bound(&more) < unfound_bound(now);
     bool grows = skewed || vague || blind;
     if (grows)
         *counts = more.counts;

@@ -25,8 +25,9 @@ static const double ROUND_SHARE = 0.7;
 /* ---- making ---- */
 
 /* The randomisations of a stage: `count` in all, fresh but for those that are there. */
-static enum pp_status make(struct pp_planned_point *point, enum pp_planner_stage stage,
-                           int count, struct pp_error *err)
+static enum pp_status make_randomisations(struct pp_planned_point *point,
+                                          enum pp_planner_stage stage, int count,
+                                          struct pp_error *err)
 {
     int there = point->randomisations[stage];
     if (count <= there)
@@ -41,7 +42,8 @@ static enum pp_status make(struct pp_planned_point *point, enum pp_planner_stage
     return PP_OK;
 }
 
-static enum pp_status begin(struct pp_planner *planner, struct pp_error *err)
+static enum pp_status begin_planned_points(struct pp_planner *planner,
+                                           struct pp_error *err)
 {
     const struct pp_planner_options *options = &planner->options;
     planner->stage = pp_planner_by_samples(planner) ? PP_FINAL : PP_PILOT;
@@ -59,7 +61,7 @@ static enum pp_status begin(struct pp_planner *planner, struct pp_error *err)
         for (int k = 0; pp_planner_by_samples(planner) && k < PP_ESTIMATORS_MOST; k++)
             point->counts.of[k] = (uint32_t)fmin((double)options->samples,
                                                  pp_plan_most(planner->sampler, k));
-        status = make(point, planner->stage, count, err);
+        status = make_randomisations(point, planner->stage, count, err);
     }
     return status;
 }
@@ -87,7 +89,7 @@ enum pp_status pp_planner_create(struct pp_planner **result,
     planner->point_count = planner->most_points = points;
     pp_sobol_init(&planner->sobol);
     planner->points = calloc((size_t)points + 1, sizeof *planner->points);
-    status = planner->points ? begin(planner, err) : pp_fail_memory(err);
+    status = planner->points ? begin_planned_points(planner, err) : pp_fail_memory(err);
     if (status == PP_OK)
         status = pp_thread_pool_create(&planner->pool, options->threads, err);
     int workers = status == PP_OK ? pp_thread_pool_size(planner->pool) : 0;
@@ -127,7 +129,7 @@ void pp_planner_restart(struct pp_planner *planner, int points)
                (size_t)planner->points[i].randomisations[PP_FINAL]
                    * sizeof **planner->points[i].stages);
     planner->point_count = points;
-    begin(planner, NULL); /* all that it needs is there */
+    begin_planned_points(planner, NULL); /* all that it needs is there */
 }
 
 /* ---- stages ---- */
@@ -205,7 +207,7 @@ static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *er
                 grows = true;
             }
         point->counts = plan.counts;
-        status = make(point, PP_FINAL, plan.randomisations, err);
+        status = make_randomisations(point, PP_FINAL, plan.randomisations, err);
     }
     if (!grows)
         planner->stage = PP_FINISHED;
@@ -237,7 +239,7 @@ static enum pp_status top_up(struct pp_planner *planner, struct pp_error *err)
                              planner);
     for (int i = 0; status == PP_OK && i < planner->point_count; i++) {
         struct pp_planned_point *point = &planner->points[i];
-        status = make(point, PP_FINAL, 2 * larger_half(point), err);
+        status = make_randomisations(point, PP_FINAL, 2 * larger_half(point), err);
     }
     return status;
 }
@@ -292,7 +294,8 @@ static enum pp_status list_block(struct pp_planner *planner, int *most,
 }
 
 /* Has what the units of this pass share made ready. */
-static enum pp_status prepare(const struct pp_planner *planner, struct pp_error *err)
+static enum pp_status prepare_shared_samples(const struct pp_planner *planner,
+                                             struct pp_error *err)
 {
     struct pp_counts wanted[BLOCK] = {{{0}}};
     for (int i = 0; i < planner->unit_count; i++) {
@@ -317,13 +320,13 @@ static enum pp_status list_units(struct pp_planner *planner, struct pp_error *er
     if (planner->unit_count == 0)
         planner->block = 0;
     else if (status == PP_OK && planner->sampler->prepare)
-        status = prepare(planner, err);
+        status = prepare_shared_samples(planner, err);
     return status;
 }
 
 /* A step of one randomisation: the sums do not depend on how the way is divided. */
-static void run(const struct pp_planner *planner, struct pp_planner_unit unit,
-                void *state)
+static void run_planned_unit(const struct pp_planner *planner,
+                             struct pp_planner_unit unit, void *state)
 {
     struct pp_planned_point *point = &planner->points[unit.point];
     struct pp_randomisation *randomisation =
@@ -357,7 +360,7 @@ static bool run_unit(void *data, int worker, int index)
 {
     const struct slice *slice = data;
     struct pp_planner *planner = slice->planner;
-    run(planner, planner->units[index], state_of(planner, worker));
+    run_planned_unit(planner, planner->units[index], state_of(planner, worker));
     return pp_clock_s() < slice->end_s;
 }
 

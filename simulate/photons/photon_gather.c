@@ -25,8 +25,8 @@ struct gathering {
     double *sums;
 };
 
-static void add(struct gathering *ray, struct pp_rgb radiance, double share,
-                enum pp_photon_last what)
+static void add_gathered_light(struct gathering *ray, struct pp_rgb radiance,
+                               double share, enum pp_photon_last what)
 {
     struct pp_rgb light = pp_rgb_times(ray->throughput, radiance);
     ray->sums[ray->seen ? ray->what : what] += share * pp_rgb_luminance(light);
@@ -63,8 +63,8 @@ static void add_entering(struct pp_photon_state *state, struct gathering *ray, i
     bool is_sky;
     struct pp_rgb light = pp_photon_outside(
         state, back, state->scene->panes[pane].unobstructed, vertex + 1, &is_sky);
-    add(ray, pp_rgb_times(light, through), share,
-        is_sky ? PP_PHOTON_FROM_SKY : PP_PHOTON_FROM_OUTSIDE);
+    add_gathered_light(ray, pp_rgb_times(light, through), share,
+                       is_sky ? PP_PHOTON_FROM_SKY : PP_PHOTON_FROM_OUTSIDE);
 }
 
 /* The light of sources that the ray has come to. */
@@ -78,7 +78,8 @@ static void add_sources(struct pp_photon_state *state, struct gathering *ray)
     for (int i = sources->pane_count; hit->part >= 0 && i < sources->count; i++) {
         const struct pp_photon_source *lamp = &sources->list[i];
         if (lamp->part == hit->part && lamp->back == hit->back)
-            add(ray, lamp->radiance, left_of(state, ray, i), PP_PHOTON_FROM_INSIDE);
+            add_gathered_light(ray, lamp->radiance, left_of(state, ray, i),
+                               PP_PHOTON_FROM_INSIDE);
     }
 }
 
@@ -102,11 +103,11 @@ static void add_photon(struct pp_photon_state *state, struct gathering *ray)
         if (!pp_photon_turn(state, &photon))
             break;
     }
-    add(ray, sum, 1.0 / PP_PI, ray->what);
+    add_gathered_light(ray, sum, 1.0 / PP_PI, ray->what);
 }
 
 /* The ray goes on by one of the surface's lobes; false where it ends. */
-static bool turn(struct pp_photon_state *state, struct gathering *ray)
+static bool turn_gathering_ray(struct pp_photon_state *state, struct gathering *ray)
 {
     double u[3]; /* direction (2), lobe */
     double left = left_of(state, ray, -1);
@@ -139,9 +140,9 @@ static bool turn(struct pp_photon_state *state, struct gathering *ray)
     return true;
 }
 
-static struct gathering begin(const struct pp_photon_state *state,
-                              const struct pp_photon_receiver *receiver, int vertex,
-                              double sums[3])
+static struct gathering begin_gathering(const struct pp_photon_state *state,
+                                        const struct pp_photon_receiver *receiver,
+                                        int vertex, double sums[3])
 {
     double u[2];
     struct pp_vec3 a, b;
@@ -163,12 +164,13 @@ void pp_photon_gather(struct pp_photon_state *state,
                       const struct pp_photon_receiver *receiver, int vertex,
                       double sums[3])
 {
-    struct gathering ray = begin(state, receiver, vertex, sums);
+    struct gathering ray = begin_gathering(state, receiver, vertex, sums);
     if (!state->scene->has_room) {
         bool is_sky;
         struct pp_rgb light =
             pp_photon_outside(state, ray.ray, false, ray.vertex, &is_sky);
-        add(&ray, light, 1.0, is_sky ? PP_PHOTON_FROM_SKY : PP_PHOTON_FROM_OUTSIDE);
+        add_gathered_light(&ray, light, 1.0,
+                           is_sky ? PP_PHOTON_FROM_SKY : PP_PHOTON_FROM_OUTSIDE);
         return;
     }
     for (int i = 0; i < PP_PHOTON_MOST_VERTICES; i++, ray.vertex++) {
@@ -178,7 +180,7 @@ void pp_photon_gather(struct pp_photon_state *state,
         ray.gone_m += ray.hit.distance_m;
         ray.lobes = pp_photon_lobes_at(state, &ray.hit, ray.ray.to);
         add_sources(state, &ray);
-        if (!turn(state, &ray))
+        if (!turn_gathering_ray(state, &ray))
             return;
     }
 }

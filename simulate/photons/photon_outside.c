@@ -21,8 +21,9 @@ static struct pp_rgb emission(const struct pp_light_scene *scene,
 }
 
 /* The path's next ray; false where it ends. */
-static bool go_on(struct pp_photon_state *state, const struct pp_light_hit *hit,
-                  int vertex, struct pp_light_ray *ray, struct pp_rgb *throughput)
+static bool next_photon_ray(struct pp_photon_state *state,
+                            const struct pp_light_hit *hit, int vertex,
+                            struct pp_light_ray *ray, struct pp_rgb *throughput)
 {
     double u[3]; /* direction (2), lobe */
     struct pp_lobes lobes = pp_photon_lobes_at(state, hit, ray->to);
@@ -56,7 +57,7 @@ struct pp_rgb pp_photon_outside(struct pp_photon_state *state, struct pp_light_r
             return pp_rgb_add(sum, pp_rgb_times(throughput, light));
         }
         sum = pp_rgb_add(sum, pp_rgb_times(throughput, emission(state->scene, &hit)));
-        if (!go_on(state, &hit, vertex + i, &ray, &throughput))
+        if (!next_photon_ray(state, &hit, vertex + i, &ray, &throughput))
             return sum;
     }
     return sum;

@@ -264,7 +264,7 @@ struct pp_vec3 pp_photon_sources_point(const struct pp_light_scene *scene,
 
 /* The cell that u in (0, 1) falls to by the weights, whose mean is `mean`; u becomes its
  * place within. */
-static int cell_of(const double *weights, double mean, double *u)
+static int source_cell(const double *weights, double mean, double *u)
 {
     double left = *u * PP_PHOTON_CELLS * mean;
     int i = 0;
@@ -280,8 +280,8 @@ struct pp_vec3 pp_photon_sources_direction(const struct pp_light_scene *scene,
                                            double *density)
 {
     const struct pp_light_part *part = &scene->parts[source->part];
-    int row = cell_of(source->rows, 1.0, &u);
-    int column = cell_of(source->cells[row], source->rows[row], &v);
+    int row = source_cell(source->rows, 1.0, &u);
+    int column = source_cell(source->cells[row], source->rows[row], &v);
     *density = source->cells[row][column];
     return pp_lobe_sample_in_frame(part->a, part->b, n, (row + u) / PP_PHOTON_CELLS,
                                    (column + v) / PP_PHOTON_CELLS);

@@ -60,7 +60,7 @@ void pp_photon_store_destroy(struct pp_photon_store *store)
     free(store);
 }
 
-static void keep(struct photon_set *set, const struct pp_photon_place *place)
+static void keep_photon(struct photon_set *set, const struct pp_photon_place *place)
 {
     if (set->status == PP_OK)
         set->status = pp_array_reserve(&set->places, &set->place_capacity,
@@ -69,18 +69,18 @@ static void keep(struct photon_set *set, const struct pp_photon_place *place)
         set->places[set->place_count++] = *place;
 }
 
-static void follow(struct pp_photon_state *state, struct photon_set *set)
+static void follow_photon_set(struct pp_photon_state *state, struct photon_set *set)
 {
     struct pp_photon photon;
     struct pp_photon_place place;
     if (!pp_photon_begin(state, state->sources->count, 0, &photon, &place))
         return;
     if (photon.scattered)
-        keep(set, &place);
+        keep_photon(set, &place);
     while (pp_photon_arrive(state, &photon)) {
         for (int side = 0; side < 2; side++)
             if (pp_photon_leaves(state, &photon, side, &place))
-                keep(set, &place);
+                keep_photon(set, &place);
         if (!pp_photon_turn(state, &photon))
             return;
     }
@@ -104,7 +104,7 @@ static bool extend(void *data, int worker, int index)
     pp_sobol_sequence_init(&state.sequence, &store->sobol, seed);
     for (; set->count < (int)to->wanted[index]; set->count++) {
         state.index = (uint32_t)set->count;
-        follow(&state, set);
+        follow_photon_set(&state, set);
         set->ends[set->count] = set->place_count;
     }
     set->rays += state.rays;

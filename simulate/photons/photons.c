@@ -116,7 +116,7 @@ static void count_photon(struct pp_photon_state *state,
 
 /* ---- the sampler ---- */
 
-static void begin(const void *client, void *data)
+static void begin_photon_state(const void *client, void *data)
 {
     const struct pp_photons *photons = client;
     *(struct pp_photon_state *)data =
@@ -125,7 +125,7 @@ static void begin(const void *client, void *data)
                                  .sources = photons->sources};
 }
 
-static uint64_t seed_of(const void *client, int point)
+static uint64_t photon_point_seed(const void *client, int point)
 {
     return ((const struct pp_photons *)client)->points[point].seed;
 }
@@ -150,8 +150,9 @@ static void follow_one(const struct pp_photons *photons, struct pp_photon_state 
     }
 }
 
-static void follow(const void *client, void *data, const struct pp_path_range *range,
-                   struct pp_randomisation *randomisation)
+static void follow_photon_range(const void *client, void *data,
+                                const struct pp_path_range *range,
+                                struct pp_randomisation *randomisation)
 {
     struct pp_photon_state *state = data;
     long rays = state->rays, leaks = state->leaks;
@@ -162,9 +163,9 @@ static void follow(const void *client, void *data, const struct pp_path_range *r
     randomisation->leaks += state->leaks - leaks;
 }
 
-static enum pp_status prepare(const void *client, int stage, int first, int count,
-                              const struct pp_counts *wanted,
-                              struct pp_thread_pool *pool, struct pp_error *err)
+static enum pp_status prepare_photons(const void *client, int stage, int first,
+                                      int count, const struct pp_counts *wanted,
+                                      struct pp_thread_pool *pool, struct pp_error *err)
 {
     const struct pp_photons *photons = client;
     uint32_t *each = malloc((size_t)count * sizeof *each);
@@ -179,8 +180,8 @@ static enum pp_status prepare(const void *client, int stage, int first, int coun
 }
 
 /* The share of an estimator in a component. */
-static double share_of(const struct pp_randomisation *randomisation, int estimator,
-                       int component)
+static double estimator_share(const struct pp_randomisation *randomisation,
+                              int estimator, int component)
 {
     static const int first[ESTIMATORS] = {SUM_DIRECT, SUM_PHOTONS - PP_ERC, SUM_GATHER};
     static const bool has[ESTIMATORS][3] = {
@@ -198,30 +199,32 @@ static double allowance_of(const void *client, int component)
                                : 1.0;
 }
 
-static double part_of(const void *client, int point,
-                      const struct pp_randomisation *randomisation, int estimator)
+static double photon_estimate(const void *client, int point,
+                              const struct pp_randomisation *randomisation,
+                              int estimator)
 {
     (void)point;
     double sum = 0.0;
     for (int i = PP_SC; i <= PP_IRC; i++)
-        sum += allowance_of(client, i) * share_of(randomisation, estimator, i);
+        sum += allowance_of(client, i) * estimator_share(randomisation, estimator, i);
     return sum;
 }
 
-static double value_of(const void *client, int point,
-                       const struct pp_randomisation *randomisation, int component)
+static double photon_point_value(const void *client, int point,
+                                 const struct pp_randomisation *randomisation,
+                                 int component)
 {
     (void)point;
     double sum = 0.0;
     for (int i = 0; i < ESTIMATORS; i++)
-        sum += component == PP_DF ? part_of(client, point, randomisation, i)
+        sum += component == PP_DF ? photon_estimate(client, point, randomisation, i)
                                   : allowance_of(client, component)
-                                        * share_of(randomisation, i, component);
+                                        * estimator_share(randomisation, i, component);
     return sum;
 }
 
-static double bound_of(const void *client, int point, int component, unsigned found,
-                       const double *paths)
+static double photon_point_bound(const void *client, int point, int component,
+                                 unsigned found, const double *paths)
 {
     const struct pp_photons *photons = client;
     return pp_unsampled_of_component(&photons->points[point].most, component, found,
@@ -236,12 +239,12 @@ static const struct pp_sampler counting = {
     .pilot = {{16, 16, 16}},
     .least = {{16, 16, 16}},
     .state_size = sizeof(struct pp_photon_state),
-    .begin = begin,
-    .seed = seed_of,
-    .follow = follow,
-    .value = value_of,
-    .part = part_of,
-    .bound = bound_of,
+    .begin = begin_photon_state,
+    .seed = photon_point_seed,
+    .follow = follow_photon_range,
+    .value = photon_point_value,
+    .part = photon_estimate,
+    .bound = photon_point_bound,
 };
 
 /* Where receivers share them. */
@@ -251,7 +254,7 @@ static struct pp_sampler sharing(void)
     sampler.most.of[PHOTONS] = MOST_SHARED;
     sampler.cost[PHOTONS] = SHARED_COST;
     sampler.cost_of_more = SHARED_COST * MOST_SHARED;
-    sampler.prepare = prepare;
+    sampler.prepare = prepare_photons;
     return sampler;
 }
 
@@ -283,7 +286,8 @@ static struct photon_point receiver_of(const struct pp_photons *photons,
     return point;
 }
 
-static struct photon_point plane_of(const struct pp_photons *photons, uint64_t seed)
+static struct photon_point photon_plane_point(const struct pp_photons *photons,
+                                              uint64_t seed)
 {
     return (struct photon_point){
         .counter = pp_photon_counter_plane(photons->scene),
@@ -291,10 +295,10 @@ static struct photon_point plane_of(const struct pp_photons *photons, uint64_t s
         .seed = pp_hash(seed, UINT64_MAX)};
 }
 
-static enum pp_status fill(struct pp_photons *photons,
-                           const struct pp_receiver *receivers,
-                           const struct pp_photons_options *options,
-                           struct pp_error *err)
+static enum pp_status fill_photons(struct pp_photons *photons,
+                                   const struct pp_receiver *receivers,
+                                   const struct pp_photons_options *options,
+                                   struct pp_error *err)
 {
     struct pp_photon_state state;
     const struct pp_light_scene *scene = photons->scene;
@@ -310,17 +314,17 @@ static enum pp_status fill(struct pp_photons *photons,
         photons->points[i] = receiver_of(photons, &receivers[i], options->sensor_m,
                                          seed, photons->chances + (size_t)i * panes);
     if (photons->point_count > count)
-        photons->points[count] = plane_of(photons, seed);
+        photons->points[count] = photon_plane_point(photons, seed);
     photons->shares = count > 0 && options->sensor_m == 0.0;
     photons->sampler = photons->shares ? sharing() : counting;
-    begin(photons, &state);
+    begin_photon_state(photons, &state);
     return pp_photon_store_create(&photons->store, &state, pp_hash(seed, 1), err);
 }
 
-static enum pp_status make(struct pp_photons *photons,
-                           const struct pp_receiver *receivers,
-                           const struct pp_photons_options *options,
-                           struct pp_error *err)
+static enum pp_status make_photons(struct pp_photons *photons,
+                                   const struct pp_receiver *receivers,
+                                   const struct pp_photons_options *options,
+                                   struct pp_error *err)
 {
     if (!(options->sensor_m >= 0.0) || isinf(options->sensor_m))
         return pp_fail(err, PP_BAD_INPUT,
@@ -333,7 +337,7 @@ static enum pp_status make(struct pp_photons *photons,
     enum pp_status status = pp_photon_sources_create(&photons->sources, photons->scene,
                                                      photons->environment, err);
     if (status == PP_OK)
-        status = fill(photons, receivers, options, err);
+        status = fill_photons(photons, receivers, options, err);
     if (status == PP_OK)
         status = pp_planner_create(&photons->planner, &photons->sampler, photons,
                                    photons->point_count, &planned, err);
@@ -352,7 +356,7 @@ enum pp_status pp_photons_create(
     photons->scene = scene;
     photons->environment = environment;
     photons->receiver_count = receiver_count;
-    enum pp_status status = make(photons, receivers, options, err);
+    enum pp_status status = make_photons(photons, receivers, options, err);
     if (status != PP_OK) {
         pp_photons_destroy(photons);
         return status;

@@ -77,7 +77,7 @@ static void want(const struct descent *g, int index)
     g->wanted->list[g->wanted->count++] = index;
 }
 
-static void gather(const struct descent *g, int index)
+static void gather_from_element(const struct descent *g, int index)
 {
     const struct pp_element_tree *tree = g->room->tree;
     const struct pp_element *element = &tree->list[index];
@@ -89,7 +89,7 @@ static void gather(const struct descent *g, int index)
     bool even = unevenness(g, element, factor) <= g->accuracy->tolerance;
     if (divided && (!even || (hidden && factor > g->accuracy->most_factor))) {
         for (int i = 0; i < element->part_count; i++)
-            gather(g, element->first_part + i);
+            gather_from_element(g, element->first_part + i);
         return;
     }
     if (hidden)
@@ -121,7 +121,7 @@ void pp_element_light_add(const struct pp_light_room *room,
             continue;
         pp_element_sight_look_at(&g.view, i);
         for (int k = 0; k < tree->roots[side][1]; k++)
-            gather(&g, tree->roots[side][0] + k);
+            gather_from_element(&g, tree->roots[side][0] + k);
     }
     pp_element_sight_view_clear(&g.view);
 }

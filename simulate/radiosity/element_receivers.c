@@ -237,8 +237,9 @@ enum pp_status pp_element_receivers_on_plane(struct pp_element_receivers *receiv
 
 /* ---- what it comes to ---- */
 
-static void add(double value[PP_COMPONENT_COUNT], const double part[PP_LIGHT_PARTS],
-                double share, double decorations)
+static void add_components(double value[PP_COMPONENT_COUNT],
+                           const double part[PP_LIGHT_PARTS], double share,
+                           double decorations)
 {
     for (int i = 0; i < PP_LIGHT_PARTS; i++) {
         double more = share * part[i] * (i == PP_IRC ? decorations : 1.0);
@@ -257,12 +258,13 @@ void pp_element_receivers_value(const struct pp_element_receivers *receivers, in
     for (int c = 0; c < PP_COMPONENT_COUNT; c++)
         value[c] = index < 0 && direct->count == 0 ? NAN : 0.0;
     if (index >= 0) {
-        add(value, receiver->openings_value, 1.0, decorations);
-        add(value, receiver->elements_value, 1.0, decorations);
+        add_components(value, receiver->openings_value, 1.0, decorations);
+        add_components(value, receiver->elements_value, 1.0, decorations);
         return;
     }
     for (int i = 0; i < direct->count; i++, receiver++)
-        add(value, receiver->openings_value, direct->shares[i], decorations);
+        add_components(value, receiver->openings_value, direct->shares[i], decorations);
     for (int i = 0; i < reflected->count; i++, receiver++)
-        add(value, receiver->elements_value, reflected->shares[i], decorations);
+        add_components(value, receiver->elements_value, reflected->shares[i],
+                       decorations);
 }

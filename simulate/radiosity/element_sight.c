@@ -39,7 +39,7 @@ static void reach(const struct pp_element_sight *sight, int i, int plane, double
 }
 
 /* Is every facet part of the room's hull, with all others before it? */
-static bool is_convex(const struct pp_element_sight *sight)
+static bool hull_is_convex(const struct pp_element_sight *sight)
 {
     for (int p = 0; p < sight->count; p++) {
         if (!inside(sight, p)->envelope)
@@ -88,7 +88,7 @@ enum pp_status pp_element_sight_create(struct pp_element_sight **result,
             sight->inside[sight->count++] = i;
     for (int i = 0; i < sight->count; i++)
         set_signs(sight, i);
-    sight->all_seen = is_convex(sight);
+    sight->all_seen = hull_is_convex(sight);
     *result = sight;
     return PP_OK;
 }

@@ -35,8 +35,8 @@ struct pp_vec3 pp_element_tree_middle(const struct pp_vec3 *corners, int count,
 
 /* ---- cutting ---- */
 
-static void extent(const struct pp_vec3 *corners, int count, struct pp_vec3 axis,
-                   double *low, double *high)
+static void extent_along_axis(const struct pp_vec3 *corners, int count,
+                              struct pp_vec3 axis, double *low, double *high)
 {
     *low = INFINITY;
     *high = -INFINITY;
@@ -51,8 +51,8 @@ void pp_element_tree_cut(struct pp_element_parts *parts, const struct pp_facet *
                          const struct pp_vec3 *corners, int count)
 {
     double left, right, low, high, area, own;
-    extent(corners, count, facet->a, &left, &right);
-    extent(corners, count, facet->b, &low, &high);
+    extent_along_axis(corners, count, facet->a, &left, &right);
+    extent_along_axis(corners, count, facet->b, &low, &high);
     pp_element_tree_middle(corners, count, &area);
     bool across = PP_ELEMENT_LONG * (right - left) >= high - low;
     bool up = PP_ELEMENT_LONG * (high - low) > right - left;
@@ -87,9 +87,9 @@ void pp_element_tree_cut(struct pp_element_parts *parts, const struct pp_facet *
 
 /* ---- building ---- */
 
-static enum pp_status append(struct pp_element_tree *tree, int side, int parent,
-                             const struct pp_vec3 *corners, int count,
-                             struct pp_error *err)
+static enum pp_status append_element(struct pp_element_tree *tree, int side, int parent,
+                                     const struct pp_vec3 *corners, int count,
+                                     struct pp_error *err)
 {
     enum pp_status status = pp_array_reserve(&tree->list, &tree->room, tree->count + 1,
                                              sizeof *tree->list, err);
@@ -121,8 +121,8 @@ enum pp_status pp_element_tree_divide(struct pp_element_tree *tree, int index,
     pp_element_tree_cut(&parts, &tree->facets->list[element.side / 2],
                         &tree->corners[element.first_corner], element.count);
     for (int i = 0; status == PP_OK && i < parts.count; i++) {
-        status =
-            append(tree, element.side, index, parts.corners[i], parts.counts[i], err);
+        status = append_element(tree, element.side, index, parts.corners[i],
+                                parts.counts[i], err);
         if (status == PP_OK)
             tree->list[tree->count - 1].radiosity = element.radiosity;
     }
@@ -140,8 +140,8 @@ static bool is_too_long(const struct pp_element_tree *tree, int index, double si
     const struct pp_facet *facet = &tree->facets->list[element->side / 2];
     const struct pp_vec3 *corners = &tree->corners[element->first_corner];
     double left, right, low, high;
-    extent(corners, element->count, facet->a, &left, &right);
-    extent(corners, element->count, facet->b, &low, &high);
+    extent_along_axis(corners, element->count, facet->a, &left, &right);
+    extent_along_axis(corners, element->count, facet->b, &low, &high);
     double length = fmax(right - left, high - low);
     return length > size_m || length > PP_ELEMENT_LONG * fmin(right - left, high - low);
 }
@@ -164,8 +164,9 @@ static enum pp_status add_roots(struct pp_element_tree *tree, struct pp_error *e
             continue;
         for (int i = 0; status == PP_OK && i < facet->piece_count; i++) {
             const struct pp_piece *piece = &facets->pieces[facet->first_piece + i];
-            status = append(tree, side, -1, &facets->corners[piece->first_corner],
-                            piece->count, err);
+            status =
+                append_element(tree, side, -1, &facets->corners[piece->first_corner],
+                               piece->count, err);
         }
         tree->roots[side][1] = tree->count - tree->roots[side][0];
     }

@@ -24,9 +24,9 @@ struct cutting {
     int facet, face; /* face: whose openings are cut; -1: none */
 };
 
-static enum pp_status append(struct pp_facets *facets, int facet,
-                             const struct pp_vec3 *corners, int count,
-                             struct pp_error *err)
+static enum pp_status append_facet_piece(struct pp_facets *facets, int facet,
+                                         const struct pp_vec3 *corners, int count,
+                                         struct pp_error *err)
 {
     enum pp_status status = pp_array_append(&facets->pieces, facets->piece_count,
                                             sizeof *facets->pieces, err);
@@ -53,7 +53,7 @@ static enum pp_status append_flat(const struct cutting *work, const double (*xy)
     for (int i = 0; i < count; i++)
         corners[i] = pp_face_less_openings_corner(&work->axes, xy[i], work->outline,
                                                   world, work->face);
-    return append(work->facets, work->facet, corners, count, err);
+    return append_facet_piece(work->facets, work->facet, corners, count, err);
 }
 
 static enum pp_status append_triangles(const struct cutting *work,
@@ -123,8 +123,9 @@ static enum pp_status cut_cell(const struct cutting *work,
     return status;
 }
 
-static enum pp_status cut(const struct cutting *work, const struct pp_region *region,
-                          struct pp_error *err)
+static enum pp_status cut_facet_region(const struct cutting *work,
+                                       const struct pp_region *region,
+                                       struct pp_error *err)
 {
     struct cut_lines x = lines_of(region, 0), y = lines_of(region, 1);
     enum pp_status status = PP_OK;
@@ -195,6 +196,7 @@ enum pp_status pp_facet_pieces_add(struct pp_facets *facets, int index,
         return status;
     if (is_whole(world, index) && pp_convex_parts_is_convex(outline)
         && outline->count <= PP_FORM_FACTOR_MOST / 2)
-        return append(facets, index, outline->vertices, outline->count, err);
-    return cut(&work, &facet->region, err);
+        return append_facet_piece(facets, index, outline->vertices, outline->count,
+                                  err);
+    return cut_facet_region(&work, &facet->region, err);
 }

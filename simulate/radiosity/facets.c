@@ -143,7 +143,7 @@ static enum pp_status add_rays(struct pp_facets *facets, struct pp_error *err)
 
 /* ---- all of them ---- */
 
-static void measure(struct pp_facets *facets)
+static void measure_facets(struct pp_facets *facets)
 {
     const struct pp_world *world = facets->world;
     struct pp_bounds3 all = pp_bounds3_empty();
@@ -164,7 +164,7 @@ static void measure(struct pp_facets *facets)
                              fmax(all.high.z - middle.z, middle.z - all.low.z)));
 }
 
-static enum pp_status fill(struct pp_facets *facets, struct pp_error *err)
+static enum pp_status fill_facets(struct pp_facets *facets, struct pp_error *err)
 {
     const struct pp_world *world = facets->world;
     struct pp_clipper *clipper = NULL;
@@ -180,7 +180,7 @@ static enum pp_status fill(struct pp_facets *facets, struct pp_error *err)
             status = pp_facet_pieces_add(facets, i, clipper, err);
     }
     pp_clipper_destroy(clipper);
-    measure(facets);
+    measure_facets(facets);
     return status == PP_OK ? add_rays(facets, err) : status;
 }
 
@@ -194,7 +194,8 @@ enum pp_status pp_facets_create(struct pp_facets **result, const struct pp_world
     facets->world = world;
     facets->count = world->surface_count + world->opening_count;
     facets->list = calloc((size_t)facets->count + 1, sizeof *facets->list);
-    enum pp_status status = facets->list ? fill(facets, err) : pp_fail_memory(err);
+    enum pp_status status =
+        facets->list ? fill_facets(facets, err) : pp_fail_memory(err);
     if (status != PP_OK) {
         pp_facets_destroy(facets);
         return status;

@@ -30,8 +30,9 @@ static int first(const struct pp_facets *facets, const struct pp_light_ray_start
     return pp_ray_tree_first(facets->rays, ray->from, ray->to, ray->but, distance);
 }
 
-static void follow(const struct walk *walk, const struct pp_light_ray_start *ray,
-                   double weight, enum pp_component part, int panes);
+static void follow_light_ray(const struct walk *walk,
+                             const struct pp_light_ray_start *ray, double weight,
+                             enum pp_component part, int panes);
 
 /* What the facet itself sends back along the ray. */
 static void add_facet(const struct walk *walk, int side, bool indoors,
@@ -60,16 +61,17 @@ static void pass(const struct walk *walk, const struct pp_light_ray_start *ray, 
     enum pp_component here = part_or(part, ray->indoors ? PP_DF : PP_IRC);
     struct pp_light_ray_start on = {point, ray->to, met, !ray->indoors};
     if (straight > LEAST)
-        follow(walk, &on, straight, here, panes + 1);
+        follow_light_ray(walk, &on, straight, here, panes + 1);
     on.to = pp_vec_mirrored(ray->to, pane->normal);
     on.indoors = ray->indoors;
     here = part_or(part, ray->indoors ? PP_IRC : PP_ERC);
     if (mirrored > LEAST)
-        follow(walk, &on, mirrored, here, panes + 1);
+        follow_light_ray(walk, &on, mirrored, here, panes + 1);
 }
 
-static void follow(const struct walk *walk, const struct pp_light_ray_start *ray,
-                   double weight, enum pp_component part, int panes)
+static void follow_light_ray(const struct walk *walk,
+                             const struct pp_light_ray_start *ray, double weight,
+                             enum pp_component part, int panes)
 {
     const struct pp_light_room *room = walk->room;
     double distance, light, ground_m;
@@ -102,7 +104,7 @@ void pp_light_ray_follow(const struct pp_light_room *room,
                          const struct pp_light_ray_start *ray, double weight,
                          enum pp_component part, struct pp_light_sum *sum)
 {
-    follow(&(struct walk){room, sum}, ray, weight, part, 0);
+    follow_light_ray(&(struct walk){room, sum}, ray, weight, part, 0);
 }
 
 double pp_light_ray_guess(const struct pp_light_room *room,

@@ -68,7 +68,7 @@ static struct pp_vec3 middle_above(const struct looking *l, const struct cell *c
     return pp_element_tree_middle(above, count, NULL);
 }
 
-static void look(const struct looking *l, struct cell *cell)
+static void add_cell_light(const struct looking *l, struct cell *cell)
 {
     cell->factor =
         pp_form_factor(l->taker->point, l->taker->normal, cell->corners, cell->count);
@@ -128,8 +128,8 @@ static bool is_nearest(const struct looking *l, const struct cell *cell,
 
 /* The cell's parts in its place, as deep as it takes: `depth` divisions have shared out
  * light, of `divisions` in all. Returns the light. */
-static double divide(const struct looking *l, const struct cell *cell, int depth,
-                     int divisions, double tolerance)
+static double divide_cell(const struct looking *l, const struct cell *cell, int depth,
+                          int divisions, double tolerance)
 {
     struct pp_element_parts cut;
     struct cell parts[PP_ELEMENT_PARTS];
@@ -139,7 +139,7 @@ static double divide(const struct looking *l, const struct cell *cell, int depth
     int count = cut.count;
     for (int i = 0; i < count; i++) {
         parts[i] = (struct cell){.corners = cut.corners[i], .count = cut.counts[i]};
-        look(l, &parts[i]);
+        add_cell_light(l, &parts[i]);
         sum += parts[i].factor * parts[i].light;
         most = fmax(most, parts[i].factor);
     }
@@ -153,7 +153,8 @@ static double divide(const struct looking *l, const struct cell *cell, int depth
             bool near = is_nearest(l, cell, &parts[i]);
             pp_light_sum_scale(l->sum, &parts[i].from, &parts[i].to, 0.0);
             if (parts[i].factor > 0.0)
-                light += divide(l, &parts[i], near ? depth : depth + 1, divisions + 1,
+                light +=
+                    divide_cell(l, &parts[i], near ? depth : depth + 1, divisions + 1,
                                 near ? tolerance : l->accuracy->stricter * tolerance);
         }
         return light;
@@ -211,7 +212,7 @@ static double add_pane(const struct looking *l)
             pp_form_factor(l->taker->point, l->taker->normal, cell.corners, cell.count);
         cell.light = NAN; /* its parts never agree with that: */
         if (cell.factor > 0.0)
-            light += divide(l, &cell, 0, 0, l->tolerance);
+            light += divide_cell(l, &cell, 0, 0, l->tolerance);
     }
     return light;
 }

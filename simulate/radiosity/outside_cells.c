@@ -63,8 +63,8 @@ static uint64_t mixed(uint64_t h, uint64_t more)
 }
 
 /* The slot of the cell, or the empty one where it belongs. */
-static int slot_of(const struct pp_outside_cells *cells,
-                   const struct pp_outside_cell *cell)
+static int outside_cell_slot(const struct pp_outside_cells *cells,
+                             const struct pp_outside_cell *cell)
 {
     uint64_t h =
         mixed(mixed(mixed(mixed(1, (uint64_t)cell->side), (uint64_t)cell->level),
@@ -92,15 +92,15 @@ static enum pp_status widen(struct pp_outside_cells *cells, struct pp_error *err
     for (int i = 0; i < count; i++)
         slots[i] = -1;
     for (int i = 0; i < cells->count; i++)
-        slots[slot_of(cells, &cells->list[i])] = i;
+        slots[outside_cell_slot(cells, &cells->list[i])] = i;
     return PP_OK;
 }
 
 /* *index: of the cell that the hit comes to. */
-static enum pp_status find(struct pp_outside_cells *cells,
-                           const struct pp_light_room *room,
-                           const struct pp_outside_hit *hit, int *index,
-                           struct pp_error *err)
+static enum pp_status find_outside_cell(struct pp_outside_cells *cells,
+                                        const struct pp_light_room *room,
+                                        const struct pp_outside_hit *hit, int *index,
+                                        struct pp_error *err)
 {
     enum pp_status status = widen(cells, err);
     if (status == PP_OK)
@@ -109,7 +109,7 @@ static enum pp_status find(struct pp_outside_cells *cells,
     if (status != PP_OK)
         return status;
     struct pp_outside_cell cell = cell_at(cells, room, hit);
-    int slot = slot_of(cells, &cell);
+    int slot = outside_cell_slot(cells, &cell);
     if (cells->slots[slot] < 0) {
         cells->list[cells->count] = cell;
         cells->slots[slot] = cells->count++;
@@ -128,7 +128,8 @@ enum pp_status pp_outside_cells_resolve(struct pp_outside_cells *cells,
     pp_light_sum_tidy(sum);
     for (int i = 0; i < sum->hit_count; i++) {
         int index;
-        enum pp_status status = find(cells, room, &sum->hits[i], &index, err);
+        enum pp_status status =
+            find_outside_cell(cells, room, &sum->hits[i], &index, err);
         if (status != PP_OK)
             return status;
         pp_light_sum_add(sum, -1 - index, sum->hits[i].part, sum->hits[i].weight);

@@ -19,8 +19,9 @@ static double place_within(int index, int count)
     return place + half;
 }
 
-static enum pp_status append(struct pp_plane_points *points, double x, double y,
-                             double z, double area, struct pp_error *err)
+static enum pp_status append_plane_point(struct pp_plane_points *points, double x,
+                                         double y, double z, double area,
+                                         struct pp_error *err)
 {
     enum pp_status status =
         pp_array_append(&points->list, points->count, sizeof *points->list, err);
@@ -34,18 +35,19 @@ static enum pp_status append(struct pp_plane_points *points, double x, double y,
     return PP_OK;
 }
 
-static enum pp_status add_triangles(struct pp_plane_points *points,
-                                    struct pp_clipper *clipper,
-                                    const struct pp_region *region, double z,
-                                    struct pp_error *err)
+static enum pp_status add_plane_triangles(struct pp_plane_points *points,
+                                          struct pp_clipper *clipper,
+                                          const struct pp_region *region, double z,
+                                          struct pp_error *err)
 {
     double(*t)[3][2] = NULL;
     int count = 0;
     enum pp_status status = pp_clipper_triangulate(clipper, &t, &count, region, err);
     for (int i = 0; status == PP_OK && i < count; i++)
-        status = append(points, (t[i][0][0] + t[i][1][0] + t[i][2][0]) / 3.0,
-                        (t[i][0][1] + t[i][1][1] + t[i][2][1]) / 3.0, z,
-                        0.5 * fabs(pp_region_turn(t[i][0], t[i][1], t[i][2])), err);
+        status = append_plane_point(
+            points, (t[i][0][0] + t[i][1][0] + t[i][2][0]) / 3.0,
+            (t[i][0][1] + t[i][1][1] + t[i][2][1]) / 3.0, z,
+            0.5 * fabs(pp_region_turn(t[i][0], t[i][1], t[i][2])), err);
     free(t);
     return status;
 }
@@ -65,17 +67,20 @@ static enum pp_status add_square(struct pp_plane_points *points,
         pp_clipper_intersection(clipper, &filled, &world->plane, &square, err);
     double area = size[0] * size[1], share = pp_region_area(&filled) / area;
     if (status == PP_OK && share > 1.0 - NOTHING)
-        status = append(points, x + within[0] * size[0], y + within[1] * size[1],
-                        world->working_plane_m, area, err);
+        status =
+            append_plane_point(points, x + within[0] * size[0], y + within[1] * size[1],
+                               world->working_plane_m, area, err);
     else if (status == PP_OK && share > NOTHING)
-        status = add_triangles(points, clipper, &filled, world->working_plane_m, err);
+        status =
+            add_plane_triangles(points, clipper, &filled, world->working_plane_m, err);
     pp_region_clear(&filled);
     return status;
 }
 
-static enum pp_status fill(struct pp_plane_points *points, struct pp_clipper *clipper,
-                           const struct pp_world *world, int wanted,
-                           struct pp_error *err)
+static enum pp_status fill_plane_points(struct pp_plane_points *points,
+                                        struct pp_clipper *clipper,
+                                        const struct pp_world *world, int wanted,
+                                        struct pp_error *err)
 {
     struct pp_bounds2 box = pp_region_bounds(&world->plane);
     double width = box.high[0] - box.low[0], depth = box.high[1] - box.low[1];
@@ -107,7 +112,7 @@ enum pp_status pp_plane_points_of(struct pp_plane_points *points,
         return PP_OK;
     enum pp_status status = pp_clipper_create(&clipper, err);
     if (status == PP_OK)
-        status = fill(points, clipper, world, wanted, err);
+        status = fill_plane_points(points, clipper, world, wanted, err);
     pp_clipper_destroy(clipper);
     if (status != PP_OK)
         pp_plane_points_clear(points);

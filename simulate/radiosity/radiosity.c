@@ -75,8 +75,8 @@ static void set_accuracy(struct pp_radiosity *radiosity)
 
 /* Elements over which the light differs by more than a share of all that the room gives off,
  * and those that receivers want. */
-static enum pp_status divide(struct pp_radiosity *radiosity, int *divided,
-                             struct pp_error *err)
+static enum pp_status divide_elements(struct pp_radiosity *radiosity, int *divided,
+                                      struct pp_error *err)
 {
     struct pp_element_tree *tree = radiosity->tree;
     double least = 1e-3 / ldexp(1.0, radiosity->level), all = 0.0;
@@ -119,13 +119,13 @@ static enum pp_status rounds(struct pp_radiosity *radiosity, struct pp_error *er
         if (status == PP_OK)
             status = pp_element_receivers_by_elements(receivers, err);
         if (status == PP_OK && round < ROUNDS)
-            status = divide(radiosity, &divided, err);
+            status = divide_elements(radiosity, &divided, err);
     }
     return status == PP_OK ? pp_element_receivers_on_plane(receivers, err) : status;
 }
 
 /* RMS of the change at the points, relative to their daylight factors. */
-static void compare(struct pp_radiosity *radiosity)
+static void compare_levels(struct pp_radiosity *radiosity)
 {
     for (int c = 0; c < PP_COMPONENT_COUNT; c++) {
         double sum = 0.0;
@@ -156,15 +156,17 @@ enum pp_status pp_radiosity_advance(struct pp_radiosity *radiosity,
         pp_element_receivers_value(&radiosity->receivers, i < radiosity->asked ? i : -1,
                                    radiosity->decorations, radiosity->now[i]);
     if (radiosity->level > 0)
-        compare(radiosity);
+        compare_levels(radiosity);
     radiosity->level++;
     return PP_OK;
 }
 
 /* ---- beginning and end ---- */
 
-static enum pp_status make(struct pp_radiosity *radiosity, const struct pp_world *world,
-                           const struct pp_outside_light *light, struct pp_error *err)
+static enum pp_status make_radiosity(struct pp_radiosity *radiosity,
+                                     const struct pp_world *world,
+                                     const struct pp_outside_light *light,
+                                     struct pp_error *err)
 {
     enum pp_status status = pp_facets_create(&radiosity->facets, world, err);
     if (status == PP_OK)
@@ -212,7 +214,7 @@ enum pp_status pp_radiosity_create(struct pp_radiosity **result,
             &radiosity->receivers, receivers, receiver_count, err)
                                             : pp_fail_memory(err);
     if (status == PP_OK)
-        status = make(radiosity, world, light, err);
+        status = make_radiosity(radiosity, world, light, err);
     if (status != PP_OK) {
         pp_radiosity_destroy(radiosity);
         return status;

@@ -26,7 +26,8 @@ static double along(struct pp_vec3 v, int axis)
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-static struct pp_bounds3 bounds_of(const struct pp_ray_triangle *triangles, int count)
+static struct pp_bounds3 triangles_bounds(const struct pp_ray_triangle *triangles,
+                                          int count)
 {
     struct pp_bounds3 bounds = pp_bounds3_empty();
     for (int i = 0; i < count; i++)
@@ -68,10 +69,10 @@ static void halve(struct pp_ray_triangle *triangles, int count, int axis)
     }
 }
 
-static void build(struct pp_ray_tree *tree, int at, int first, int count)
+static void build_ray_node(struct pp_ray_tree *tree, int at, int first, int count)
 {
     struct pp_ray_triangle *mine = &tree->triangles[first];
-    struct pp_bounds3 bounds = bounds_of(mine, count);
+    struct pp_bounds3 bounds = triangles_bounds(mine, count);
     struct pp_vec3 size = pp_vec_sub(bounds.high, bounds.low);
     int axis = size.y > size.x ? 1 : 0;
     if (size.z > along(size, axis))
@@ -84,8 +85,8 @@ static void build(struct pp_ray_tree *tree, int at, int first, int count)
     tree->boxes[at].first = below;
     tree->boxes[at].count = 0;
     halve(mine, count, axis);
-    build(tree, below, first, half);
-    build(tree, below + 1, first + half, count - half);
+    build_ray_node(tree, below, first, half);
+    build_ray_node(tree, below + 1, first + half, count - half);
 }
 
 enum pp_status pp_ray_tree_create(struct pp_ray_tree **result,
@@ -106,7 +107,7 @@ enum pp_status pp_ray_tree_create(struct pp_ray_tree **result,
         memcpy(tree->triangles, triangles, (size_t)count * sizeof *triangles);
     tree->count = count;
     tree->box_count = 1;
-    build(tree, 0, 0, count);
+    build_ray_node(tree, 0, 0, count);
     *result = tree;
     return PP_OK;
 }
@@ -167,8 +168,8 @@ static double meets(const struct ray *ray, const struct pp_ray_triangle *triangl
     return distance > 1e-9 ? distance : INFINITY;
 }
 
-static void look(const struct pp_ray_tree *tree, const struct box *box,
-                 const struct ray *ray, int but, int *owner, double *distance)
+static void find_first_hit(const struct pp_ray_tree *tree, const struct box *box,
+                           const struct ray *ray, int but, int *owner, double *distance)
 {
     for (int i = box->first; i < box->first + box->count; i++) {
         const struct pp_ray_triangle *triangle = &tree->triangles[i];
@@ -195,7 +196,7 @@ int pp_ray_tree_first(const struct pp_ray_tree *tree, struct pp_vec3 from,
         if (entered[count] == INFINITY || entered[count] > *distance)
             continue;
         if (box->count > 0 || tree->count == 0) {
-            look(tree, box, &ray, but, &owner, distance);
+            find_first_hit(tree, box, &ray, but, &owner, distance);
             continue;
         }
         double a = enters(&ray, &tree->boxes[box->first].bounds, *distance);

@@ -91,7 +91,8 @@ static enum pp_status show(const struct pp_cache_warm_up *warm_up, int number,
 /* Once the cache has all that it was shown: the next part, and behind the last one
  * another round, unless this one has brought no record. A single part needs no second
  * round: the cache has looked at all its requests again. */
-static enum pp_status go_on(struct pp_cache_warm_up *warm_up, struct pp_error *err)
+static enum pp_status show_next_part(struct pp_cache_warm_up *warm_up,
+                                     struct pp_error *err)
 {
     int parts = warm_up->step * warm_up->step;
     if (warm_up->part == parts) {
@@ -113,7 +114,7 @@ enum pp_status pp_cache_warm_up_advance(struct pp_cache_warm_up *warm_up,
     enum pp_status status = PP_OK;
     do {
         if (pp_cache_grow_done(warm_up->cache))
-            status = go_on(warm_up, err);
+            status = show_next_part(warm_up, err);
         if (status == PP_OK && !pp_cache_grow_done(warm_up->cache))
             status = pp_cache_grow(warm_up->cache, fmax(end - pp_clock_s(), 0.0), err);
     } while (status == PP_OK && !warm_up->done && pp_clock_s() < end);

@@ -194,8 +194,9 @@ enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
 
 /* Is the checkpoint of this render? *at: behind the version; moved behind the
  * counts. */
-static enum pp_status check(const struct pp_render *render, const unsigned char **at,
-                            long long work[2], struct pp_error *err)
+static enum pp_status check_checkpoint_head(const struct pp_render *render,
+                                            const unsigned char **at, long long work[2],
+                                            struct pp_error *err)
 {
     uint64_t mark = pp_little_endian_take(at, 8);
     int width = (int)pp_little_endian_take(at, 4),
@@ -238,7 +239,7 @@ enum pp_status pp_checkpoint_resume(struct pp_render *render,
     if (status != PP_OK)
         return status;
     const unsigned char *at = bytes + sizeof magic + 4;
-    status = check(render, &at, work, err);
+    status = check_checkpoint_head(render, &at, work, err);
     if (status != PP_OK)
         return status;
     bool fits = length >= HEAD + (size_t)render->tile_count + TAIL + kept

@@ -99,7 +99,7 @@ static bool irradiance_seen(const struct pp_render *render,
 enum { RED, GREEN, BLUE, SEEN };
 enum { GREY = 3, VALUES };
 
-static void place_of(const struct pp_render *render, int point, int *x, int *y)
+static void pixel_of_point(const struct pp_render *render, int point, int *x, int *y)
 {
     const struct pp_render_tile *tile = &render->tile;
     *x = tile->x0 + point % (tile->x1 - tile->x0);
@@ -112,7 +112,7 @@ struct render_state {
     struct pp_path_walk walk;
 };
 
-static void begin(const void *client, void *state)
+static void begin_render_state(const void *client, void *state)
 {
     const struct pp_render *render = client;
     const struct pp_render_options *options = &render->options;
@@ -139,17 +139,18 @@ static bool sample_ray(const struct pp_render *render, struct render_state *stat
     return true;
 }
 
-static uint64_t seed_of(const void *client, int point)
+static uint64_t pixel_seed(const void *client, int point)
 {
     const struct pp_render *render = client;
     int x, y;
-    place_of(render, point, &x, &y);
+    pixel_of_point(render, point, &x, &y);
     return pp_hash(render->options.seed,
                    (uint64_t)y * (uint64_t)render->options.width + (uint64_t)x);
 }
 
-static void follow(const void *client, void *state, const struct pp_path_range *range,
-                   struct pp_randomisation *randomisation)
+static void follow_pixel_paths(const void *client, void *state,
+                               const struct pp_path_range *range,
+                               struct pp_randomisation *randomisation)
 {
     const struct pp_render *render = client;
     struct render_state *own = state;
@@ -157,7 +158,7 @@ static void follow(const void *client, void *state, const struct pp_path_range *
     long rays = radiance->rays + own->walk.rays;
     long leaks = radiance->leaks + own->walk.leaks;
     int x, y;
-    place_of(render, range->point, &x, &y);
+    pixel_of_point(render, range->point, &x, &y);
     radiance->sequence = own->walk.sequence = range->sequence;
     for (uint32_t i = range->first; i < range->end; i++) {
         double place[2];
@@ -177,8 +178,8 @@ static void follow(const void *client, void *state, const struct pp_path_range *
     randomisation->leaks += radiance->leaks + own->walk.leaks - leaks;
 }
 
-static double value_of(const void *client, int point,
-                       const struct pp_randomisation *randomisation, int value)
+static double rendered_value(const void *client, int point,
+                             const struct pp_randomisation *randomisation, int value)
 {
     (void)client, (void)point;
     const double *sums = randomisation->sums;
@@ -193,10 +194,10 @@ static const struct pp_sampler sampler = {
     .values = VALUES,
     .fall = {1.2},
     .state_size = sizeof(struct render_state),
-    .begin = begin,
-    .seed = seed_of,
-    .follow = follow,
-    .value = value_of,
+    .begin = begin_render_state,
+    .seed = pixel_seed,
+    .follow = follow_pixel_paths,
+    .value = rendered_value,
 };
 
 /* The share of the pixel's paths that show something. */
@@ -213,7 +214,7 @@ static double share_seen(const struct pp_render *render, int point)
 static void read_pixel(struct pp_render *render, int point)
 {
     int x, y;
-    place_of(render, point, &x, &y);
+    pixel_of_point(render, point, &x, &y);
     double share = share_seen(render, point), least = 0.0, scale = 1.0;
     if (render->options.irradiance) {
         least = 0.5;
@@ -260,7 +261,7 @@ static bool show_pixel(void *data, int worker, int i)
     (void)worker;
     struct pp_render *render = data;
     int x, y;
-    place_of(render, i, &x, &y);
+    pixel_of_point(render, i, &x, &y);
     read_pixel(render, i);
     render->tags[(size_t)y * (size_t)render->options.width + (size_t)x] =
         tag_of_pixel(render, x, y);
@@ -301,8 +302,8 @@ enum pp_status pp_render_advance(struct pp_render *render, double seconds,
 
 /* ---- from the beginning to the end ---- */
 
-static enum pp_status check(const struct pp_render_options *options,
-                            struct pp_error *err)
+static enum pp_status check_render_options(const struct pp_render_options *options,
+                                           struct pp_error *err)
 {
     if (options->samples < 1 || options->samples > PP_RENDER_SAMPLES_MOST)
         return pp_fail(err, PP_BAD_INPUT, "%d samples a pixel; expected 1 to %d",
@@ -325,7 +326,7 @@ enum pp_status pp_render_create(struct pp_render **render_out,
                                 struct pp_error *err)
 {
     *render_out = NULL;
-    enum pp_status status = check(options, err);
+    enum pp_status status = check_render_options(options, err);
     if (status != PP_OK)
         return status;
     struct pp_render *render = calloc(1, sizeof *render);

@@ -57,7 +57,7 @@ static int node_below(double x, int count, double *rest)
     return i;
 }
 
-static struct gloss_node place_of(const struct pp_gloss *gloss, struct pp_vec3 d)
+static struct gloss_node gloss_node_at(const struct pp_gloss *gloss, struct pp_vec3 d)
 {
     struct gloss_node place = {0, 0, 0.0, 0.0};
     double rough = roughness_towards(gloss, d);
@@ -87,7 +87,7 @@ static struct pp_vec3 node_direction(const struct pp_gloss *gloss, int row, int 
 
 double pp_gloss_scale(const struct pp_gloss *gloss, struct pp_vec3 direction)
 {
-    struct gloss_node at = place_of(gloss, direction);
+    struct gloss_node at = gloss_node_at(gloss, direction);
     const double *low = &gloss->scale[at.row][at.column];
     double value = low[0] + at.right * (low[1] - low[0]);
     if (gloss->azimuths == 1)
@@ -182,7 +182,7 @@ static void distribute(const struct pp_gloss *gloss, const double (*facets)[2],
         double weight = mirrored(gloss, from, facets[i][0], facets[i][1], &to);
         if (!(weight > 0.0))
             continue;
-        struct gloss_node at = place_of(gloss, to);
+        struct gloss_node at = gloss_node_at(gloss, to);
         double *low = &to_node[at.row * COSINES + at.column];
         double right = weight / FACETS * at.right, left = weight / FACETS - right;
         low[0] += (1.0 - at.up) * left;

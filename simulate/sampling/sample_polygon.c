@@ -73,7 +73,8 @@ static double receiver_weight(struct pp_vec3 v, double length, struct pp_vec3 n,
 
 /* Turns a complex number by the solid angle, times `sign`, of the rectangle between the
  * foot of a point and x and y on its plane, that point being so far off. */
-static void turn(double z[2], double sign, double x, double y, double off)
+static void turn_by_solid_angle(double z[2], double sign, double x, double y,
+                                double off)
 {
     double re = off * sqrt(x * x + y * y + off * off), im = sign * x * y;
     double turned = z[0] * re - z[1] * im;
@@ -93,10 +94,10 @@ static double importance_when_near(const struct pp_target *target, struct pp_vec
     double y0 = pp_vec_dot(d, target->up), y1 = y0 + target->height_m;
     double x = pp_max(x0, pp_min(x1, 0.0)), y = pp_max(y0, pp_min(y1, 0.0));
     double z[2] = {1.0, 0.0};
-    turn(z, 1.0, x1, y1, off);
-    turn(z, -1.0, x0, y1, off);
-    turn(z, -1.0, x1, y0, off);
-    turn(z, 1.0, x0, y0, off);
+    turn_by_solid_angle(z, 1.0, x1, y1, off);
+    turn_by_solid_angle(z, -1.0, x0, y1, off);
+    turn_by_solid_angle(z, -1.0, x1, y0, off);
+    turn_by_solid_angle(z, 1.0, x0, y0, off);
     double solid = atan2(z[1], z[0]);
     if (solid < 0.0)
         solid += 2.0 * PP_PI;

@@ -83,7 +83,7 @@ static bool has_plane_twice(const struct pp_world *world)
     return false;
 }
 
-static struct pp_vec3 middle_of(const struct pp_light_scene *scene)
+static struct pp_vec3 scene_middle(const struct pp_light_scene *scene)
 {
     const struct pp_world *world = scene->world;
     struct pp_vec3 sum = {0.0, 0.0, 0.0};
@@ -106,7 +106,7 @@ enum pp_status pp_convex_room_create(struct pp_convex_room **result,
     if (!room)
         return pp_fail_memory(err);
     room->plane_count = world->face_count;
-    room->middle = middle_of(scene);
+    room->middle = scene_middle(scene);
     room->planes = calloc((size_t)world->face_count, sizeof *room->planes);
     room->panes = calloc((size_t)scene->pane_count + 1, sizeof *room->panes);
     if (!room->planes || !room->panes) {
@@ -190,8 +190,8 @@ static bool in_target(const struct pp_target *target, struct pp_vec3 point)
 }
 
 /* Of a ray that starts so far before its nearest plane: none near the mouth of a niche. */
-static void settle(struct pp_convex_nearest *nearest, const struct pp_convex_room *room,
-                   double from_m)
+static void settle_nearest_plane(struct pp_convex_nearest *nearest,
+                                 const struct pp_convex_room *room, double from_m)
 {
     if (nearest->plane >= 0 && room->planes[nearest->plane].niches && from_m < BEHIND_M)
         nearest->plane = -1;
@@ -217,7 +217,7 @@ static struct pp_convex_nearest nearest_plane(const struct pp_convex_room *room,
             from_m = before;
         }
     }
-    settle(&nearest, room, from_m);
+    settle_nearest_plane(&nearest, room, from_m);
     return nearest;
 }
 
@@ -248,7 +248,7 @@ PP_LANES_BODY bool nearest_of_lanes(const struct pp_convex_room *room,
     }
     for (int lane = 0; lane < PP_LANES; lane++) {
         nearest[lane] = (struct pp_convex_nearest){(int)plane_of[lane], least[lane]};
-        settle(&nearest[lane], room, from_m[lane]);
+        settle_nearest_plane(&nearest[lane], room, from_m[lane]);
     }
     return true;
 }

@@ -14,8 +14,9 @@ static const double SAME_SHAPE = 1e-6;
 
 /* ---- gathered ---- */
 
-static enum pp_status append(struct pp_light_scene *scene,
-                             const struct pp_emitter *emitter, struct pp_error *err)
+static enum pp_status append_emitter(struct pp_light_scene *scene,
+                                     const struct pp_emitter *emitter,
+                                     struct pp_error *err)
 {
     enum pp_status status = pp_array_append(&scene->emitters, scene->emitter_count,
                                             sizeof *scene->emitters, err);
@@ -122,7 +123,7 @@ enum pp_status pp_emitters_add_part(struct pp_light_scene *scene, int index,
         }
         part->emitter[side] = scene->emitter_count;
         if (status == PP_OK)
-            status = append(scene, &emitter, err);
+            status = append_emitter(scene, &emitter, err);
         if (status != PP_OK)
             return status;
     }
@@ -163,7 +164,7 @@ enum pp_status pp_emitters_add_distant(struct pp_light_scene *scene,
                                      .material = shape->material,
                                      .radiance = material->radiance};
         distant.emitter = scene->emitter_count;
-        status = append(scene, &emitter, err);
+        status = append_emitter(scene, &emitter, err);
     }
     scene->distants[scene->distant_count++] = distant;
     return status;

@@ -28,8 +28,8 @@ static bool is_polygon(const struct pp_shape *shape)
 
 /* The box round all shapes, and the mean of their points as the centre: there, where
  * most of them are, single precision is best. */
-static void measure(struct pp_light_scene *scene,
-                    const struct pp_scene_description *from)
+static void measure_described_scene(struct pp_light_scene *scene,
+                                    const struct pp_scene_description *from)
 {
     struct pp_vec3 sum = {0.0, 0.0, 0.0};
     double count = 0.0;
@@ -93,8 +93,8 @@ static enum pp_status allocate(struct light_scene_builder *b, struct pp_error *e
     return PP_OK;
 }
 
-static struct pp_light_part part_of(const struct pp_light_scene *scene,
-                                    const struct pp_shape *shape)
+static struct pp_light_part part_of_shape(const struct pp_light_scene *scene,
+                                          const struct pp_shape *shape)
 {
     bool own_back = shape->back_material >= 0;
     const int sides[2] = {shape->material,
@@ -111,7 +111,7 @@ static enum pp_status add_polygon(struct light_scene_builder *b,
     struct pp_light_scene *scene = b->scene;
     int count = shape->is.polygon.count, index = scene->part_count++;
     struct pp_light_part *part = &scene->parts[index];
-    *part = part_of(scene, shape);
+    *part = part_of_shape(scene, shape);
     double offset = 0.0;
     for (int k = 0; k < count; k++)
         b->corners[k] =
@@ -143,13 +143,14 @@ static enum pp_status add_round(struct light_scene_builder *b,
     int index = scene->part_count++, round = scene->round_count++;
     scene->rounds[round] = *shape;
     pp_round_shift(&scene->rounds[round], scene->centre);
-    scene->parts[index] = part_of(scene, shape);
+    scene->parts[index] = part_of_shape(scene, shape);
     scene->parts[index].round = round;
     scene->parts[index].area_m2 = pp_round_area(&scene->rounds[round]);
     return pp_emitters_add_part(scene, index, NULL, 0, NULL, 0, err);
 }
 
-static enum pp_status build(struct light_scene_builder *b, struct pp_error *err)
+static enum pp_status build_described_scene(struct light_scene_builder *b,
+                                            struct pp_error *err)
 {
     struct pp_light_scene *scene = b->scene;
     const struct pp_scene_description *from = b->from;
@@ -157,7 +158,7 @@ static enum pp_status build(struct light_scene_builder *b, struct pp_error *err)
     if (status != PP_OK)
         return status;
     status = pp_clipper_create(&b->clipper, err);
-    measure(scene, from);
+    measure_described_scene(scene, from);
     for (int i = 0; status == PP_OK && i < from->shape_count; i++)
         if (is_polygon(&from->shapes[i]))
             status = add_polygon(b, &from->shapes[i], err);
@@ -188,7 +189,7 @@ enum pp_status pp_light_scene_of_description(struct pp_light_scene **result,
         return pp_fail_memory(err);
     scene->decorations = 1.0;
     struct light_scene_builder b = {.scene = scene, .from = from};
-    enum pp_status status = build(&b, err);
+    enum pp_status status = build_described_scene(&b, err);
     pp_triangles_clear(&b.triangles);
     pp_clipper_destroy(b.clipper);
     free(b.corners);

@@ -12,7 +12,7 @@
 #include "simulate/scene/light_scene_parts.h"
 
 /* The middle of the room's box, or of everything's where there is no room. */
-static void measure(struct pp_light_scene *scene)
+static void measure_world_scene(struct pp_light_scene *scene)
 {
     const struct pp_world *world = scene->world;
     if (world->surface_count == 0)
@@ -27,9 +27,9 @@ static void measure(struct pp_light_scene *scene)
     scene->size_m = fmax(half.x, fmax(half.y, half.z));
 }
 
-static struct pp_light_part part_of(const struct pp_light_scene *scene, int index,
-                                    const struct pp_polygon *outline,
-                                    const int material[2])
+static struct pp_light_part part_of_outline(const struct pp_light_scene *scene,
+                                            int index, const struct pp_polygon *outline,
+                                            const int material[2])
 {
     struct pp_light_part part = pp_light_scene_parts_of(index, material);
     part.normal = outline->normal;
@@ -46,7 +46,8 @@ static void make_parts(struct pp_light_scene *scene, const int (*sides)[2])
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
         unsigned char space = surface->inside ? PP_INDOORS : PP_OUTDOORS;
-        struct pp_light_part part = part_of(scene, i, &surface->outline, sides[i]);
+        struct pp_light_part part =
+            part_of_outline(scene, i, &surface->outline, sides[i]);
         part.envelope = i < world->face_count || surface->role == PP_REVEAL;
         part.space[0] = space;
         part.space[1] = part.envelope ? PP_OUTDOORS : space;
@@ -60,7 +61,7 @@ static void make_parts(struct pp_light_scene *scene, const int (*sides)[2])
         const struct pp_opening *opening = &world->openings[i];
         int index = scene->part_count++;
         struct pp_light_part part =
-            part_of(scene, index, &opening->outer, sides[index]);
+            part_of_outline(scene, index, &opening->outer, sides[index]);
         part.window = i;
         part.space[0] = PP_INDOORS;
         part.space[1] = PP_OUTDOORS;
@@ -71,8 +72,9 @@ static void make_parts(struct pp_light_scene *scene, const int (*sides)[2])
     }
 }
 
-static enum pp_status add_triangles(struct pp_light_scene *scene,
-                                    struct pp_triangles *list, struct pp_error *err)
+static enum pp_status add_world_triangles(struct pp_light_scene *scene,
+                                          struct pp_triangles *list,
+                                          struct pp_error *err)
 {
     const struct pp_world *world = scene->world;
     struct pp_clipper *clipper = NULL;
@@ -102,15 +104,15 @@ static enum pp_status add_triangles(struct pp_light_scene *scene,
     return status == PP_OK ? pp_light_scene_add_rays(scene, list, err) : status;
 }
 
-static enum pp_status build(struct pp_light_scene *scene, bool matt,
-                            struct pp_error *err)
+static enum pp_status build_world_scene(struct pp_light_scene *scene, bool matt,
+                                        struct pp_error *err)
 {
     const struct pp_world *world = scene->world;
     struct pp_surface_materials materials;
     struct pp_triangles list = {.facet_of = NULL};
     scene->has_room = world->face_count > 0;
     scene->decorations = world->decorations;
-    measure(scene);
+    measure_world_scene(scene);
     scene->parts =
         calloc((size_t)world->surface_count + (size_t)world->opening_count + 1,
                sizeof *scene->parts);
@@ -129,22 +131,23 @@ static enum pp_status build(struct pp_light_scene *scene, bool matt,
     scene->ground = (struct pp_scene_ground){!world->ground_is_open,
                                              pp_ground_level(world) - scene->centre.z};
     if (status == PP_OK)
-        status = add_triangles(scene, &list, err);
+        status = add_world_triangles(scene, &list, err);
     if (status == PP_OK && matt)
         status = pp_glass_images_find(scene, err);
     pp_triangles_clear(&list);
     return status;
 }
 
-static enum pp_status make(struct pp_light_scene **result, const struct pp_world *world,
-                           bool matt, struct pp_error *err)
+static enum pp_status make_light_scene(struct pp_light_scene **result,
+                                       const struct pp_world *world, bool matt,
+                                       struct pp_error *err)
 {
     *result = NULL;
     struct pp_light_scene *scene = calloc(1, sizeof *scene);
     if (!scene)
         return pp_fail_memory(err);
     scene->world = world;
-    enum pp_status status = build(scene, matt, err);
+    enum pp_status status = build_world_scene(scene, matt, err);
     if (status != PP_OK) {
         pp_light_scene_destroy(scene);
         return status;
@@ -157,14 +160,14 @@ enum pp_status pp_light_scene_of_world(struct pp_light_scene **scene,
                                        const struct pp_world *world,
                                        struct pp_error *err)
 {
-    return make(scene, world, false, err);
+    return make_light_scene(scene, world, false, err);
 }
 
 enum pp_status pp_light_scene_of_world_matt(struct pp_light_scene **scene,
                                             const struct pp_world *world,
                                             struct pp_error *err)
 {
-    return make(scene, world, true, err);
+    return make_light_scene(scene, world, true, err);
 }
 
 struct pp_vec3 pp_light_scene_of_world_plane_point(const struct pp_light_scene *scene,

@@ -9,9 +9,9 @@
 #include "model/room/face_less_openings.h"
 #include "simulate/sampling/lobe.h"
 
-static enum pp_status append(struct pp_triangles *list, struct pp_vec3 a,
-                             struct pp_vec3 b, struct pp_vec3 c, int facet,
-                             struct pp_error *err)
+static enum pp_status append_triangle(struct pp_triangles *list, struct pp_vec3 a,
+                                      struct pp_vec3 b, struct pp_vec3 c, int facet,
+                                      struct pp_error *err)
 {
     enum pp_status status =
         pp_array_append(&list->corners, list->count, sizeof *list->corners, err);
@@ -28,7 +28,7 @@ static enum pp_status append(struct pp_triangles *list, struct pp_vec3 a,
 }
 
 /* Does the outline turn left at every corner, and once round in all? */
-static bool is_convex(const struct pp_polygon *polygon)
+static bool outline_is_convex(const struct pp_polygon *polygon)
 {
     int n = polygon->count;
     double round = 0.0;
@@ -53,8 +53,9 @@ static enum pp_status fan(struct pp_triangles *list, const struct pp_polygon *po
     struct pp_vec3 first = pp_vec_sub(polygon->vertices[0], centre);
     enum pp_status status = PP_OK;
     for (int i = 2; status == PP_OK && i < polygon->count; i++)
-        status = append(list, first, pp_vec_sub(polygon->vertices[i - 1], centre),
-                        pp_vec_sub(polygon->vertices[i], centre), facet, err);
+        status =
+            append_triangle(list, first, pp_vec_sub(polygon->vertices[i - 1], centre),
+                            pp_vec_sub(polygon->vertices[i], centre), facet, err);
     return status;
 }
 
@@ -79,7 +80,7 @@ static enum pp_status triangulate(struct pp_triangles *list, struct pp_clipper *
             corner[k] = pp_vec_sub(
                 pp_face_less_openings_corner(&axes, pieces[i][k], polygon, world, face),
                 centre);
-        status = append(list, corner[0], corner[1], corner[2], facet, err);
+        status = append_triangle(list, corner[0], corner[1], corner[2], facet, err);
     }
     free(pieces);
     pp_region_clear(&region);
@@ -111,7 +112,7 @@ enum pp_status pp_triangles_of_polygon(struct pp_triangles *list,
                                        const struct pp_polygon *polygon, int facet,
                                        struct pp_vec3 centre, struct pp_error *err)
 {
-    if (is_convex(polygon))
+    if (outline_is_convex(polygon))
         return fan(list, polygon, facet, centre, err);
     return triangulate(list, clipper, polygon, facet, NULL, -1, centre, err);
 }

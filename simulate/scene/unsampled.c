@@ -150,9 +150,9 @@ double pp_unsampled_probe(const struct pp_light_scene *scene,
 
 /* About the daylight factor by an opening if nothing stood before it: the importance is
  * in units of an overcast horizon's luminance. */
-static double share_of(const struct pp_light_scene *scene,
-                       const struct pp_vec3 *position, struct pp_vec3 normal,
-                       const struct pp_pane *pane)
+static double pane_importance(const struct pp_light_scene *scene,
+                              const struct pp_vec3 *position, struct pp_vec3 normal,
+                              const struct pp_pane *pane)
 {
     if (!position)
         return fmin(1.0, pane->target.area_m2 / scene->plane_area_m2);
@@ -196,7 +196,7 @@ struct pp_room_bound pp_unsampled_of_room(const struct pp_light_scene *scene,
     bool skylines = scene->skylines.far_count > 0;
     for (int i = 0; i < scene->pane_count; i++) {
         const struct pp_pane *pane = &scene->panes[i];
-        double share = share_of(scene, position, normal, pane);
+        double share = pane_importance(scene, position, normal, pane);
         if (shows(position, normal, pane, true))
             most.part[PP_SC] += share;
         if (!pane->unobstructed || skylines || shows(position, normal, pane, false))

@@ -54,9 +54,9 @@ static bool in_polygon(const struct pp_polygon *polygon,
 }
 
 /* The rectangle round the outline along the part's a and b. */
-static struct pp_bounds2 bounds_of(const struct pp_polygon *polygon,
-                                   const struct pp_light_part *part,
-                                   struct pp_vec3 centre)
+static struct pp_bounds2 part_bounds(const struct pp_polygon *polygon,
+                                     const struct pp_light_part *part,
+                                     struct pp_vec3 centre)
 {
     struct pp_bounds2 bounds = pp_bounds2_empty();
     for (int i = 0; i < polygon->count; i++) {
@@ -79,8 +79,9 @@ static bool has_side(const struct pp_light_part *part, const struct pp_surface *
 }
 
 /* Grids for all sides that the room sees; returns how many patches they have. */
-static int lay_out(struct pp_control_variate *variate,
-                   const struct pp_light_scene *scene, const struct pp_world *world)
+static int lay_out_patches(struct pp_control_variate *variate,
+                           const struct pp_light_scene *scene,
+                           const struct pp_world *world)
 {
     double area = 0.0;
     for (int i = 0; i < world->surface_count; i++)
@@ -96,7 +97,7 @@ static int lay_out(struct pp_control_variate *variate,
             if (part->window >= 0 || !has_side(part, &world->surfaces[i], side))
                 continue;
             struct pp_bounds2 box =
-                bounds_of(&world->surfaces[i].outline, part, scene->centre);
+                part_bounds(&world->surfaces[i].outline, part, scene->centre);
             double width = box.high[0] - box.low[0], height = box.high[1] - box.low[1];
             grid->columns = patches_along(width, size);
             grid->rows = patches_along(height, size);
@@ -132,8 +133,8 @@ static void place_patches(struct variate_patch *patches,
         }
 }
 
-static const struct pp_material *material_of(const struct pp_light_scene *scene,
-                                             const struct variate_patch *patch)
+static const struct pp_material *patch_material(const struct pp_light_scene *scene,
+                                                const struct variate_patch *patch)
 {
     return &scene->materials[scene->parts[patch->part].material[patch->back]];
 }
@@ -169,7 +170,7 @@ static void light_patch(struct variate_patch *patch,
         state.niches = &niches;
     pp_sobol_sequence_init(&state.light.sequence, sobol, seed);
     const struct pp_light_part *part = &scene->parts[patch->part];
-    const struct pp_material *material = material_of(scene, patch);
+    const struct pp_material *material = patch_material(scene, patch);
     struct pp_vec3 n = patch->back ? pp_vec_scale(part->normal, -1.0) : part->normal;
     struct pp_irradiance e =
         pp_path_by_openings(&state, patch->point, n, 0, OPENING_SAMPLES);
@@ -213,7 +214,7 @@ static void exchange(double *values, const struct variate_patch *patches, int co
     for (int sweep = 0; sweep < MOST_SWEEPS && change > 1e-4 * total; sweep++) {
         change = total = 0.0;
         for (int i = 0; i < count; i++) {
-            double reflectance = material_of(scene, &patches[i])->diffuse.g;
+            double reflectance = patch_material(scene, &patches[i])->diffuse.g;
             double value =
                 patches[i].own + reflectance * exchanged(&patches[i], values);
             change += fabs(value - values[i]);
@@ -354,7 +355,7 @@ enum pp_status pp_control_variate_solve(struct pp_control_variate **result,
     variate->grids = calloc((size_t)scene->part_count, sizeof *variate->grids);
     struct variate_patch *patches = NULL;
     if (variate->grids) {
-        variate->count = lay_out(variate, scene, world);
+        variate->count = lay_out_patches(variate, scene, world);
         variate->values = calloc((size_t)variate->count, sizeof *variate->values);
         patches = calloc((size_t)variate->count, sizeof *patches);
     }

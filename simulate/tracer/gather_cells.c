@@ -49,7 +49,7 @@ static bool has_opening(const struct pp_world *world, int face)
     return false;
 }
 
-static void lay_out(struct pp_gather_cells *cells)
+static void lay_out_cells(struct pp_gather_cells *cells)
 {
     const struct pp_world *world = cells->scene->world;
     for (int i = 0; i < world->face_count; i++) {
@@ -97,7 +97,7 @@ enum pp_status pp_gather_cells_create(struct pp_gather_cells **result,
         pp_gather_cells_destroy(cells);
         return pp_fail_memory(err);
     }
-    lay_out(cells);
+    lay_out_cells(cells);
     cells->level = least_guess(cells);
     *result = cells;
     return PP_OK;

@@ -121,7 +121,7 @@ static bool to_surface(struct pp_path_state *state, struct path_arm *arm,
 /* One of the arms, drawn by u in (0, 1), goes on for all of them. The noise that a path
  * finds at a surface grows with the light there: so an arm is drawn in proportion to what
  * it brings by G, and whichever goes on brings about as much noise. */
-static struct path_arm choose(const struct path_arm *arms, int count, double u)
+static struct path_arm choose_path_arm(const struct path_arm *arms, int count, double u)
 {
     double mean = 0.0, total = 0.0, below = 0.0, share[MOST_LOBES];
     for (int i = 0; i < count; i++)
@@ -186,7 +186,7 @@ static bool spread(struct pp_path_state *state, const struct path_fan *fan,
         pp_sobol_sequence_draw(&light->sequence, index,
                                vertex * PP_DRAWS + PP_DRAW_PANES, 1, &chosen);
     if (count > 0)
-        *arm = choose(arms, count, chosen);
+        *arm = choose_path_arm(arms, count, chosen);
     return count > 0;
 }
 

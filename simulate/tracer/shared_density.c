@@ -48,8 +48,8 @@ static void place_patches(struct pp_shared_density *density)
 }
 
 /* The point of a patch for two numbers in (0, 1). */
-static struct pp_vec3 point_of(const struct pp_light_scene *scene,
-                               const struct density_patch *patch, double u, double v)
+static struct pp_vec3 patch_point(const struct pp_light_scene *scene,
+                                  const struct density_patch *patch, double u, double v)
 {
     return pp_light_scene_parts_point(&scene->parts[patch->part],
                                       patch->a + u * patch->width_m,
@@ -80,7 +80,7 @@ static void weigh_patches(struct pp_shared_density *density)
         double share = sqrt(fmax(values[i], 0.0) + LEAST_SHARE * mean);
         if (!(mean > 0.0))
             share = 1.0;
-        if (point_of(scene, patch, 0.5, 0.5).z < plane_z)
+        if (patch_point(scene, patch, 0.5, 0.5).z < plane_z)
             share *= BELOW_SHARE;
         if (patch->part >= scene->world->face_count) /* the side of a niche */
             share = 0.0;
@@ -150,7 +150,7 @@ struct pp_shared_place pp_shared_density_draw(const struct pp_shared_density *de
 {
     int patch = patch_of(density, u[0]);
     struct pp_vec3 point =
-        point_of(density->scene, &density->patches[patch], u[1], u[2]);
+        patch_point(density->scene, &density->patches[patch], u[1], u[2]);
     return (struct pp_shared_place){
         .part = density->patches[patch].part,
         .sight = pp_convex_room_sight(density->scene->convex, point),

@@ -34,10 +34,9 @@ enum {
 enum { LEAST_SHARED = 64, MOST_SHARED = 1 << 12 };
 static const double SHARED_VARIANCE = 0.0033;
 
-/* What one of them costs a receiver, in rays: a connection, and its share of the point's
- * own 15 rays as if some 15 receivers had it. However many there are, their number is not
- * looked at: it would be another value. A third or twice as much changes the work by about
- * a tenth for 8, 17 and 384. */
+/* Cost of one shared point to a receiver, in rays: a connection, and a share of the point's
+ * own 15 rays as if 15 receivers used it, whatever their number: values must not depend on
+ * it. A third or twice the cost changes the work of 8, 17 or 384 by about a tenth. */
 static const double SHARED_COST = 1.0;
 
 /* Openings of less than this share of the inside surface light it in spots that few paths
@@ -75,7 +74,7 @@ struct pp_tracer {
 
 /* ---- the sampler ---- */
 
-static void begin(const void *client, void *state)
+static void begin_tracer_state(const void *client, void *state)
 {
     const struct pp_tracer *tracer = client;
     struct pp_path_state *path = state;
@@ -86,7 +85,7 @@ static void begin(const void *client, void *state)
     path->glass = path->glass && !tracer->direct;
 }
 
-static uint64_t seed_of(const void *client, int point)
+static uint64_t traced_point_seed(const void *client, int point)
 {
     return ((const struct pp_tracer *)client)->points[point].seed;
 }
@@ -107,9 +106,9 @@ static double shared_of(const struct pp_tracer *tracer, struct pp_path_state *pa
     return sum;
 }
 
-static enum pp_status prepare(const void *client, int stage, int first, int count,
-                              const struct pp_counts *wanted,
-                              struct pp_thread_pool *pool, struct pp_error *err)
+static enum pp_status share_light(const void *client, int stage, int first, int count,
+                                  const struct pp_counts *wanted,
+                                  struct pp_thread_pool *pool, struct pp_error *err)
 {
     const struct pp_tracer *tracer = client;
     uint32_t *each = malloc((size_t)count * sizeof *each);
@@ -123,8 +122,9 @@ static enum pp_status prepare(const void *client, int stage, int first, int coun
     return status;
 }
 
-static void follow(const void *client, void *state, const struct pp_path_range *range,
-                   struct pp_randomisation *randomisation)
+static void follow_traced_paths(const void *client, void *state,
+                                const struct pp_path_range *range,
+                                struct pp_randomisation *randomisation)
 {
     const struct pp_tracer *tracer = client;
     const struct pp_start *start = &tracer->points[range->point].start;
@@ -159,8 +159,8 @@ static void follow(const void *client, void *state, const struct pp_path_range *
 }
 
 /* Internally reflected light is read with the allowance for decorations. */
-static double part_of(const void *client, int point,
-                      const struct pp_randomisation *randomisation, int estimator)
+static double tracer_part(const void *client, int point,
+                          const struct pp_randomisation *randomisation, int estimator)
 {
     (void)point;
     double D = ((const struct pp_tracer *)client)->scene->decorations;
@@ -178,15 +178,15 @@ static double part_of(const void *client, int point,
     }
 }
 
-static double value_of(const void *client, int point,
-                       const struct pp_randomisation *randomisation, int component)
+static double tracer_value(const void *client, int point,
+                           const struct pp_randomisation *randomisation, int component)
 {
     double D = ((const struct pp_tracer *)client)->scene->decorations;
     double direct = randomisation->done.of[DIRECT];
-    double reflected = part_of(client, point, randomisation, GATHER)
-                       + part_of(client, point, randomisation, CORRECTION);
+    double reflected = tracer_part(client, point, randomisation, GATHER)
+                       + tracer_part(client, point, randomisation, CORRECTION);
     if (((const struct pp_tracer *)client)->shared)
-        reflected += part_of(client, point, randomisation, SHARED);
+        reflected += tracer_part(client, point, randomisation, SHARED);
     switch (component) {
     case PP_SC:
     case PP_ERC:
@@ -194,12 +194,12 @@ static double value_of(const void *client, int point,
     case PP_IRC:
         return D * randomisation->sums[PP_IRC] / direct + reflected;
     default:
-        return part_of(client, point, randomisation, DIRECT) + reflected;
+        return tracer_part(client, point, randomisation, DIRECT) + reflected;
     }
 }
 
-static double bound_of(const void *client, int point, int component, unsigned found,
-                       const double *paths)
+static double tracer_bound(const void *client, int point, int component, unsigned found,
+                           const double *paths)
 {
     const struct pp_tracer *tracer = client;
     /* Of what is shared a receiver takes 1 on the average. */
@@ -218,12 +218,12 @@ static const struct pp_sampler sampler = {
     .pilot = {{4, 4, 1}},
     .least = {{16, 8, 2}},
     .state_size = sizeof(struct pp_path_state),
-    .begin = begin,
-    .seed = seed_of,
-    .follow = follow,
-    .value = value_of,
-    .part = part_of,
-    .bound = bound_of,
+    .begin = begin_tracer_state,
+    .seed = traced_point_seed,
+    .follow = follow_traced_paths,
+    .value = tracer_value,
+    .part = tracer_part,
+    .bound = tracer_bound,
 };
 
 /* Points for receivers to share in a randomisation, at most: a power of two that leaves
@@ -260,7 +260,7 @@ static double direct_value_of(const void *client, int point,
 static double direct_bound_of(const void *client, int point, int component,
                               unsigned found, const double *paths)
 {
-    return bound_of(client, point, component, found | 1U << PP_IRC, paths);
+    return tracer_bound(client, point, component, found | 1U << PP_IRC, paths);
 }
 
 static struct pp_sampler of_direct_light(void)
@@ -288,7 +288,7 @@ static struct pp_sampler sharing(double error)
     shared.most.of[SHARED] = most_shared(error);
     shared.cost[SHARED] = SHARED_COST;
     shared.cost_of_more = SHARED_COST * most_shared(error);
-    shared.prepare = prepare;
+    shared.prepare = share_light;
     return shared;
 }
 
@@ -326,8 +326,8 @@ static uint64_t seed_of_room(uint64_t seed, const struct pp_world *world)
 }
 
 /* Random numbers depend on where a receiver is, not on which others there are. */
-static struct traced_point point_of(const struct pp_tracer *tracer,
-                                    const struct pp_receiver *receiver, uint64_t seed)
+static struct traced_point traced_at(const struct pp_tracer *tracer,
+                                     const struct pp_receiver *receiver, uint64_t seed)
 {
     const struct pp_light_scene *scene = tracer->scene;
     struct traced_point point = {
@@ -360,7 +360,7 @@ static enum pp_status share(struct pp_tracer *tracer, uint64_t seed,
     if (status != PP_OK || !tracer->density)
         return status;
     struct pp_path_state path;
-    begin(tracer, &path);
+    begin_tracer_state(tracer, &path);
     return pp_shared_light_create(&tracer->shared, &path, &tracer->sobol, seed, err);
 }
 
@@ -402,7 +402,7 @@ enum pp_status pp_tracer_create(struct pp_tracer **result,
     }
     for (int i = 0; status == PP_OK && i < tracer->point_count; i++)
         tracer->points[i] =
-            point_of(tracer, i < receiver_count ? &receivers[i] : NULL, seed);
+            traced_at(tracer, i < receiver_count ? &receivers[i] : NULL, seed);
     const struct pp_planner_options planned = {.error = options->error,
                                                .least_error = PP_TRACER_LEAST_ERROR,
                                                .samples = options->samples,

@@ -262,8 +262,8 @@ static void add_environment(const struct pp_radiance_state *state,
 
 /* The path goes on by one of the lobes, drawn at random; false where it ends, by
  * Russian roulette or because nothing is scattered. */
-static bool go_on(struct pp_radiance_state *state, struct pp_light_path *path,
-                  const struct pp_lobes *lobes, const struct pp_light_hit *hit)
+static bool path_goes_on(struct pp_radiance_state *state, struct pp_light_path *path,
+                         const struct pp_lobes *lobes, const struct pp_light_hit *hit)
 {
     double u[4]; /* direction (2), lobe, Russian roulette */
     pp_sobol_sequence_draw(&state->sequence, state->index, path->vertex * PP_DRAWS, 4,
@@ -456,7 +456,7 @@ static bool scatter(struct pp_radiance_state *state, struct pp_light_path *path,
     if (first)
         *total =
             pp_rgb_add(*total, follow_gloss_and_mirror(state, path, &lobes, &from));
-    return go_on(state, path, &lobes, &from);
+    return path_goes_on(state, path, &lobes, &from);
 }
 
 bool pp_light_path_arrive(struct pp_radiance_state *state, struct pp_light_path *path,

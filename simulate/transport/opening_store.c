@@ -123,7 +123,7 @@ struct filling {
     int window;
 };
 
-static bool fill(void *data, int worker, int patch)
+static bool fill_opening_patch(void *data, int worker, int patch)
 {
     (void)worker;
     const struct filling *filling = data;
@@ -160,14 +160,14 @@ static void fill_all(struct pp_opening_store *store, const struct pp_light_scene
         const struct pp_opening_table *table = &store->tables[i];
         int patches = table->radiance ? table->columns * table->rows : 0;
         struct filling filling = {store, scene, environment, sobol, seed, i};
-        pp_thread_pool_run(pool, 0, patches, fill, &filling);
+        pp_thread_pool_run(pool, 0, patches, fill_opening_patch, &filling);
     }
 }
 
-static enum pp_status lay_out(struct pp_opening_store *store,
-                              const struct pp_light_scene *scene,
-                              const struct pp_sobol *sobol, uint64_t seed,
-                              struct pp_error *err)
+static enum pp_status lay_out_tables(struct pp_opening_store *store,
+                                     const struct pp_light_scene *scene,
+                                     const struct pp_sobol *sobol, uint64_t seed,
+                                     struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; status == PP_OK && i < store->count; i++) {
@@ -200,7 +200,7 @@ enum pp_status pp_opening_store_create(struct pp_opening_store **result,
         status = store->tables ? PP_OK : pp_fail_memory(err);
     }
     if (status == PP_OK)
-        status = lay_out(store, scene, sobol, seed, err);
+        status = lay_out_tables(store, scene, sobol, seed, err);
     if (status == PP_OK)
         status = pp_thread_pool_create(&pool, threads, err);
     if (status == PP_OK) {

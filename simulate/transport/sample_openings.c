@@ -288,8 +288,9 @@ static bool next_opening(struct pp_radiance_state *state,
 
 /* The numbers of the direction in turn: two, or three where one of the openings is
  * chosen. */
-static void draw(const struct pp_radiance_state *state,
-                 const struct pp_opening_sampling *sampling, double u[3])
+static void draw_opening_numbers(const struct pp_radiance_state *state,
+                                 const struct pp_opening_sampling *sampling,
+                                 double u[3])
 {
     int vertex = first_vertex(sampling->shading);
     if (sampling->drawn) {
@@ -315,7 +316,7 @@ bool pp_sample_openings_next(struct pp_radiance_state *state,
                probability = 1.0; /* place in the opening (2), choice of it */
         state->index = sampling->index * sampling->count + sampling->direction;
         sample->opening = sampling->opening;
-        draw(state, sampling, u);
+        draw_opening_numbers(state, sampling, u);
         sampling->direction++;
         if (!sampling->all) {
             const struct pp_openings_viewer viewer = {state->environment->brightness,

@@ -36,7 +36,7 @@ struct pp_sensors {
 
 /* ---- the sampler ---- */
 
-static void begin(const void *client, void *state)
+static void begin_sensor_state(const void *client, void *state)
 {
     const struct pp_sensors *sensors = client;
     struct pp_radiance_state *radiance = state;
@@ -48,13 +48,14 @@ static void begin(const void *client, void *state)
     radiance->options.ground_counts = sensors->ground_counts;
 }
 
-static uint64_t seed_of(const void *client, int point)
+static uint64_t sensor_seed(const void *client, int point)
 {
     return ((const struct pp_sensors *)client)->points[point].seed;
 }
 
-static void follow(const void *client, void *state, const struct pp_path_range *range,
-                   struct pp_randomisation *randomisation)
+static void follow_sensor_paths(const void *client, void *state,
+                                const struct pp_path_range *range,
+                                struct pp_randomisation *randomisation)
 {
     const struct pp_sensors *sensors = client;
     const struct sensor_point *point = &sensors->points[range->point];
@@ -82,8 +83,8 @@ static double of_channel(struct pp_rgb light, int value)
                             : pp_rgb_luminance(light);
 }
 
-static double value_of(const void *client, int point,
-                       const struct pp_randomisation *randomisation, int value)
+static double sensor_value(const void *client, int point,
+                           const struct pp_randomisation *randomisation, int value)
 {
     (void)client, (void)point;
     const double *sums = randomisation->sums;
@@ -91,8 +92,8 @@ static double value_of(const void *client, int point,
            / randomisation->done.of[0];
 }
 
-static double bound_of(const void *client, int point, int value, unsigned found,
-                       const double *paths)
+static double sensor_bound(const void *client, int point, int value, unsigned found,
+                           const double *paths)
 {
     const struct pp_sensors *sensors = client;
     return of_channel(pp_unsampled_bound(&sensors->points[point].unsampled,
@@ -107,11 +108,11 @@ static const struct pp_sampler sampler = {
     .pilot = {{32}},
     .least = {{64}},
     .state_size = sizeof(struct pp_radiance_state),
-    .begin = begin,
-    .seed = seed_of,
-    .follow = follow,
-    .value = value_of,
-    .bound = bound_of,
+    .begin = begin_sensor_state,
+    .seed = sensor_seed,
+    .follow = follow_sensor_paths,
+    .value = sensor_value,
+    .bound = sensor_bound,
 };
 
 /* ---- the caller's loop ---- */

@@ -52,7 +52,7 @@ void pp_atlas_columns_print_names(const struct pp_atlas_columns *columns, FILE *
     putc('\n', out);
 }
 
-static void put(FILE *out, double value)
+static void put_atlas_value(FILE *out, double value)
 {
     if (isfinite(value))
         fprintf(out, ",%.5g", value);
@@ -62,12 +62,12 @@ static void put(FILE *out, double value)
 
 static void put_per_cent(FILE *out, double fraction)
 {
-    put(out, 100.0 * fraction);
+    put_atlas_value(out, 100.0 * fraction);
 }
 
 /* What a column says at a point, or of the average for -1. */
-static double value_of(const struct pp_report *report,
-                       const struct pp_atlas_method *method, int point)
+static double atlas_column_value(const struct pp_report *report,
+                                 const struct pp_atlas_method *method, int point)
 {
     const struct pp_column *column =
         pp_report_find(report, method->component, method->name);
@@ -83,21 +83,22 @@ static void print_row(const struct pp_atlas_columns *columns, int room, int poin
     struct pp_vec3 place =
         point < 0 ? pp_vec(NAN, NAN, NAN) : report->receivers[point].position;
     fprintf(out, "%d,%d", room, point);
-    put(out, place.x);
-    put(out, place.y);
+    put_atlas_value(out, place.x);
+    put_atlas_value(out, place.y);
     for (int i = 0; i < PP_ROOM_FEATURES; i++)
-        put(out, features[i]);
+        put_atlas_value(out, features[i]);
     for (int c = 0; c < PP_COMPONENT_COUNT; c++) {
         put_per_cent(out, truth->value[c]);
         put_per_cent(out, truth->std_error[c]);
     }
     for (int i = 0; i < columns->count; i++)
-        put_per_cent(out, value_of(report, &columns->methods[i], point));
+        put_per_cent(out, atlas_column_value(report, &columns->methods[i], point));
     for (int i = 0; i < columns->count; i++) {
         const struct pp_atlas_method *method = &columns->methods[i];
         if (method->component == PP_DF)
-            put_per_cent(out, isfinite(value_of(report, method, point)) ? truth->own[i]
-                                                                        : NAN);
+            put_per_cent(out, isfinite(atlas_column_value(report, method, point))
+                                  ? truth->own[i]
+                                  : NAN);
     }
     putc('\n', out);
 }

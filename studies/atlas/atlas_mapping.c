@@ -134,8 +134,9 @@ static int class_of(const struct pp_atlas_scale *scale, double value)
 }
 
 /* Where a row belongs, up * PP_ATLAS_CLASSES + across; -1: nowhere. */
-static int cell_of(const struct pp_atlas_map *map, const struct pp_atlas_table *table,
-                   const struct mapping_columns *at, int row)
+static int mapped_cell(const struct pp_atlas_map *map,
+                       const struct pp_atlas_table *table,
+                       const struct mapping_columns *at, int row)
 {
     double sky = pp_atlas_table_value(table, row, at->sky);
     double outside = pp_atlas_table_value(table, row, at->outside);
@@ -170,8 +171,8 @@ static int by_ratio(const void *a, const void *b)
 }
 
 /* Shares a weight of 1 among a room's points in each cell, and counts the rooms. */
-static void weigh(struct mapped_ratio *list, int count,
-                  struct pp_atlas_quantiles *cells)
+static void weigh_room_points(struct mapped_ratio *list, int count,
+                              struct pp_atlas_quantiles *cells)
 {
     qsort(list, (size_t)count, sizeof *list, by_room);
     for (int i = 0, next; i < count; i = next) {
@@ -220,9 +221,10 @@ static void take_quantiles(struct mapped_ratio *list, int count,
 
 /* Ratios to the truth in that column, at points or of averages; *blind counts those whose
  * truth is not known. An own world's truth is known as well as the room's. */
-static int gather(struct mapped_ratio *list, int *blind, const struct pp_atlas_map *map,
-                  const struct pp_atlas_table *table, const struct mapping_columns *at,
-                  int truth_column)
+static int gather_mapped_ratios(struct mapped_ratio *list, int *blind,
+                                const struct pp_atlas_map *map,
+                                const struct pp_atlas_table *table,
+                                const struct mapping_columns *at, int truth_column)
 {
     int count = 0;
     *blind = 0;
@@ -231,7 +233,7 @@ static int gather(struct mapped_ratio *list, int *blind, const struct pp_atlas_m
         double truth = pp_atlas_table_value(table, row, truth_column);
         double error = pp_atlas_table_value(table, row, at->error);
         bool average = pp_atlas_table_value(table, row, table->point) < 0.0;
-        int cell = cell_of(map, table, at, row);
+        int cell = mapped_cell(map, table, at, row);
         if (average != map->averages || isnan(said) || isnan(truth) || cell < 0)
             continue;
         if (!(error <= known_to * truth && truth > 0.0)) {
@@ -246,11 +248,12 @@ static int gather(struct mapped_ratio *list, int *blind, const struct pp_atlas_m
     return count;
 }
 
-static void fill(struct pp_atlas_quantiles *cells, struct mapped_ratio *list, int count)
+static void fill_quantiles(struct pp_atlas_quantiles *cells, struct mapped_ratio *list,
+                           int count)
 {
     for (int i = 0; i < PP_ATLAS_CELLS; i++)
         cells[i] = (struct pp_atlas_quantiles){0, NAN, NAN, NAN};
-    weigh(list, count, cells);
+    weigh_room_points(list, count, cells);
     take_quantiles(list, count, cells);
 }
 
@@ -292,11 +295,12 @@ enum pp_status pp_atlas_mapping_of(struct pp_atlas_map *map,
     struct mapped_ratio *list = calloc((size_t)table->row_count + 1, sizeof *list);
     if (!list)
         return pp_fail_memory(err);
-    int count = gather(list, &map->blind, map, table, &at, at.truth);
+    int count = gather_mapped_ratios(list, &map->blind, map, table, &at, at.truth);
     bool none = count == 0;
-    fill(map->real, list, count);
-    count = at.own < 0 ? 0 : gather(list, &blind, map, table, &at, at.own);
-    fill(map->own, list, count);
+    fill_quantiles(map->real, list, count);
+    count =
+        at.own < 0 ? 0 : gather_mapped_ratios(list, &blind, map, table, &at, at.own);
+    fill_quantiles(map->own, list, count);
     free(list);
     return none ? pp_fail(err, PP_BAD_INPUT,
                           "the atlas has no value of %.60s to map by %s%s", method,

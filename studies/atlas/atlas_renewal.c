@@ -114,8 +114,8 @@ static enum pp_status check_points(const struct kept *kept, int index,
     return PP_OK;
 }
 
-static enum pp_status print(struct kept *kept, int index, char **rows, size_t *length,
-                            struct pp_error *err)
+static enum pp_status print_renewed_rows(struct kept *kept, int index, char **rows,
+                                         size_t *length, struct pp_error *err)
 {
     kept->own_at = calloc((size_t)kept->columns->count + 1, sizeof *kept->own_at);
     FILE *out = kept->own_at ? open_memstream(rows, length) : NULL;
@@ -153,7 +153,7 @@ enum pp_status pp_atlas_renewal_rows(char **rows, size_t *length,
                             .worlds = worlds,
                             .table = table,
                             .row = ROWS * index};
-        status = print(&kept, index, rows, length, err);
+        status = print_renewed_rows(&kept, index, rows, length, err);
     }
     if (status != PP_OK) {
         free(*rows);

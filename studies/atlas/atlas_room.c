@@ -29,8 +29,8 @@ struct traced {
 };
 
 /* A traced component at a point, or of the average for -1. */
-static struct pp_reading reading_of(const struct pp_report *report,
-                                    enum pp_component component, int point)
+static struct pp_reading traced_reading(const struct pp_report *report,
+                                        enum pp_component component, int point)
 {
     const struct pp_column *column = pp_report_find(report, component, "traced");
     if (!column)
@@ -47,10 +47,10 @@ static double own_value(const struct pp_own_worlds *worlds,
         of[c] = pp_own_world_of(worlds, column, (enum pp_component)c);
     /* The daylight factor of one world is known better than the sum of its parts. */
     if (of[PP_SC] == of[PP_ERC] && of[PP_ERC] == of[PP_IRC])
-        return reading_of(of[PP_SC], PP_DF, point).value;
+        return traced_reading(of[PP_SC], PP_DF, point).value;
     double sum = 0.0;
     for (int c = PP_SC; c <= PP_IRC; c++)
-        sum += reading_of(of[c], (enum pp_component)c, point).value;
+        sum += traced_reading(of[c], (enum pp_component)c, point).value;
     return sum;
 }
 
@@ -60,7 +60,7 @@ static void truth_of(const void *data, int point, struct pp_atlas_truth *truth)
     const struct traced *traced = data;
     for (int c = 0; c < PP_COMPONENT_COUNT; c++) {
         struct pp_reading reading =
-            reading_of(traced->report, (enum pp_component)c, point);
+            traced_reading(traced->report, (enum pp_component)c, point);
         truth->value[c] = reading.value;
         truth->std_error[c] = reading.std_error;
     }
@@ -86,8 +86,9 @@ static enum pp_status trace_all(struct pp_atlas_drawn *drawn,
     return status;
 }
 
-static enum pp_status print(char **rows, size_t *length, const struct traced *traced,
-                            int index, struct pp_error *err)
+static enum pp_status print_atlas_rows(char **rows, size_t *length,
+                                       const struct traced *traced, int index,
+                                       struct pp_error *err)
 {
     FILE *out = open_memstream(rows, length);
     if (!out)
@@ -114,8 +115,8 @@ enum pp_status pp_atlas_room_rows(char **rows, size_t *length,
     if (status == PP_OK)
         status = trace_all(&drawn, worlds, err);
     if (status == PP_OK)
-        status = print(rows, length, &(struct traced){columns, &drawn.report, worlds},
-                       index, err);
+        status = print_atlas_rows(
+            rows, length, &(struct traced){columns, &drawn.report, worlds}, index, err);
     if (status != PP_OK) {
         free(*rows);
         *rows = NULL;

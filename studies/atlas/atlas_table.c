@@ -51,7 +51,7 @@ static enum pp_status read_names(struct table_reading *reading, char *line,
 }
 
 /* The number of a field that ends at `end`. */
-static bool read_number(double *value, const char *field, const char *end)
+static bool read_field_number(double *value, const char *field, const char *end)
 {
     char *behind;
     *value = NAN;
@@ -61,8 +61,8 @@ static bool read_number(double *value, const char *field, const char *end)
     return behind == end && isfinite(*value);
 }
 
-static enum pp_status read_row(struct table_reading *reading, char *line,
-                               struct pp_error *err)
+static enum pp_status read_atlas_row(struct table_reading *reading, char *line,
+                                     struct pp_error *err)
 {
     struct pp_atlas_table *table = reading->table;
     size_t first = (size_t)table->row_count * (size_t)table->column_count;
@@ -76,7 +76,7 @@ static enum pp_status read_row(struct table_reading *reading, char *line,
     for (char *field = line, *next; field; field = next, count++) {
         next = next_field(field, &end);
         if (count < table->column_count
-            && !read_number(&table->values[first + (size_t)count], field, end))
+            && !read_field_number(&table->values[first + (size_t)count], field, end))
             return pp_fail(err, PP_BAD_INPUT,
                            "%s:%d: %s is \"%.*s\"; expected a number, or nothing",
                            reading->path, reading->line, table->names[count],
@@ -111,7 +111,7 @@ enum pp_status pp_atlas_table_read(struct pp_atlas_table *table, const char *pat
         reading.line++;
         table->iso |= strncmp(line, "# sky iso,", strlen("# sky iso,")) == 0;
         if (line[0] != '#')
-            status = table->names ? read_row(&reading, line, err)
+            status = table->names ? read_atlas_row(&reading, line, err)
                                   : read_names(&reading, line, err);
         line = end + 1;
     }

@@ -42,7 +42,7 @@ static double glass_m2(const struct pp_opening *opening)
     return opening->inner.area_m2 * opening->frame_factor;
 }
 
-static struct pp_bounds3 bounds_of(const struct pp_polygon *outline)
+static struct pp_bounds3 polygon_bounds(const struct pp_polygon *outline)
 {
     struct pp_bounds3 bounds = pp_bounds3_empty();
     for (int i = 0; i < outline->count; i++)
@@ -66,7 +66,7 @@ static const struct pp_opening *largest(const struct pp_world *world, bool uprig
 }
 
 /* How far the room reaches in a direction (unit). */
-static double extent(const struct pp_world *world, struct pp_vec3 direction)
+static double room_reach(const struct pp_world *world, struct pp_vec3 direction)
 {
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < world->face_count; i++)
@@ -92,10 +92,10 @@ static void fill_proportions(double features[PP_ROOM_FEATURES],
     }
     struct pp_vec3 in = opening->inner.normal;
     in = pp_vec_unit(pp_vec(in.x, in.y, 0.0));
-    double head = bounds_of(&opening->inner).high.z - plane;
-    double depth = extent(world, in);
+    double head = polygon_bounds(&opening->inner).high.z - plane;
+    double depth = room_reach(world, in);
     features[PP_ROOM_DEPTH_HEAD] = depth / fmax(head, least);
-    features[PP_ROOM_DEPTH_WIDTH] = depth / extent(world, pp_vec(-in.y, in.x, 0.0));
+    features[PP_ROOM_DEPTH_WIDTH] = depth / room_reach(world, pp_vec(-in.y, in.x, 0.0));
 }
 
 /* ---- openings ---- */
@@ -256,7 +256,7 @@ static double depth_of(const struct pp_world *world, struct pp_vec3 point)
     double least = INFINITY;
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_polygon *outline = &world->openings[i].inner;
-        double height = bounds_of(outline).high.z - point.z;
+        double height = polygon_bounds(outline).high.z - point.z;
         if (height <= 0.0)
             continue;
         height = fmax(height, height_least * world->height_m);
@@ -267,7 +267,7 @@ static double depth_of(const struct pp_world *world, struct pp_vec3 point)
     return least;
 }
 
-static double side_of(const struct pp_world *world, struct pp_vec3 point)
+static double room_side_of_point(const struct pp_world *world, struct pp_vec3 point)
 {
     double least = INFINITY;
     for (int i = 0; i < world->face_count; i++)
@@ -301,6 +301,6 @@ void pp_room_features_at(double features[PP_ROOM_FEATURES],
                          const struct pp_world *world, struct pp_vec3 point)
 {
     features[PP_ROOM_DEPTH] = depth_of(world, point);
-    features[PP_ROOM_SIDE] = side_of(world, point);
+    features[PP_ROOM_SIDE] = room_side_of_point(world, point);
     features[PP_ROOM_VIEW] = view_of(world, point);
 }

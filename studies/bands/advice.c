@@ -115,7 +115,8 @@ static enum pp_status find_favourite(int *favourite, const struct pp_report *rep
 
 /* ---- items ---- */
 
-static bool is_same(const struct pp_band_record *a, const struct pp_band_record *b)
+static bool same_band_record(const struct pp_band_record *a,
+                             const struct pp_band_record *b)
 {
     return a->place == b->place && strcmp(a->column, b->column) == 0
            && memcmp(&a->entry.regime.ratio, &b->entry.regime.ratio,
@@ -175,7 +176,8 @@ static enum pp_status add_point(struct pp_advice *advice, const struct ranking *
                                 struct pp_error *err)
 {
     int i = 0;
-    while (i < advice->count && !is_same(&advice->items[i].best, &ranking->list[best]))
+    while (i < advice->count
+           && !same_band_record(&advice->items[i].best, &ranking->list[best]))
         i++;
     enum pp_status status =
         i < advice->count ? PP_OK : add_item(advice, ranking, best, false, err);

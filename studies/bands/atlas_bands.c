@@ -18,8 +18,8 @@ struct places {
     int features[PP_ROOM_FEATURES];
 };
 
-static int find(const struct pp_atlas_table *table, const char *prefix,
-                const char *component, const char *name)
+static int find_atlas_column(const struct pp_atlas_table *table, const char *prefix,
+                             const char *component, const char *name)
 {
     char whole[128];
     snprintf(whole, sizeof whole, "%s%s.%s", prefix, component, name);
@@ -41,12 +41,15 @@ static struct places find_places(const struct pp_atlas_table *table,
     const char *word = pp_band_features_components[component];
     struct pp_band_parts parts = pp_band_features_parts(component, name);
     struct places places = {
-        .hand = find(table, "", word, name),
-        .own = find(table, "own.", word, name),
-        .truth = find(table, "", "true", word),
-        .sc = find(table, "", pp_band_features_components[PP_SC], parts.direct),
-        .erc = find(table, "", pp_band_features_components[PP_ERC], parts.direct),
-        .irc = find(table, "", pp_band_features_components[PP_IRC], parts.internal)};
+        .hand = find_atlas_column(table, "", word, name),
+        .own = find_atlas_column(table, "own.", word, name),
+        .truth = find_atlas_column(table, "", "true", word),
+        .sc = find_atlas_column(table, "", pp_band_features_components[PP_SC],
+                                parts.direct),
+        .erc = find_atlas_column(table, "", pp_band_features_components[PP_ERC],
+                                 parts.direct),
+        .irc = find_atlas_column(table, "", pp_band_features_components[PP_IRC],
+                                 parts.internal)};
     for (int i = 0; i < PP_ROOM_FEATURES; i++)
         places.features[i] = feature_column(table, i);
     return places;
@@ -109,10 +112,10 @@ static enum pp_status fit_column(struct pp_atlas_column *column,
 }
 
 /* Adds the column's bands where it has rooms enough for any. */
-static enum pp_status add_column(struct pp_atlas_bands *bands,
-                                 const struct pp_atlas_table *table,
-                                 enum pp_component component, const char *name,
-                                 enum pp_band_place place, struct pp_error *err)
+static enum pp_status add_band_column(struct pp_atlas_bands *bands,
+                                      const struct pp_atlas_table *table,
+                                      enum pp_component component, const char *name,
+                                      enum pp_band_place place, struct pp_error *err)
 {
     struct pp_band_figures figures;
     struct places places = find_places(table, component, name);
@@ -197,8 +200,8 @@ enum pp_status pp_atlas_bands_fit(struct pp_atlas_bands *bands,
             continue;
         for (int place = PP_BAND_POINT; place <= PP_BAND_AVERAGE && status == PP_OK;
              place++)
-            status = add_column(bands, table, component, name,
-                                (enum pp_band_place)place, err);
+            status = add_band_column(bands, table, component, name,
+                                     (enum pp_band_place)place, err);
     }
     return status;
 }

@@ -70,8 +70,9 @@ static enum pp_status fill_entry(struct pp_band_entry *entry,
 
 /* Ordinary rooms apart, whose bands would be as wide as those of unusual ones otherwise,
  * and these too narrow; all as one where either are too few. Returns how many regimes. */
-static int begin(struct pp_band_regime begun[2], const struct column_fit *fit,
-                 const struct pp_band_rules *rules)
+static int begin_band_regimes(struct pp_band_regime begun[2],
+                              const struct column_fit *fit,
+                              const struct pp_band_rules *rules)
 {
     bool enough = true;
     for (int i = 0; i < 2; i++) {
@@ -95,7 +96,7 @@ static enum pp_status fit_column(struct pp_band_entry **entries, int *count,
                                  struct pp_error *err)
 {
     struct pp_band_regime *regimes, begun[2];
-    int begun_count = begin(begun, fit, rules);
+    int begun_count = begin_band_regimes(begun, fit, rules);
     enum pp_status status = pp_band_tree_grow(&regimes, count, &fit->samples[WHOLE],
                                               rules, begun, begun_count, err);
     if (status != PP_OK)

@@ -8,7 +8,7 @@ struct weighted {
     double ratio, weight;
 };
 
-static int compare(const void *a, const void *b)
+static int compare_sampled_ratios(const void *a, const void *b)
 {
     const struct weighted *x = a, *y = b;
     return (x->ratio > y->ratio) - (x->ratio < y->ratio);
@@ -65,7 +65,7 @@ static struct weighted *sorted(const struct pp_band_sample *sample, const int *r
         ++*rooms;
     }
     if (list)
-        qsort(list, (size_t)count, sizeof *list, compare);
+        qsort(list, (size_t)count, sizeof *list, compare_sampled_ratios);
     return list;
 }
 

@@ -51,7 +51,7 @@ struct tree {
 
 /* ---- bins ---- */
 
-static int compare(const void *a, const void *b)
+static int compare_feature_values(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
@@ -67,8 +67,8 @@ static double two_digits(double value)
 
 /* Finite values of a feature (or, feature -1, logarithms of ratios) of evenly chosen rows,
  * in rising order; returns how many. */
-static int look(double values[LOOKED_AT], const struct pp_band_sample *sample,
-                int feature)
+static int sample_feature_values(double values[LOOKED_AT],
+                                 const struct pp_band_sample *sample, int feature)
 {
     int stride = sample->count / LOOKED_AT + 1, count = 0;
     for (int row = 0; row < sample->count; row += stride) {
@@ -79,14 +79,14 @@ static int look(double values[LOOKED_AT], const struct pp_band_sample *sample,
         if (isfinite(value))
             values[count++] = value;
     }
-    qsort(values, (size_t)count, sizeof *values, compare);
+    qsort(values, (size_t)count, sizeof *values, compare_feature_values);
     return count;
 }
 
 static struct edges choose_edges(const struct pp_band_sample *sample, int feature)
 {
     double values[LOOKED_AT];
-    int count = look(values, sample, feature);
+    int count = sample_feature_values(values, sample, feature);
     struct edges edges = {.count = 0};
     for (int i = 1; i <= EDGES && count > 0; i++) {
         double edge = two_digits(values[(int)((int64_t)i * count / (EDGES + 1))]);
@@ -120,7 +120,7 @@ static void fill_bins(struct tree *tree)
 static void fill_steps(struct tree *tree)
 {
     double values[LOOKED_AT];
-    int count = look(values, tree->sample, -1), out = count / 1000;
+    int count = sample_feature_values(values, tree->sample, -1), out = count / 1000;
     double low = values[out], high = values[count - 1 - out];
     tree->width = fmax((high - low) / (STEPS - 1), 1e-9);
     tree->first = low;
@@ -315,8 +315,8 @@ static int next_node(const struct tree *tree, double gain_least)
     return next;
 }
 
-static bool grow(struct tree *tree, const struct pp_band_regime *begun, int begun_count,
-                 struct counts *counts)
+static bool grow_band_tree(struct tree *tree, const struct pp_band_regime *begun,
+                           int begun_count, struct counts *counts)
 {
     double score = 0.0;
     fill_bins(tree);
@@ -381,7 +381,7 @@ enum pp_status pp_band_tree_grow(struct pp_band_regime **regimes, int *count,
     tree.nodes = calloc((size_t)rules->regimes_most + 1, sizeof *tree.nodes);
     *regimes = calloc((size_t)rules->regimes_most + 1, sizeof **regimes);
     bool good = counts && tree.edges && tree.bins && tree.steps && tree.nodes
-                && *regimes && grow(&tree, begun, begun_count, counts);
+                && *regimes && grow_band_tree(&tree, begun, begun_count, counts);
     enum pp_status status =
         good ? take_regimes(*regimes, &tree, err) : pp_fail_memory(err);
     *count = tree.count;

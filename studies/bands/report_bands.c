@@ -13,7 +13,7 @@
 
 /* ---- is the room one of the atlas? ---- */
 
-static bool is_convex(const struct pp_region *plane)
+static bool plane_is_convex(const struct pp_region *plane)
 {
     if (plane->count != 1)
         return false;
@@ -52,9 +52,9 @@ static const char *why_not(const struct pp_world *world,
            : !world->is_empty          ? "surfaces stand in the room"
            : has_contrasting_dado(world)
                ? "the walls have a dado of another reflectance"
-           : !is_convex(&world->plane) ? "the plan has a recess"
-           : world->ground_is_open     ? "the ground outside has no shadows"
-                                       : NULL;
+           : !plane_is_convex(&world->plane) ? "the plan has a recess"
+           : world->ground_is_open           ? "the ground outside has no shadows"
+                                             : NULL;
 }
 
 /* Values as printed, of which the ends of a span are rounded. */

@@ -124,7 +124,8 @@ static double best(const struct cause_search *search)
     return most;
 }
 
-static enum pp_status judge(struct cause_search *search, struct pp_error *err)
+static enum pp_status judge_cause_sets(struct cause_search *search,
+                                       struct pp_error *err)
 {
     for (int i = 0; i < search->candidate_count; i++)
         judge_roughly(search, &search->candidates[i]);
@@ -194,9 +195,9 @@ static enum pp_status add_sets(struct cause_search *search,
 
 /* ---- the search ---- */
 
-static enum pp_status begin(struct cause_search *search,
-                            const struct pp_cause_search_question *question,
-                            struct pp_error *err)
+static enum pp_status begin_cause_search(
+    struct cause_search *search, const struct pp_cause_search_question *question,
+    struct pp_error *err)
 {
     *search = (struct cause_search){.question = question};
     enum pp_status status = pp_set_effects_init(&search->effects, question, err);
@@ -320,9 +321,9 @@ enum pp_status pp_cause_search_find(struct pp_cause_search *found,
     struct cause_search search;
     const struct cause_candidate *next;
     *found = (struct pp_cause_search){0};
-    enum pp_status status = begin(&search, question, err);
+    enum pp_status status = begin_cause_search(&search, question, err);
     if (status == PP_OK)
-        status = judge(&search, err);
+        status = judge_cause_sets(&search, err);
     while (status == PP_OK && (next = to_trace(&search)) != NULL && !found->is_cut) {
         int causes[PP_CAUSE_SEARCH_MOST];
         int count = without_factor(&search, &next->set, causes);
@@ -331,7 +332,7 @@ enum pp_status pp_cause_search_find(struct pp_cause_search *found,
         if (!found->is_cut)
             status = pp_set_effects_trace(&search.effects, causes, count, err);
         if (!found->is_cut && status == PP_OK)
-            status = judge(&search, err);
+            status = judge_cause_sets(&search, err);
     }
     if (status == PP_OK)
         status = hand_over(found, &search, err);

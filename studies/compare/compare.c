@@ -38,8 +38,8 @@ struct pp_compare {
 
 /* ---- sets traced ---- */
 
-static enum pp_status trace(struct pp_compare *compare, struct traced_set *set,
-                            struct pp_error *err)
+static enum pp_status trace_cause_set(struct pp_compare *compare,
+                                      struct traced_set *set, struct pp_error *err)
 {
     struct pp_room_variant variant = compare->options.variant;
     enum pp_status status = PP_OK;
@@ -76,7 +76,7 @@ static enum pp_status set_of(struct pp_compare *compare, const int *causes, int 
     struct traced_set *next = &compare->sets[compare->set_count];
     *next = (struct traced_set){.count = count, .value = value};
     memcpy(next->causes, causes, (size_t)count * sizeof *causes);
-    next->status = trace(compare, next, err);
+    next->status = trace_cause_set(compare, next, err);
     if (next->status == PP_OK || next->status == PP_BAD_INPUT)
         compare->set_count++;
     else
@@ -157,8 +157,9 @@ static double stated_noise(const struct pp_compare *compare, const double *varia
                        : 0.0;
 }
 
-static enum pp_status weigh(struct pp_compared *compared, struct pp_compare *compare,
-                            const double *gap, double *effect, struct pp_error *err)
+static enum pp_status weigh_cause_shares(struct pp_compared *compared,
+                                         struct pp_compare *compare, const double *gap,
+                                         double *effect, struct pp_error *err)
 {
     const struct pp_cause_set *set = &compared->search.sets[0];
     int count = compared->count, whole = (1 << set->count) - 1;
@@ -220,7 +221,7 @@ static enum pp_status explain(struct pp_compared *compared, struct pp_compare *c
             compare->options.traced_most ? compare->options.traced_most : TRACED_MOST};
     enum pp_status status = pp_cause_search_find(&compared->search, &question, err);
     if (status == PP_OK)
-        status = weigh(compared, compare, gap, effect, err);
+        status = weigh_cause_shares(compared, compare, gap, effect, err);
     if (status == PP_OK)
         list_sets(compared);
     return status;
@@ -279,7 +280,7 @@ const double *pp_compare_ours(const struct pp_compare *compare, const double **e
     return compare->sets[0].values;
 }
 
-static enum pp_status begin(struct pp_compare *compare, struct pp_error *err)
+static enum pp_status begin_compare(struct pp_compare *compare, struct pp_error *err)
 {
     const struct pp_compare_subject *subject = &compare->subject;
     const struct traced_set *none;
@@ -310,7 +311,7 @@ enum pp_status pp_compare_create(struct pp_compare **result,
         return pp_fail_memory(err);
     compare->subject = *subject;
     compare->options = *options;
-    enum pp_status status = begin(compare, err);
+    enum pp_status status = begin_compare(compare, err);
     if (status != PP_OK) {
         pp_compare_destroy(compare);
         return status;

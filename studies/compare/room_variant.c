@@ -30,8 +30,9 @@ struct pp_room_variant pp_room_variant_nothing(void)
 }
 
 /* A number from `least` to `most`, as the switch `name` has it. */
-static enum pp_status read_number(double *number, const char *name, const char *text,
-                                  double least, double most, struct pp_error *err)
+static enum pp_status read_switch_number(double *number, const char *name,
+                                         const char *text, double least, double most,
+                                         struct pp_error *err)
 {
     double value;
     if (!pp_text_parse_number(text, &value) || !(value >= least && value <= most))
@@ -133,17 +134,17 @@ static enum pp_status read_switch(struct pp_room_variant *variant, const char *n
     if (strcmp(name, "dirt") == 0)
         return read_only(&variant->no_dirt, name, text, "none", err);
     if (strcmp(name, "plane") == 0)
-        return read_number(&variant->plane_m, name, text, 0.0, 100.0, err);
+        return read_switch_number(&variant->plane_m, name, text, 0.0, 100.0, err);
     if (strcmp(name, "sky") == 0)
         return read_sky(variant, text, err);
     if (strcmp(name, "ground") == 0 && strcmp(text, "open") == 0)
         return read_only(&variant->open_ground, name, text, "open", err);
     if (strcmp(name, "ground") == 0)
-        return read_number(&variant->ground, name, text, 0.0, 1.0, err);
+        return read_switch_number(&variant->ground, name, text, 0.0, 1.0, err);
     if (strcmp(name, "outside") == 0)
         return read_only(&variant->nothing_outside, name, text, "none", err);
     if (strcmp(name, "factor") == 0)
-        return read_number(&variant->factor, name, text, 0.01, 100.0, err);
+        return read_switch_number(&variant->factor, name, text, 0.01, 100.0, err);
     return pp_text_unknown(err, name, names, sizeof names / sizeof names[0], NULL,
                            "there is no switch \"%.40s\"", name);
 }

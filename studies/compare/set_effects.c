@@ -28,8 +28,8 @@ static const double LEAST_NOISE = 0.003;
 /* A fitted value is sought in so many steps of the golden section, and is one
  * of so many: a thousandth. */
 enum { FIT_STEPS = 16, LEVELS = 800 };
-static const struct pp_known_set *find(const struct pp_set_effects *effects,
-                                       const int *causes, int count)
+static const struct pp_known_set *find_known_set(const struct pp_set_effects *effects,
+                                                 const int *causes, int count)
 {
     for (int i = 0; i < effects->known_count; i++)
         if (effects->known[i].count == count
@@ -42,7 +42,7 @@ static const struct pp_known_set *find(const struct pp_set_effects *effects,
 bool pp_set_effects_are_known(const struct pp_set_effects *effects, const int *causes,
                               int count)
 {
-    return find(effects, causes, count) != NULL;
+    return find_known_set(effects, causes, count) != NULL;
 }
 
 bool pp_set_effects_has_fitted(const struct pp_set_effects *effects, const int *causes,
@@ -125,7 +125,7 @@ static double together(const struct pp_set_effects *effects,
                        int point, double off, double level, double *slack)
 {
     int pair[] = {a->causes[0], b->causes[0]};
-    const struct pp_known_set *both = find(effects, pair, 2);
+    const struct pp_known_set *both = find_known_set(effects, pair, 2);
     double of_a = effect_at(a, point, level), of_b = effect_at(b, point, level);
     if (both && both->makes_sense)
         return effect_at(both, point, level) - of_a - of_b;
@@ -147,13 +147,13 @@ bool pp_set_effects_predict(struct pp_set_effects *effects, const int *causes,
                             int count, double off, double level)
 {
     const struct pp_known_set *part[PP_CAUSE_SEARCH_MOST],
-        *known = find(effects, causes, count);
+        *known = find_known_set(effects, causes, count);
     if (known) {
         predict_known(effects, known, level);
         return known->makes_sense;
     }
     for (int k = 0; k < count; k++) {
-        part[k] = find(effects, &causes[k], 1);
+        part[k] = find_known_set(effects, &causes[k], 1);
         if (!part[k]->makes_sense)
             return false;
     }
@@ -187,12 +187,12 @@ void pp_set_effects_lean(struct pp_set_effects *effects)
 double pp_set_effects_unknown(const struct pp_set_effects *effects, const int pair[2],
                               double level)
 {
-    const struct pp_known_set *a = find(effects, &pair[0], 1);
-    const struct pp_known_set *b = find(effects, &pair[1], 1);
+    const struct pp_known_set *a = find_known_set(effects, &pair[0], 1);
+    const struct pp_known_set *b = find_known_set(effects, &pair[1], 1);
     double sum = 0.0;
     for (int i = 0; i < effects->question->data.count; i++)
         sum += smaller(effect_at(a, i, level), effect_at(b, i, level));
-    return find(effects, pair, 2) ? 0.0 : sum;
+    return find_known_set(effects, pair, 2) ? 0.0 : sum;
 }
 
 double pp_set_effects_left(struct pp_set_effects *effects, const int *causes, int count,

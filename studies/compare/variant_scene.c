@@ -53,13 +53,13 @@ static double sum_up(struct pp_rgb light, enum pp_room_variant_colour colour)
                                                     : pp_rgb_luminance(light);
 }
 
-static enum pp_status read(double *values, double *errors,
-                           const struct pp_light_scene *scene,
-                           const struct pp_receiver *points, int count,
-                           struct pp_rgb horizontal,
-                           const struct pp_room_variant *variant,
-                           const struct pp_variant_tracing *tracing,
-                           struct pp_error *err)
+static enum pp_status read_sensor_values(double *values, double *errors,
+                                         const struct pp_light_scene *scene,
+                                         const struct pp_receiver *points, int count,
+                                         struct pp_rgb horizontal,
+                                         const struct pp_room_variant *variant,
+                                         const struct pp_variant_tracing *tracing,
+                                         struct pp_error *err)
 {
     struct pp_sensor_reading *readings = calloc((size_t)count + 1, sizeof *readings);
     if (!readings)
@@ -128,8 +128,8 @@ enum pp_status pp_variant_scene_values(double *values, double *errors,
     if (status == PP_OK)
         status = pp_light_scene_of_description(&light_scene, &changed, err);
     if (status == PP_OK)
-        status = read(values, errors, light_scene, moved, count, horizontal, variant,
-                      tracing, err);
+        status = read_sensor_values(values, errors, light_scene, moved, count,
+                                    horizontal, variant, tracing, err);
     pp_light_scene_destroy(light_scene);
     free(changed.materials);
     free(moved);

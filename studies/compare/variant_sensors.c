@@ -11,9 +11,9 @@ enum pp_status pp_variant_sensors_go_on(const struct pp_variant_tracing *tracing
     return pp_fail(err, PP_INTERRUPTED, "interrupted");
 }
 
-static enum pp_status follow(struct pp_sensors *sensors,
-                             const struct pp_variant_tracing *tracing,
-                             struct pp_error *err)
+static enum pp_status follow_variant_sensors(struct pp_sensors *sensors,
+                                             const struct pp_variant_tracing *tracing,
+                                             struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     while (status == PP_OK && !pp_sensors_done(sensors)) {
@@ -46,7 +46,7 @@ enum pp_status pp_variant_sensors(
     enum pp_status status =
         pp_sensors_create(&sensors, scene, environment, list, count, &options, err);
     if (status == PP_OK)
-        status = follow(sensors, tracing, err);
+        status = follow_variant_sensors(sensors, tracing, err);
     for (int i = 0; i < count && status == PP_OK; i++)
         readings[i] = pp_sensors_read(sensors, i);
     pp_sensors_destroy(sensors);

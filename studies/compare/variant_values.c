@@ -48,7 +48,7 @@ struct varied_room {
     struct pp_receiver *receivers;
 };
 
-static void clear(struct varied_room *varied)
+static void clear_varied_room(struct varied_room *varied)
 {
     pp_environment_destroy(varied->environment);
     pp_light_scene_destroy(varied->scene);
@@ -56,10 +56,10 @@ static void clear(struct varied_room *varied)
     free(varied->receivers);
 }
 
-static enum pp_status resolve(struct varied_room *varied,
-                              const struct pp_study_room *room,
-                              const struct pp_room_variant *variant,
-                              struct pp_error *err)
+static enum pp_status resolve_varied_room(struct varied_room *varied,
+                                          const struct pp_study_room *room,
+                                          const struct pp_room_variant *variant,
+                                          struct pp_error *err)
 {
     struct pp_room *copy = NULL;
     struct pp_mistakes mistakes;
@@ -105,11 +105,13 @@ static enum pp_status place_points(struct varied_room *varied,
     return PP_OK;
 }
 
-static enum pp_status make(struct varied_room *varied, const struct pp_study_room *room,
-                           const struct pp_room_variant *variant, struct pp_error *err)
+static enum pp_status make_varied_room(struct varied_room *varied,
+                                       const struct pp_study_room *room,
+                                       const struct pp_room_variant *variant,
+                                       struct pp_error *err)
 {
     *varied = (struct varied_room){0};
-    enum pp_status status = resolve(varied, room, variant, err);
+    enum pp_status status = resolve_varied_room(varied, room, variant, err);
     if (status == PP_OK)
         status = place_points(varied, room, variant, err);
     if (status == PP_OK)
@@ -118,16 +120,16 @@ static enum pp_status make(struct varied_room *varied, const struct pp_study_roo
         status = pp_light_scene_under(&varied->environment, varied->scene,
                                       &varied->light, err);
     if (status != PP_OK)
-        clear(varied);
+        clear_varied_room(varied);
     return status;
 }
 
 /* ---- its values ---- */
 
-static enum pp_status trace(double *values, double *errors,
-                            const struct varied_room *varied, int count,
-                            const struct pp_variant_tracing *tracing,
-                            struct pp_error *err)
+static enum pp_status trace_varied_room(double *values, double *errors,
+                                        const struct varied_room *varied, int count,
+                                        const struct pp_variant_tracing *tracing,
+                                        struct pp_error *err)
 {
     const struct pp_tracer_options options = {
         .error = tracing->error, .seed = tracing->seed, .threads = tracing->threads};
@@ -186,16 +188,16 @@ enum pp_status pp_variant_values(double *values, double *errors,
         return pp_fail(err, PP_BAD_INPUT, "colour=: a room file has no colours");
     if (variant->dark)
         return PP_OK;
-    enum pp_status status = make(&varied, room, variant, err);
+    enum pp_status status = make_varied_room(&varied, room, variant, err);
     if (status != PP_OK)
         return status;
     status = variant->bounces < 0
-                 ? trace(values, errors, &varied, count, tracing, err)
+                 ? trace_varied_room(values, errors, &varied, count, tracing, err)
                  : follow_so_far(values, errors, &varied, count, variant, tracing, err);
     for (int i = 0; i < count && status == PP_OK; i++) {
         values[i] *= variant->factor;
         errors[i] *= variant->factor;
     }
-    clear(&varied);
+    clear_varied_room(&varied);
     return status;
 }

@@ -58,9 +58,9 @@ static void find_median(struct pp_median *median, const struct pp_world *world,
 }
 
 /* The daylight factors that criteria rest on; those of simulation come later. */
-static enum pp_status gather(struct pp_assessment *assessment,
-                             const struct pp_assess_options *options,
-                             struct pp_error *err)
+static enum pp_status gather_factors(struct pp_assessment *assessment,
+                                     const struct pp_assess_options *options,
+                                     struct pp_error *err)
 {
     const struct pp_world *world = assessment->room->world;
     find_median(&assessment->median, world, options);
@@ -76,10 +76,11 @@ static enum pp_status gather(struct pp_assessment *assessment,
     return status == PP_OK ? pp_report_bands_fill(&assessment->report, err) : status;
 }
 
-static enum pp_status judge(struct pp_assessment *assessment,
-                            const bool chosen[PP_CRITERIA_MOST], const char *country,
-                            const struct pp_assess_options *options,
-                            struct pp_error *err)
+static enum pp_status judge_criteria(struct pp_assessment *assessment,
+                                     const bool chosen[PP_CRITERIA_MOST],
+                                     const char *country,
+                                     const struct pp_assess_options *options,
+                                     struct pp_error *err)
 {
     const struct pp_inquiry inquiry = {
         .world = assessment->room->world,
@@ -113,10 +114,10 @@ static enum pp_status judge(struct pp_assessment *assessment,
 
 /* Those asked for by name; else of the profile's, or of all, those that bear on the room.
  * Whoever asks for a profile has chosen a country's rules. */
-static enum pp_status choose(bool chosen[PP_CRITERIA_MOST],
-                             const struct pp_world *world,
-                             const struct pp_assess_options *options,
-                             struct pp_error *err)
+static enum pp_status choose_criteria(bool chosen[PP_CRITERIA_MOST],
+                                      const struct pp_world *world,
+                                      const struct pp_assess_options *options,
+                                      struct pp_error *err)
 {
     const struct pp_profile *profile = options->criteria ? NULL : options->profile;
     enum pp_status status = pp_assessment_choose(
@@ -146,7 +147,7 @@ enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
 {
     bool chosen[PP_CRITERIA_MOST];
     *assessment = (struct pp_assessment){.room = room};
-    enum pp_status status = choose(chosen, room->world, options, err);
+    enum pp_status status = choose_criteria(chosen, room->world, options, err);
     if (status != PP_OK)
         return status;
     assessment->has_factors = any_of_factors(chosen);
@@ -156,7 +157,7 @@ enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
     if (status == PP_OK && options->mirrored && options->mirrored->count > 0)
         status = pp_room_before_find(&assessment->mirrored, &assessment->mirrored_pairs,
                                      room, room_count, options->mirrored, err);
-    return status == PP_OK ? gather(assessment, options, err) : status;
+    return status == PP_OK ? gather_factors(assessment, options, err) : status;
 }
 
 enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
@@ -165,12 +166,12 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
 {
     bool chosen[PP_CRITERIA_MOST];
     const struct pp_world *world = assessment->room->world;
-    enum pp_status status = choose(chosen, world, options, err);
+    enum pp_status status = choose_criteria(chosen, world, options, err);
     const char *country = options->profile && !world->country[0]
                               ? options->profile->country
                               : world->country;
     if (status == PP_OK)
-        status = judge(assessment, chosen, country, options, err);
+        status = judge_criteria(assessment, chosen, country, options, err);
     assessment->has_gains =
         !options->criteria && !options->profile && !options->verdicts_only;
     if (status == PP_OK && assessment->has_gains)

@@ -80,9 +80,9 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
 
 /* The daylight factors of the grid, whose basis is added to the findings; NULL where
  * there are none, and *why says why. */
-static const struct pp_column *column_of(const struct pp_inquiry *inquiry,
-                                         struct pp_finding_list *findings,
-                                         const char **why)
+static const struct pp_column *grid_factors(const struct pp_inquiry *inquiry,
+                                            struct pp_finding_list *findings,
+                                            const char **why)
 {
     /* Reasons that no option of the command line removes come first. */
     *why = pp_factors_refuse(inquiry);
@@ -110,15 +110,16 @@ static enum pp_verdict level_verdict(const struct pp_finding_list *findings, int
     return undecided ? PP_UNDECIDED : PP_MET;
 }
 
-static enum pp_status evaluate(const struct pp_inquiry *inquiry,
-                               struct pp_finding_list *findings, struct pp_error *err)
+static enum pp_status assess_en17037(const struct pp_inquiry *inquiry,
+                                     struct pp_finding_list *findings,
+                                     struct pp_error *err)
 {
     static const char *const levels[] = {"minimum", "medium", "high"};
     static const double targets[] = {300, 500, 750}, minima[] = {100, 300, 500};
     bool rooflights = is_lit_by_rooflights(inquiry->world);
     const char *why, *reached = "none", *perhaps = NULL;
     bool further = true;
-    const struct pp_column *column = column_of(inquiry, findings, &why);
+    const struct pp_column *column = grid_factors(inquiry, findings, &why);
     for (int i = 0; i < 3; i++) {
         struct target target = {levels[i], targets[i], rooflights ? nearly_all : half};
         struct target least = {levels[i], minima[i], nearly_all};
@@ -152,7 +153,7 @@ static enum pp_status evaluate_annex(const struct pp_inquiry *inquiry,
         PP_DWELLING_BEDROOM, PP_DWELLING_LIVING_ROOM, PP_DWELLING_KITCHEN};
     int rooms = pp_bearing_dwelling_rooms(inquiry->world->use);
     const char *why;
-    const struct pp_column *column = column_of(inquiry, findings, &why);
+    const struct pp_column *column = grid_factors(inquiry, findings, &why);
     enum pp_status status = PP_OK;
     for (int i = 0; i < 3 && status == PP_OK; i++)
         if (!rooms || rooms & kinds[i])
@@ -167,7 +168,7 @@ const struct pp_criterion pp_criterion_en17037 = {
     .summary = "300, 500, 750 lx over half the plane, 100, 300, 500 lx over 95 %",
     .of_factors = true,
     .bears_on_use = pp_bearing_needs_daylight,
-    .evaluate = evaluate,
+    .evaluate = assess_en17037,
 };
 
 const struct pp_criterion pp_criterion_uk_annex = {

@@ -58,7 +58,8 @@ static void doubt(struct pp_finding *finding, const struct pp_finding *other)
         plain ? "" : " %", pp_finding_verdict(other->verdict));
 }
 
-static void compare(struct pp_assessment *assessment, const struct pp_assessment *other)
+static void compare_assessments(struct pp_assessment *assessment,
+                                const struct pp_assessment *other)
 {
     for (int i = 0; i < assessment->answer_count; i++) {
         struct pp_answer *answer = &assessment->answers[i];
@@ -89,7 +90,7 @@ static enum pp_status judge_other(struct pp_assessment *assessment,
     if (status == PP_OK)
         status = pp_assessment_judge(&other, &wanted, err);
     if (status == PP_OK && other.report.finished)
-        compare(assessment, &other);
+        compare_assessments(assessment, &other);
     pp_assessment_clear(&other);
     return status;
 }

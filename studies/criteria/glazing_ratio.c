@@ -17,8 +17,9 @@
 #define GLASS_WANTED 0.08
 #define OPENING_WANTED 0.125
 
-static enum pp_status evaluate(const struct pp_inquiry *inquiry,
-                               struct pp_finding_list *findings, struct pp_error *err)
+static enum pp_status assess_glazing_ratio(const struct pp_inquiry *inquiry,
+                                           struct pp_finding_list *findings,
+                                           struct pp_error *err)
 {
     const struct pp_world *world = inquiry->world;
     double floor_m2 = 0.0, glass_m2 = 0.0, opening_m2 = 0.0;
@@ -52,5 +53,5 @@ const struct pp_criterion pp_criterion_glazing_ratio = {
     .summary = "glass is 8 % of the floor, openings are an eighth of it",
     .bears_on_use = pp_bearing_needs_daylight,
     .countries = "US DE",
-    .evaluate = evaluate,
+    .evaluate = assess_glazing_ratio,
 };

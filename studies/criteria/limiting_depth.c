@@ -111,7 +111,8 @@ static enum pp_status rear_reflectance(double *mean, const struct pp_world *worl
 }
 
 /* Extent of the room along a direction; *low is where it begins. */
-static double extent(const struct pp_world *world, struct pp_vec3 along, double *low)
+static double room_extent_along(const struct pp_world *world, struct pp_vec3 along,
+                                double *low)
 {
     double high = -INFINITY;
     *low = INFINITY;
@@ -124,8 +125,9 @@ static double extent(const struct pp_world *world, struct pp_vec3 along, double 
     return high - *low;
 }
 
-static enum pp_status evaluate(const struct pp_inquiry *inquiry,
-                               struct pp_finding_list *findings, struct pp_error *err)
+static enum pp_status assess_limiting_depth(const struct pp_inquiry *inquiry,
+                                            struct pp_finding_list *findings,
+                                            struct pp_error *err)
 {
     const struct pp_world *world = inquiry->world;
     const char *why;
@@ -136,9 +138,9 @@ static enum pp_status evaluate(const struct pp_inquiry *inquiry,
     }
     struct pp_vec3 into = wall->outline.normal, up = {0.0, 0.0, 1.0};
     double front, side, floor_z, head_z = -INFINITY;
-    double d = extent(world, into, &front);
-    double w = extent(world, pp_vec_cross(up, into), &side);
-    extent(world, up, &floor_z);
+    double d = room_extent_along(world, into, &front);
+    double w = room_extent_along(world, pp_vec_cross(up, into), &side);
+    room_extent_along(world, up, &floor_z);
     for (int i = 0; i < world->opening_count; i++)
         for (int k = 0; k < world->openings[i].inner.count; k++)
             head_z = fmax(head_z, world->openings[i].inner.vertices[k].z);
@@ -162,5 +164,5 @@ const struct pp_criterion pp_criterion_limiting_depth = {
     .source = "BS8206, BREEAM14",
     .summary = "d/w + d/h is at most 2/(1 - R_b), of rooms lit from one side",
     .bears_on_use = pp_bearing_needs_daylight,
-    .evaluate = evaluate,
+    .evaluate = assess_limiting_depth,
 };

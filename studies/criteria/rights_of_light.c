@@ -91,8 +91,9 @@ static enum pp_status add_findings(const struct pp_lit_area *now,
     return status == PP_OK && inquiry->before ? add_loss(findings, err) : status;
 }
 
-static enum pp_status evaluate(const struct pp_inquiry *inquiry,
-                               struct pp_finding_list *findings, struct pp_error *err)
+static enum pp_status assess_rights_of_light(const struct pp_inquiry *inquiry,
+                                             struct pp_finding_list *findings,
+                                             struct pp_error *err)
 {
     struct pp_lit_area now;
     const char *why = pp_lit_line_refuses(inquiry->world, inquiry->before);
@@ -115,5 +116,5 @@ const struct pp_criterion pp_criterion_rights_of_light = {
     .source = "WW23",
     .summary = "a sky factor of 0.2 % at 0.85 m over half of the room",
     .countries = "GB IE",
-    .evaluate = evaluate,
+    .evaluate = assess_rights_of_light,
 };

@@ -16,8 +16,8 @@ struct section_plane {
 
 /* Where the edge from p to q meets the section: distance ahead of the eye and height
  * above it. Edges are half-open, so that an edge that ends in the section counts once. */
-static bool crossing(const struct section_plane *section, struct pp_vec3 p,
-                     struct pp_vec3 q, double at[2])
+static bool section_crossing(const struct section_plane *section, struct pp_vec3 p,
+                             struct pp_vec3 q, double at[2])
 {
     struct pp_vec3 a = pp_vec_sub(p, section->eye), b = pp_vec_sub(q, section->eye);
     double from = pp_vec_dot(a, section->across), to = pp_vec_dot(b, section->across);
@@ -70,8 +70,8 @@ static bool next_crossing(struct edge_crossing *next, const struct edge_crossing
     *next = (struct edge_crossing){.along = INFINITY, .edge = polygon->count};
     for (int i = 0; i < polygon->count; i++) {
         struct edge_crossing place = {.edge = i};
-        if (!crossing(section, polygon->vertices[i],
-                      polygon->vertices[(i + 1) % polygon->count], place.at))
+        if (!section_crossing(section, polygon->vertices[i],
+                              polygon->vertices[(i + 1) % polygon->count], place.at))
             continue;
         place.along = place.at[0] * line[0] + place.at[1] * line[1];
         if (is_before(last, &place) && is_before(&place, next))

@@ -12,10 +12,11 @@
 
 #include "model/base/array.h"
 
-static enum pp_status add(struct pp_site_row **rows, int *count,
-                          const struct pp_assessment *room,
-                          const struct pp_answer *answer,
-                          const struct pp_finding *finding, struct pp_error *err)
+static enum pp_status add_site_row(struct pp_site_row **rows, int *count,
+                                   const struct pp_assessment *room,
+                                   const struct pp_answer *answer,
+                                   const struct pp_finding *finding,
+                                   struct pp_error *err)
 {
     if (pp_array_append(rows, *count, sizeof **rows, err) != PP_OK)
         return PP_SYSTEM;
@@ -75,7 +76,7 @@ static enum pp_status add_rights(struct pp_site_table *table,
     if (findings->count == 0)
         return PP_OK;
     enum pp_status status =
-        add(&table->rights, &table->rights_count, room, answer, judged, err);
+        add_site_row(&table->rights, &table->rights_count, room, answer, judged, err);
     if (status != PP_OK || !(findings->lit.plane_m2 > 0.0))
         return status;
     struct pp_site_row *row = &table->rights[table->rights_count - 1];
@@ -101,8 +102,8 @@ static enum pp_status add_answer(struct pp_site_table *table,
     if (criterion == &pp_criterion_no_sky_line)
         return findings->count == 0
                    ? PP_OK
-                   : add(&table->rooms, &table->room_count, room, answer,
-                         &findings->list[findings->count - 1], err);
+                   : add_site_row(&table->rooms, &table->room_count, room, answer,
+                                  &findings->list[findings->count - 1], err);
     if (criterion == &pp_criterion_rights_of_light)
         return add_rights(table, room, answer, err);
     for (int i = 0; i < findings->count; i++) {
@@ -110,16 +111,17 @@ static enum pp_status add_answer(struct pp_site_table *table,
             && put_beside(table, room, &findings->list[i]))
             continue;
         if (criterion == &pp_criterion_gardens) {
-            if (add(&table->gardens, &table->garden_count, room, answer,
-                    &findings->list[i], err)
+            if (add_site_row(&table->gardens, &table->garden_count, room, answer,
+                             &findings->list[i], err)
                 != PP_OK)
                 return PP_SYSTEM;
             continue;
         }
-        enum pp_status status = of_sky ? add(&table->windows, &table->window_count,
-                                             room, answer, &findings->list[i], err)
-                                       : add(&table->others, &table->other_count, room,
-                                             answer, &findings->list[i], err);
+        enum pp_status status =
+            of_sky ? add_site_row(&table->windows, &table->window_count, room, answer,
+                                  &findings->list[i], err)
+                   : add_site_row(&table->others, &table->other_count, room, answer,
+                                  &findings->list[i], err);
         if (status != PP_OK)
             return status;
     }

@@ -18,7 +18,7 @@ struct cache_run {
     struct pp_cached_points *points;
 };
 
-static void destroy(void *data)
+static void destroy_cache_engine(void *data)
 {
     struct cache_run *run = data;
     if (!run)
@@ -30,10 +30,11 @@ static void destroy(void *data)
     free(run);
 }
 
-static enum pp_status make(struct cache_run *run, const struct pp_light_scene *scene,
-                           const struct pp_report *report,
-                           const struct pp_engine_options *options,
-                           struct pp_error *err)
+static enum pp_status make_cache_run(struct cache_run *run,
+                                     const struct pp_light_scene *scene,
+                                     const struct pp_report *report,
+                                     const struct pp_engine_options *options,
+                                     struct pp_error *err)
 {
     const struct pp_radiance_options light = pp_cached_points_light();
     const struct pp_cached_options wanted = {.error = options->error,
@@ -61,56 +62,58 @@ static enum pp_status make(struct cache_run *run, const struct pp_light_scene *s
     return status;
 }
 
-static enum pp_status create(void **data, const struct pp_light_scene *scene,
-                             const struct pp_report *report,
-                             const struct pp_engine_options *options,
-                             struct pp_error *err)
+static enum pp_status create_cache_engine(void **data,
+                                          const struct pp_light_scene *scene,
+                                          const struct pp_report *report,
+                                          const struct pp_engine_options *options,
+                                          struct pp_error *err)
 {
     struct cache_run *run = calloc(1, sizeof *run);
     if (!run)
         return pp_fail_memory(err);
-    enum pp_status status = make(run, scene, report, options, err);
+    enum pp_status status = make_cache_run(run, scene, report, options, err);
     if (status != PP_OK) {
-        destroy(run);
+        destroy_cache_engine(run);
         run = NULL;
     }
     *data = run;
     return status;
 }
 
-static enum pp_status advance(void *data, double seconds, struct pp_error *err)
+static enum pp_status advance_cache_engine(void *data, double seconds,
+                                           struct pp_error *err)
 {
     struct cache_run *run = data;
     return pp_cached_points_advance(run->points, seconds, err);
 }
 
-static bool done(const void *data)
+static bool cache_engine_done(const void *data)
 {
     const struct cache_run *run = data;
     return pp_cached_points_done(run->points);
 }
 
-static double progress(const void *data)
+static double cache_engine_progress(const void *data)
 {
     const struct cache_run *run = data;
     return pp_cached_points_progress(run->points);
 }
 
-static double error(const void *data)
+static double cache_engine_error(const void *data)
 {
     const struct cache_run *run = data;
     return pp_cached_points_error(run->points);
 }
 
-static void read(const void *data, int index,
-                 struct pp_reading readings[PP_COMPONENT_COUNT])
+static void read_cache_engine(const void *data, int index,
+                              struct pp_reading readings[PP_COMPONENT_COUNT])
 {
     const struct cache_run *run = data;
     pp_cached_points_read(run->points, index, readings);
 }
 
-static enum pp_status keep(const void *data, char **bytes, size_t *length,
-                           struct pp_error *err)
+static enum pp_status keep_cache_records(const void *data, char **bytes, size_t *length,
+                                         struct pp_error *err)
 {
     const struct cache_run *run = data;
     *bytes = NULL;
@@ -126,12 +129,12 @@ const struct pp_engine pp_engine_cache = {
     .said = "through the irradiance cache",
     .deviation = "the standard error of the sampling",
     .is_sampled = true,
-    .create = create,
-    .advance = advance,
-    .done = done,
-    .progress = progress,
-    .error = error,
-    .read = read,
-    .keep = keep,
-    .destroy = destroy,
+    .create = create_cache_engine,
+    .advance = advance_cache_engine,
+    .done = cache_engine_done,
+    .progress = cache_engine_progress,
+    .error = cache_engine_error,
+    .read = read_cache_engine,
+    .keep = keep_cache_records,
+    .destroy = destroy_cache_engine,
 };

@@ -10,7 +10,7 @@ struct path_run {
     struct pp_tracer *tracer;
 };
 
-static void destroy(void *data)
+static void destroy_path_engine(void *data)
 {
     struct path_run *run = data;
     if (!run)
@@ -20,10 +20,11 @@ static void destroy(void *data)
     free(run);
 }
 
-static enum pp_status make(struct path_run *run, const struct pp_light_scene *scene,
-                           const struct pp_report *report,
-                           const struct pp_engine_options *options,
-                           struct pp_error *err)
+static enum pp_status make_path_run(struct path_run *run,
+                                    const struct pp_light_scene *scene,
+                                    const struct pp_report *report,
+                                    const struct pp_engine_options *options,
+                                    struct pp_error *err)
 {
     const struct pp_tracer_options wanted = {.error = options->error,
                                              .samples = options->samples,
@@ -41,49 +42,51 @@ static enum pp_status make(struct path_run *run, const struct pp_light_scene *sc
     return status;
 }
 
-static enum pp_status create(void **data, const struct pp_light_scene *scene,
-                             const struct pp_report *report,
-                             const struct pp_engine_options *options,
-                             struct pp_error *err)
+static enum pp_status create_path_engine(void **data,
+                                         const struct pp_light_scene *scene,
+                                         const struct pp_report *report,
+                                         const struct pp_engine_options *options,
+                                         struct pp_error *err)
 {
     struct path_run *run = calloc(1, sizeof *run);
     if (!run)
         return pp_fail_memory(err);
-    enum pp_status status = make(run, scene, report, options, err);
+    enum pp_status status = make_path_run(run, scene, report, options, err);
     if (status != PP_OK) {
-        destroy(run);
+        destroy_path_engine(run);
         run = NULL;
     }
     *data = run;
     return status;
 }
 
-static enum pp_status advance(void *data, double seconds, struct pp_error *err)
+static enum pp_status advance_path_engine(void *data, double seconds,
+                                          struct pp_error *err)
 {
     struct path_run *run = data;
     return pp_tracer_advance(run->tracer, seconds, err);
 }
 
-static bool done(const void *data)
+static bool path_engine_done(const void *data)
 {
     const struct path_run *run = data;
     return pp_tracer_done(run->tracer);
 }
 
-static double progress(const void *data)
+static double path_engine_progress(const void *data)
 {
     const struct path_run *run = data;
     return pp_tracer_progress(run->tracer);
 }
 
-static double error(const void *data)
+static double path_engine_error(const void *data)
 {
     const struct path_run *run = data;
     return pp_tracer_error(run->tracer);
 }
 
-static void read(const void *data, int index,
-                 struct pp_reading readings[PP_COMPONENT_COUNT])
+static void read_path_engine(const void *data, int index,
+                             struct pp_reading readings[PP_COMPONENT_COUNT])
 {
     const struct path_run *run = data;
     pp_tracer_read(run->tracer, index, readings);
@@ -111,13 +114,13 @@ const struct pp_engine pp_engine_path = {
     .is_truth = true,
     .is_sampled = true,
     .plain = &pp_engine_plain,
-    .create = create,
-    .advance = advance,
-    .done = done,
-    .progress = progress,
-    .error = error,
-    .read = read,
+    .create = create_path_engine,
+    .advance = advance_path_engine,
+    .done = path_engine_done,
+    .progress = path_engine_progress,
+    .error = path_engine_error,
+    .read = read_path_engine,
     .common = common,
     .common_near = common_near,
-    .destroy = destroy,
+    .destroy = destroy_path_engine,
 };

@@ -10,7 +10,7 @@ struct photon_run {
     struct pp_photons *photons;
 };
 
-static void destroy(void *data)
+static void destroy_photon_engine(void *data)
 {
     struct photon_run *run = data;
     if (!run)
@@ -20,10 +20,11 @@ static void destroy(void *data)
     free(run);
 }
 
-static enum pp_status make(struct photon_run *run, const struct pp_light_scene *scene,
-                           const struct pp_report *report,
-                           const struct pp_engine_options *options,
-                           struct pp_error *err)
+static enum pp_status make_photon_run(struct photon_run *run,
+                                      const struct pp_light_scene *scene,
+                                      const struct pp_report *report,
+                                      const struct pp_engine_options *options,
+                                      struct pp_error *err)
 {
     const struct pp_photons_options wanted = {.error = options->error,
                                               .samples = options->samples,
@@ -40,49 +41,51 @@ static enum pp_status make(struct photon_run *run, const struct pp_light_scene *
     return status;
 }
 
-static enum pp_status create(void **data, const struct pp_light_scene *scene,
-                             const struct pp_report *report,
-                             const struct pp_engine_options *options,
-                             struct pp_error *err)
+static enum pp_status create_photon_engine(void **data,
+                                           const struct pp_light_scene *scene,
+                                           const struct pp_report *report,
+                                           const struct pp_engine_options *options,
+                                           struct pp_error *err)
 {
     struct photon_run *run = calloc(1, sizeof *run);
     if (!run)
         return pp_fail_memory(err);
-    enum pp_status status = make(run, scene, report, options, err);
+    enum pp_status status = make_photon_run(run, scene, report, options, err);
     if (status != PP_OK) {
-        destroy(run);
+        destroy_photon_engine(run);
         run = NULL;
     }
     *data = run;
     return status;
 }
 
-static enum pp_status advance(void *data, double seconds, struct pp_error *err)
+static enum pp_status advance_photon_engine(void *data, double seconds,
+                                            struct pp_error *err)
 {
     struct photon_run *run = data;
     return pp_photons_advance(run->photons, seconds, err);
 }
 
-static bool done(const void *data)
+static bool photon_engine_done(const void *data)
 {
     const struct photon_run *run = data;
     return pp_photons_done(run->photons);
 }
 
-static double progress(const void *data)
+static double photon_engine_progress(const void *data)
 {
     const struct photon_run *run = data;
     return pp_photons_progress(run->photons);
 }
 
-static double error(const void *data)
+static double photon_engine_error(const void *data)
 {
     const struct photon_run *run = data;
     return pp_photons_error(run->photons);
 }
 
-static void read(const void *data, int index,
-                 struct pp_reading readings[PP_COMPONENT_COUNT])
+static void read_photon_engine(const void *data, int index,
+                               struct pp_reading readings[PP_COMPONENT_COUNT])
 {
     const struct photon_run *run = data;
     pp_photons_read(run->photons, index, readings);
@@ -109,13 +112,13 @@ const struct pp_engine pp_engine_photons = {
     .from = "from photons, %",
     .is_truth = true,
     .is_sampled = true,
-    .create = create,
-    .advance = advance,
-    .done = done,
-    .progress = progress,
-    .error = error,
-    .read = read,
+    .create = create_photon_engine,
+    .advance = advance_photon_engine,
+    .done = photon_engine_done,
+    .progress = photon_engine_progress,
+    .error = photon_engine_error,
+    .read = read_photon_engine,
     .common = common,
     .common_near = common_near,
-    .destroy = destroy,
+    .destroy = destroy_photon_engine,
 };

@@ -11,7 +11,7 @@ struct plain_run {
     struct pp_path_tracer *tracer;
 };
 
-static void destroy(void *data)
+static void destroy_plain_engine(void *data)
 {
     struct plain_run *run = data;
     if (!run)
@@ -21,10 +21,11 @@ static void destroy(void *data)
     free(run);
 }
 
-static enum pp_status make(struct plain_run *run, const struct pp_light_scene *scene,
-                           const struct pp_report *report,
-                           const struct pp_engine_options *options,
-                           struct pp_error *err)
+static enum pp_status make_plain_engine(struct plain_run *run,
+                                        const struct pp_light_scene *scene,
+                                        const struct pp_report *report,
+                                        const struct pp_engine_options *options,
+                                        struct pp_error *err)
 {
     const struct pp_path_tracer_options wanted = {.error = options->error,
                                                   .samples = options->samples,
@@ -40,49 +41,51 @@ static enum pp_status make(struct plain_run *run, const struct pp_light_scene *s
     return status;
 }
 
-static enum pp_status create(void **data, const struct pp_light_scene *scene,
-                             const struct pp_report *report,
-                             const struct pp_engine_options *options,
-                             struct pp_error *err)
+static enum pp_status create_plain_engine(void **data,
+                                          const struct pp_light_scene *scene,
+                                          const struct pp_report *report,
+                                          const struct pp_engine_options *options,
+                                          struct pp_error *err)
 {
     struct plain_run *run = calloc(1, sizeof *run);
     if (!run)
         return pp_fail_memory(err);
-    enum pp_status status = make(run, scene, report, options, err);
+    enum pp_status status = make_plain_engine(run, scene, report, options, err);
     if (status != PP_OK) {
-        destroy(run);
+        destroy_plain_engine(run);
         run = NULL;
     }
     *data = run;
     return status;
 }
 
-static enum pp_status advance(void *data, double seconds, struct pp_error *err)
+static enum pp_status advance_plain_engine(void *data, double seconds,
+                                           struct pp_error *err)
 {
     struct plain_run *run = data;
     return pp_path_tracer_advance(run->tracer, seconds, err);
 }
 
-static bool done(const void *data)
+static bool plain_engine_done(const void *data)
 {
     const struct plain_run *run = data;
     return pp_path_tracer_done(run->tracer);
 }
 
-static double progress(const void *data)
+static double plain_engine_progress(const void *data)
 {
     const struct plain_run *run = data;
     return pp_path_tracer_progress(run->tracer);
 }
 
-static double error(const void *data)
+static double plain_engine_error(const void *data)
 {
     const struct plain_run *run = data;
     return pp_path_tracer_error(run->tracer);
 }
 
-static void read(const void *data, int index,
-                 struct pp_reading readings[PP_COMPONENT_COUNT])
+static void read_plain_engine(const void *data, int index,
+                              struct pp_reading readings[PP_COMPONENT_COUNT])
 {
     const struct plain_run *run = data;
     pp_path_tracer_read(run->tracer, index, readings);
@@ -97,11 +100,11 @@ const struct pp_engine pp_engine_plain = {
     .from = "from plain, %",
     .is_truth = true,
     .is_sampled = true,
-    .create = create,
-    .advance = advance,
-    .done = done,
-    .progress = progress,
-    .error = error,
-    .read = read,
-    .destroy = destroy,
+    .create = create_plain_engine,
+    .advance = advance_plain_engine,
+    .done = plain_engine_done,
+    .progress = plain_engine_progress,
+    .error = plain_engine_error,
+    .read = read_plain_engine,
+    .destroy = destroy_plain_engine,
 };

@@ -2,10 +2,11 @@
 #include "simulate/radiosity/radiosity.h"
 #include "studies/engines/engine.h"
 
-static enum pp_status create(void **data, const struct pp_light_scene *scene,
-                             const struct pp_report *report,
-                             const struct pp_engine_options *options,
-                             struct pp_error *err)
+static enum pp_status create_radiosity_engine(void **data,
+                                              const struct pp_light_scene *scene,
+                                              const struct pp_report *report,
+                                              const struct pp_engine_options *options,
+                                              struct pp_error *err)
 {
     const struct pp_radiosity_options wanted = {.error = options->error,
                                                 .threads = options->threads};
@@ -18,34 +19,35 @@ static enum pp_status create(void **data, const struct pp_light_scene *scene,
     return status;
 }
 
-static enum pp_status advance(void *data, double seconds, struct pp_error *err)
+static enum pp_status advance_radiosity_engine(void *data, double seconds,
+                                               struct pp_error *err)
 {
     (void)seconds; /* a level takes what it takes */
     return pp_radiosity_advance(data, err);
 }
 
-static bool done(const void *data)
+static bool radiosity_engine_done(const void *data)
 {
     return pp_radiosity_done(data);
 }
 
-static double progress(const void *data)
+static double radiosity_engine_progress(const void *data)
 {
     return pp_radiosity_progress(data);
 }
 
-static double error(const void *data)
+static double radiosity_engine_error(const void *data)
 {
     return pp_radiosity_error(data);
 }
 
-static void read(const void *data, int index,
-                 struct pp_reading readings[PP_COMPONENT_COUNT])
+static void read_radiosity_engine(const void *data, int index,
+                                  struct pp_reading readings[PP_COMPONENT_COUNT])
 {
     pp_radiosity_read(data, index, readings);
 }
 
-static void destroy(void *data)
+static void destroy_radiosity_engine(void *data)
 {
     pp_radiosity_destroy(data);
 }
@@ -59,11 +61,11 @@ const struct pp_engine pp_engine_radiosity = {
     .from = "from radiosity, %",
     .is_truth = true,
     .is_sampled = false,
-    .create = create,
-    .advance = advance,
-    .done = done,
-    .progress = progress,
-    .error = error,
-    .read = read,
-    .destroy = destroy,
+    .create = create_radiosity_engine,
+    .advance = advance_radiosity_engine,
+    .done = radiosity_engine_done,
+    .progress = radiosity_engine_progress,
+    .error = radiosity_engine_error,
+    .read = read_radiosity_engine,
+    .destroy = destroy_radiosity_engine,
 };

@@ -39,7 +39,7 @@ static int largest_window(const struct pp_world *world)
     return largest;
 }
 
-static struct pp_vec3 middle_of(const struct pp_polygon *polygon)
+static struct pp_vec3 polygon_middle(const struct pp_polygon *polygon)
 {
     struct pp_vec3 sum = {0.0, 0.0, 0.0};
     for (int i = 0; i < polygon->count; i++)
@@ -133,7 +133,7 @@ static void look_at_window(struct pp_view_place *place,
 {
     const struct pp_opening *opening = &world->openings[window];
     double eye_m = fmin(PP_EYE_HEIGHT_M, 0.6 * world->height_m);
-    struct pp_vec3 target = middle_of(&opening->inner);
+    struct pp_vec3 target = polygon_middle(&opening->inner);
     struct pp_vec3 back = {opening->inner.normal.x, opening->inner.normal.y, 0.0};
     if (opening->slope_rad > upright_rad && pp_vec_length(back) > 0.0)
         back = pp_vec_unit(back);
@@ -218,7 +218,7 @@ static void cut_section(struct pp_view_place *place, const struct pp_light_scene
         size.y >= size.x ? pp_vec(0.0, 1.0, 0.0) : pp_vec(1.0, 0.0, 0.0);
     if (window >= 0) {
         const struct pp_opening *opening = &world->openings[window];
-        struct pp_vec3 middle = middle_of(&opening->inner);
+        struct pp_vec3 middle = polygon_middle(&opening->inner);
         struct pp_vec3 in = opening->inner.normal;
         in.z = 0.0;
         if (opening->slope_rad > upright_rad && pp_vec_length(in) > 0.0)

@@ -43,8 +43,9 @@ static enum pp_status component_at(void *context, double u, double v, double *va
     return status;
 }
 
-static enum pp_status trace(struct pp_elevation_wall *wall, struct wall_frame *frame,
-                            struct pp_error *err)
+static enum pp_status trace_elevation_wall(struct pp_elevation_wall *wall,
+                                           struct wall_frame *frame,
+                                           struct pp_error *err)
 {
     struct pp_field *field;
     enum pp_status status =
@@ -108,10 +109,10 @@ static enum pp_status add_doors(struct pp_elevation_wall *wall,
 }
 
 /* The face's outline by u and v. */
-static enum pp_status flatten(struct pp_elevation_wall *wall,
-                              const struct pp_site_elevation *elevation,
-                              const struct pp_world *world, int face,
-                              struct pp_error *err)
+static enum pp_status flatten_wall(struct pp_elevation_wall *wall,
+                                   const struct pp_site_elevation *elevation,
+                                   const struct pp_world *world, int face,
+                                   struct pp_error *err)
 {
     const struct pp_polygon *outline = &world->surfaces[face].outline;
     double(*xy)[2] = malloc(outline->count * sizeof *xy);
@@ -139,7 +140,7 @@ static enum pp_status add_wall(struct pp_site_elevation *elevation,
         return status;
     struct pp_elevation_wall *wall = &elevation->walls[elevation->wall_count++];
     *wall = (struct pp_elevation_wall){0};
-    status = flatten(wall, elevation, world, face, err);
+    status = flatten_wall(wall, elevation, world, face, err);
     if (status == PP_OK)
         status = add_doors(wall, elevation, world, face, err);
     if (status != PP_OK || wall->outline.count == 0)
@@ -156,7 +157,7 @@ static enum pp_status add_wall(struct pp_site_elevation *elevation,
     frame.origin_u =
         pp_vec_dot(pp_placement_to_building(place, corner), elevation->right);
     frame.origin = pp_vec_along(corner, outside_of(world, face), frame.out);
-    return trace(wall, &frame, err);
+    return trace_elevation_wall(wall, &frame, err);
 }
 
 /* ---- elevations ---- */
@@ -194,9 +195,9 @@ static int by_bearing(const void *left, const void *right)
     return (a->bearing_rad > b->bearing_rad) - (a->bearing_rad < b->bearing_rad);
 }
 
-static enum pp_status add_windows(struct pp_elevation_sheet *sheet,
-                                  struct pp_site_elevation *elevation,
-                                  struct pp_error *err)
+static enum pp_status add_elevation_windows(struct pp_elevation_sheet *sheet,
+                                            struct pp_site_elevation *elevation,
+                                            struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < sheet->site.window_count && status == PP_OK; i++) {
@@ -228,7 +229,7 @@ static enum pp_status add_walls(struct pp_elevation_sheet *sheet,
     return status;
 }
 
-static void measure(struct pp_site_elevation *elevation)
+static void measure_elevation(struct pp_site_elevation *elevation)
 {
     for (int i = 0; i < elevation->wall_count; i++) {
         struct pp_bounds2 box = pp_region_bounds(&elevation->walls[i].outline);
@@ -239,8 +240,9 @@ static void measure(struct pp_site_elevation *elevation)
     }
 }
 
-static enum pp_status make(struct pp_elevation_sheet *sheet,
-                           const struct pp_site_rooms *rooms, struct pp_error *err)
+static enum pp_status make_elevation_sheet(struct pp_elevation_sheet *sheet,
+                                           const struct pp_site_rooms *rooms,
+                                           struct pp_error *err)
 {
     enum pp_status status = pp_site_study_make(&sheet->site, rooms, err);
     for (int i = 0; i < sheet->site.window_count && status == PP_OK; i++)
@@ -255,8 +257,8 @@ static enum pp_status make(struct pp_elevation_sheet *sheet,
     for (int i = 0; i < rooms->count && status == PP_OK; i++)
         status = add_walls(sheet, rooms->list[i].world, err);
     for (int i = 0; i < sheet->count && status == PP_OK; i++) {
-        measure(&sheet->elevations[i]);
-        status = add_windows(sheet, &sheet->elevations[i], err);
+        measure_elevation(&sheet->elevations[i]);
+        status = add_elevation_windows(sheet, &sheet->elevations[i], err);
     }
     return status;
 }
@@ -279,7 +281,7 @@ enum pp_status pp_elevation_study_make(struct pp_elevation_sheet *sheet,
                 "the view of every place on the walls; expected %d at most",
                 triangles, MESH_TRIANGLES_MOST);
     }
-    enum pp_status status = make(sheet, rooms, err);
+    enum pp_status status = make_elevation_sheet(sheet, rooms, err);
     if (status != PP_OK)
         pp_site_sheet_clear_elevations(sheet);
     return status;

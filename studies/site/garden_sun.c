@@ -61,8 +61,10 @@ static enum pp_status find_region(struct pp_region *region,
     return status;
 }
 
-static enum pp_status trace(struct pp_garden_sun *sun, const struct pp_world *world,
-                            const struct pp_region *region, struct pp_error *err)
+static enum pp_status trace_garden_sun(struct pp_garden_sun *sun,
+                                       const struct pp_world *world,
+                                       const struct pp_region *region,
+                                       struct pp_error *err)
 {
     const struct pp_bounds2 box = pp_region_bounds(region);
     double tolerance =
@@ -93,7 +95,7 @@ enum pp_status pp_garden_sun_find(struct pp_garden_sun *sun,
     *sun = (struct pp_garden_sun){0};
     enum pp_status status = find_region(&region, garden, err);
     if (status == PP_OK)
-        status = trace(sun, world, &region, err);
+        status = trace_garden_sun(sun, world, &region, err);
     sun->area_m2 = pp_region_area(&region);
     sun->sunlit_m2 =
         fmax(sun->area_m2 - fmax(pp_curve_list_area(&sun->dark), 0.0), 0.0);

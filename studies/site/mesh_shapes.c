@@ -170,7 +170,7 @@ static double rise_of(const struct mesh_triangle *a, const struct mesh_triangle 
 }
 
 /* The larger part's root remains. */
-static void join(struct mesh_parts *parts, const struct mesh_edge *pair)
+static void join_mesh_parts(struct mesh_parts *parts, const struct mesh_edge *pair)
 {
     int one = root_of(parts, pair[0].triangle), two = root_of(parts, pair[1].triangle);
     bool first = parts->triangles[one].size >= parts->triangles[two].size;
@@ -203,7 +203,7 @@ static void find_parts(struct mesh_parts *parts)
     for (int i = 0, run; i < parts->edge_count; i += run) {
         run = run_of(parts, i);
         if (run == 2 && is_smooth(parts, &parts->edges[i]))
-            join(parts, &parts->edges[i]);
+            join_mesh_parts(parts, &parts->edges[i]);
     }
 }
 
@@ -246,7 +246,8 @@ static enum pp_status begin_shape(struct pp_site_sheet *sheet, int corners,
     return shape->corners && shape->ends && shape->unseen ? PP_OK : pp_fail_memory(err);
 }
 
-static void add_corner(struct pp_site_shape *shape, struct pp_vec3 at, bool unseen)
+static void add_shape_corner(struct pp_site_shape *shape, struct pp_vec3 at,
+                             bool unseen)
 {
     shape->top_m = fmax(shape->top_m, at.z);
     shape->corners[shape->count] = at;
@@ -275,8 +276,8 @@ static enum pp_status add_line(struct pp_site_sheet *sheet,
     if (status != PP_OK)
         return status;
     struct pp_site_shape *shape = &sheet->shapes[sheet->shape_count - 1];
-    add_corner(shape, a, false);
-    add_corner(shape, b, true);
+    add_shape_corner(shape, a, false);
+    add_shape_corner(shape, b, true);
     shape->ends[shape->ring_count++] = 2;
     return PP_OK;
 }
@@ -369,8 +370,8 @@ static enum pp_status add_part(struct pp_site_sheet *sheet,
         for (int k = used[i] ? -1 : i; k >= 0;
              k = find_next(parts, used, first, end, to_of(&parts->bounds[k]))) {
             used[k] = true;
-            add_corner(shape, parts->places[from_of(&parts->bounds[k])],
-                       parts->bounds[k].is_unseen);
+            add_shape_corner(shape, parts->places[from_of(&parts->bounds[k])],
+                             parts->bounds[k].is_unseen);
         }
         if (shape->count == begun)
             continue;

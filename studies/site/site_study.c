@@ -65,10 +65,10 @@ static enum pp_status add_window(struct pp_site_sheet *sheet,
     return status;
 }
 
-static enum pp_status add_windows(struct pp_site_sheet *sheet,
-                                  const struct pp_study_room *room,
-                                  const struct pp_study_room *before,
-                                  struct pp_error *err)
+static enum pp_status add_site_windows(struct pp_site_sheet *sheet,
+                                       const struct pp_study_room *room,
+                                       const struct pp_study_room *before,
+                                       struct pp_error *err)
 {
     int *pairs = NULL;
     enum pp_status status = PP_OK;
@@ -149,8 +149,8 @@ static enum pp_status add_shape(struct pp_site_sheet *sheet,
 }
 
 /* Of a side of a block the block's. */
-static const char *name_of(const struct pp_world *world,
-                           const struct pp_surface *surface)
+static const char *site_surface_name(const struct pp_world *world,
+                                     const struct pp_surface *surface)
 {
     return surface->role == PP_BLOCK ? world->blocks[surface->owner].name
                                      : surface->name;
@@ -166,7 +166,7 @@ static enum pp_status add_shapes(struct pp_site_sheet *sheet,
         if (!surface->inside && surface->role != PP_FACADE
             && surface->role != PP_SKYLINE)
             status = add_shape(sheet, &surface->outline, &world->placement,
-                               name_of(world, surface), false, err);
+                               site_surface_name(world, surface), false, err);
     }
     for (int i = 0; i < world->mesh_count && status == PP_OK; i++)
         status = pp_mesh_shapes_add(sheet, world, &world->meshes[i], err);
@@ -184,7 +184,8 @@ static enum pp_status add_floor(struct pp_site_sheet *sheet,
     return status;
 }
 
-static bool is_same(const struct pp_site_shape *a, const struct pp_site_shape *b)
+static bool same_site_shape(const struct pp_site_shape *a,
+                            const struct pp_site_shape *b)
 {
     if (a->count != b->count)
         return false;
@@ -243,7 +244,7 @@ static bool mark_same(struct pp_site_sheet *sheet, const struct shape_place *pla
     double x = middle_x(former);
     for (int i = first_from(places, count, x - same_m);
          i < count && places[i].x <= x + same_m; i++)
-        if (is_same(&sheet->shapes[places[i].index], former)) {
+        if (same_site_shape(&sheet->shapes[places[i].index], former)) {
             sheet->shapes[places[i].index].when = PP_SITE_ALWAYS;
             found = true;
         }
@@ -266,8 +267,9 @@ static enum pp_status add_gone(struct pp_site_sheet *sheet,
 }
 
 /* Marks what is new, and adds what has gone. */
-static enum pp_status compare(struct pp_site_sheet *sheet,
-                              const struct pp_world *before, struct pp_error *err)
+static enum pp_status compare_site_before(struct pp_site_sheet *sheet,
+                                          const struct pp_world *before,
+                                          struct pp_error *err)
 {
     struct pp_site_sheet former = {0};
     int now = sheet->shape_count;
@@ -340,8 +342,9 @@ static enum pp_status add_garden(struct pp_site_sheet *sheet,
     return PP_OK;
 }
 
-static enum pp_status make(struct pp_site_sheet *sheet,
-                           const struct pp_site_rooms *rooms, struct pp_error *err)
+static enum pp_status make_site_sheet(struct pp_site_sheet *sheet,
+                                      const struct pp_site_rooms *rooms,
+                                      struct pp_error *err)
 {
     const struct pp_world *first = rooms->list[0].world;
     const char *building = pp_building_name(rooms->list[0].building);
@@ -352,14 +355,14 @@ static enum pp_status make(struct pp_site_sheet *sheet,
     enum pp_status status = add_shapes(sheet, first, err);
     const struct pp_world *before = rooms->before[0] ? rooms->before[0]->world : NULL;
     if (status == PP_OK && before)
-        status = compare(sheet, before, err);
+        status = compare_site_before(sheet, before, err);
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
         const struct pp_world *world = rooms->list[i].world;
         status = add_floor(sheet, world, err);
         for (int k = 0; k < world->garden_count && status == PP_OK; k++)
             status = add_garden(sheet, world, &world->gardens[k], err);
         if (status == PP_OK)
-            status = add_windows(sheet, &rooms->list[i], rooms->before[i], err);
+            status = add_site_windows(sheet, &rooms->list[i], rooms->before[i], err);
     }
     if (status != PP_OK)
         return status;
@@ -374,7 +377,7 @@ enum pp_status pp_site_study_make(struct pp_site_sheet *sheet,
                                   struct pp_error *err)
 {
     *sheet = (struct pp_site_sheet){0};
-    enum pp_status status = make(sheet, rooms, err);
+    enum pp_status status = make_site_sheet(sheet, rooms, err);
     if (status != PP_OK)
         pp_site_sheet_clear(sheet);
     return status;

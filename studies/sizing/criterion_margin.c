@@ -12,7 +12,7 @@ enum { NAME_BYTES = 64 };
 
 static const double most_share = 1e6; /* of an upper bound, where the figure is 0 */
 
-static void name_of(char name[NAME_BYTES], const char *words)
+static void requirement_name(char name[NAME_BYTES], const char *words)
 {
     snprintf(name, NAME_BYTES, "%.*s", (int)strcspn(words, ":"), words);
 }
@@ -31,11 +31,11 @@ enum pp_status pp_criterion_margin_check(const char *words, struct pp_error *err
     if (strchr(words, ','))
         return pp_fail(err, PP_BAD_INPUT,
                        "\"%.100s\" has a comma; expected one criterion", words);
-    name_of(name, words);
+    requirement_name(name, words);
     return pp_assessment_choose(chosen, name, err);
 }
 
-static double share_of(const struct pp_finding *finding)
+static double finding_share(const struct pp_finding *finding)
 {
     double share = finding->at_most ? finding->wanted / finding->figure
                                     : finding->figure / finding->wanted;
@@ -58,7 +58,7 @@ static void take_least(struct pp_reading *least, char *why, size_t why_bytes,
         }
         if (!isfinite(finding->wanted))
             continue;
-        double share = share_of(finding);
+        double share = finding_share(finding);
         if (found && !(share < least->value))
             continue;
         found = true;
@@ -78,7 +78,7 @@ enum pp_status pp_criterion_margin(struct pp_reading *reading, char *why,
                                    struct pp_error *err)
 {
     char name[NAME_BYTES];
-    name_of(name, words);
+    requirement_name(name, words);
     const struct pp_assess_options wanted = {.criteria = name, .verdicts_only = true};
     struct pp_study_room changed = *room;
     struct pp_assessment assessment;

@@ -18,10 +18,10 @@
 static const double least_share = 0.002;
 
 /* Average and darkest grid point of a world by the method; NAN where it gives none. */
-static enum pp_status evaluate(struct pp_gain_values *values,
-                               const struct pp_world *world,
-                               const struct pp_outside_light *light, const char *method,
-                               struct pp_error *err)
+static enum pp_status evaluate_gain(struct pp_gain_values *values,
+                                    const struct pp_world *world,
+                                    const struct pp_outside_light *light,
+                                    const char *method, struct pp_error *err)
 {
     *values = (struct pp_gain_values){NAN, NAN};
     struct pp_report report = {.world = world, .light = *light, .finished = true};
@@ -55,7 +55,7 @@ static enum pp_status evaluate_room(struct pp_gain_values *values,
     if (status == PP_BAD_INPUT)
         status = PP_OK;
     else if (status == PP_OK)
-        status = evaluate(values, world, light, method, err);
+        status = evaluate_gain(values, world, light, method, err);
     pp_world_destroy(world);
     pp_mistakes_clear(&mistakes);
     return status;
@@ -95,7 +95,7 @@ enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
 {
     *gains = (struct pp_gains){.now = {NAN, NAN}};
     const char *pair = pp_default_methods(world, light, NULL, 0).name;
-    enum pp_status status = evaluate(&gains->now, world, light, pair, err);
+    enum pp_status status = evaluate_gain(&gains->now, world, light, pair, err);
     if (isfinite(gains->now.average))
         gains->method = pair;
     for (int i = 0; pp_gain_kinds[i].make && gains->method && status == PP_OK; i++)

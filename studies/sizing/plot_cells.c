@@ -33,7 +33,7 @@ static double longest_side(const struct plot *plot)
     return rotate_rad;
 }
 
-static void turn(struct plot *plot)
+static void turn_plot(struct plot *plot)
 {
     plot->rotate_rad = longest_side(plot);
     for (int a = 0; a < 2; a++) {
@@ -124,7 +124,7 @@ enum pp_status pp_plot_cells_lay(struct pp_plot_cells *cells,
         pp_building_block_footprint(&plot.corners, &plot.count, building, block, err);
     if (status != PP_OK)
         return status;
-    turn(&plot);
+    turn_plot(&plot);
     double width_m = plot.high[0] - plot.low[0], depth_m = plot.high[1] - plot.low[1];
     double cell_m = fmax(least_cell_m, fmax(width_m, depth_m) / most_cells);
     cells->columns = (int)fmax(1.0, round(width_m / cell_m));

@@ -194,7 +194,8 @@ static enum pp_status search_all(struct envelope_search *search, struct pp_error
 }
 
 /* What was found, of the cells and planes of the last trial. */
-static void settle(struct pp_plot_envelope *found, const struct envelope_search *search)
+static void settle_plot_envelope(struct pp_plot_envelope *found,
+                                 const struct envelope_search *search)
 {
     for (int c = 0; c < found->cells.count; c++) {
         struct pp_building_cell *cell = &found->cells.list[c];
@@ -230,7 +231,7 @@ enum pp_status pp_plot_envelope_find(struct pp_plot_envelope *found,
     status = found->altitudes_rad && search.tangents ? search_all(&search, err)
                                                      : pp_fail_memory(err);
     if (status == PP_OK)
-        settle(found, &search);
+        settle_plot_envelope(found, &search);
     free(search.tangents);
     return status;
 }

@@ -15,11 +15,11 @@ static const double next_to_nothing = 1e-6; /* who has less before keeps nothing
 
 const char *const pp_retained_sky_words[] = {"vsc", "lit-area", NULL};
 
-static enum pp_status add(struct pp_retained_sky *retained,
-                          const struct pp_retained_sky_rule *rule,
-                          const struct pp_world *world, int place,
-                          const struct pp_opening *opening, double value,
-                          struct pp_error *err)
+static enum pp_status add_retained_place(struct pp_retained_sky *retained,
+                                         const struct pp_retained_sky_rule *rule,
+                                         const struct pp_world *world, int place,
+                                         const struct pp_opening *opening, double value,
+                                         struct pp_error *err)
 {
     enum pp_status status =
         pp_array_append(&retained->list, retained->count, sizeof *retained->list, err);
@@ -48,11 +48,11 @@ static bool is_called(const char *own, const char *wanted)
 }
 
 /* With `only`, the windows of its line alone. */
-static enum pp_status add_windows(struct pp_retained_sky *retained,
-                                  const struct pp_retained_sky_rule *rule,
-                                  const struct pp_retained_sky_place *only,
-                                  const struct pp_world *world, int place,
-                                  struct pp_error *err)
+static enum pp_status add_retained_windows(struct pp_retained_sky *retained,
+                                           const struct pp_retained_sky_rule *rule,
+                                           const struct pp_retained_sky_place *only,
+                                           const struct pp_world *world, int place,
+                                           struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
@@ -64,7 +64,8 @@ static enum pp_status add_windows(struct pp_retained_sky *retained,
             continue;
         status = pp_vertical_sky_at_point(&share, world, opening, rule->french_m, err);
         if (status == PP_OK)
-            status = add(retained, rule, world, place, opening, share, err);
+            status =
+                add_retained_place(retained, rule, world, place, opening, share, err);
     }
     return status;
 }
@@ -77,7 +78,8 @@ static enum pp_status add_lit_area(struct pp_retained_sky *retained,
     struct pp_lit_area area;
     enum pp_status status = pp_lit_line_find(&area, world, PP_LIT_NO_SKY, err);
     if (status == PP_OK)
-        status = add(retained, rule, world, place, NULL, area.lit_m2, err);
+        status =
+            add_retained_place(retained, rule, world, place, NULL, area.lit_m2, err);
     pp_lit_area_clear(&area);
     return status;
 }
@@ -101,7 +103,7 @@ static enum pp_status add_room(struct pp_retained_sky *retained,
     int place = pp_building_place(building, index);
     if (status == PP_OK && is_called(world->name, rule->room))
         status = rule->of == PP_RETAINED_SKY_VSC
-                     ? add_windows(retained, rule, only, world, place, err)
+                     ? add_retained_windows(retained, rule, only, world, place, err)
                      : add_lit_area(retained, rule, world, place, err);
     pp_world_destroy(world);
     return status;
@@ -135,9 +137,11 @@ enum pp_status pp_retained_sky_list(struct pp_retained_sky *retained,
 
 /* Values of the building as it stands, in the order of the list. Both are in the order of
  * rooms and lines; windows of one line follow one another alike. */
-static enum pp_status measure(struct pp_retained_sky *retained, bool before,
-                              const struct pp_retained_sky_rule *rule,
-                              struct pp_building *building, struct pp_error *err)
+static enum pp_status measure_retained_sky(struct pp_retained_sky *retained,
+                                           bool before,
+                                           const struct pp_retained_sky_rule *rule,
+                                           struct pp_building *building,
+                                           struct pp_error *err)
 {
     struct pp_retained_sky then = {0};
     enum pp_status status = add_all(&then, rule, NULL, building, err);
@@ -161,14 +165,14 @@ enum pp_status pp_retained_sky_before(struct pp_retained_sky *retained,
                                       struct pp_building *building,
                                       struct pp_error *err)
 {
-    return measure(retained, true, rule, building, err);
+    return measure_retained_sky(retained, true, rule, building, err);
 }
 
 enum pp_status pp_retained_sky_after(struct pp_retained_sky *retained,
                                      const struct pp_retained_sky_rule *rule,
                                      struct pp_building *building, struct pp_error *err)
 {
-    return measure(retained, false, rule, building, err);
+    return measure_retained_sky(retained, false, rule, building, err);
 }
 
 enum pp_status pp_retained_sky_after_one(struct pp_retained_sky *retained, int number,

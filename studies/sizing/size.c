@@ -91,8 +91,8 @@ static bool is_near(const struct search *search, const struct size_trial *trial)
 
 /* The next size to evaluate between two: the middle, or, for sampled values, where a
  * straight line through both meets the target, at least a tenth of the way off each. */
-static int between(const struct search *search, const struct size_trial *below,
-                   const struct size_trial *above)
+static int size_between(const struct search *search, const struct size_trial *below,
+                        const struct size_trial *above)
 {
     int steps = above->step - below->step;
     double share = 0.5;
@@ -118,7 +118,7 @@ static enum pp_status narrow(const struct search *search, struct size_trial *bel
     while (above->step - below->step > 1 && !is_near(search, above)) {
         struct size_trial trial = {0};
         enum pp_status status =
-            evaluate_size(search, between(search, below, above), &trial, err);
+            evaluate_size(search, size_between(search, below, above), &trial, err);
         if (status != PP_OK)
             return status;
         if (is_near(search, &trial) || reaches(search, &trial))

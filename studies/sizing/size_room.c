@@ -61,8 +61,9 @@ static enum pp_status margin_of(struct valuation *valuation,
 }
 
 /* The traced average, or the lowest of the points; or what a criterion finds of them. */
-static enum pp_status trace(struct valuation *valuation, const struct pp_world *world,
-                            struct pp_reading *reading, struct pp_error *err)
+static enum pp_status trace_sized_room(struct valuation *valuation,
+                                       const struct pp_world *world,
+                                       struct pp_reading *reading, struct pp_error *err)
 {
     if (valuation->request->criterion)
         return margin_of(valuation, world, valuation->request->study, reading, err);
@@ -99,11 +100,11 @@ static enum pp_status value_by_hand(struct valuation *valuation,
                : pp_room_value(&valuation->by_hand, world, reading, err);
 }
 
-static enum pp_status value_of(void *data, const struct pp_world *world,
-                               struct pp_reading *reading, struct pp_error *err)
+static enum pp_status sized_room_value(void *data, const struct pp_world *world,
+                                       struct pp_reading *reading, struct pp_error *err)
 {
     struct valuation *valuation = data;
-    return valuation->request->traced ? trace(valuation, world, reading, err)
+    return valuation->request->traced ? trace_sized_room(valuation, world, reading, err)
                                       : value_by_hand(valuation, world, reading, err);
 }
 
@@ -119,9 +120,10 @@ static bool is_chosen(const struct pp_size_request *request,
 
 /* The indices of the openings that change: the windows, or the rooflights where there
  * are no windows. Fails where there are none. */
-static enum pp_status choose(int *openings, int *count,
-                             const struct pp_size_request *request,
-                             const struct pp_room *room, struct pp_error *err)
+static enum pp_status choose_sized_openings(int *openings, int *count,
+                                            const struct pp_size_request *request,
+                                            const struct pp_room *room,
+                                            struct pp_error *err)
 {
     int all = pp_room_opening_count(room), windows = 0;
     for (int i = 0; i < all; i++)
@@ -159,7 +161,7 @@ static bool is_by_counts(const char *by)
 
 /* ---- What becomes of the openings ---- */
 
-static bool is_same(struct pp_opening_place a, struct pp_opening_place b)
+static bool same_opening_place(struct pp_opening_place a, struct pp_opening_place b)
 {
     return a.left_m == b.left_m && a.width_m == b.width_m && a.sill_m == b.sill_m
            && a.height_m == b.height_m;
@@ -182,7 +184,8 @@ static enum pp_status set_down_edits(struct pp_size_room_result *result,
         if (i < kept) {
             edit.kind = PP_TEXT_SET;
             edit.place = pp_room_opening_at(after, openings[i]).place;
-            if (is_same(edit.place, pp_room_opening_at(before, openings[i]).place))
+            if (same_opening_place(edit.place,
+                                   pp_room_opening_at(before, openings[i]).place))
                 continue;
         }
         result->edits[result->edit_count++] = edit;
@@ -283,7 +286,7 @@ static enum pp_status trace_room(struct pp_reading *reading, struct pp_reading *
     pp_mistakes_init(&mistakes, "the sized room");
     enum pp_status status = pp_world_create(&world, room, &mistakes, err);
     if (status == PP_OK)
-        status = trace(valuation, world, reading, err);
+        status = trace_sized_room(valuation, world, reading, err);
     if (status == PP_OK && by_hand)
         status = value_by_hand(valuation, world, by_hand, err);
     pp_world_destroy(world);
@@ -353,7 +356,7 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
                                 .change = request->change,
                                 .openings = openings,
                                 .target = request->target,
-                                .value = value_of,
+                                .value = sized_room_value,
                                 .data = &valuation};
     bool by_method = !request->criterion;
     if (by_method) {
@@ -362,7 +365,7 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
         task.by_counts = is_by_counts(result->method);
     }
     enum pp_status status =
-        choose(openings, &task.opening_count, request, room->room, err);
+        choose_sized_openings(openings, &task.opening_count, request, room->room, err);
     if (status == PP_OK && by_method && !request->traced)
         status = find_reliability(result, &valuation, err);
     if (status == PP_OK)

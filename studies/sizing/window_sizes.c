@@ -39,8 +39,8 @@ struct pp_window_sizes {
 /* ---- Edges of openings ---- */
 
 /* The place of the i-th opening with these edges. */
-static struct pp_opening_place place_of(const struct pp_window_sizes *sizes, int i,
-                                        const double *edges)
+static struct pp_opening_place sized_opening_place(const struct pp_window_sizes *sizes,
+                                                   int i, const double *edges)
 {
     struct pp_opening_place place =
         pp_room_opening_at(sizes->room, sizes->openings[i]).place;
@@ -71,7 +71,8 @@ static void set_edges(const struct pp_window_sizes *sizes, struct pp_room *room,
                       const double *edges)
 {
     for (int i = 0; i < sizes->opening_count; i++)
-        pp_room_set_place(room, sizes->openings[i], place_of(sizes, i, edges));
+        pp_room_set_place(room, sizes->openings[i],
+                          sized_opening_place(sizes, i, edges));
 }
 
 /* The edge rounded to the grid, towards the window's inside. */
@@ -173,9 +174,9 @@ static enum pp_status stop_blocked(int *stopped, const struct pp_window_sizes *s
 
 /* Adds the next station: where the first of the moving edges is blocked. *done: no edge
  * moves any more. */
-static enum pp_status advance(bool *done, struct pp_window_sizes *sizes,
-                              struct pp_room *trial, double *way, double *moved,
-                              struct pp_error *err)
+static enum pp_status advance_sizes(bool *done, struct pp_window_sizes *sizes,
+                                    struct pp_room *trial, double *way, double *moved,
+                                    struct pp_error *err)
 {
     int count = 2 * sizes->opening_count, stopped;
     const double *from = sizes->stations[sizes->station_count - 1];
@@ -275,7 +276,7 @@ static enum pp_status find_stations(struct pp_window_sizes *sizes, struct pp_err
         for (int e = 0; e < count; e++)
             done = done && way[e] == 0.0;
         while (status == PP_OK && !done)
-            status = advance(&done, sizes, trial, way, moved, err);
+            status = advance_sizes(&done, sizes, trial, way, moved, err);
     }
     pp_room_destroy(trial);
     free(way);

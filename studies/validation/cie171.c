@@ -133,9 +133,9 @@ static double luminance(const void *context, struct pp_vec3 u)
 }
 
 /* By what is above the horizon (up 1: a sky) or below it (up -1: all of one luminance). */
-static enum pp_status integrate(double *value, const struct pp_visible *visible,
-                                struct pp_vec3 normal, double up,
-                                const struct pp_sky *sky, struct pp_error *err)
+static enum pp_status integrate_visible(double *value, const struct pp_visible *visible,
+                                        struct pp_vec3 normal, double up,
+                                        const struct pp_sky *sky, struct pp_error *err)
 {
     const struct through_glass through = {sky, visible->view.toward};
     const struct pp_integrand integrand = {
@@ -161,9 +161,11 @@ static enum pp_status through_polynomial(double *value, const struct pp_world *w
     if (status != PP_OK)
         return status;
     if (visible.patch_count > 0) {
-        status = integrate(&sky, &visible, receiver->normal, 1.0, &light->sky, err);
+        status =
+            integrate_visible(&sky, &visible, receiver->normal, 1.0, &light->sky, err);
         if (status == PP_OK)
-            status = integrate(&ground, &visible, receiver->normal, -1.0, NULL, err);
+            status =
+                integrate_visible(&ground, &visible, receiver->normal, -1.0, NULL, err);
     }
     pp_visible_clear(&visible);
     *value = sky + light->ground_reflectance / PP_PI * ground;

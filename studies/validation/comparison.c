@@ -126,10 +126,10 @@ static bool is_elsewhere(const struct own_value *value)
     return elsewhere;
 }
 
-static struct pp_comparison compare(const struct pp_report *report,
-                                    const struct pp_column *column,
-                                    const struct pp_column *traced,
-                                    const struct pp_own_worlds *worlds)
+static struct pp_comparison compare_column(const struct pp_report *report,
+                                           const struct pp_column *column,
+                                           const struct pp_column *traced,
+                                           const struct pp_own_worlds *worlds)
 {
     const struct own_value own = own_value_of(report, column, worlds);
     struct pp_comparison result = {.component = column->component,
@@ -194,15 +194,15 @@ enum pp_status pp_comparison_of_report(struct pp_comparison **list, int *count,
         const struct pp_column *traced =
             pp_report_find(report, column->component, "traced");
         if (traced && traced != column)
-            (*list)[(*count)++] = compare(report, column, traced, worlds);
+            (*list)[(*count)++] = compare_column(report, column, traced, worlds);
     }
     return PP_OK;
 }
 
 /* ---- over several rooms ---- */
 
-static void add_points(struct pp_overall *overall, const struct pp_comparison *one,
-                       int room)
+static void add_compared_points(struct pp_overall *overall,
+                                const struct pp_comparison *one, int room)
 {
     if (one->points == 0 || !(one->traced > 0.0))
         return;
@@ -235,8 +235,8 @@ static void add_average(struct pp_overall *overall, const struct pp_comparison *
     overall->average_spread += off * off;
 }
 
-static struct pp_overall *find(struct pp_overall *list, int *count,
-                               const struct pp_comparison *one)
+static struct pp_overall *find_overall(struct pp_overall *list, int *count,
+                                       const struct pp_comparison *one)
 {
     for (int i = 0; i < *count; i++)
         if (list[i].component == one->component && strcmp(list[i].name, one->name) == 0)
@@ -261,8 +261,8 @@ enum pp_status pp_comparison_overall(struct pp_overall **list, int *count,
         return pp_fail_memory(err);
     for (int i = 0; i < room_count; i++)
         for (int k = 0; k < counts[i]; k++) {
-            struct pp_overall *overall = find(*list, count, &rooms[i][k]);
-            add_points(overall, &rooms[i][k], i);
+            struct pp_overall *overall = find_overall(*list, count, &rooms[i][k]);
+            add_compared_points(overall, &rooms[i][k], i);
             add_average(overall, &rooms[i][k]);
         }
     for (int i = 0; i < *count; i++) {

@@ -59,7 +59,7 @@ static enum pp_status angle_outside(double *angle_rad, const struct pp_world *wo
     return PP_OK;
 }
 
-static struct side *side_of(struct side *sides, int *count, struct pp_vec3 outward)
+static struct side *side_facing(struct side *sides, int *count, struct pp_vec3 outward)
 {
     for (int i = 0; i < *count; i++)
         if (pp_vec_dot(sides[i].outward, outward) > 1.0 - same_way)
@@ -70,9 +70,11 @@ static struct side *side_of(struct side *sides, int *count, struct pp_vec3 outwa
 
 /* The sides of all openings; *covered is false where one that has something before it
  * lies level. */
-static enum pp_status gather(struct side *sides, int *count, bool *covered,
-                             const struct pp_world *world, const struct pp_world *bare,
-                             const struct pp_outside_light *light, struct pp_error *err)
+static enum pp_status gather_opening_sides(struct side *sides, int *count,
+                                           bool *covered, const struct pp_world *world,
+                                           const struct pp_world *bare,
+                                           const struct pp_outside_light *light,
+                                           struct pp_error *err)
 {
     *count = 0;
     *covered = true;
@@ -87,7 +89,7 @@ static enum pp_status gather(struct side *sides, int *count, bool *covered,
             *covered &= angle_rad < same_angle_rad;
             continue;
         }
-        struct side *side = side_of(sides, count, outward);
+        struct side *side = side_facing(sides, count, outward);
         side->area_m2 += outline->area_m2;
         side->sum += outline->area_m2 * angle_rad;
     }
@@ -146,7 +148,7 @@ enum pp_status pp_own_skylines_of(struct pp_own_skylines *skylines,
     int count = 0;
     bool covered = true;
     if (status == PP_OK)
-        status = gather(sides, &count, &covered, world, bare, light, err);
+        status = gather_opening_sides(sides, &count, &covered, world, bare, light, err);
     for (int i = 0; status == PP_OK && i < count; i++) {
         double angle_rad = fmin(sides[i].sum / sides[i].area_m2, most_rad);
         const char *wall = wall_towards(world, sides[i].outward);

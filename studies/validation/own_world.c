@@ -137,8 +137,9 @@ static enum pp_status find_skylines(struct pp_own_worlds *worlds,
     return status;
 }
 
-static enum pp_status make(struct own_world *own, const struct pp_own_worlds *worlds,
-                           const struct pp_room *room, struct pp_error *err)
+static enum pp_status make_own_world(struct own_world *own,
+                                     const struct pp_own_worlds *worlds,
+                                     const struct pp_room *room, struct pp_error *err)
 {
     const struct pp_report *report = worlds->room;
     struct pp_room *copy;
@@ -173,9 +174,10 @@ static bool has_figures(const struct pp_column *column, int receiver_count)
 }
 
 /* Adds the world of a column's component, unless it is there. */
-static enum pp_status add(struct pp_own_worlds *worlds, const struct pp_room *room,
-                          const struct pp_column *column, enum pp_component component,
-                          struct pp_error *err)
+static enum pp_status add_own_world(struct pp_own_worlds *worlds,
+                                    const struct pp_room *room,
+                                    const struct pp_column *column,
+                                    enum pp_component component, struct pp_error *err)
 {
     const struct pp_method *method = method_for(worlds, column, component);
     if (!method)
@@ -190,7 +192,7 @@ static enum pp_status add(struct pp_own_worlds *worlds, const struct pp_room *ro
         return PP_OK;
     worlds->count++;
     own->kind = kind;
-    return make(own, worlds, room, err);
+    return make_own_world(own, worlds, room, err);
 }
 
 enum pp_status pp_own_world_list(struct pp_own_worlds **result,
@@ -212,7 +214,7 @@ enum pp_status pp_own_world_list(struct pp_own_worlds **result,
             continue;
         for (int k = PP_SC; status == PP_OK && k <= PP_IRC; k++)
             if (column->component == PP_DF || (int)column->component == k)
-                status = add(worlds, room, column, k, err);
+                status = add_own_world(worlds, room, column, k, err);
     }
     if (status != PP_OK) {
         pp_own_world_destroy(worlds);

@@ -77,10 +77,11 @@ static void add_figure(struct pp_known_cases *cases, const char *file,
     one->file = file;
 }
 
-static void add_column(struct pp_known_cases *cases, const char *file,
-                       const struct pp_report *report, const struct pp_column *column,
-                       const struct pp_column *traced,
-                       const struct pp_own_worlds *worlds)
+static void add_room_case_column(struct pp_known_cases *cases, const char *file,
+                                 const struct pp_report *report,
+                                 const struct pp_column *column,
+                                 const struct pp_column *traced,
+                                 const struct pp_own_worlds *worlds)
 {
     for (int i = 0; column->points && i < report->receiver_count; i++)
         add_figure(
@@ -104,7 +105,7 @@ void pp_room_cases_of_methods(struct pp_known_cases *cases, const char *file,
         const struct pp_column *traced =
             pp_report_find(report, column->component, "traced");
         if (traced && traced != column)
-            add_column(cases, file, report, column, traced, worlds);
+            add_room_case_column(cases, file, report, column, traced, worlds);
     }
 }
 

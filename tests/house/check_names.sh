@@ -1,8 +1,8 @@
 #!/bin/sh
 # Names, so that a thing is where its name says: no two files of one name, no two structs
 # of one tag, a head on every file, guards that are paths, external functions that begin
-# with their file's name and are declared in its header, folders and files of a size that
-# can be surveyed.
+# with their file's name and are declared in its header, static functions whose name says
+# which of them it is, folders and files of a size that can be surveyed.
 . "$srcdir/tests/lib/tap.sh"
 
 program="model formats methods simulate studies charts reports api cli"
@@ -10,6 +10,7 @@ files_most=35        # a folder
 lines_most=500       # a file of the program
 test_lines_most=700  # a test or benchmark: a list of facts, each short
 share_least=95       # per cent of the external functions
+statics_most=3       # files in which static functions have one name
 
 # Files that may be longer: one a line, path and then the reason.
 long_files='
@@ -156,6 +157,35 @@ astray() {
         }' "$scratch/declared" "$scratch/functions"
 }
 
+# Names of static functions that more than a few files have: in a stack trace they do not
+# say where it is, and a breakpoint at one is a menu.
+same_statics() {
+    code $(cat "$scratch/program") | awk -v most=$statics_most '
+        {
+            file = $1
+            line = substr($0, length(file) + 2)
+            if (file == before && head != "")
+                line = head " " line
+            before = file
+            head = ""
+            if (line !~ /^static /)
+                next
+            if (line !~ /[(=;{]/) {
+                head = line
+                next
+            }
+            if (!match(line, /[A-Za-z0-9_]+\(/) || index(substr(line, 1, RSTART), "="))
+                next
+            name = substr(line, RSTART, RLENGTH - 1)
+            if ((file, name) in seen)
+                next
+            seen[file, name] = 1
+            places[name] = places[name] " " file
+            n[name]++
+        }
+        END { for (name in n) if (n[name] > most) print name " is static in" places[name] }'
+}
+
 large_folders() {
     sed 's|/[^/]*$||' "$scratch/sources" | LC_ALL=C sort | uniq -c |
         awk -v most=$files_most '$1 > most { print $2 " holds " $1 " files" }'
@@ -177,6 +207,7 @@ check "no two files have one name" nothing "$(same_names)"
 check "no two structs have one tag" nothing "$(same_tags)"
 check "every source begins with a comment" nothing "$(without_head)"
 check "include guards are paths" nothing "$(wrong_guards)"
+check "no static name is in more than $statics_most files" nothing "$(same_statics)"
 check "no folder holds more than $files_most files" nothing "$(large_folders)"
 check "no file is longer than $lines_most lines, but for reasons" nothing "$(long_sources)"
 

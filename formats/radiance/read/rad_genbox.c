@@ -154,8 +154,8 @@ static struct pp_vec3 turned(struct pp_vec3 a, struct pp_vec3 b, int step, int s
 }
 
 /* The edge from a corner along an axis. */
-static enum pp_status add_edge(const struct genbox_box *box, int corner, int axis,
-                               struct pp_error *err)
+static enum pp_status add_genbox_edge(const struct genbox_box *box, int corner,
+                                      int axis, struct pp_error *err)
 {
     struct pp_vec3 ends[2] = {inner_corner(box, corner),
                               inner_corner(box, corner | 1 << axis)};
@@ -186,9 +186,10 @@ static enum pp_status add_edge(const struct genbox_box *box, int corner, int axi
 /* The spherical triangle between three directions from `middle`, as flat triangles: it
  * is cut into four at the middles of its sides, and these again, until `segments` is
  * 1. */
-static enum pp_status add_triangle(const struct genbox_box *box, struct pp_vec3 middle,
-                                   const struct pp_vec3 d[3], int segments,
-                                   struct pp_error *err)
+static enum pp_status add_genbox_triangle(const struct genbox_box *box,
+                                          struct pp_vec3 middle,
+                                          const struct pp_vec3 d[3], int segments,
+                                          struct pp_error *err)
 {
     if (segments == 1) {
         struct pp_vec3 corners[3];
@@ -199,22 +200,22 @@ static enum pp_status add_triangle(const struct genbox_box *box, struct pp_vec3 
     struct pp_vec3 half[3]; /* of the side before each */
     for (int i = 0; i < 3; i++)
         half[i] = pp_vec_unit(pp_vec_add(d[(i + 2) % 3], d[i]));
-    enum pp_status status = add_triangle(box, middle, half, segments / 2, err);
+    enum pp_status status = add_genbox_triangle(box, middle, half, segments / 2, err);
     for (int i = 0; i < 3 && status == PP_OK; i++) {
         const struct pp_vec3 at[3] = {d[i], half[(i + 1) % 3], half[i]};
-        status = add_triangle(box, middle, at, segments / 2, err);
+        status = add_genbox_triangle(box, middle, at, segments / 2, err);
     }
     return status;
 }
 
-static enum pp_status add_corner(const struct genbox_box *box, int corner,
-                                 struct pp_error *err)
+static enum pp_status add_genbox_corner(const struct genbox_box *box, int corner,
+                                        struct pp_error *err)
 {
     struct pp_vec3 middle = inner_corner(box, corner);
     if (box->segments > 0) {
         const struct pp_vec3 d[3] = {outward(corner, 0), outward(corner, 1),
                                      outward(corner, 2)};
-        return add_triangle(box, middle, d, box->segments, err);
+        return add_genbox_triangle(box, middle, d, box->segments, err);
     }
     struct pp_shape ball = {.kind = PP_SHAPE_SPHERE, .is.sphere = {middle, box->inset}};
     return pp_rad_shapes_add(box->reader, box->pipe->words, box->pipe->line,
@@ -233,9 +234,9 @@ enum pp_status pp_rad_genbox(struct pp_rad_reader *reader,
     for (int corner = 0; corner < 8 && box.inset > 0.0; corner++) {
         for (int axis = 0; axis < 3 && status == PP_OK; axis++)
             if (!(corner >> axis & 1))
-                status = add_edge(&box, corner, axis, err);
+                status = add_genbox_edge(&box, corner, axis, err);
         if (status == PP_OK)
-            status = add_corner(&box, corner, err);
+            status = add_genbox_corner(&box, corner, err);
     }
     return status;
 }

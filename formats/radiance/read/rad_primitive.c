@@ -56,8 +56,8 @@ static enum pp_status read_strings(struct pp_rad_reader *reader,
     return status;
 }
 
-static enum pp_status read_number(struct pp_rad_words *words, double *number,
-                                  struct pp_error *err)
+static enum pp_status read_rad_number(struct pp_rad_words *words, double *number,
+                                      struct pp_error *err)
 {
     struct pp_rad_word word;
     enum pp_status status = pp_rad_words_next(words, &word, err);
@@ -84,7 +84,7 @@ static enum pp_status read_numbers(struct pp_rad_reader *reader,
     double ignored;
     enum pp_status status = read_count(primitive->words, "whole numbers", &whole, err);
     for (int i = 0; i < whole && status == PP_OK; i++)
-        status = read_number(primitive->words, &ignored, err);
+        status = read_rad_number(primitive->words, &ignored, err);
     if (status == PP_OK)
         status = read_count(primitive->words, "numbers", &primitive->number_count, err);
     if (status != PP_OK)
@@ -96,7 +96,7 @@ static enum pp_status read_numbers(struct pp_rad_reader *reader,
         return status;
     double *numbers = primitive->numbers = reader->numbers;
     for (int i = 0; i < primitive->number_count && status == PP_OK; i++)
-        status = read_number(primitive->words, &numbers[i], err);
+        status = read_rad_number(primitive->words, &numbers[i], err);
     return status;
 }
 
@@ -148,9 +148,10 @@ static enum pp_status take_alias(struct pp_rad_reader *reader,
                                primitive->name.length, meaning, err);
 }
 
-static enum pp_status take(struct pp_rad_reader *reader,
-                           struct pp_rad_primitive *primitive,
-                           const struct pp_rad_context *context, struct pp_error *err)
+static enum pp_status take_rad_primitive(struct pp_rad_reader *reader,
+                                         struct pp_rad_primitive *primitive,
+                                         const struct pp_rad_context *context,
+                                         struct pp_error *err)
 {
     enum pp_status status = read_strings(reader, primitive, err);
     if (status == PP_OK)
@@ -202,7 +203,7 @@ enum pp_status pp_rad_primitive_read(struct pp_rad_reader *reader,
                               &primitive.modifier))
         return say_unknown(words, modifier, "material or pattern", err);
     status = alias ? take_alias(reader, &primitive, modifier, err)
-                   : take(reader, &primitive, context, err);
+                   : take_rad_primitive(reader, &primitive, context, err);
     return status == PP_OK
                ? pp_rad_materials_check_count(reader, words, primitive.line, err)
                : status;

@@ -14,11 +14,12 @@ static bool has_pattern(const struct pp_rad_reader *reader, int material)
 
 /* The material of a shape with this modifier, -1 where the shape is left out, and that
  * of its back, -1 where it is the same. */
-static enum pp_status material_of(const struct pp_rad_reader *reader,
-                                  const struct pp_rad_words *words, int line,
-                                  struct pp_rad_meaning modifier,
-                                  const struct pp_rad_context *context, bool distant,
-                                  int *material, int *back, struct pp_error *err)
+static enum pp_status rad_shape_material(const struct pp_rad_reader *reader,
+                                         const struct pp_rad_words *words, int line,
+                                         struct pp_rad_meaning modifier,
+                                         const struct pp_rad_context *context,
+                                         bool distant, int *material, int *back,
+                                         struct pp_error *err)
 {
     if (context->replaced)
         modifier = context->modifier;
@@ -70,8 +71,8 @@ enum pp_status pp_rad_shapes_add_polygon(struct pp_rad_reader *reader,
                                          struct pp_error *err)
 {
     int material, back;
-    enum pp_status status = material_of(reader, words, line, modifier, context, false,
-                                        &material, &back, err);
+    enum pp_status status = rad_shape_material(reader, words, line, modifier, context,
+                                               false, &material, &back, err);
     if (status == PP_OK)
         status = check_count(reader, words, line, count, context->copied, err);
     if (status != PP_OK || material < 0)
@@ -123,9 +124,9 @@ enum pp_status pp_rad_shapes_add(struct pp_rad_reader *reader,
                                  struct pp_error *err)
 {
     const struct pp_rad_transform *t = &context->transform;
-    enum pp_status status = material_of(reader, words, line, modifier, context,
-                                        shape.kind == PP_SHAPE_DISTANT, &shape.material,
-                                        &shape.back_material, err);
+    enum pp_status status = rad_shape_material(
+        reader, words, line, modifier, context, shape.kind == PP_SHAPE_DISTANT,
+        &shape.material, &shape.back_material, err);
     if (status == PP_OK)
         status = check_count(reader, words, line, 0, context->copied, err);
     if (status != PP_OK || shape.material < 0)

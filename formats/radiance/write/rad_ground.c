@@ -24,7 +24,7 @@ struct rad_ground_builder {
     struct pp_error *err;
 };
 
-static void measure(struct rad_ground_builder *b, const struct pp_world *world)
+static void measure_ground(struct rad_ground_builder *b, const struct pp_world *world)
 {
     struct pp_bounds3 room = pp_position_bounds(world);
     double level = pp_ground_level(world) - 2.0 * PP_SET_OFF_M;
@@ -55,7 +55,7 @@ static enum pp_status add_disc(struct rad_ground_builder *b, double hole_m)
 
 /* ---- round a room that reaches below the ground ---- */
 
-static enum pp_status add_triangle(struct rad_ground_builder *b, double xy[3][2])
+static enum pp_status add_ground_triangle(struct rad_ground_builder *b, double xy[3][2])
 {
     struct pp_vec3 corners[3];
     if (!(pp_region_turn(xy[0], xy[1], xy[2]) > PP_SAME_M * PP_SAME_M))
@@ -87,7 +87,7 @@ static enum pp_status add_square(struct rad_ground_builder *b, double half_m,
     if (status == PP_OK)
         status = pp_clipper_triangulate(clipper, &triangles, &count, &left, b->err);
     for (int i = 0; i < count && status == PP_OK; i++)
-        status = add_triangle(b, triangles[i]);
+        status = add_ground_triangle(b, triangles[i]);
     free(triangles);
     pp_region_clear(&left);
     pp_region_clear(&square);
@@ -117,7 +117,7 @@ enum pp_status pp_rad_ground_add(struct pp_scene_description *scene,
     struct pp_material ground = pp_material_diffuse(pp_rgb_grey(reflectance));
     snprintf(ground.name, sizeof ground.name, "ground");
     struct pp_region room = {0};
-    measure(&b, world);
+    measure_ground(&b, world);
     enum pp_status status =
         pp_scene_description_add_material(scene, &ground, &b.material, err);
     if (status == PP_OK)

@@ -70,7 +70,7 @@ static enum pp_status add_polygon(struct rad_room_builder *b,
 
 /* ---- surfaces ---- */
 
-static enum pp_status add_surface(struct rad_room_builder *b, int which)
+static enum pp_status add_rad_surface(struct rad_room_builder *b, int which)
 {
     const struct pp_surface *surface = &b->world->surfaces[which];
     if (surface->exitance > 0.0)
@@ -100,7 +100,7 @@ static enum pp_status add_surfaces(struct rad_room_builder *b, bool inside)
     enum pp_status status = PP_OK;
     for (int i = 0; i < b->world->surface_count && status == PP_OK; i++)
         if (b->world->surfaces[i].inside == inside)
-            status = add_surface(b, i);
+            status = add_rad_surface(b, i);
     return status;
 }
 

@@ -170,7 +170,7 @@ void pp_rad_write_destroy(struct pp_rad_writer *writer)
 
 /* ---- shapes ---- */
 
-static const char *material_of(const struct pp_rad_writer *writer, int shape)
+static const char *written_material(const struct pp_rad_writer *writer, int shape)
 {
     int pair = writer->pair_of[shape];
     return writer
@@ -219,7 +219,7 @@ static const char *type_of(const struct pp_shape *shape)
     return "polygon";
 }
 
-static int put(double *numbers, int count, struct pp_vec3 v)
+static int put_vector(double *numbers, int count, struct pp_vec3 v)
 {
     numbers[count] = v.x;
     numbers[count + 1] = v.y;
@@ -234,24 +234,24 @@ static int numbers_of(const struct pp_shape *shape, double numbers[8])
     case PP_SHAPE_POLYGON:
         return 0;
     case PP_SHAPE_SPHERE:
-        count = put(numbers, count, shape->is.sphere.centre);
+        count = put_vector(numbers, count, shape->is.sphere.centre);
         numbers[count++] = shape->is.sphere.radius_m;
         return count;
     case PP_SHAPE_CONE:
-        count = put(numbers, count, shape->is.cone.ends[0]);
-        count = put(numbers, count, shape->is.cone.ends[1]);
+        count = put_vector(numbers, count, shape->is.cone.ends[0]);
+        count = put_vector(numbers, count, shape->is.cone.ends[1]);
         numbers[count++] = shape->is.cone.radii_m[0];
         if (shape->is.cone.radii_m[0] != shape->is.cone.radii_m[1])
             numbers[count++] = shape->is.cone.radii_m[1];
         return count;
     case PP_SHAPE_RING:
-        count = put(numbers, count, shape->is.ring.centre);
-        count = put(numbers, count, shape->is.ring.axis);
+        count = put_vector(numbers, count, shape->is.ring.centre);
+        count = put_vector(numbers, count, shape->is.ring.axis);
         numbers[count++] = shape->is.ring.radii_m[0];
         numbers[count++] = shape->is.ring.radii_m[1];
         return count;
     case PP_SHAPE_DISTANT:
-        count = put(numbers, count, shape->is.distant.direction);
+        count = put_vector(numbers, count, shape->is.distant.direction);
         numbers[count++] = 2.0 * shape->is.distant.half_angle_rad / PP_RAD;
         return count;
     }
@@ -263,8 +263,8 @@ void pp_rad_write_shapes(const struct pp_rad_writer *writer, const char *name,
 {
     for (int i = first; i < end; i++) {
         const struct pp_shape *shape = &writer->scene->shapes[i];
-        fprintf(out, "\n%s %s %s.%d\n", material_of(writer, i), type_of(shape), name,
-                i - first + 1);
+        fprintf(out, "\n%s %s %s.%d\n", written_material(writer, i), type_of(shape),
+                name, i - first + 1);
         if (shape->kind == PP_SHAPE_POLYGON) {
             write_polygon(writer, shape, out);
             continue;

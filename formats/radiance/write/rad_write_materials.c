@@ -33,7 +33,7 @@ static bool is_grey(struct pp_rgb c)
     return near(c.r, c.g) && near(c.g, c.b);
 }
 
-static void add(struct rad_primitive_text *said, double number)
+static void add_material_number(struct rad_primitive_text *said, double number)
 {
     said->numbers[said->count++] = number;
 }
@@ -41,7 +41,7 @@ static void add(struct rad_primitive_text *said, double number)
 /* A number that was worked out: without the last digits, which are rounding. */
 static void add_worked(struct rad_primitive_text *said, double number)
 {
-    add(said, pp_rad_numbers_round(number));
+    add_material_number(said, pp_rad_numbers_round(number));
 }
 
 static void add_worked_rgb(struct rad_primitive_text *said, struct pp_rgb c)
@@ -53,9 +53,9 @@ static void add_worked_rgb(struct rad_primitive_text *said, struct pp_rgb c)
 
 static void add_rgb(struct rad_primitive_text *said, struct pp_rgb c)
 {
-    add(said, c.r);
-    add(said, c.g);
-    add(said, c.b);
+    add_material_number(said, c.r);
+    add_material_number(said, c.g);
+    add_material_number(said, c.b);
 }
 
 /* "4 ux uy uz .": the direction of the first roughness. */
@@ -109,9 +109,9 @@ static bool say_opaque(struct rad_primitive_text *said, const struct pp_material
         add_worked_rgb(said, colour);
     }
     add_worked(said, specular);
-    add(said, m->roughness[0]);
+    add_material_number(said, m->roughness[0]);
     if (twofold) {
-        add(said, m->roughness[1]);
+        add_material_number(said, m->roughness[1]);
         say_grain(said, m->grain);
     }
     return specular >= 0.0;
@@ -131,9 +131,9 @@ static bool say_translucent(struct rad_primitive_text *said,
     said->type = twofold ? "trans2" : "trans";
     add_worked_rgb(said, pp_rgb_scale(inward, 1.0 / (1.0 - specular)));
     add_worked(said, specular);
-    add(said, m->roughness[0]);
+    add_material_number(said, m->roughness[0]);
     if (twofold) {
-        add(said, m->roughness[1]);
+        add_material_number(said, m->roughness[1]);
         say_grain(said, m->grain);
     }
     add_worked(said, share);
@@ -160,7 +160,7 @@ static bool say_glass(struct rad_primitive_text *said, const struct pp_material 
         for (int i = 0; i < 3; i++)
             add_worked(said, exp(-glass[i].kl));
         if (glass->n != 1.52)
-            add(said, glass->n);
+            add_material_number(said, glass->n);
         return true;
     }
     for (int i = 1; i < 3; i++)
@@ -174,12 +174,12 @@ static bool say_glass(struct rad_primitive_text *said, const struct pp_material 
     add_rgb(said, m->diffuse);
     add_rgb(said, back);
     add_rgb(said, pp_rgb_grey(0.0));
-    add(said, glass->panes);
-    add(said, glass->panes > 0 ? glass->n : 1.52);
-    add(said, glass->kl);
-    add(said, glass->panes > 0 ? glass->scale : 1.0);
-    add(said, m->clear_share);
-    add(said, m->dirt);
+    add_material_number(said, glass->panes);
+    add_material_number(said, glass->panes > 0 ? glass->n : 1.52);
+    add_material_number(said, glass->kl);
+    add_material_number(said, glass->panes > 0 ? glass->scale : 1.0);
+    add_material_number(said, m->clear_share);
+    add_material_number(said, m->dirt);
     return true;
 }
 
@@ -195,7 +195,7 @@ static bool say_emitter(struct rad_primitive_text *said, const struct pp_materia
     said->type = air ? "illum" : glow ? "glow" : "light";
     add_rgb(said, m->radiance);
     if (glow)
-        add(said, 0.0);
+        add_material_number(said, 0.0);
     return true;
 }
 

@@ -103,8 +103,8 @@ static enum pp_status find_crossings(struct pp_field *field, double level,
 }
 
 /* Joins the crossings from `first` on to one curve. */
-static enum pp_status join(struct pp_field *field, int first, struct pp_curve *curve,
-                           struct pp_error *err)
+static enum pp_status join_crossings(struct pp_field *field, int first,
+                                     struct pp_curve *curve, struct pp_error *err)
 {
     int room = 2;
     for (int i = first; i >= 0; i = field->ends[field->crossings[i].to].leaving) {
@@ -133,8 +133,8 @@ static enum pp_status join(struct pp_field *field, int first, struct pp_curve *c
 }
 
 /* All curves of the level, open ones first, however short. */
-static enum pp_status trace(struct pp_field *field, double level,
-                            struct pp_curve_list *curves, struct pp_error *err)
+static enum pp_status trace_contours(struct pp_field *field, double level,
+                                     struct pp_curve_list *curves, struct pp_error *err)
 {
     enum pp_status status = find_crossings(field, level, err);
     for (int pass = 0; pass < 2; pass++)
@@ -144,7 +144,7 @@ static enum pp_status trace(struct pp_field *field, double level,
             if (crossing->used || (pass == 0 && !begins))
                 continue;
             struct pp_curve curve;
-            status = join(field, i, &curve, err);
+            status = join_crossings(field, i, &curve, err);
             if (status == PP_OK)
                 status = pp_curve_list_add(curves, curve, err);
         }
@@ -155,7 +155,7 @@ enum pp_status pp_contour_curves(struct pp_field *field, double level,
                                  struct pp_curve_list *curves, struct pp_error *err)
 {
     struct pp_curve_list all = {0};
-    enum pp_status status = trace(field, level, &all, err);
+    enum pp_status status = trace_contours(field, level, &all, err);
     for (int i = 0; i < all.count; i++) {
         struct pp_curve *curve = &all.list[i];
         if (status != PP_OK || curve->count < (curve->closed ? 3 : 2)
@@ -288,9 +288,9 @@ static enum pp_status trace_outline(const struct pp_field *field,
     return pp_curve_list_add(outlines, outline, err);
 }
 
-static enum pp_status add_whole(struct pp_curve_list *outlines, double level,
-                                const double (*xy)[2], int count, bool backwards,
-                                struct pp_error *err)
+static enum pp_status add_whole_outline(struct pp_curve_list *outlines, double level,
+                                        const double (*xy)[2], int count,
+                                        bool backwards, struct pp_error *err)
 {
     struct pp_curve outline = {.level = level, .closed = true, .count = count};
     if (count < 3)
@@ -307,7 +307,7 @@ enum pp_status pp_contour_below(struct pp_field *field, double level,
                                 struct pp_curve_list *outlines, struct pp_error *err)
 {
     struct pp_curve_list curves = {0};
-    enum pp_status status = trace(field, level, &curves, err);
+    enum pp_status status = trace_contours(field, level, &curves, err);
     struct boundary_end *ends = calloc((size_t)curves.count + 1, sizeof *ends);
     if (!ends && status == PP_OK)
         status = pp_fail_memory(err);
@@ -317,8 +317,8 @@ enum pp_status pp_contour_below(struct pp_field *field, double level,
     for (int i = 0; i < curves.count && status == PP_OK; i++) {
         const struct pp_curve *curve = &curves.list[i];
         if (curve->closed) {
-            status = add_whole(outlines, level, (const double(*)[2])curve->xy,
-                               curve->count, true, err);
+            status = add_whole_outline(outlines, level, (const double(*)[2])curve->xy,
+                                       curve->count, true, err);
         } else {
             ends[end_count].curve = i;
             find_landing(&field->region, curve->xy[curve->count - 1],
@@ -341,8 +341,8 @@ enum pp_status pp_contour_below(struct pp_field *field, double level,
         if (!met)
             status = pp_field_evaluate(field, ring->xy[0], &value, err);
         if (!met && status == PP_OK && !(value > level))
-            status = add_whole(outlines, level, (const double(*)[2])ring->xy,
-                               ring->count, false, err);
+            status = add_whole_outline(outlines, level, (const double(*)[2])ring->xy,
+                                       ring->count, false, err);
     }
     free(ends);
     pp_curve_list_clear(&curves);

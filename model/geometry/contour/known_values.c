@@ -8,7 +8,7 @@
 #include "model/base/array.h"
 
 /* Where the place stands in the table, or would. */
-static int *slot_of(const struct pp_known_values *known, const double xy[2])
+static int *known_value_slot(const struct pp_known_values *known, const double xy[2])
 {
     uint64_t bits[2];
     memcpy(bits, xy, sizeof bits);
@@ -30,7 +30,7 @@ void pp_known_values_clear(struct pp_known_values *known)
 bool pp_known_values_find(const struct pp_known_values *known, const double xy[2],
                           double *value)
 {
-    int found = known->room > 0 ? *slot_of(known, xy) : -1;
+    int found = known->room > 0 ? *known_value_slot(known, xy) : -1;
     if (found >= 0)
         *value = known->list[found].value;
     return found >= 0;
@@ -48,7 +48,7 @@ static enum pp_status grow_table(struct pp_known_values *known, struct pp_error 
     known->slots = slots;
     known->room = room;
     for (int i = 0; i < known->count; i++)
-        *slot_of(known, known->list[i].xy) = i;
+        *known_value_slot(known, known->list[i].xy) = i;
     return PP_OK;
 }
 
@@ -63,7 +63,7 @@ enum pp_status pp_known_values_add(struct pp_known_values *known, const double x
                                   sizeof *known->list, err);
     if (status != PP_OK)
         return status;
-    *slot_of(known, xy) = known->count;
+    *known_value_slot(known, xy) = known->count;
     known->list[known->count++] =
         (struct pp_known_value){.xy = {xy[0], xy[1]}, .value = value};
     return PP_OK;

@@ -168,10 +168,10 @@ enum { ASIDES = sizeof asides / sizeof *asides };
 
 /* Adds the points that the curve needs between p, on the ray to BC at p_share, and q,
  * at q_share. */
-static enum pp_status follow(struct pp_field *field, const struct fan *fan,
-                             const double p[2], double p_share, const double q[2],
-                             double q_share, int depth, bool *leaves,
-                             struct pp_error *err)
+static enum pp_status follow_level_curve(struct pp_field *field, const struct fan *fan,
+                                         const double p[2], double p_share,
+                                         const double q[2], double q_share, int depth,
+                                         bool *leaves, struct pp_error *err)
 {
     if (hypot(q[0] - p[0], q[1] - p[1]) < 2.0 * field->tolerance)
         return PP_OK;
@@ -192,11 +192,13 @@ static enum pp_status follow(struct pp_field *field, const struct fan *fan,
     }
     if (status != PP_OK || !strays)
         return status;
-    status = follow(field, fan, p, p_share, m, share, depth - 1, leaves, err);
+    status =
+        follow_level_curve(field, fan, p, p_share, m, share, depth - 1, leaves, err);
     if (status == PP_OK)
         status = add_between(field, m, err);
     if (status == PP_OK)
-        status = follow(field, fan, m, share, q, q_share, depth - 1, leaves, err);
+        status = follow_level_curve(field, fan, m, share, q, q_share, depth - 1, leaves,
+                                    err);
     return status;
 }
 
@@ -248,8 +250,8 @@ enum pp_status pp_level_crossing_follow(struct pp_field *field, int triangle,
     if (status != PP_OK)
         return status;
     int first = field->between_count;
-    status = follow(field, &fan, field->ends[from].xy, 0.0, field->ends[to].xy, 1.0,
-                    DEEPEST, leaves, err);
+    status = follow_level_curve(field, &fan, field->ends[from].xy, 0.0,
+                                field->ends[to].xy, 1.0, DEEPEST, leaves, err);
     field->ends[from].leaving = field->ends[to].arriving = field->crossing_count;
     field->crossings[field->crossing_count++] =
         (struct pp_crossing){from, to, first, field->between_count - first, false};

@@ -27,7 +27,7 @@ void pp_mesh_clear(struct pp_mesh *mesh)
 /* ---- edges by their nodes ---- */
 
 /* Where the edge of nodes a < b stands in the table, or would. */
-static unsigned slot_of(const struct pp_mesh *mesh, int a, int b)
+static unsigned mesh_edge_slot(const struct pp_mesh *mesh, int a, int b)
 {
     uint64_t key = (uint64_t)a << 32 | (uint32_t)b;
     unsigned mask = (unsigned)mesh->table_room - 1;
@@ -43,7 +43,7 @@ static unsigned slot_of(const struct pp_mesh *mesh, int a, int b)
 
 int pp_mesh_edge(const struct pp_mesh *mesh, int a, int b)
 {
-    return mesh->table[a < b ? slot_of(mesh, a, b) : slot_of(mesh, b, a)];
+    return mesh->table[a < b ? mesh_edge_slot(mesh, a, b) : mesh_edge_slot(mesh, b, a)];
 }
 
 static bool grow_table(struct pp_mesh *mesh)
@@ -60,7 +60,7 @@ static bool grow_table(struct pp_mesh *mesh)
     for (int i = 0; i < room; i++)
         table[i] = -1;
     for (int i = 0; i < mesh->edge_count; i++)
-        table[slot_of(mesh, mesh->edges[i].a, mesh->edges[i].b)] = i;
+        table[mesh_edge_slot(mesh, mesh->edges[i].a, mesh->edges[i].b)] = i;
     return true;
 }
 
@@ -75,14 +75,14 @@ static int need_edge(struct pp_mesh *mesh, int a, int b)
                     sizeof *mesh->edges))
         return -1;
     int low = a < b ? a : b, high = a < b ? b : a;
-    unsigned slot = slot_of(mesh, low, high);
+    unsigned slot = mesh_edge_slot(mesh, low, high);
     mesh->edges[mesh->edge_count] = (struct pp_mesh_edge){low, high, {-1, -1}};
     mesh->table[slot] = mesh->edge_count;
     return mesh->edge_count++;
 }
 
 /* In the triangles of the edge a-b, puts `now` in place of `before` (-1: none). */
-static bool put(struct pp_mesh *mesh, int a, int b, int before, int now)
+static bool put_neighbour(struct pp_mesh *mesh, int a, int b, int before, int now)
 {
     int edge = need_edge(mesh, a, b);
     if (edge < 0)
@@ -107,7 +107,7 @@ static int need_node(struct pp_mesh *mesh, const double xy[2])
     return mesh->node_count++;
 }
 
-static bool add_triangle(struct pp_mesh *mesh, int a, int b, int c)
+static bool add_contour_triangle(struct pp_mesh *mesh, int a, int b, int c)
 {
     if (!reserve(&mesh->triangles, &mesh->triangle_room, mesh->triangle_count,
                  sizeof *mesh->triangles))
@@ -128,10 +128,10 @@ static bool add_first(struct pp_mesh *mesh, const double corners[3][2])
     if (nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0])
         return true;
     int new = mesh->triangle_count;
-    if (!add_triangle(mesh, nodes[0], nodes[1], nodes[2]))
+    if (!add_contour_triangle(mesh, nodes[0], nodes[1], nodes[2]))
         return false;
     for (int i = 0; i < 3; i++)
-        if (!put(mesh, nodes[i], nodes[(i + 1) % 3], -1, new))
+        if (!put_neighbour(mesh, nodes[i], nodes[(i + 1) % 3], -1, new))
             return false;
     return true;
 }
@@ -200,14 +200,16 @@ static bool split(struct pp_mesh *mesh, int triangle, int side, int m)
     int b = mesh->triangles[triangle][(side + 1) % 3];
     int c = mesh->triangles[triangle][(side + 2) % 3];
     int new = mesh->triangle_count;
-    if (!add_triangle(mesh, m, b, c))
+    if (!add_contour_triangle(mesh, m, b, c))
         return false;
     mesh->triangles[triangle][0] = a;
     mesh->triangles[triangle][1] = m;
     mesh->triangles[triangle][2] = c;
-    return put(mesh, b, c, triangle, new) && put(mesh, a, m, -1, triangle)
-           && put(mesh, m, b, -1, new) && put(mesh, m, c, -1, triangle)
-           && put(mesh, m, c, -1, new);
+    return put_neighbour(mesh, b, c, triangle, new)
+           && put_neighbour(mesh, a, m, -1, triangle)
+           && put_neighbour(mesh, m, b, -1, new)
+           && put_neighbour(mesh, m, c, -1, triangle)
+           && put_neighbour(mesh, m, c, -1, new);
 }
 
 static int across(const struct pp_mesh *mesh, int triangle, int edge)

@@ -13,9 +13,11 @@ static const char *const words[] = {[PP_DOOR] = "door", [PP_DADO] = "dado"};
 /* ---- A piece of a cover ---- */
 
 /* Of a wall, surface `face`: the frame's own pointer to it holds until surfaces are added. */
-static enum pp_status add_piece(struct pp_resolver *r, const struct pp_cover_part *part,
-                                int face, const struct pp_face_frame *frame,
-                                const double (*xy)[2], int count, struct pp_error *err)
+static enum pp_status add_cover_piece(struct pp_resolver *r,
+                                      const struct pp_cover_part *part, int face,
+                                      const struct pp_face_frame *frame,
+                                      const double (*xy)[2], int count,
+                                      struct pp_error *err)
 {
     const struct pp_polygon *wall = &r->world->surfaces[face].outline;
     double off_m = PP_SET_OFF_M + 2.0 * pp_polygon_unevenness(wall);
@@ -133,7 +135,7 @@ static enum pp_status add_door(struct pp_resolver *r, const struct pp_cover_part
     if (status == PP_OK)
         status = check_door(&good, r, part, &frame, xy, err);
     if (status == PP_OK && good)
-        status = add_piece(r, part, face, &frame, (const double(*)[2])xy, 4, err);
+        status = add_cover_piece(r, part, face, &frame, (const double(*)[2])xy, 4, err);
     pp_face_frame_clear(&frame);
     return status;
 }
@@ -141,9 +143,10 @@ static enum pp_status add_door(struct pp_resolver *r, const struct pp_cover_part
 /* ---- Dados ---- */
 
 /* Replaces the region by what of it the ring leaves (or, if `common`, has in common). */
-static enum pp_status cut(struct pp_region *region, struct pp_clipper *clipper,
-                          const double (*xy)[2], int count, bool common,
-                          struct pp_error *err)
+static enum pp_status cut_region_by_ring(struct pp_region *region,
+                                         struct pp_clipper *clipper,
+                                         const double (*xy)[2], int count, bool common,
+                                         struct pp_error *err)
 {
     struct pp_region other = {0, NULL}, rest = {0, NULL};
     enum pp_status status = pp_clipper_of_ring(clipper, &other, xy, count, err);
@@ -172,15 +175,15 @@ static enum pp_status dado_region(struct pp_region *region, struct pp_resolver *
     enum pp_status status = pp_clipper_of_ring(
         r->clipper, region, (const double(*)[2])frame->xy, frame->count, err);
     if (status == PP_OK)
-        status = cut(region, r->clipper, strip, 4, true, err);
+        status = cut_region_by_ring(region, r->clipper, strip, 4, true, err);
     int most = world->opening_count + world->surface_count;
     for (int i = 0; i < most && status == PP_OK; i++) {
         double(*other)[2];
         int count, line;
         status = neighbour(&other, &count, &line, world, i, frame, err);
         if (count > 0)
-            status =
-                cut(region, r->clipper, (const double(*)[2])other, count, false, err);
+            status = cut_region_by_ring(region, r->clipper, (const double(*)[2])other,
+                                        count, false, err);
         free(other);
     }
     return status;
@@ -214,7 +217,7 @@ static enum pp_status add_rings(struct pp_resolver *r, const struct pp_cover_par
         const struct pp_ring *ring = &region->rings[i];
         const double(*xy)[2] = (const double(*)[2])ring->xy;
         if (pp_region_ring_area(xy, ring->count) > PP_ROUNDING_M * PP_SAME_M)
-            status = add_piece(r, part, face, frame, xy, ring->count, err);
+            status = add_cover_piece(r, part, face, frame, xy, ring->count, err);
     }
     return status;
 }
@@ -236,12 +239,12 @@ static enum pp_status add_pieces(struct pp_resolver *r,
         struct pp_region piece = {0, NULL};
         status = pp_region_copy(&piece, region, err);
         if (status == PP_OK)
-            status = cut(&piece, r->clipper, before, 4, true, err);
+            status = cut_region_by_ring(&piece, r->clipper, before, 4, true, err);
         if (status == PP_OK)
             status = add_rings(r, part, face, frame, &piece, err);
         pp_region_clear(&piece);
         if (status == PP_OK)
-            status = cut(region, r->clipper, behind, 4, true, err);
+            status = cut_region_by_ring(region, r->clipper, behind, 4, true, err);
     }
     return status == PP_OK ? add_rings(r, part, face, frame, region, err) : status;
 }

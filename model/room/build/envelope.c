@@ -82,10 +82,10 @@ static bool is_second_wall(struct pp_resolver *r, const struct pp_face_part *wal
     return false;
 }
 
-static enum pp_status add_face(struct pp_resolver *r, enum pp_role role,
-                               const char *name, struct face_finish finish, int line,
-                               const struct pp_vec3 *vertices, int count,
-                               struct pp_error *err)
+static enum pp_status add_envelope_face(struct pp_resolver *r, enum pp_role role,
+                                        const char *name, struct face_finish finish,
+                                        int line, const struct pp_vec3 *vertices,
+                                        int count, struct pp_error *err)
 {
     struct pp_surface face = {.role = role,
                               .inside = true,
@@ -112,15 +112,16 @@ static enum pp_status raise_plan(struct pp_resolver *r, const struct pp_vec3 *ri
         return pp_fail_memory(err);
 
     enum pp_status status =
-        add_face(r, PP_FLOOR, NULL, finish_of_role(room, PP_FLOOR, NULL), line, ring,
-                 count, err);
+        add_envelope_face(r, PP_FLOOR, NULL, finish_of_role(room, PP_FLOOR, NULL), line,
+                          ring, count, err);
     for (int i = 0; i < count; i++) {
         struct pp_vec3 corner = ring[count - 1 - i];
         level[i] = pp_vec(corner.x, corner.y, height_m);
     }
     if (status == PP_OK)
-        status = add_face(r, PP_CEILING, NULL, finish_of_role(room, PP_CEILING, NULL),
-                          line, level, count, err);
+        status = add_envelope_face(r, PP_CEILING, NULL,
+                                   finish_of_role(room, PP_CEILING, NULL), line, level,
+                                   count, err);
     free(level);
 
     for (int i = 0; i < count && status == PP_OK; i++) {
@@ -129,8 +130,9 @@ static enum pp_status raise_plan(struct pp_resolver *r, const struct pp_vec3 *ri
         struct pp_vec3 wall[4] = {left, right, pp_vec(right.x, right.y, height_m),
                                   pp_vec(left.x, left.y, height_m)};
         int named = turned ? (2 * count - 2 - i) % count : i;
-        status = add_face(r, PP_WALL, r->walls[named],
-                          finish_of_wall(room, r->walls[named]), line, wall, 4, err);
+        status = add_envelope_face(r, PP_WALL, r->walls[named],
+                                   finish_of_wall(room, r->walls[named]), line, wall, 4,
+                                   err);
         r->wall_faces[named] = r->world->surface_count - 1;
     }
     return status;
@@ -217,8 +219,9 @@ static enum pp_status resolve_faces(struct pp_resolver *r, struct pp_error *err)
                                              &part->vertices);
         r->faces_missing |= !good;
         if (good) {
-            if (add_face(r, part->role, part->name, finish_of_face(r->room, part),
-                         part->line, part->vertices.list, part->vertices.count, err)
+            if (add_envelope_face(r, part->role, part->name,
+                                  finish_of_face(r->room, part), part->line,
+                                  part->vertices.list, part->vertices.count, err)
                 != PP_OK)
                 return PP_SYSTEM;
         }

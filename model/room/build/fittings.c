@@ -56,9 +56,10 @@ static int outline_of(double xy[PP_FITTING_CORNERS][2],
 
 /* Adds a side; *good becomes false where it is a mistake, so that of several sides one is
  * named. */
-static enum pp_status add(struct pp_resolver *r, const struct pp_fitting_part *part,
-                          struct pp_vec3 *corners, int count, bool *good,
-                          struct pp_error *err)
+static enum pp_status add_fitting_side(struct pp_resolver *r,
+                                       const struct pp_fitting_part *part,
+                                       struct pp_vec3 *corners, int count, bool *good,
+                                       struct pp_error *err)
 {
     int lines[PP_FITTING_CORNERS], faults = r->mistakes->count;
     bool own = isfinite(part->reflectance);
@@ -99,7 +100,7 @@ static enum pp_status add_fitting(struct pp_resolver *r,
         const double *a = xy[i], *b = xy[(i + 1) % count];
         struct pp_vec3 side[4] = {pp_vec(a[0], a[1], low), pp_vec(b[0], b[1], low),
                                   pp_vec(b[0], b[1], high), pp_vec(a[0], a[1], high)};
-        status = add(r, part, side, 4, &good, err);
+        status = add_fitting_side(r, part, side, 4, &good, err);
     }
     for (int top = 0; top < 2 && good && status == PP_OK; top++) {
         double z = top ? high : low;
@@ -109,7 +110,7 @@ static enum pp_status add_fitting(struct pp_resolver *r,
             int k = top ? i : count - 1 - i;
             ring[i] = pp_vec(xy[k][0], xy[k][1], z);
         }
-        status = add(r, part, ring, count, &good, err);
+        status = add_fitting_side(r, part, ring, count, &good, err);
     }
     return status;
 }

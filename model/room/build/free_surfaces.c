@@ -31,8 +31,8 @@ static bool is_on_envelope(const struct pp_world *world, struct pp_vec3 point)
     return false;
 }
 
-static void look(struct sides_seen *seen, const struct pp_world *world,
-                 struct pp_vec3 point)
+static void note_side_of_point(struct sides_seen *seen, const struct pp_world *world,
+                               struct pp_vec3 point)
 {
     if (is_on_envelope(world, point))
         return;
@@ -68,8 +68,8 @@ static enum pp_status look_over(struct sides_seen *seen, struct pp_resolver *r,
     for (int i = 0; i < count; i++) {
         struct pp_vec3 p = polygon->vertices[i];
         struct pp_vec3 edge = pp_vec_sub(polygon->vertices[(i + 1) % count], p);
-        look(seen, r->world, p);
-        look(seen, r->world, pp_vec_along(p, 0.5, edge));
+        note_side_of_point(seen, r->world, p);
+        note_side_of_point(seen, r->world, pp_vec_along(p, 0.5, edge));
     }
     for (int i = 0; i < triangle_count; i++) {
         double x = 0.0, y = 0.0;
@@ -77,7 +77,8 @@ static enum pp_status look_over(struct sides_seen *seen, struct pp_resolver *r,
             x += triangles[i][k][0] / 3.0;
             y += triangles[i][k][1] / 3.0;
         }
-        look(seen, r->world, pp_vec_along(pp_vec_along(origin, x, along), y, up));
+        note_side_of_point(seen, r->world,
+                           pp_vec_along(pp_vec_along(origin, x, along), y, up));
     }
     pp_region_clear(&region);
     free(triangles);
@@ -213,7 +214,7 @@ static void check_openings(struct pp_resolver *r, const struct pp_surface_part *
 }
 
 /* Moves vertices on to the polygon's own plane. */
-static void flatten(struct pp_polygon *polygon)
+static void flatten_to_plane(struct pp_polygon *polygon)
 {
     struct pp_vec3 middle = pp_polygon_middle(polygon), n = polygon->normal;
     for (int k = 0; k < polygon->count; k++) {
@@ -254,9 +255,12 @@ static bool is_near(const struct pp_world *world, const struct pp_polygon *polyg
 }
 
 /* On which side of the envelope is it, and is it clear of that? */
-static enum pp_status place(struct sides_seen *seen, bool *clear, struct pp_resolver *r,
-                            const struct pp_surface_part *part, const char *what,
-                            const struct pp_polygon *polygon, struct pp_error *err)
+static enum pp_status place_free_surface(struct sides_seen *seen, bool *clear,
+                                         struct pp_resolver *r,
+                                         const struct pp_surface_part *part,
+                                         const char *what,
+                                         const struct pp_polygon *polygon,
+                                         struct pp_error *err)
 {
     *seen = (struct sides_seen){0};
     enum pp_status status = look_over(seen, r, polygon, err);
@@ -285,7 +289,8 @@ enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
     enum pp_status status = PP_OK;
     /* What belongs inside is looked for wherever it is. */
     if (part->is_of_room || is_near(r->world, &surface.outline))
-        status = place(&seen, &clear, r, part, what, &surface.outline, err);
+        status =
+            place_free_surface(&seen, &clear, r, part, what, &surface.outline, err);
     if (status == PP_OK && clear && (part->is_room_outside || part->is_front))
         check_openings(r, part, &surface.outline);
     if (status != PP_OK || !clear) {
@@ -295,7 +300,7 @@ enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
     /* A surface all of which lies in the envelope counts as inside. */
     surface.inside = (seen.inside || !seen.outside) && !part->is_room_outside
                      && !part->is_of_site && !part->is_of_block;
-    flatten(&surface.outline);
+    flatten_to_plane(&surface.outline);
     if (!r->keeps_places)
         set_off(r->world, &surface.outline, surface.inside,
                 part->is_room_outside || part->is_front);

@@ -80,11 +80,11 @@ static void find_maintenance(struct pp_resolver *r, struct pp_opening *opening)
                     "dirt=\"bre-309\" of the site");
 }
 
-static enum pp_status add_opening(struct pp_resolver *r,
-                                  const struct pp_opening_part *part,
-                                  const struct pp_face_frame *frame,
-                                  const double (*xy)[2], int count,
-                                  struct pp_error *err)
+static enum pp_status add_placed_opening(struct pp_resolver *r,
+                                         const struct pp_opening_part *part,
+                                         const struct pp_face_frame *frame,
+                                         const double (*xy)[2], int count,
+                                         struct pp_error *err)
 {
     struct pp_world *world = r->world;
     struct pp_opening opening = {.face = (int)(frame->face - world->surfaces),
@@ -229,13 +229,14 @@ static enum pp_status place_in(struct pp_resolver *r,
         status =
             check_overlaps(&good, r, part, frame, (const double(*)[2])xy, count, err);
     if (status == PP_OK && good)
-        status = add_opening(r, part, frame, (const double(*)[2])xy, count, err);
+        status = add_placed_opening(r, part, frame, (const double(*)[2])xy, count, err);
     free(xy);
     return status;
 }
 
-static enum pp_status place(struct pp_resolver *r, const struct pp_opening_part *part,
-                            struct pp_error *err)
+static enum pp_status place_opening(struct pp_resolver *r,
+                                    const struct pp_opening_part *part,
+                                    struct pp_error *err)
 {
     if (!is_read(part) || !is_large_enough(r, part))
         return PP_OK;
@@ -262,7 +263,7 @@ enum pp_status pp_build_place_openings(struct pp_resolver *r, struct pp_error *e
     if (!world->openings)
         return pp_fail_memory(err);
     for (int i = 0; i < room->opening_count; i++) {
-        enum pp_status status = place(r, &room->openings[i], err);
+        enum pp_status status = place_opening(r, &room->openings[i], err);
         if (status != PP_OK)
             return status;
     }

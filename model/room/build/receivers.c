@@ -25,8 +25,8 @@ struct receiver_list {
     int count, space;
 };
 
-static enum pp_status add(struct receiver_list *list, struct pp_receiver receiver,
-                          struct pp_error *err)
+static enum pp_status add_receiver(struct receiver_list *list,
+                                   struct pp_receiver receiver, struct pp_error *err)
 {
     enum pp_status status = pp_array_reserve(&list->items, &list->space,
                                              list->count + 1, sizeof *list->items, err);
@@ -106,7 +106,7 @@ static enum pp_status resolve_point(struct pp_resolver *r, struct receiver_list 
                                    .normal = pp_vec_scale(part->normal, 1.0 / length),
                                    .line = part->line};
     check_places(r, "point", part->line, &receiver, 1);
-    return add(list, receiver, err);
+    return add_receiver(list, receiver, err);
 }
 
 static enum pp_status resolve_line(struct pp_resolver *r, struct receiver_list *list,
@@ -134,7 +134,7 @@ static enum pp_status resolve_line(struct pp_resolver *r, struct receiver_list *
                                r->room->working_plane_m),
             .normal = pp_vec(0.0, 0.0, 1.0),
             .line = part->line};
-        if (add(list, receiver, err) != PP_OK)
+        if (add_receiver(list, receiver, err) != PP_OK)
             return PP_SYSTEM;
     }
     check_places(r, "line", part->line, list->items + first, list->count - first);
@@ -178,7 +178,7 @@ static enum pp_status add_grid(struct pp_resolver *r, struct receiver_list *list
                 || pp_position_receiver_fault(world, receiver.position,
                                               receiver.normal))
                 continue;
-            if (add(list, receiver, err) != PP_OK)
+            if (add_receiver(list, receiver, err) != PP_OK)
                 return PP_SYSTEM;
         }
     return PP_OK;
@@ -238,7 +238,7 @@ static enum pp_status add_inmost(struct pp_resolver *r, struct receiver_list *li
             best.position = place;
         }
     }
-    return farthest > 0.0 ? add(list, best, err) : PP_OK;
+    return farthest > 0.0 ? add_receiver(list, best, err) : PP_OK;
 }
 
 static enum pp_status resolve_default(struct pp_resolver *r, struct receiver_list *list,

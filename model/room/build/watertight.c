@@ -76,8 +76,8 @@ static void list_edges(const struct pp_resolver *r, struct watertight_check *c)
 }
 
 /* Puts b among a's neighbours. */
-static void join(struct watertight_check *c, const struct envelope_edge *a,
-                 const struct envelope_edge *b)
+static void join_neighbours(struct watertight_check *c, const struct envelope_edge *a,
+                            const struct envelope_edge *b)
 {
     int at = c->faces[a->face].first;
     while (c->neighbours[at] >= 0)
@@ -97,8 +97,8 @@ static void match_edges(struct pp_resolver *r, struct watertight_check *c)
                           && c->edges[end].high == edge->high;)
             end++;
         if (end - i == 2 && edge[0].face != edge[1].face) {
-            join(c, &edge[0], &edge[1]);
-            join(c, &edge[1], &edge[0]);
+            join_neighbours(c, &edge[0], &edge[1]);
+            join_neighbours(c, &edge[1], &edge[0]);
             continue;
         }
         r->watertight = false;

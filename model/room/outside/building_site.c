@@ -289,7 +289,7 @@ static enum pp_status make_shells(struct settling *site, struct pp_error *err)
     return status;
 }
 
-static const char *name_of(const struct settling *site, int index)
+static const char *site_room_name(const struct settling *site, int index)
 {
     const char *name = site->building->read[index].name;
     return name ? name : "";
@@ -313,7 +313,7 @@ static enum pp_status check_sides(const struct settling *site, struct pp_error *
                            "the line from (%g, %g) to (%g, %g) goes through the room "
                            "\"%.60s\"; expected all rooms on one side of it",
                            line->from[0], line->from[1], line->to[0], line->to[1],
-                           name_of(site, i));
+                           site_room_name(site, i));
     }
     if (on[0] < 0 && on[1] < 0)
         return pp_fail(err, PP_BAD_INPUT,
@@ -324,8 +324,8 @@ static enum pp_status check_sides(const struct settling *site, struct pp_error *
     return pp_fail(err, PP_BAD_INPUT,
                    "the rooms \"%.60s\" and \"%.60s\" stand on two sides of the line "
                    "from (%g, %g) to (%g, %g); expected all of them on one side",
-                   name_of(site, on[0]), name_of(site, on[1]), line->from[0],
-                   line->from[1], line->to[0], line->to[1]);
+                   site_room_name(site, on[0]), site_room_name(site, on[1]),
+                   line->from[0], line->from[1], line->to[0], line->to[1]);
 }
 
 static enum pp_status make_images(struct settling *site, struct pp_error *err)
@@ -345,7 +345,7 @@ static enum pp_status make_images(struct settling *site, struct pp_error *err)
     return status;
 }
 
-static void clear(struct settling *site)
+static void clear_site(struct settling *site)
 {
     for (int i = 0; i < site->building->read_count; i++) {
         if (site->shells)
@@ -405,7 +405,7 @@ enum pp_status pp_building_site_settle(struct pp_building *building,
     for (int i = 0; i < count && status == PP_OK; i++)
         if (pp_site_state_has(state, building->read[i].state))
             status = settle_room(&site, i, err);
-    clear(&site);
+    clear_site(&site);
     if (status != PP_OK)
         pp_building_site_clear(building);
     return status;

@@ -333,7 +333,7 @@ static enum pp_status add_sheet(struct pp_resolver *r, struct facade_site *site,
 /* ---- One facade ---- */
 
 /* `left` is left from outside: beyond the high end of `along`. */
-static void find_extent(struct facade_site *site, double ground_level_m)
+static void find_facade_extent(struct facade_site *site, double ground_level_m)
 {
     const struct pp_facade_part *part = site->part;
     const struct pp_bounds2 *wall = &site->frame.bounds;
@@ -389,7 +389,7 @@ static enum pp_status build_facade(struct pp_resolver *r, struct facade_site *si
                                    struct pp_error *err)
 {
     struct pp_world *world = r->world;
-    find_extent(site, world->ground_level_m);
+    find_facade_extent(site, world->ground_level_m);
     find_depth(site, world);
     if (!check_depth(r, site) || !check_others(r, site))
         return PP_OK;

@@ -15,7 +15,8 @@
 static const double near_pairs_most = 1e5;
 
 /* A corner of the file in the room's axes. */
-static struct pp_vec3 place(const struct pp_mesh_part *part, struct pp_vec3 q)
+static struct pp_vec3 mesh_corner_in_room(const struct pp_mesh_part *part,
+                                          struct pp_vec3 q)
 {
     if (part->y_is_up)
         q = pp_vec(q.x, -q.z, q.y);
@@ -58,9 +59,10 @@ static void say(struct pp_resolver *r, const struct pp_mesh_part *part,
 }
 
 /* Adds the triangles until one of them stands in the room. */
-static enum pp_status add_triangles(struct pp_resolver *r, struct pp_world_mesh *made,
-                                    const struct pp_mesh_part *part,
-                                    struct pp_error *err)
+static enum pp_status add_mesh_triangles(struct pp_resolver *r,
+                                         struct pp_world_mesh *made,
+                                         const struct pp_mesh_part *part,
+                                         struct pp_error *err)
 {
     const struct pp_mesh_triangles *mesh = &part->file->mesh;
     const struct pp_bounds3 room = pp_position_bounds(r->world);
@@ -70,7 +72,8 @@ static enum pp_status add_triangles(struct pp_resolver *r, struct pp_world_mesh 
     for (int i = 0; i < mesh->triangle_count && status == PP_OK; i++) {
         struct pp_vec3 triangle[3];
         for (int k = 0; k < 3; k++) {
-            triangle[k] = place(part, mesh->corners[mesh->triangles[i][k]]);
+            triangle[k] =
+                mesh_corner_in_room(part, mesh->corners[mesh->triangles[i][k]]);
             pp_bounds3_add(&made->bounds, triangle[k]);
         }
         /* Less than a square millimetre hides nothing. */
@@ -114,7 +117,7 @@ static enum pp_status add_mesh(struct pp_resolver *r, const struct pp_mesh_part 
     world->mesh_count++;
     if (part->name && !made->name)
         return pp_fail_memory(err);
-    enum pp_status status = add_triangles(r, made, part, err);
+    enum pp_status status = add_mesh_triangles(r, made, part, err);
     made->side_count = world->surface_count - made->first_side;
     if (status == PP_OK && is_far_away(&made->bounds))
         say(r, part,

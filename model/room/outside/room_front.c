@@ -15,8 +15,8 @@ void pp_room_front_clear(struct pp_room_front *front)
 }
 
 /* The vertices in the sheet's own axes. To be freed; NULL: no memory. */
-static double (*flatten(const struct pp_room_front *front,
-                        const struct pp_vec3 *vertices, int count))[2]
+static double (*project_to_front(const struct pp_room_front *front,
+                                 const struct pp_vec3 *vertices, int count))[2]
 {
     double(*xy)[2] = malloc((size_t)count * sizeof *xy);
     if (xy)
@@ -179,7 +179,7 @@ static enum pp_status leave_wall(struct pp_room_front *front,
 {
     struct pp_bounds2 bounds = pp_bounds2_empty();
     struct pp_region taken = {0};
-    double(*xy)[2] = flatten(front, wall->vertices, wall->count);
+    double(*xy)[2] = project_to_front(front, wall->vertices, wall->count);
     if (!xy)
         return pp_fail_memory(err);
     for (int i = 0; i < wall->count; i++)

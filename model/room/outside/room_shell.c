@@ -220,9 +220,10 @@ static enum pp_status divide_faces(struct pp_room_shell *shell,
 /* Resolves its faces and, where anything is fixed outside, all that says where: each thing
  * as it is written, not set off the room's own faces. *sound: that has no mistakes, which
  * are noted where the room itself is resolved. */
-static enum pp_status resolve(struct pp_room_shell *shell, const struct pp_room *room,
-                              bool outside, bool *sound, struct pp_clipper *clipper,
-                              struct pp_error *err)
+static enum pp_status resolve_shell(struct pp_room_shell *shell,
+                                    const struct pp_room *room, bool outside,
+                                    bool *sound, struct pp_clipper *clipper,
+                                    struct pp_error *err)
 {
     static enum pp_status (*const steps[])(struct pp_resolver *, struct pp_error *) = {
         pp_build_envelope,       pp_build_corners, pp_build_watertight,
@@ -300,7 +301,8 @@ enum pp_status pp_room_shell_make(struct pp_room_shell *shell,
         return status;
     if (outside)
         pp_site_state_keep(shell->own, state);
-    status = resolve(shell, outside ? shell->own : room, outside, &sound, clipper, err);
+    status = resolve_shell(shell, outside ? shell->own : room, outside, &sound, clipper,
+                           err);
     shell->is_divided =
         calloc((size_t)shell->body->face_count + 1, sizeof *shell->is_divided);
     if (status == PP_OK && !shell->is_divided)

@@ -58,8 +58,10 @@ static struct pp_vec3 at(const struct window_axes *axes, double right, double ou
     return p;
 }
 
-static enum pp_status add(struct pp_resolver *r, const struct pp_shade_part *shade,
-                          const struct pp_vec3 corners[4], struct pp_error *err)
+static enum pp_status add_shade_surface(struct pp_resolver *r,
+                                        const struct pp_shade_part *shade,
+                                        const struct pp_vec3 corners[4],
+                                        struct pp_error *err)
 {
     struct pp_vec3 list[4] = {corners[0], corners[1], corners[2], corners[3]};
     int lines[4] = {shade->line, shade->line, shade->line, shade->line};
@@ -78,10 +80,11 @@ static enum pp_status add_level(struct pp_resolver *r,
                                 double to, struct pp_error *err)
 {
     double left = -shade->left_m, right = axes->width_m + shade->right_m;
-    return add(r, shade,
-               (struct pp_vec3[]){at(axes, left, from, up), at(axes, right, from, up),
-                                  at(axes, right, to, up), at(axes, left, to, up)},
-               err);
+    return add_shade_surface(
+        r, shade,
+        (struct pp_vec3[]){at(axes, left, from, up), at(axes, right, from, up),
+                           at(axes, right, to, up), at(axes, left, to, up)},
+        err);
 }
 
 /* An upright rectangle over a line from (right, out) to another. */
@@ -91,11 +94,12 @@ static enum pp_status add_upright(struct pp_resolver *r,
                                   const double to[2], double low, double high,
                                   struct pp_error *err)
 {
-    return add(r, shade,
-               (struct pp_vec3[]){
-                   at(axes, from[0], from[1], low), at(axes, to[0], to[1], low),
-                   at(axes, to[0], to[1], high), at(axes, from[0], from[1], high)},
-               err);
+    return add_shade_surface(r, shade,
+                             (struct pp_vec3[]){at(axes, from[0], from[1], low),
+                                                at(axes, to[0], to[1], low),
+                                                at(axes, to[0], to[1], high),
+                                                at(axes, from[0], from[1], high)},
+                             err);
 }
 
 static enum pp_status add_fins(struct pp_resolver *r, const struct pp_shade_part *shade,

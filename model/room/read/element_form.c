@@ -57,7 +57,7 @@ static void to_metres(double *value, const struct value_place *at)
         *value /= at->per_metre;
 }
 
-static bool read_number(double *value, const struct value_place *at)
+static bool read_form_number(double *value, const struct value_place *at)
 {
     if (!pp_text_parse_number(at->text, value))
         return wrong(at,
@@ -178,7 +178,7 @@ static bool read_count(int *count, const struct value_place *at)
     double value;
     if (at->text[strspn(at->text, "+0123456789 \t\r\n")] != '\0')
         return wrong(at, "");
-    if (!read_number(&value, at))
+    if (!read_form_number(&value, at))
         return false;
     *count = (int)value;
     return true;
@@ -201,7 +201,7 @@ static bool read_value(void *field, const struct value_place *at)
         good = pp_text_is_plain(name) || wrong(at, "");
         break;
     case PP_VALUE_NUMBER:
-        good = read_number(&number, at);
+        good = read_form_number(&number, at);
         number *= at->kind->unit;
         break;
     case PP_VALUE_REFLECTANCE:
@@ -209,7 +209,7 @@ static bool read_value(void *field, const struct value_place *at)
         memcpy(field, &finish, sizeof finish);
         return good;
     case PP_VALUE_AUTO:
-        good = strcmp(name, "auto") == 0 || read_number(&number, at);
+        good = strcmp(name, "auto") == 0 || read_form_number(&number, at);
         break;
     case PP_VALUE_FACTOR:
         good = read_factor(&number, at);

@@ -23,8 +23,8 @@ struct roof_frame {
 static const char *const sides[2][4] = {{"south", "east", "north", "west"},
                                         {"west", "south", "east", "north"}};
 
-static void add(const struct roof_frame *f, enum pp_role role, const char *name,
-                const struct pp_vec3 *corners, int count)
+static void add_roof_face(const struct roof_frame *f, enum pp_role role,
+                          const char *name, const struct pp_vec3 *corners, int count)
 {
     struct pp_face_part face = {.role = role, .reflectance = NAN, .line = f->line};
     for (int i = 0; i < count; i++) {
@@ -51,12 +51,13 @@ static void add_slope(const struct roof_frame *f, int side,
 {
     char name[16];
     snprintf(name, sizeof name, "roof-%s", sides[f->turned][side]);
-    add(f, PP_CEILING, name, corners, count);
+    add_roof_face(f, PP_CEILING, name, corners, count);
 }
 
 static void add_floor(const struct roof_frame *f)
 {
-    add(f, PP_FLOOR, "floor",
+    add_roof_face(
+        f, PP_FLOOR, "floor",
         (struct pp_vec3[]){{0, 0, 0}, {f->l, 0, 0}, {f->l, f->w, 0}, {0, f->w, 0}}, 4);
 }
 
@@ -64,10 +65,12 @@ static void add_floor(const struct roof_frame *f)
 static void add_long_walls(const struct roof_frame *f, double near, double far)
 {
     double l = f->l, w = f->w;
-    add(f, PP_WALL, sides[f->turned][0],
-        (struct pp_vec3[]){{l, 0, 0}, {0, 0, 0}, {0, 0, near}, {l, 0, near}}, 4);
-    add(f, PP_WALL, sides[f->turned][2],
-        (struct pp_vec3[]){{0, w, 0}, {l, w, 0}, {l, w, far}, {0, w, far}}, 4);
+    add_roof_face(f, PP_WALL, sides[f->turned][0],
+                  (struct pp_vec3[]){{l, 0, 0}, {0, 0, 0}, {0, 0, near}, {l, 0, near}},
+                  4);
+    add_roof_face(f, PP_WALL, sides[f->turned][2],
+                  (struct pp_vec3[]){{0, w, 0}, {l, w, 0}, {l, w, far}, {0, w, far}},
+                  4);
 }
 
 /* Walls across the ridge under the line of v and z from (0, eaves) to v = w. */
@@ -84,7 +87,7 @@ static void add_end_walls(const struct roof_frame *f, const double (*line)[2],
             const double *at = line[end ? count - 1 - i : i];
             corners[n++] = pp_vec(u, at[0], at[1]);
         }
-        add(f, PP_WALL, sides[f->turned][end ? 3 : 1], corners, n);
+        add_roof_face(f, PP_WALL, sides[f->turned][end ? 3 : 1], corners, n);
     }
 }
 
@@ -146,14 +149,15 @@ static void raise_teeth(const struct roof_frame *f, int teeth)
         double from = line[2 * i][0], to = line[2 * i + 1][0];
         char name[24];
         snprintf(name, sizeof name, "roof-%d", i + 1);
-        add(f, PP_CEILING, name,
-            (struct pp_vec3[]){
-                {l, from, low}, {0, from, low}, {0, to, top}, {l, to, top}},
-            4);
+        add_roof_face(f, PP_CEILING, name,
+                      (struct pp_vec3[]){
+                          {l, from, low}, {0, from, low}, {0, to, top}, {l, to, top}},
+                      4);
         if (i + 1 == teeth)
             break;
         snprintf(name, sizeof name, "light-%d", i + 1);
-        add(f, PP_WALL, name,
+        add_roof_face(
+            f, PP_WALL, name,
             (struct pp_vec3[]){{0, to, low}, {l, to, low}, {l, to, top}, {0, to, top}},
             4);
     }

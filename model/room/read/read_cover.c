@@ -3,8 +3,9 @@
 
 #include "model/room/read/element_form.h"
 
-static void add(struct pp_reader *r, struct pp_room *room, enum pp_cover_kind kind,
-                const struct pp_element_rule *rule, const struct pp_xml_element *e)
+static void add_cover(struct pp_reader *r, struct pp_room *room,
+                      enum pp_cover_kind kind, const struct pp_element_rule *rule,
+                      const struct pp_xml_element *e)
 {
     struct pp_cover_form form = {0};
     if (!pp_reader_fill_form(r, &form, rule, e)
@@ -25,11 +26,11 @@ static void add(struct pp_reader *r, struct pp_room *room, enum pp_cover_kind ki
 void pp_read_cover_door(struct pp_reader *r, struct pp_room *room,
                         const struct pp_xml_element *e)
 {
-    add(r, room, PP_DOOR, &pp_rule_door, e);
+    add_cover(r, room, PP_DOOR, &pp_rule_door, e);
 }
 
 void pp_read_cover_dado(struct pp_reader *r, struct pp_room *room,
                         const struct pp_xml_element *e)
 {
-    add(r, room, PP_DADO, &pp_rule_dado, e);
+    add_cover(r, room, PP_DADO, &pp_rule_dado, e);
 }

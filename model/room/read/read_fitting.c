@@ -5,8 +5,9 @@
 
 #include "model/room/read/element_form.h"
 
-static void add(struct pp_reader *r, struct pp_room *room, struct pp_fitting_part part,
-                const struct pp_fitting_form *form, int line)
+static void add_fitting(struct pp_reader *r, struct pp_room *room,
+                        struct pp_fitting_part part, const struct pp_fitting_form *form,
+                        int line)
 {
     part.reflectance = form->finish.reflectance;
     part.finish = form->finish.finish;
@@ -23,14 +24,14 @@ void pp_read_fitting_furniture(struct pp_reader *r, struct pp_room *room,
     struct pp_fitting_form form = {0};
     if (!pp_reader_fill_form(r, &form, &pp_rule_furniture, e))
         return;
-    add(r, room,
-        (struct pp_fitting_part){.kind = PP_FURNITURE,
-                                 .corner = pp_vec(form.x, form.y, form.z),
-                                 .width_m = form.width_m,
-                                 .depth_m = form.depth_m,
-                                 .height_m = form.height_m,
-                                 .rotate_rad = form.rotate_rad},
-        &form, e->line);
+    add_fitting(r, room,
+                (struct pp_fitting_part){.kind = PP_FURNITURE,
+                                         .corner = pp_vec(form.x, form.y, form.z),
+                                         .width_m = form.width_m,
+                                         .depth_m = form.depth_m,
+                                         .height_m = form.height_m,
+                                         .rotate_rad = form.rotate_rad},
+                &form, e->line);
 }
 
 void pp_read_fitting_column(struct pp_reader *r, struct pp_room *room,
@@ -48,7 +49,8 @@ void pp_read_fitting_column(struct pp_reader *r, struct pp_room *room,
                               : "neither a width nor a diameter");
         return;
     }
-    add(r, room,
+    add_fitting(
+        r, room,
         (struct pp_fitting_part){.kind = PP_COLUMN,
                                  .corner = pp_vec(form.x, form.y, 0.0),
                                  .is_round = round,
@@ -73,7 +75,8 @@ void pp_read_fitting_partition(struct pp_reader *r, struct pp_room *room,
                         "partition: from and to are the same place");
         return;
     }
-    add(r, room,
+    add_fitting(
+        r, room,
         (struct pp_fitting_part){.kind = PP_PARTITION,
                                  .corner = pp_vec(form.from[0], form.from[1], 0.0),
                                  .width_m = hypot(dx, dy),

@@ -57,9 +57,9 @@ void pp_read_outside_facade(struct pp_reader *r, struct pp_room *room,
 }
 
 /* A polygon of a block, with these corners in the block's own axes. */
-static void add_face(struct pp_reader *r, struct pp_room *room,
-                     const struct pp_block_form *form, int line,
-                     const struct pp_vec3 *corners, int count)
+static void add_block_face(struct pp_reader *r, struct pp_room *room,
+                           const struct pp_block_form *form, int line,
+                           const struct pp_vec3 *corners, int count)
 {
     struct pp_surface_part part = {.reflectance = form->finish.reflectance,
                                    .finish = form->finish.finish,
@@ -120,7 +120,7 @@ static void read_box(struct pp_reader *r, struct pp_room *room,
                                     (enum pp_roof)form.roof, form.pitch_rad,
                                     (enum pp_ridge)form.ridge);
     for (int i = 0; i < count; i++)
-        add_face(r, room, &form, e->line, faces[i].corners, faces[i].count);
+        add_block_face(r, room, &form, e->line, faces[i].corners, faces[i].count);
 }
 
 /* Walls and a flat roof over the outline, which runs counter-clockwise. */
@@ -133,14 +133,14 @@ static void raise_walls(struct pp_reader *r, struct pp_room *room,
     for (int i = 0; i < count; i++) {
         struct pp_vec3 a = ring[i], b = ring[(i + 1) % count], up_a = a, up_b = b;
         up_a.z = up_b.z = form->height_m;
-        add_face(r, room, form, line, (struct pp_vec3[]){a, b, up_b, up_a}, 4);
+        add_block_face(r, room, form, line, (struct pp_vec3[]){a, b, up_b, up_a}, 4);
     }
     /* The underside is seen of what hangs above the ground. */
     if (!isnan(form->base))
-        add_face(r, room, form, line, ring, count);
+        add_block_face(r, room, form, line, ring, count);
     for (int i = 0; i < count; i++)
         ring[i].z = form->height_m;
-    add_face(r, room, form, line, ring, count);
+    add_block_face(r, room, form, line, ring, count);
 }
 
 static void read_footprint(struct pp_reader *r, struct pp_room *room,

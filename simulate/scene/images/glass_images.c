@@ -13,8 +13,8 @@ static const double LEAST_M = 1e-6;
 
 /* ---- found ---- */
 
-static const struct pp_material *material_of(const struct pp_light_scene *scene,
-                                             int pane)
+static const struct pp_material *pane_material(const struct pp_light_scene *scene,
+                                               int pane)
 {
     const struct pp_light_part *part = &scene->parts[scene->panes[pane].part];
     return &scene->materials[part->material[0]];
@@ -22,7 +22,7 @@ static const struct pp_material *material_of(const struct pp_light_scene *scene,
 
 static bool mirrors(const struct pp_light_scene *scene, int pane)
 {
-    return material_of(scene, pane)->kind == PP_MATERIAL_GLASS
+    return pane_material(scene, pane)->kind == PP_MATERIAL_GLASS
            && scene->panes[pane].opening->glass.panes > 0;
 }
 
@@ -175,9 +175,9 @@ static bool seen_part(const struct pp_light_scene *scene,
 }
 
 /* What the image may bring, by the reflectance in the middle of it. */
-static double share_of(const struct pp_light_scene *scene,
-                       const struct pp_glass_view *view,
-                       struct pp_brightness brightness, int index)
+static double image_importance(const struct pp_light_scene *scene,
+                               const struct pp_glass_view *view,
+                               struct pp_brightness brightness, int index)
 {
     int pane = scene->glass_images[index].glass;
     const struct pp_target *glass = &scene->panes[pane].target;
@@ -192,7 +192,7 @@ static double share_of(const struct pp_light_scene *scene,
     struct pp_vec3 to = pp_vec_unit(pp_vec_sub(part.middle, from));
     double cosine = fabs(pp_vec_dot(to, glass->normal));
     return importance
-           * fmax(pp_scatter_specular_reflectance(material_of(scene, pane), cosine).g,
+           * fmax(pp_scatter_specular_reflectance(pane_material(scene, pane), cosine).g,
                   LEAST_REFLECTANCE);
 }
 
@@ -205,7 +205,7 @@ static void look_from(const struct pp_light_scene *scene, struct pp_glass_view *
     for (int i = 0; i < PP_GLASS_SIGHTS; i++)
         view->kept[i].image = 0;
     for (int i = 0; i < scene->glass_image_count; i++)
-        view->share[i] = share_of(scene, view, brightness, i);
+        view->share[i] = image_importance(scene, view, brightness, i);
 }
 
 /* Of an image that is in sight. */

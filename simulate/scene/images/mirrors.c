@@ -25,7 +25,7 @@ struct candidate {
 };
 
 /* The part's specular reflectance at normal incidence, on the better of its sides. */
-static double share_of(const struct pp_light_scene *scene, int part)
+static double specular_reflectance(const struct pp_light_scene *scene, int part)
 {
     double share = 0.0;
     for (int side = 0; side < 2; side++) {
@@ -46,8 +46,8 @@ static int by_weight(const void *a, const void *b)
 }
 
 /* The part's plane; false where it is curved. */
-static bool plane_of(const struct pp_light_scene *scene, int index,
-                     struct pp_mirror *plane)
+static bool mirror_plane(const struct pp_light_scene *scene, int index,
+                         struct pp_mirror *plane)
 {
     const struct pp_light_part *part = &scene->parts[index];
     *plane = (struct pp_mirror){.normal = part->normal, .offset_m = part->offset_m};
@@ -74,7 +74,7 @@ static bool same_plane(const struct pp_mirror *a, const struct pp_mirror *b)
 static int mirror_of(struct pp_light_scene *scene, const struct candidate *candidate)
 {
     struct pp_mirror plane;
-    if (!plane_of(scene, candidate->part, &plane))
+    if (!mirror_plane(scene, candidate->part, &plane))
         return -1;
     int i = 0;
     while (i < scene->mirror_count && !same_plane(&scene->mirrors[i], &plane))
@@ -95,7 +95,7 @@ static enum pp_status find_mirrors(struct pp_light_scene *scene, struct pp_error
         return pp_fail_memory(err);
     int count = 0;
     for (int i = 0; i < scene->part_count; i++) {
-        double share = share_of(scene, i);
+        double share = specular_reflectance(scene, i);
         if (share > 0.0)
             list[count++] =
                 (struct candidate){i, share, share * scene->parts[i].area_m2};

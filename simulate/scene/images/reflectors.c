@@ -51,7 +51,8 @@ static bool same_reflector(const struct pp_reflector *a, const struct pp_reflect
 }
 
 /* The number of the reflector, a new one if there are not too many; else -1. */
-static int number_of(struct pp_light_scene *scene, const struct pp_reflector *reflector)
+static int reflector_number(struct pp_light_scene *scene,
+                            const struct pp_reflector *reflector)
 {
     int i = 0;
     while (i < scene->reflector_count
@@ -108,7 +109,7 @@ enum pp_status pp_reflectors_find(struct pp_light_scene *scene, struct pp_error 
         for (int side = 0; side < 2; side++) {
             struct pp_reflector reflector;
             if (reflector_of(scene, i, side, &reflector))
-                scene->parts[i].reflector[side] = number_of(scene, &reflector);
+                scene->parts[i].reflector[side] = reflector_number(scene, &reflector);
         }
     make_reflections(scene);
     return PP_OK;

@@ -68,8 +68,9 @@ static enum pp_status add_area(struct pp_finding_list *findings,
     return status == PP_OK ? pp_finding_list_add(findings, &finding, err) : status;
 }
 
-static enum pp_status evaluate(const struct pp_inquiry *inquiry,
-                               struct pp_finding_list *findings, struct pp_error *err)
+static enum pp_status assess_mirror_image_sky(const struct pp_inquiry *inquiry,
+                                              struct pp_finding_list *findings,
+                                              struct pp_error *err)
 {
     const struct pp_world *world = inquiry->world;
     enum pp_status status = PP_OK;
@@ -94,5 +95,5 @@ const struct pp_criterion pp_criterion_mirror_image = {
     .summary = "no less sky than with the mirror image opposite (--mirror-image)",
     .needs_mirror_image = true,
     .bears_on_use = pp_bearing_needs_daylight,
-    .evaluate = evaluate,
+    .evaluate = assess_mirror_image_sky,
 };

@@ -23,7 +23,7 @@ static const char upper_bound[] =
     "with low sun, which the standard leaves out below an altitude by place";
 
 /* The reference point of an opening. */
-static struct pp_vec3 point_of(const struct pp_opening *opening)
+static struct pp_vec3 exposure_point(const struct pp_opening *opening)
 {
     const struct pp_polygon *outline = &opening->inner;
     double low = INFINITY, high = -INFINITY;
@@ -56,7 +56,7 @@ static enum pp_status find_hours(double *hours, const struct pp_world *world,
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &world->openings[i];
-        struct pp_hidden_view view = {point_of(opening),
+        struct pp_hidden_view view = {exposure_point(opening),
                                       pp_vec_scale(opening->inner.normal, -1.0),
                                       opening->face, opening};
         struct pp_hidden_cones cones;
@@ -71,8 +71,9 @@ static enum pp_status find_hours(double *hours, const struct pp_world *world,
     return status;
 }
 
-static enum pp_status evaluate(const struct pp_inquiry *inquiry,
-                               struct pp_finding_list *findings, struct pp_error *err)
+static enum pp_status assess_sun_exposure(const struct pp_inquiry *inquiry,
+                                          struct pp_finding_list *findings,
+                                          struct pp_error *err)
 {
     static const struct {
         const char *name;
@@ -105,5 +106,5 @@ const struct pp_criterion pp_criterion_sun_exposure = {
     .source = "EN17037",
     .summary = "1.5, 3, 4 h of sun on 21 March at the inside of a window",
     .bears_on_use = pp_bearing_is_dwelling,
-    .evaluate = evaluate,
+    .evaluate = assess_sun_exposure,
 };

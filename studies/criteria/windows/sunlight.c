@@ -122,8 +122,9 @@ static enum pp_status judge_window(const struct pp_inquiry *inquiry, int index,
     return status;
 }
 
-static enum pp_status evaluate(const struct pp_inquiry *inquiry,
-                               struct pp_finding_list *findings, struct pp_error *err)
+static enum pp_status assess_sunlight(const struct pp_inquiry *inquiry,
+                                      struct pp_finding_list *findings,
+                                      struct pp_error *err)
 {
     const struct pp_world *world = inquiry->world;
     bool place = !isnan(world->latitude_rad)
@@ -159,5 +160,5 @@ const struct pp_criterion pp_criterion_sunlight = {
     .summary =
         "25 % of the year's hours of sun, 5 % in winter, at windows to the south",
     .bears_on_use = pp_bearing_is_lived_in,
-    .evaluate = evaluate,
+    .evaluate = assess_sunlight,
 };

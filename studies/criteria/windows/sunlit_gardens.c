@@ -33,9 +33,10 @@ static const struct pp_garden *find_before(const struct pp_world *before,
     return NULL;
 }
 
-static enum pp_status share_of(double *share, double *error,
-                               const struct pp_world *world,
-                               const struct pp_garden *garden, struct pp_error *err)
+static enum pp_status sunlit_garden_share(double *share, double *error,
+                                          const struct pp_world *world,
+                                          const struct pp_garden *garden,
+                                          struct pp_error *err)
 {
     struct pp_garden_sun sun;
     enum pp_status status = pp_garden_sun_find(&sun, world, garden, err);
@@ -45,15 +46,17 @@ static enum pp_status share_of(double *share, double *error,
     return status;
 }
 
-static enum pp_status judge(const struct pp_inquiry *inquiry,
-                            const struct pp_garden *garden,
-                            struct pp_finding_list *findings, struct pp_error *err)
+static enum pp_status judge_garden(const struct pp_inquiry *inquiry,
+                                   const struct pp_garden *garden,
+                                   struct pp_finding_list *findings,
+                                   struct pp_error *err)
 {
     const struct pp_garden *former = find_before(inquiry->before, garden);
     double now, then = NAN, error, then_error;
-    enum pp_status status = share_of(&now, &error, inquiry->world, garden, err);
+    enum pp_status status =
+        sunlit_garden_share(&now, &error, inquiry->world, garden, err);
     if (status == PP_OK && former)
-        status = share_of(&then, &then_error, inquiry->before, former, err);
+        status = sunlit_garden_share(&then, &then_error, inquiry->before, former, err);
     if (status != PP_OK)
         return status;
     struct pp_finding finding =
@@ -75,15 +78,16 @@ static enum pp_status judge(const struct pp_inquiry *inquiry,
     return pp_finding_list_add(findings, &finding, err);
 }
 
-static enum pp_status evaluate(const struct pp_inquiry *inquiry,
-                               struct pp_finding_list *findings, struct pp_error *err)
+static enum pp_status assess_sunlit_gardens(const struct pp_inquiry *inquiry,
+                                            struct pp_finding_list *findings,
+                                            struct pp_error *err)
 {
     const struct pp_world *world = inquiry->world;
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->garden_count && status == PP_OK; i++) {
         if (!isnan(world->latitude_rad)
             && !(inquiry->before && isnan(inquiry->before->latitude_rad))) {
-            status = judge(inquiry, &world->gardens[i], findings, err);
+            status = judge_garden(inquiry, &world->gardens[i], findings, err);
             continue;
         }
         struct pp_finding finding =
@@ -99,5 +103,5 @@ const struct pp_criterion pp_criterion_gardens = {
     .source = "BR209",
     .summary = "two hours of sun on 21 March on half of each garden",
     .of_gardens = true,
-    .evaluate = evaluate,
+    .evaluate = assess_sunlit_gardens,
 };
