@@ -129,6 +129,8 @@ enum pp_status pp_direct_plane_create(struct pp_direct_plane **plane,
         .inset_m = fmin(opening_inset * diagonal, opening_inset_most_m)};
     if (method->prepare_for_plane)
         status = method->prepare_for_plane(&made->tools, world, &made->light, err);
+    else if (method->prepare_fast)
+        status = method->prepare_fast(&made->tools, world, &made->light, err);
     else if (method->prepare)
         status = method->prepare(&made->tools, world, &made->light, err);
     if (status == PP_OK)

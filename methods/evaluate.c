@@ -87,8 +87,9 @@ static bool found_average(const struct pp_method_run *run,
                           const struct pp_report *report,
                           struct pp_method_answer *average)
 {
-    const struct pp_method *same =
-        run->method->same_as && !run->varied ? run->method->same_as(run->world) : NULL;
+    const struct pp_method *same = run->method->same_as && !run->varied && !run->plain
+                                       ? run->method->same_as(run->world)
+                                       : NULL;
     const struct pp_column *column[2] = {NULL, NULL};
     for (int k = 0; same && k < 2; k++)
         column[k] = pp_report_find(report, k == 0 ? PP_SC : PP_ERC, same->name);
@@ -283,7 +284,8 @@ enum pp_status pp_methods_evaluate(struct pp_report *report, const char *selecti
     if (status == PP_OK)
         status = pp_thread_pool_create(&shared.pool, report->threads, err);
     if (status == PP_OK)
-        status = pp_beams_create(&shared.beams, report->world, err);
+        status = pp_beams_create(&shared.beams, report->world,
+                                 report->options && report->options->plain, err);
     for (int i = 0; i < variants->count && status == PP_OK; i++)
         status = pp_selection_include(&parsed, variants->list[i].method, err);
     for (int i = 0; i < parsed.count && status == PP_OK; i++) {

@@ -117,11 +117,6 @@ struct pp_method {
                                            const struct pp_outside_light *light,
                                            const struct pp_method_options *options,
                                            struct pp_error *err);
-    /* In place of prepare, for very many points of the working plane, facing up, by
-     * evaluate_roughly: may take some milliseconds more. NULL function: prepare. */
-    enum pp_status (*prepare_for_plane)(void **tools, const struct pp_world *world,
-                                        const struct pp_outside_light *light,
-                                        struct pp_error *err);
     void (*destroy_tools)(void *tools); /* NULL tools are allowed */
 
     /* The components of one opening. Called only where neither function above refuses,
@@ -132,10 +127,6 @@ struct pp_method {
                                const struct pp_receiver *receiver, const void *tools,
                                struct pp_part *part, struct pp_error *err);
 
-    /* The direct method whose figures these are in a world like that, or NULL. NULL
-     * function: there is none. */
-    const struct pp_method *(*same_as)(const struct pp_world *world);
-
     /* The mean of the components of one opening over the working plane of the beams'
      * world, for receivers that face up, in place of an integral over points; *known is
      * false where there is none for this opening. May be NULL. */
@@ -144,14 +135,28 @@ struct pp_method {
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err);
 
+    /* ---- short cuts to the same figures; --plain leaves them out, and all may be NULL ---- */
+
+    /* As prepare, for a method whose tools only save time. */
+    enum pp_status (*prepare_fast)(void **tools, const struct pp_world *world,
+                                   const struct pp_outside_light *light,
+                                   struct pp_error *err);
+    /* In place of both, for very many points of the working plane, facing up, by
+     * evaluate_roughly: may take some milliseconds more. */
+    enum pp_status (*prepare_for_plane)(void **tools, const struct pp_world *world,
+                                        const struct pp_outside_light *light,
+                                        struct pp_error *err);
     /* As evaluate, but faster: to 1e-6 of the open sky or a relative error of about 1e-4.
-     * May be NULL. */
+     * */
     enum pp_status (*evaluate_roughly)(const struct pp_world *world,
                                        const struct pp_outside_light *light,
                                        const struct pp_opening *opening,
                                        const struct pp_receiver *receiver,
                                        const void *tools, struct pp_part *part,
                                        struct pp_error *err);
+
+    /* The direct method whose figures these are in a world like that, or NULL. */
+    const struct pp_method *(*same_as)(const struct pp_world *world);
 };
 
 /* All methods, in the order in which results show them; ends with NULL. */

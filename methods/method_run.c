@@ -38,6 +38,9 @@ enum pp_status pp_method_run_init(struct pp_method_run *run,
         run->factors[i] = pp_allowance_of(method, world, world->openings + i);
     bool refused =
         method->refuses_room && method->refuses_room(world, run->light, NULL);
+    run->plain = report->options && report->options->plain;
+    if (method->prepare_fast && !refused && !run->plain)
+        status = method->prepare_fast(&run->tools, world, run->light, err);
     if (method->prepare && !refused)
         status = method->prepare(&run->tools, world, run->light, err);
     if (method->prepare_with_options && !refused)
@@ -244,7 +247,7 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
                                      struct pp_error *err)
 {
     struct pp_method_run rough_run = *run;
-    rough_run.roughly = true;
+    rough_run.roughly = !run->plain;
     struct plane_sum sum = {.run = &rough_run};
     double mean[PP_PLANE_VALUES];
     bool stopped;

@@ -31,6 +31,7 @@ struct pp_method_run {
     void *tools;     /* made by the method; NULL for a room that it refuses */
     struct pp_formulary *formulary;
     struct pp_method_shared shared;
+    bool plain;   /* without short cuts */
     bool roughly; /* by evaluate_roughly, for an average */
 };
 

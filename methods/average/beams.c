@@ -36,17 +36,19 @@ struct pp_kept_beam {
 
 struct pp_beams {
     const struct pp_world *world;
+    bool plain;
     struct pp_kept_beam *list; /* of each opening without and with what is outside */
 };
 
 enum pp_status pp_beams_create(struct pp_beams **made, const struct pp_world *world,
-                               struct pp_error *err)
+                               bool plain, struct pp_error *err)
 {
     struct pp_beams *beams = calloc(1, sizeof *beams);
     *made = NULL;
     if (!beams)
         return pp_fail_memory(err);
     beams->world = world;
+    beams->plain = plain;
     beams->list = calloc(2 * (size_t)world->opening_count + 1, sizeof *beams->list);
     if (!beams->list) {
         free(beams);
@@ -72,6 +74,11 @@ void pp_beams_destroy(struct pp_beams *beams)
 const struct pp_world *pp_beams_world(const struct pp_beams *beams)
 {
     return beams->world;
+}
+
+bool pp_beams_plain(const struct pp_beams *beams)
+{
+    return beams->plain;
 }
 
 enum pp_status pp_beams_of(struct pp_kept_beam **kept, struct pp_beams *beams,

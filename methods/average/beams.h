@@ -13,12 +13,13 @@
 struct pp_beams;
 
 /* The beams of all openings; none is made before it is asked for. *beams is the caller's,
- * and refers to world. */
+ * and refers to world. plain: averages are integrals over points instead (plane_light.h). */
 enum pp_status pp_beams_create(struct pp_beams **beams, const struct pp_world *world,
-                               struct pp_error *err);
+                               bool plain, struct pp_error *err);
 void pp_beams_destroy(struct pp_beams *beams); /* NULL is allowed */
 
 const struct pp_world *pp_beams_world(const struct pp_beams *beams);
+bool pp_beams_plain(const struct pp_beams *beams);
 
 /* One beam (beam.h), with what is known of it. Several threads may ask for those of
  * different openings. */

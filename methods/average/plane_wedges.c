@@ -16,8 +16,9 @@ enum { CUTS = 2 };
 /* Corners and angles nearer than this are the same (m, radians). */
 static const double same = 1e-9;
 
-/* An opening whose normal is this near to the vertical has no direction in the plan. */
-static const double level = 0.1;
+/* An opening that slopes by more than this lights places on both sides of it in the plan:
+ * the sine of 0.06 degrees. */
+static const double upright = 1e-3;
 
 /* ---- where light spreads from ---- */
 
@@ -43,7 +44,7 @@ struct pp_plane_centre pp_plane_centre_of(const struct pp_opening *opening)
     }
     memcpy(centre.apex, centre.at, sizeof centre.apex);
     double across = hypot(inner->normal.x, inner->normal.y);
-    if (across < level)
+    if (inner->normal.z < -upright || !(across > upright))
         return centre;
     centre.facing[0] = inner->normal.x / across;
     centre.facing[1] = inner->normal.y / across;

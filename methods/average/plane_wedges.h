@@ -11,8 +11,8 @@
  *     sides      tan = w/r off the normal at most: no light passes both outlines beyond
  *
  * Between the sides there are wedges between all corners of a convex piece of the plane.
- * An opening that no normal leads away from along the plan, a rooflight, has its apex in
- * its middle and wedges all round.
+ * A rooflight, level or sloping, lights places on both sides of it in the plan: it has its
+ * apex in its middle and wedges all round.
  */
 #ifndef PP_METHODS_AVERAGE_PLANE_WEDGES_H
 #define PP_METHODS_AVERAGE_PLANE_WEDGES_H

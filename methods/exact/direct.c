@@ -2,13 +2,11 @@
  * up. */
 #include "methods/exact/direct.h"
 
-#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "methods/exact/beam_average.h"
 #include "methods/exact/direct_steps.h"
-#include "methods/exact/quadrature.h"
+#include "methods/exact/pane_luminance.h"
 
 /* ---- closed forms ---- */
 
@@ -56,44 +54,6 @@ enum pp_status pp_direct_moments(struct pp_moments *moments,
     return PP_OK;
 }
 
-/* ---- luminances for the quadrature ---- */
-
-struct lights {
-    const struct pp_sky *sky;
-    const struct pp_glass *glass;
-    struct pp_vec3 toward; /* through the glass, square to it */
-};
-
-static double through_glass(const struct lights *lights, struct pp_vec3 u)
-{
-    return pp_glass_transmittance(lights->glass, pp_vec_dot(lights->toward, u));
-}
-
-static double sky_through_glass(const void *context, struct pp_vec3 u)
-{
-    const struct lights *lights = context;
-    return pp_sky_luminance(lights->sky, u) * through_glass(lights, u);
-}
-
-static double unity_through_glass(const void *context, struct pp_vec3 u)
-{
-    return through_glass(context, u);
-}
-
-static double horizon_luminance(const struct pp_sky *sky, struct pp_vec3 u)
-{
-    double across = hypot(u.x, u.y);
-    if (!(across > 0.0))
-        return pp_sky_luminance(sky, pp_vec(1.0, 0.0, DBL_MIN));
-    return pp_sky_luminance(sky, pp_vec(u.x / across, u.y / across, DBL_MIN));
-}
-
-static double horizon_through_glass(const void *context, struct pp_vec3 u)
-{
-    const struct lights *lights = context;
-    return horizon_luminance(lights->sky, u) * through_glass(lights, u);
-}
-
 /* ---- a patch ---- */
 
 /* One patch, the receiver's normal, and the sum that the patch is added to. */
@@ -102,7 +62,7 @@ struct task {
     const struct pp_visible *visible;
     const struct pp_visible_patch *patch;
     struct pp_vec3 normal;
-    struct lights lights;
+    struct pp_pane_luminance lights;
 };
 
 static bool is_unglazed(const struct task *task)
@@ -172,7 +132,7 @@ static enum pp_status transmitted(double *value, const struct task *task,
         return pp_pane_light_transmitted(value, tables, &part, err);
     }
     if (!is_unglazed(task))
-        return by_quadrature(value, task, side, unity_through_glass, NULL, err);
+        return by_quadrature(value, task, side, pp_pane_luminance_unity, NULL, err);
     struct pp_vec3 limits[2];
     int count = limits_of(limits, task, side);
     struct pp_moments moments;
@@ -192,7 +152,7 @@ static enum pp_status from_sky(double *value, const struct task *task,
         struct pp_pane_part part = pane_part_of(task, all, ABOVE);
         if (task->sum->tables && pp_pane_light_has_sky(task->sum->tables, sky, &part))
             return pp_pane_light_sky(value, task->sum->tables, sky, &part, err);
-        return by_quadrature(value, task, ABOVE, sky_through_glass,
+        return by_quadrature(value, task, ABOVE, pp_pane_luminance_sky,
                              pp_sky_has_azimuth(sky) ? &sky->sun : NULL, err);
     }
     struct pp_vec3 limits[2];
@@ -210,9 +170,9 @@ static enum pp_status from_below(double *value, const struct task *task,
 {
     const struct pp_sky *sky = task->lights.sky;
     if (pp_sky_has_azimuth(sky))
-        return by_quadrature(value, task, BELOW, horizon_through_glass, NULL, err);
+        return by_quadrature(value, task, BELOW, pp_pane_luminance_horizon, NULL, err);
     enum pp_status status = transmitted(value, task, BELOW, err);
-    *value *= horizon_luminance(sky, pp_vec(1.0, 0.0, 0.0));
+    *value *= pp_pane_luminance_at_horizon(sky, pp_vec(1.0, 0.0, 0.0));
     return status;
 }
 
@@ -300,29 +260,18 @@ enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *w
     return status;
 }
 
-enum pp_status pp_direct_average(struct pp_direct *mean, struct pp_beams *beams,
-                                 const struct pp_outside_light *light,
-                                 const struct pp_opening *opening,
-                                 const struct pp_glass *glass, struct pp_error *err)
+enum pp_status pp_direct_quadrature(double *value, const struct pp_visible *visible,
+                                    const struct pp_visible_patch *patch,
+                                    struct pp_vec3 normal,
+                                    const struct pp_integrand *integrand,
+                                    struct pp_error *err)
 {
-    struct lights lights = {&light->sky, glass,
-                            pp_vec_scale(opening->inner.normal, -1.0)};
-    struct pp_beam_light beam = {.sky = sky_through_glass,
-                                 .exitance = unity_through_glass,
-                                 .context = &lights,
-                                 .of_reflectance =
-                                     pp_visible_luminance_factor(&light->sky, 1.0),
-                                 .with_outside = true};
-    struct pp_kept_beam *kept;
-    double values[2] = {0.0, 0.0};
-    enum pp_status status = pp_beams_of(&kept, beams, opening, beam.with_outside, err);
-    if (status == PP_OK && !pp_kept_beam_means(values, kept, glass)) {
-        status =
-            pp_beam_average(values, beams, opening, &beam, PP_BEAM_AVERAGE_ERROR, err);
-        if (status == PP_OK)
-            pp_kept_beam_keep_means(kept, glass, values);
-    }
-    mean->sky = values[0];
-    mean->external = values[1];
+    struct pp_vec3 limits[PP_HALF_SPACES_MOST];
+    int count = join_half_spaces(limits, patch, &normal, 1);
+    struct pp_quadrature result = {0};
+    enum pp_status status =
+        pp_quadrature_over(&result, &visible->view, &patch->region, limits, count,
+                           normal, integrand, PP_QUADRATURE_GLAZED, err);
+    *value = result.value;
     return status;
 }

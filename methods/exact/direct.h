@@ -20,7 +20,7 @@
 
 #include "methods/exact/pane_light.h"
 #include "methods/exact/solid_angle.h"
-#include "methods/average/beams.h"
+#include "methods/exact/quadrature.h"
 #include "methods/view/visible.h"
 #include "model/base/error.h"
 #include "model/light/outside_light.h"
@@ -52,18 +52,19 @@ enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *w
                                  const struct pp_receiver *receiver,
                                  const struct pp_glass *glass, struct pp_error *err);
 
-/* The means over the working plane of the beams' world, for a receiver that faces up, of the components
- * that pp_direct_through gives at a point. All that ask one `beams` have one light. */
-enum pp_status pp_direct_average(struct pp_direct *mean, struct pp_beams *beams,
-                                 const struct pp_outside_light *light,
-                                 const struct pp_opening *opening,
-                                 const struct pp_glass *glass, struct pp_error *err);
-
 /* Moments of the part of a patch within `more` half-spaces, at most three. */
 enum pp_status pp_direct_moments(struct pp_moments *moments,
                                  const struct pp_visible *visible,
                                  const struct pp_visible_patch *patch,
                                  struct pp_vec3 normal, const struct pp_vec3 *more,
                                  int more_count, struct pp_error *err);
+
+/* The integral of a luminance times (n.u) over a patch, by quadrature to
+ * PP_QUADRATURE_GLAZED. */
+enum pp_status pp_direct_quadrature(double *value, const struct pp_visible *visible,
+                                    const struct pp_visible_patch *patch,
+                                    struct pp_vec3 normal,
+                                    const struct pp_integrand *integrand,
+                                    struct pp_error *err);
 
 #endif

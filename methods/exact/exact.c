@@ -21,7 +21,7 @@
 
 #include <stdlib.h>
 
-#include "methods/exact/beam_average.h"
+#include "methods/average/plane_light.h"
 #include "methods/exact/direct.h"
 #include "methods/exact/exterior.h"
 #include "methods/exact/diffusing_pane.h"
@@ -229,15 +229,14 @@ static enum pp_status average_of_even_pane(struct pp_beams *beams,
                                            const struct pp_opening *opening,
                                            struct pp_part *part, struct pp_error *err)
 {
-    const struct pp_beam_light beam = {.sky = unity};
+    const struct pp_plane_light beam = {.sky = unity};
     struct pp_exterior_light outside;
     double mean[2];
     enum pp_status status = pp_exterior_light_on_plane(
         &outside, pp_beams_world(beams), light, opening->outer.vertices[0],
         pp_vec_scale(opening->inner.normal, -1.0), opening->face, err);
     if (status == PP_OK)
-        status =
-            pp_beam_average(mean, beams, opening, &beam, PP_BEAM_AVERAGE_ERROR, err);
+        status = pp_plane_light_average(mean, beams, opening, &beam, err);
     if (status != PP_OK)
         return status;
     part->sky = opening->glass.diffuse / PP_PI * outside.sky * mean[0];
@@ -258,11 +257,11 @@ static enum pp_status average_exact(struct pp_beams *beams,
         return PP_OK;
     if (opening->glass.diffusing)
         return average_of_even_pane(beams, light, opening, part, err);
-    struct pp_direct mean = {0};
+    double mean[2] = {0.0};
     enum pp_status status =
-        pp_direct_average(&mean, beams, light, opening, &opening->glass, err);
-    part->sky = mean.sky;
-    part->external = mean.external;
+        pp_plane_light_direct(mean, beams, light, opening, &opening->glass, err);
+    part->sky = mean[0];
+    part->external = mean[1];
     return status;
 }
 
@@ -282,7 +281,7 @@ const struct pp_method pp_method_exact = {
     .speaks_for = PP_FOR_POINT,
     .allowances = PP_ALLOWS_OWN_GLASS,
     .refuses_room = exact_refuses_room,
-    .prepare = prepare_exact,
+    .prepare_fast = prepare_exact,
     .prepare_for_plane = prepare_for_plane,
     .destroy_tools = destroy_exact_tools,
     .evaluate = evaluate_exact,

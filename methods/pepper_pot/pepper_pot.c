@@ -13,6 +13,7 @@
  */
 #include <stdlib.h>
 
+#include "methods/average/plane_light.h"
 #include "methods/exact/direct.h"
 #include "methods/method.h"
 #include "methods/pepper_pot/pepper_pot_dots.h"
@@ -142,11 +143,12 @@ static enum pp_status average_pepper_pot(struct pp_beams *beams,
     const struct pepper_pot_diagrams *diagrams = tools;
     const struct pp_glass *glass =
         opening->glass.panes > 0 ? &diagrams->glazed->glass : &opening->glass;
-    struct pp_direct mean = {0};
+    double mean[2] = {0.0};
     *known = true;
-    enum pp_status status = pp_direct_average(&mean, beams, light, opening, glass, err);
-    part->sky = mean.sky;
-    part->external = mean.external;
+    enum pp_status status =
+        pp_plane_light_direct(mean, beams, light, opening, glass, err);
+    part->sky = mean[0];
+    part->external = mean[1];
     return status;
 }
 

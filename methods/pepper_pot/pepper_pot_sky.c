@@ -12,6 +12,7 @@
  */
 #include <stdlib.h>
 
+#include "methods/average/plane_light.h"
 #include "methods/exact/direct.h"
 #include "methods/method.h"
 #include "methods/pepper_pot/pepper_pot_cloud.h"
@@ -141,13 +142,13 @@ static enum pp_status average_pepper_pot_sky(struct pp_beams *beams,
                                              bool *known, struct pp_error *err)
 {
     (void)tools;
-    struct pp_direct mean = {0};
+    double mean[2] = {0.0};
     struct pp_glass glass = glass_of(opening);
     *known = true;
     enum pp_status status =
-        pp_direct_average(&mean, beams, light, opening, &glass, err);
-    part->sky = mean.sky;
-    part->external = mean.external;
+        pp_plane_light_direct(mean, beams, light, opening, &glass, err);
+    part->sky = mean[0];
+    part->external = mean[1];
     return status;
 }
 

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "methods/exact/beam_average.h"
+#include "methods/average/plane_light.h"
 #include "methods/exact/direct.h"
 #include "methods/method.h"
 #include "methods/refusals.h"
@@ -137,23 +137,22 @@ static enum pp_status average_waldram(struct pp_beams *beams,
     const struct waldram_diagrams *diagrams = tools;
     *known = true;
     if (opening->glass.panes == 0) {
-        struct pp_direct mean = {0};
+        double mean[2] = {0.0};
         enum pp_status plain =
-            pp_direct_average(&mean, beams, light, opening, &opening->glass, err);
-        part->sky = mean.sky;
-        part->external = mean.external;
+            pp_plane_light_direct(mean, beams, light, opening, &opening->glass, err);
+        part->sky = mean[0];
+        part->external = mean[1];
         return plain;
     }
     struct charted charted = {&diagrams->glazed, opening->along,
                               pp_vec_scale(opening->inner.normal, -1.0)};
-    const struct pp_beam_light beam = {
+    const struct pp_plane_light beam = {
         .sky = charted_luminance,
         .context = &charted,
         .of_reflectance = pp_visible_luminance_factor(&light->sky, 1.0),
         .with_outside = true};
     double mean[2];
-    enum pp_status status =
-        pp_beam_average(mean, beams, opening, &beam, PP_BEAM_AVERAGE_ERROR, err);
+    enum pp_status status = pp_plane_light_average(mean, beams, opening, &beam, err);
     part->sky = mean[0];
     part->external = mean[1];
     return status;

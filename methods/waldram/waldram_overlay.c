@@ -15,6 +15,7 @@
  */
 #include <stdlib.h>
 
+#include "methods/average/plane_light.h"
 #include "methods/exact/direct.h"
 #include "methods/method.h"
 #include "methods/interpolate.h"
@@ -194,12 +195,12 @@ static enum pp_status average_waldram_overlay(struct pp_beams *beams,
                                               bool *known, struct pp_error *err)
 {
     (void)tools;
-    struct pp_direct mean = {0};
+    double mean[2] = {0.0};
     *known = true;
     enum pp_status status =
-        pp_direct_average(&mean, beams, light, opening, &opening->glass, err);
-    part->sky = mean.sky;
-    part->external = mean.external;
+        pp_plane_light_direct(mean, beams, light, opening, &opening->glass, err);
+    part->sky = mean[0];
+    part->external = mean[1];
     return status;
 }
 

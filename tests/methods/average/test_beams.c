@@ -27,7 +27,7 @@ static void areas_are_those_of_the_beam(void **state)
     (void)state;
     struct pp_world *world = room_before_a_block();
     struct pp_beams *beams;
-    assert_int_equal(pp_beams_create(&beams, world, NULL), PP_OK);
+    assert_int_equal(pp_beams_create(&beams, world, false, NULL), PP_OK);
     assert_ptr_equal(pp_beams_world(beams), world);
     int lit = 0, hidden = 0;
     for (int outside = 0; outside < 2; outside++) {
@@ -67,7 +67,7 @@ static void means_are_of_an_opening_a_view_and_a_glass(void **state)
     struct pp_world *world = room_before_a_block();
     struct pp_beams *beams;
     struct pp_kept_beam *south, *bare, *east;
-    assert_int_equal(pp_beams_create(&beams, world, NULL), PP_OK);
+    assert_int_equal(pp_beams_create(&beams, world, false, NULL), PP_OK);
     assert_int_equal(pp_beams_of(&south, beams, world->openings, true, NULL), PP_OK);
     assert_int_equal(pp_beams_of(&bare, beams, world->openings, false, NULL), PP_OK);
     assert_int_equal(pp_beams_of(&east, beams, world->openings + 1, true, NULL), PP_OK);

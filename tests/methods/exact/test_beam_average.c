@@ -1,6 +1,6 @@
 /* test_beam_average.c - the mean over the working plane as an integral over directions,
  * against the mean of the closed form and the quadrature at points. */
-#include "methods/exact/beam_average.h"
+#include "methods/average/beam_average.h"
 
 #include "methods/method.h"
 #include "methods/average/plane_average.h"
@@ -39,7 +39,7 @@ static void assert_same_mean(const char *body, int points, double share)
     struct pp_thread_pool *pool;
     struct pp_beams *beams;
     assert_true(world->opening_count > 0);
-    assert_int_equal(pp_beams_create(&beams, world, NULL), PP_OK);
+    assert_int_equal(pp_beams_create(&beams, world, false, NULL), PP_OK);
     assert_int_equal(pp_thread_pool_create(&pool, 1, NULL), PP_OK);
     for (int i = 0; i < world->opening_count; i++) {
         struct pointwise task = {world, &light, &world->openings[i]};

@@ -270,7 +270,7 @@ static struct pp_part prepared(const struct scene *scene, bool for_plane)
     const struct pp_method *exact = &pp_method_exact;
     struct pp_part part = {0};
     void *tools = NULL;
-    assert_int_equal((for_plane ? exact->prepare_for_plane : exact->prepare)(
+    assert_int_equal((for_plane ? exact->prepare_for_plane : exact->prepare_fast)(
                          &tools, &scene->world, &scene->light, NULL),
                      PP_OK);
     assert_int_equal((for_plane ? exact->evaluate_roughly : exact->evaluate)(

@@ -2,6 +2,7 @@
  * the plane straight, and by reflection. */
 #include "methods/reflected/point_factor.h"
 #include "methods/reflected/room_zones.h"
+#include "methods/average/plane_light.h"
 #include "methods/exact/direct.h"
 #include "model/light/graded_sky.h"
 
@@ -163,18 +164,18 @@ static void black_room_has_the_direct_light_alone(void **state)
         "<finishes floor='0' walls='0' ceiling='0'/><window wall='south' "
         "left='1.3' sill='2.3' width='0.2' height='0.2' glazing='none'/></room>");
     struct pp_part part = {0};
-    struct pp_direct mean = {0};
+    double mean[2] = {0.0};
     const struct pp_opening *slit = &world->openings[0];
     assert_int_equal(
         pp_method_efficiency.evaluate(world, &light, slit, NULL, NULL, &part, NULL),
         PP_OK);
     struct pp_beams *beams;
-    assert_int_equal(pp_beams_create(&beams, world, NULL), PP_OK);
-    assert_int_equal(pp_direct_average(&mean, beams, &light, slit, &slit->glass, NULL),
-                     PP_OK);
+    assert_int_equal(pp_beams_create(&beams, world, false, NULL), PP_OK);
+    assert_int_equal(
+        pp_plane_light_direct(mean, beams, &light, slit, &slit->glass, NULL), PP_OK);
     pp_beams_destroy(beams);
     /* the plate in the wall reflects 0.1 and is a third of a per cent of the walls */
-    assert_relative(part.value, mean.sky, 0.006);
+    assert_relative(part.value, mean[0], 0.006);
     pp_world_destroy(world);
 }
 

@@ -437,7 +437,7 @@ static void assert_sum_of_pieces(const char *before, double x, double z)
             }
         }
     void *tools = NULL;
-    assert_int_equal(pp_method_exact.prepare(&tools, world, &light, NULL), PP_OK);
+    assert_int_equal(pp_method_exact.prepare_fast(&tools, world, &light, NULL), PP_OK);
     for (int p = 0; p < POINTS; p++) {
         struct pp_part part = {0};
         assert_int_equal(pp_method_exact.evaluate(world, &light, &world->openings[0],
@@ -482,7 +482,7 @@ static void an_uneven_pane_is_the_same_prepared_and_roughly(void **state)
         &light, PLAN(PANE "<block x='1.9' y='-5' width='3' depth='2' height='6'/>"));
     const struct pp_method *exact = &pp_method_exact;
     void *tools = NULL;
-    assert_int_equal(exact->prepare(&tools, world, &light, NULL), PP_OK);
+    assert_int_equal(exact->prepare_fast(&tools, world, &light, NULL), PP_OK);
     assert_non_null(tools);
     for (int i = 0; i < 6; i++) {
         struct pp_receiver receiver = receiver_at(0.7 + 0.37 * i, 0.1 + 0.53 * i, 0.85);

@@ -1,6 +1,6 @@
 /* beam_average.c - divides the directions in which an opening faces, and integrates over
  * each part by hcubature. */
-#include "methods/exact/beam_average.h"
+#include "methods/average/beam_average.h"
 
 #include <cubature.h>
 
@@ -11,7 +11,7 @@ struct bearing_range {
 
 struct beam_integral {
     struct pp_kept_beam *beam;
-    const struct pp_beam_light *light;
+    const struct pp_plane_light *light;
     struct pp_vec3 out, across; /* horizontal: the opening's bearing, square to it */
     double level,
         tilt;          /* u.w = level cos(altitude) cos(bearing) + tilt sin(altitude) */
@@ -58,7 +58,7 @@ static int integrand_at(unsigned dim, const double *square, void *data, unsigned
         return 0;
     if (pp_kept_beam_areas(&areas, integral->beam, u, NULL) != PP_OK)
         integral->failed = true;
-    const struct pp_beam_light *light = integral->light;
+    const struct pp_plane_light *light = integral->light;
     double weight = facing * level * (integral->bearing[1] - integral->bearing[0])
                     * (integral->share[1] - integral->share[0]) * height;
     if (areas.sky > 0.0 || areas.reflecting > 0.0) {
@@ -119,8 +119,8 @@ static enum pp_status integrate_parts(double sum[2], struct part_integral *of,
 
 enum pp_status pp_beam_average(double mean[2], struct pp_beams *beams,
                                const struct pp_opening *opening,
-                               const struct pp_beam_light *light, double relative_error,
-                               struct pp_error *err)
+                               const struct pp_plane_light *light,
+                               double relative_error, struct pp_error *err)
 {
     struct pp_kept_beam *beam;
     mean[0] = mean[1] = 0.0;
