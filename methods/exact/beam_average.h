@@ -6,7 +6,7 @@
 #include "methods/exact/quadrature.h"
 #include "methods/average/beams.h"
 
-/* What one direction brings: luminances through the glass, over Eh. */
+/* Luminances in one direction, through the glass, over Eh. */
 struct pp_beam_light {
     pp_luminance_function *sky;      /* of the sky there, seen or hidden */
     pp_luminance_function *exitance; /* of an exitance of 1; NULL: of none */
