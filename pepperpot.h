@@ -67,12 +67,12 @@ struct pp_mistakes *pp_mistakes_create(const char *file);
 void pp_mistakes_destroy(struct pp_mistakes *mistakes);
 int pp_mistakes_count(const struct pp_mistakes *mistakes);
 
-/* Of mistake `index`: its line, from 1 (0: of the file as a whole), and what is wrong
- * and was expected; good until the mistakes are destroyed. */
+/* Line of mistake `index`, from 1 (0: of the file as a whole), and its text with the
+ * expected value; good until the mistakes are destroyed. */
 int pp_mistakes_line(const struct pp_mistakes *mistakes, int index);
 const char *pp_mistakes_text(const struct pp_mistakes *mistakes, int index);
 
-/* What one file holds: one room, or a building of several. */
+/* Contents of one file: one room, or a building of several. */
 struct pp_building;
 
 /* Reads a room file; path "-" is standard input. Whatever is wrong with the file's form
@@ -101,7 +101,7 @@ enum pp_component { PP_SC, PP_ERC, PP_IRC, PP_DF, PP_COMPONENT_COUNT };
 
 struct pp_steps;
 
-/* What one method, or the simulation, says of one component. */
+/* Result of one method, or of the simulation, for one component. */
 struct pp_reading {
     double value;     /* a fraction; NAN where there is none: see why */
     double std_error; /* of value; NAN where it was not sampled */
@@ -113,8 +113,8 @@ struct pp_reading {
 /* One room, its points, and what was found out about it. */
 struct pp_study;
 
-/* Of room `index` of a building, which must live as long. What does not make sense in
- * the room goes to mistakes (PP_BAD_INPUT, no study). The points are the file's, or a
+/* Study of room `index` of a building, which must live as long. What does not make sense
+ * in the room goes to mistakes (PP_BAD_INPUT, no study). The points are the file's, or a
  * default grid. sky: a type as in a room file in place of the file's own ("uniform",
  * "iso-12,40,180": with the sun's altitude and bearing in degrees); NULL: the file's. */
 enum pp_status pp_study_create(struct pp_study **study, struct pp_building *building,
@@ -156,7 +156,7 @@ enum pp_status pp_study_methods(struct pp_study *study, const char *methods,
 enum pp_status pp_study_formula(struct pp_study *study, const char *formula,
                                 struct pp_error *err);
 
-/* How a simulation works, and when it is done. */
+/* Settings of a simulation, and when it is done. */
 struct pp_simulation_request {
     const char *engine; /* of PP_LIST_ENGINES; NULL: "path" */
     double error; /* wanted standard error over daylight factor, at every point; 0: 1 %,

@@ -23,7 +23,7 @@
 #include "studies/study_options.h"
 #include "studies/study_room.h"
 
-/* What a diagram shows where there is a choice. */
+/* Tri-state choice of what a diagram shows. */
 enum pp_yes_no { PP_UNSAID, PP_YES, PP_NO };
 
 struct pp_overlay_options {
@@ -64,7 +64,7 @@ struct pp_board_options {
                          * upright one */
 };
 
-/* What a scale model is like. */
+/* Options of a scale model. */
 struct pp_model_options {
     double scale; /* 20 for 1:20; 0: not said */
     struct pp_mirror_box box;
@@ -81,7 +81,7 @@ struct pp_chart_site {
     double french_m; /* as a site's rooms' (site_study.h) */
 };
 
-/* What a chart shows where there is a choice. */
+/* Choices of what a chart shows. */
 struct pp_chart_choice {
     struct pp_chart_site
         site;              /* of kinds that compare or are of a site: what is drawn is

@@ -14,7 +14,7 @@
 
 enum { POINTS_MOST = 12, WORKS_MOST = 32, NOTES_MOST = 32, SENTENCE = 256, WORK = 512 };
 
-/* What stands on the note besides the report. */
+/* Words of the note besides the report. */
 struct note_words {
     char (*sentences)[SENTENCE]; /* for each column */
     const char **contents;       /* that point to them */
@@ -114,7 +114,7 @@ static enum pp_status draw_words(struct pp_canvas *canvas,
     return status;
 }
 
-/* Of one of the room's points. */
+/* Draws the note of one of the room's points. */
 static enum pp_status draw_point(struct pp_canvas *canvas,
                                  const struct pp_study_room *room, int point,
                                  const struct pp_study_options *study,

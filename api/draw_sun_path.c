@@ -13,7 +13,7 @@
 #include "studies/criteria/pair_rooms.h"
 #include "studies/criteria/windows/opening_words.h"
 
-/* What is to be said of a window, now or before. */
+/* Notes on a window's sun, now or before. */
 struct window_sun {
     struct pp_sky_mask mask;
     struct pp_sunlit_year hours;

@@ -84,8 +84,8 @@ struct diagrams {
     struct pp_pepper_pot *pot;
 };
 
-/* How far off each window of one shape is: the area, as a share of the integral;
- * squares and dots, as sky components. */
+/* Errors of each window of one shape: the area, as a share of the integral; squares and
+ * dots, as sky components. */
 static void measure(const struct diagrams *diagrams, int wide, int high, double *area,
                     double *squares, double *dots)
 {

@@ -24,7 +24,7 @@ struct scenario {
     double error;
 };
 
-/* What a simulation took, and the mean square of its relative standard errors. */
+/* Cost of a simulation, and the mean square of its relative standard errors. */
 struct outcome {
     double taken_s, variance;
 };

@@ -212,7 +212,7 @@ static void trace(struct pp_reading readings[PP_COMPONENT_COUNT],
     pp_light_scene_destroy(scene);
 }
 
-/* What the methods say; names are "df exact+bre" or "irc sphere". */
+/* Results of the methods; names are "df exact+bre" or "irc sphere". */
 static int split_names(char *list, char *names[])
 {
     int count = 0;

@@ -21,7 +21,7 @@
 
 enum { FOLDS = 4, REFITS = 100 };
 
-/* Which rows a fit takes that leaves a fold out. */
+/* Selects the rows of a fit that leaves a fold out. */
 static void leave_out(int fold, const struct pp_fit_rooms *rooms, int *times)
 {
     for (int i = 0; i < rooms->count; i++) {
@@ -172,8 +172,8 @@ static void print_against(struct pp_fit_model *model, struct pp_fit_model *first
                sqrt(ours[i].absolute / theirs[i].absolute));
 }
 
-/* What takes the place of what in `irc-atlas`: the back wall, the shade of the ground, the
- * depth once more, at six constants and one more; the breadth beside the opening. */
+/* Replaces terms of `irc-atlas`: the back wall, the shade of the ground, the depth once
+ * more, at six constants and one more; the breadth beside the opening. */
 static void search_exchanges(const struct pp_fit_rooms *rooms, int *times)
 {
     static const struct {

@@ -12,7 +12,7 @@
 
 #include "bench/fit_rooms.h"
 
-/* How it falls off with the distance x from the opening's wall. */
+/* Shape of the decrease with the distance x from the opening's wall. */
 enum pp_fit_shape {
     PP_FIT_EVEN,        /* not at all */
     PP_FIT_EXPONENTIAL, /* exp(-q x/d_r), its mean over the depth made 1 */
@@ -70,7 +70,7 @@ struct pp_fit_model {
 double pp_fit_model_value(const struct pp_fit_model *model,
                           const struct pp_fit_row *row);
 
-/* Which rows a fit takes, and how often: a number for each row, or NULL for 1. */
+/* Fits the rows by their weights: a number for each row, or NULL for 1. */
 void pp_fit_model_fit(struct pp_fit_model *model, const struct pp_fit_rooms *rooms,
                       const int *times);
 

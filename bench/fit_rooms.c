@@ -26,7 +26,7 @@ static double printed(const struct pp_method *method, const struct pp_traced_roo
     return part.value * pp_allowance_factor(method->allowances, opening);
 }
 
-/* What is the same at all points. */
+/* Fills in values common to all points. */
 static void fill_room(struct pp_fit_opening *to, const struct pp_traced_room *room,
                       const struct pp_opening *opening, struct pp_fitted_light on)
 {
@@ -94,7 +94,7 @@ static void fill_room(struct pp_fit_opening *to, const struct pp_traced_room *ro
     to->R = R;
 }
 
-/* What depends on the place. */
+/* Fills in values that depend on the place. */
 static void fill_place(struct pp_fit_opening *to, const struct pp_world *world,
                        const struct pp_opening *opening,
                        const struct pp_receiver *receiver)

@@ -5,8 +5,8 @@
 
 #include <stdbool.h>
 
-/* What the light of an opening is worth in the middle of the room, over Eh, with all of
- * glass, frame and dirt; E_b = C_b v^b and E_g = C_g v^g, with b and g to be fitted
+/* Source of an opening's light in the middle of the room, over Eh, with all of glass,
+ * frame and dirt; E_b = C_b v^b and E_g = C_g v^g, with b and g to be fitted
  * (fitted_light.h). */
 enum pp_fit_source {
     PP_FIT_BRE, /* as printed */

@@ -206,9 +206,9 @@ static void draw_by_one(struct atlas_plot *plot)
 
 /* ---- a map by two numbers ---- */
 
-/* How a field looks up to a ratio, and beyond all: by grey, or by hatching so far apart
- * (mm for A4). The first limits below 1 and above it are those within which a sum on paper
- * is taken for right. */
+/* Appearance of a field up to a ratio, and beyond all: grey, or hatching so far apart (mm
+ * for A4). The first limits below 1 and above it are those within which a sum on paper is
+ * taken for right. */
 static const struct {
     double up_to, grey, hatch_mm;
     const char *words;

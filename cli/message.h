@@ -15,7 +15,7 @@ enum pp_exit pp_message_usage(const char *command, const struct pp_error *err);
 /* "pepperpot: ..." */
 void pp_message(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* That a simulation was interrupted and its results are marked so. Returns
+/* Warns that a simulation was interrupted and its results are marked so. Returns
  * PP_EXIT_INTERRUPTED. */
 enum pp_exit pp_message_unfinished(void);
 

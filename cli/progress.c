@@ -89,7 +89,7 @@ void pp_progress_print(FILE *out, const char *label, double done, double error,
     fprintf(out, " %s", tail);
 }
 
-/* Of the terminal; 80 where it doesn't say. */
+/* Width of the terminal; 80 if unknown. */
 static int terminal_columns(void)
 {
     struct winsize size;

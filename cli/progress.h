@@ -15,7 +15,7 @@ struct pp_progress {
 
 void pp_progress_begin(struct pp_progress *progress, const char *label, bool quiet);
 
-/* Of work that goes on from `done`: the time left is reckoned from there. */
+/* Resumes progress at `done`: the time left is estimated from there. */
 void pp_progress_resume(struct pp_progress *progress, double done);
 
 /* Draws the line anew, ten times a second at most. done: 0 to 1; error: the largest

@@ -35,7 +35,7 @@ extern const struct pp_option pp_room_external_option[];
 /* vsc-point-french; its values are one double, 0 where it is not given. */
 extern const struct pp_option pp_room_french_option[];
 extern const struct pp_option pp_room_simulate_option[];
-/* Of commands that simulate by default: simulate, and by-hand in its place. */
+/* Options of commands that simulate by default: simulate, and by-hand in its place. */
 extern const struct pp_option pp_room_by_hand_options[];
 extern const struct pp_option pp_room_stop_options[]; /* error, samples, time */
 extern const struct pp_option pp_room_plain_option[];
@@ -63,9 +63,8 @@ extern const struct pp_option pp_room_output_options[]; /* output, quiet */
 #define PP_ROOM_SIMULATION_GROUPS(at)                                                  \
     {"Simulation", pp_room_simulate_option, at}, PP_ROOM_STOP_GROUPS(at)
 
-/* Of a command that simulates by default: settles what --simulate and --by-hand make of
- * each other and of the options that tell when a simulation stops. Before
- * pp_room_options_settle. */
+/* Resolves --simulate, --by-hand and the options that stop a simulation, for a command
+ * that simulates by default. Before pp_room_options_settle. */
 enum pp_status pp_room_options_settle_by_hand(struct pp_room_options *options,
                                               struct pp_error *err);
 

@@ -13,7 +13,7 @@
 #include "model/room/room_light.h"
 #include "model/room/position.h"
 
-/* What goes from file to file while all are read. */
+/* State kept from file to file while all are read. */
 struct loading {
     struct pp_rooms *rooms;
     const char *command;

@@ -113,7 +113,7 @@ static const struct pp_formula *const formulae_of_above[] = {
 static const struct pp_formula *const formulae_of_lynes[] = {
     &pp_allowance_glass_W, PP_SKY_ANGLE_FORMULAE, &average_of_surfaces, NULL};
 
-/* What becomes of glass below the working plane. */
+/* Treatment of glass below the working plane. */
 enum low_glass { COUNTS_BY_FLOOR, LEFT_OUT, COUNTS_IN_FULL };
 
 /* W where a part of the opening lies below the working plane. */

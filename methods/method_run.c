@@ -177,7 +177,7 @@ struct plane_sum {
     bool failed;
 };
 
-/* Which of two reasons is said, whatever the order of the points. */
+/* Decides between two reasons, whatever the order of the points. */
 static bool comes_before(const struct pp_method_answer *a,
                          const struct pp_method_answer *b)
 {

@@ -14,7 +14,7 @@
 #define PP_AVERAGE_ERROR 1e-3
 enum { PP_AVERAGE_POINTS = 2000 };
 
-/* What the methods of one evaluation share; not owned. */
+/* Tools shared by the methods of one evaluation; not owned. */
 struct pp_method_shared {
     struct pp_beams *beams; /* of the world */
     struct pp_thread_pool *pool;

@@ -96,8 +96,8 @@ static enum pp_status find_method(const struct pp_method **method,
 
 /* ---- the formula ---- */
 
-/* What keeps a text from being a variant: the mistake farthest to the right, which is
- * that of the formula most like it. */
+/* Mistake in a variant's text: the one farthest to the right, which is that of the
+ * formula most like it. */
 struct misfit {
     const struct pp_method *method; /* NULL: no formula of the symbol can be replaced */
     struct pp_expression_mistake mistake;

@@ -60,8 +60,9 @@ static bool add_availability_value(struct json_object *object, double value,
            && (isfinite(value) || pp_json_text(object, "why", why));
 }
 
-/* What one place has by one method: the daylight factor, and by illuminance what that
- * needs and how often it is there. `row` is its first of sheet->illuminance_count. */
+/* Adds the results of one place by one method: the daylight factor, and by illuminance
+ * the daylight factor that it needs and how often it is reached. `row` is its first of
+ * sheet->illuminance_count. */
 static bool add_method(struct json_object *object,
                        const struct pp_availability_sheet *sheet,
                        const struct pp_availability_row *row)

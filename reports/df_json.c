@@ -53,7 +53,8 @@ static bool add_steps(struct json_object *object, const struct pp_steps *steps)
     return good;
 }
 
-/* What a method's figures have in them already; nothing of a pair, which is of two. */
+/* Adds the corrections that a method's figures include; nothing for a pair, which is of
+ * two. */
 static bool add_contents(struct json_object *object, const char *name)
 {
     char contents[160];
@@ -89,7 +90,7 @@ static struct json_object *entry(const struct pp_reading *reading, const char *n
     return pp_json_whole(object, good);
 }
 
-/* What a column says at receiver `index`, or of a mean. */
+/* Index of a mean instead of a receiver `index`. */
 enum { OF_AVERAGE = -1, OF_MARGIN_AVERAGE = -2 };
 
 static const struct pp_reading *df_reading(const struct pp_column *column, int index)
@@ -106,8 +107,8 @@ static struct pp_band_ends band_of(const struct pp_column *column, int index)
                                          : pp_band_none();
 }
 
-/* What an engine's daylight factors are held against; NULL: they are the truth, or no
- * engine's. */
+/* Column that an engine's daylight factors are compared with; NULL: they are the truth,
+ * or no engine's. */
 static const struct pp_column *truth_for(const struct pp_report *report,
                                          const struct pp_column *column)
 {

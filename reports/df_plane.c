@@ -32,7 +32,7 @@ static bool has_points(const struct pp_report *report, const struct pp_column *c
     return false;
 }
 
-/* What stands at the points: a column's daylight factors, or their bands. */
+/* Values at the points: a column's daylight factors, or their bands. */
 struct layer {
     const struct pp_column *column;
     const struct pp_lattice *lattice;

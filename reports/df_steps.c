@@ -37,7 +37,7 @@ static void print_formula(const struct pp_calculation_step *step, int width, boo
 
 /* ---- steps ---- */
 
-/* How much of the words, broken at a blank, goes on a line. */
+/* Length of the words that fits on a line, broken at a blank. */
 static int fitting(const char *words, int room)
 {
     int length = (int)strlen(words);
@@ -89,8 +89,8 @@ static void print_list(const struct pp_steps *steps, int width, bool utf8, FILE 
     }
 }
 
-/* What a method's figures have in them already; pairs are of two methods, each with
- * words of its own. */
+/* Prints the corrections that a method's figures include; pairs are of two methods, each
+ * with words of its own. */
 static void print_contents(const char *name, int width, FILE *out)
 {
     const struct pp_method *method = pp_method_find(name);

@@ -7,8 +7,8 @@
 
 #include "model/results/report.h"
 
-/* How the figures of the report's first point come about, method by method, one step a
- * line; nothing where no steps were asked for. */
+/* Prints the steps of the figures of the report's first point, method by method, one step
+ * a line; nothing if no steps were requested. */
 void pp_df_steps(const struct pp_report *report, int width, bool utf8, FILE *out);
 
 #endif

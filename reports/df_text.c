@@ -56,8 +56,8 @@ static void put_sampled(char cell[PP_CELL_BYTES], const struct pp_reading *readi
     pp_text_append(cell, PP_CELL_BYTES, " %s%.2f", utf8 ? "\xc2\xb1" : "+-", shown);
 }
 
-/* How far a value is from the traced one, in per cent of that; a dash where the traced
- * one is not known well enough to say. */
+/* Writes the distance of a value from the traced one, in per cent of that; a dash where
+ * the traced one is too uncertain. */
 static void put_distance(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
                          const struct pp_reading *traced)
 {
@@ -71,7 +71,7 @@ static void put_distance(char cell[PP_CELL_BYTES], const struct pp_reading *read
         snprintf(cell, PP_CELL_BYTES, fabs(off) < 99.95 ? "%+.1f" : "%+.0f", off);
 }
 
-/* How far two simulated values are apart, in standard errors of their difference. */
+/* Writes the distance of two simulated values, in standard errors of their difference. */
 static void put_apart(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
                       const struct pp_reading *truth)
 {
@@ -130,7 +130,7 @@ static bool add_distances(struct pp_table *table, const struct pp_report *report
     return true;
 }
 
-/* Of an engine's column. */
+/* Adds the distance of an engine's column. */
 static bool add_apart(struct pp_table *table, const struct pp_report *report,
                       const struct pp_column *column, const struct pp_column *truth)
 {

@@ -125,7 +125,7 @@ static enum pp_status open_world(struct pp_world *open, const struct pp_world *w
 
 /* ---- by hand ---- */
 
-/* What a method that gives the internally reflected component adds at every point: the
+/* Reading that a method of the internally reflected component adds at every point: the
  * room's average, or its minimum where that is all it gives. */
 static struct pp_reading everywhere(const struct pp_report *report, const char *name)
 {

@@ -39,12 +39,12 @@ enum pp_status pp_simulation_advance(struct pp_simulation *simulation, double se
                                      struct pp_error *err);
 bool pp_simulation_done(const struct pp_simulation *simulation);
 
-/* How far it is, 0 to 1; and the largest standard error over daylight factor of any
- * point so far, NAN before there is any. */
+/* Progress, 0 to 1; and the largest standard error over daylight factor of any point so
+ * far, NAN before there is any. */
 double pp_simulation_progress(const struct pp_simulation *simulation);
 double pp_simulation_error(const struct pp_simulation *simulation);
 
-/* How a simulation came to its end. */
+/* Reason for the end of a simulation. */
 enum pp_simulation_end {
     PP_SIMULATION_DONE,
     PP_SIMULATION_BY_CLOCK,
@@ -63,8 +63,8 @@ enum pp_status pp_simulation_add_columns(const struct pp_simulation *simulation,
                                          struct pp_report *report,
                                          struct pp_error *err);
 
-/* What a later run may begin with, as the bytes of a file, the caller's to free; *bytes
- * NULL where there is nothing (yet) to keep. */
+/* Data that a later run may begin with, as the bytes of a file, the caller's to free;
+ * *bytes NULL where there is nothing (yet) to keep. */
 enum pp_status pp_simulation_keep(const struct pp_simulation *simulation, char **bytes,
                                   size_t *length, struct pp_error *err);
 

@@ -177,7 +177,7 @@ static enum pp_status find_openings(struct pp_traced_plane *plane, struct pp_err
     return PP_OK;
 }
 
-/* How often the square at a place is halved; not whole, so that it changes evenly. */
+/* Number of halvings of the square at a place; not whole, so that it changes evenly. */
 static double halvings_at(const struct pp_traced_plane *plane, double x, double y)
 {
     double nearest = INFINITY;
@@ -426,7 +426,7 @@ static double bounded(double rest, const struct neighbours *of)
     return fmin(fmax(rest, least), high + beyond);
 }
 
-/* What is fitted, and its standard error; false: nothing is known. */
+/* Fitted value, and its standard error; false: nothing is known. */
 static bool fit(const struct pp_traced_plane *plane, double x, double y, double *rest,
                 double *error)
 {

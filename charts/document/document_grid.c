@@ -16,7 +16,7 @@ static double text_width(const struct pp_document_grid *grid, struct pp_letterin
     return pp_lettering_measure(grid->cr, grid->style, &set, 0.0, 0.0, text).width;
 }
 
-/* Of the longest word. */
+/* Width of the longest word. */
 static double word_width(const struct pp_document_grid *grid, struct pp_lettering set,
                          const char *text)
 {
@@ -41,7 +41,7 @@ static double heading_width(const struct pp_document_grid *grid, const char *hea
                 fmin(heading_mm * grid->style->scale, text_width(grid, set, heading)));
 }
 
-/* What a column takes if no cell is broken into lines. */
+/* Width of a column if no cell is broken into lines. */
 static double natural_width(const struct pp_document_grid *grid, int column)
 {
     const struct pp_document_table *table = grid->table;
@@ -59,8 +59,8 @@ static double natural_width(const struct pp_document_grid *grid, int column)
     return width + 0.1; /* so that no rounding breaks it */
 }
 
-/* Of what is left, each column of words gets its own width or, where there is not enough,
- * at most an equal share of what narrower ones leave; what is over is shared in
+/* Shares the width left over: each column of words gets its own width or, where there is
+ * not enough, at most an equal share of what narrower ones leave; the rest is shared in
  * proportion. */
 static void share_words(struct pp_document_grid *grid, const double *natural,
                         double left)

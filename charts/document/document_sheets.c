@@ -126,7 +126,7 @@ static struct pp_lettering paragraph_set(enum pp_tone tone)
                                  .grey = back ? PP_GREY_TEXT : PP_INK};
 }
 
-/* Of a verdict, round its words. */
+/* Inset round the words of a verdict. */
 static double inset(const struct sheet_setter *setter, enum pp_tone tone)
 {
     return tone == PP_TONE_VERDICT ? 2.5 * setter->style.scale : 0.0;

@@ -12,8 +12,7 @@
 #include "charts/sheet/canvas.h"
 #include "model/results/document.h"
 
-/* What a picture's canvas is like that is as wide as the text of sheets of A4, its own margin
- * aside, and so high that two go on a sheet. */
+/* Canvas of a half-page picture: text width of A4 sheets less its own margin. */
 struct pp_sheet pp_document_sheets_picture(void);
 
 /* Draws the document on a canvas that has sheets. name: for their feet; pictures: drawings

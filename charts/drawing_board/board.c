@@ -12,7 +12,7 @@
 /* Windows whose sums are written out. */
 enum { SUMS_MOST = 8 };
 
-/* Of white, in what hides the sky. */
+/* Share of white in shapes that hide the sky. */
 static const double hidden_grey = 0.72;
 
 /* Adds the outline of a region to the path. */
@@ -118,7 +118,7 @@ static void write_count(char *text, size_t room, double count)
     snprintf(text, room, count == rint(count) ? "%.0f" : "%.1f", count);
 }
 
-/* What was counted of all pieces like piece `first`, if that is the first such one. */
+/* Sum counted over all pieces like piece `first`, if that is the first such one. */
 static double like(const struct pp_board_window *window, int first)
 {
     const struct pp_board_piece *pieces = window->pieces;

@@ -73,7 +73,7 @@ const char *pp_board_letter(int index);
 struct pp_box pp_board_ruler(cairo_t *cr, const struct pp_style *style, double x,
                              double y);
 
-/* How much height the ruler takes. */
+/* Height of the ruler. */
 double pp_board_ruler_height(const struct pp_style *style);
 
 #endif

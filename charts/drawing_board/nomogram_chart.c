@@ -195,8 +195,7 @@ static bool stem_used(const struct pp_nomogram_curve_frame *drawing,
     return false;
 }
 
-/* Which way a reading keeps off the line that leaves the stem on its side: up, -1, or
- * down. */
+/* Side on which a reading keeps off the line that leaves the stem: up, -1, or down. */
 static double off_line(const struct pp_nomogram_curve_frame *drawing,
                        const struct pp_nomogram_window *window, int stem)
 {
@@ -229,7 +228,7 @@ static int neighbour(const struct pp_nomogram_curve_frame *drawing, int stem)
     return nearest;
 }
 
-/* How far the figures of a stem reach from it. */
+/* Width of a stem's figures. */
 static double figures_mm(const struct pp_style *style)
 {
     return 3.3 * style->scale + 2.4 * style->text[PP_TEXT_SMALL];

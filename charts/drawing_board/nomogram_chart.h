@@ -10,11 +10,11 @@
 #include "charts/sheet/canvas.h"
 #include "model/results/nomogram_sheet.h"
 
-/* How high the scales stand on such a sheet, if its notes leave them room: 200 mm on
- * upright A4. */
+/* Height of the scales on such a sheet, if its notes leave them room: 200 mm on upright
+ * A4. */
 double pp_nomogram_chart_height_mm(const struct pp_canvas *canvas);
 
-/* How near marks, and numbered marks, are to stand on it. */
+/* Least spacing of marks, and of numbered marks, on the sheet. */
 double pp_nomogram_chart_fine_mm(const struct pp_canvas *canvas);
 double pp_nomogram_chart_number_mm(const struct pp_canvas *canvas);
 

@@ -14,7 +14,7 @@ struct pp_nomogram_curve_frame {
     double left, width, bottom, height;
 };
 
-/* Of fractions of the sheet's width and the scales' height. */
+/* Position from fractions of the sheet's width and the scales' height. */
 double pp_nomogram_curve_x(const struct pp_nomogram_curve_frame *frame, double x);
 double pp_nomogram_curve_y(const struct pp_nomogram_curve_frame *frame, double y);
 

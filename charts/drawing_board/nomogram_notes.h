@@ -8,10 +8,10 @@
 
 #include "model/results/nomogram_sheet.h"
 
-/* What stands above a stem: "W/A". Static. */
+/* Label above a stem: "W/A". Static. */
 const char *pp_nomogram_notes_stem_label(const struct pp_nomogram *nomogram, int stem);
 
-/* These add to a text of `room` bytes as pp_page_say does; the text begins empty. */
+/* Append to a text of `room` bytes as pp_page_say does; the text begins empty. */
 void pp_nomogram_notes_title(char *text, size_t room,
                              const struct pp_nomogram_sheet *sheet);
 void pp_nomogram_notes_subtitle(char *text, size_t room,

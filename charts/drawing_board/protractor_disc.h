@@ -21,7 +21,7 @@ struct pp_protractor_disc {
     double plan[2]; /* unit, on paper: the normal on the plan, out of the room */
 };
 
-/* How far figures reach out from the rim, mm. */
+/* Width of the figures outside the rim, mm. */
 double pp_protractor_disc_border(const struct pp_style *style);
 
 /* Radius of the primary scale's arc, and of the outermost semicircle. */

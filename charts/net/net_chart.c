@@ -180,7 +180,7 @@ static const char *role_of(enum pp_role role)
     return role == PP_FLOOR ? "Floor" : role == PP_CEILING ? "Ceiling" : "Wall";
 }
 
-/* What words are about: a panel, or a door or a dado in it. */
+/* Subject of words: a panel, or a door or a dado in it. */
 struct painted {
     const struct pp_net_panel *panel;
     const struct pp_surface *surface; /* the panel's face, or what covers it */

@@ -78,7 +78,7 @@ static void need(struct note_drawing *drawing, double height)
 
 /* ---- lines ---- */
 
-/* How a line is set. */
+/* Layout of a line. */
 struct note_line {
     struct pp_lettering set;
     double in; /* from the column's left edge, */

@@ -270,7 +270,8 @@ static void place_plan(struct plan_drawing *drawing, struct pp_box room)
     drawing->labels->field = (struct pp_box){plan->x, plan->y - height, width, height};
 }
 
-/* What stands through the plane has no light, nor a colour of it. */
+/* Blanks fittings that pass through the plane: they have no daylight factor, nor a colour
+ * of it. */
 static void blank_fittings(const struct plan_drawing *drawing)
 {
     const struct pp_world *world = drawing->chart->world;
@@ -305,7 +306,7 @@ static void draw_plane(struct plan_drawing *drawing)
     draw_contours(drawing);
 }
 
-/* What is said of the plane as a whole, from the top of the box on; returns its height. */
+/* Draws the summary of the plane, from the top of the box on; returns its height. */
 static double draw_summary(struct plan_drawing *drawing, struct pp_box box, bool drawn)
 {
     char text[1024] = "";

@@ -13,7 +13,7 @@
 #include "model/results/daylight_plan.h"
 #include "model/results/report.h"
 
-/* What stands between the contours. */
+/* Fill between the contours. */
 enum pp_plan_fill {
     PP_FILL_NONE,
     PP_FILL_COLOUR, /* from dark blue to yellow, which stays in order in grey */

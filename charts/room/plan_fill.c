@@ -48,8 +48,8 @@ static int levels_of(double levels[LEVELS_MOST],
     return count;
 }
 
-/* What stands for the area between two levels; the lowest and highest area end at what is
- * found there. */
+/* Value that represents the area between two levels; the lowest and highest area end at
+ * the extremes found. */
 static double level_of_area(const struct pp_daylight_plan *daylight,
                             const double *levels, int count, int area)
 {

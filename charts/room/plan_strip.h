@@ -6,7 +6,7 @@
 
 #include "charts/sheet/legend.h"
 
-/* What so many keys need, mm. */
+/* Height of so many keys, mm. */
 double pp_plan_strip_height(const struct pp_style *style, int key_count);
 
 /* Draws it into the box, of pp_plan_strip_height. scale: 50 for 1:50; north_rad: the bearing

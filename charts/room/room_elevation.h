@@ -22,7 +22,7 @@ struct pp_room_elevation {
     double mm_per_m, x, y;
 };
 
-/* Of the face of an opening; NULL opening is not allowed. */
+/* Elevation of the face of an opening; NULL opening is not allowed. */
 void pp_room_elevation_init(struct pp_room_elevation *elevation,
                             const struct pp_world *world,
                             const struct pp_opening *opening, struct pp_vec3 eye);

@@ -15,8 +15,8 @@ static double wall_weight(const struct pp_style *style)
     return 1.3 * style->thick;
 }
 
-/* How far reveals and facades reach out from the walls (m); of what goes on beyond the
- * room, half a metre is drawn. */
+/* Extent of reveals and facades beyond the walls (m); of facades beyond the room half a
+ * metre is drawn. */
 static double farthest_out(const struct pp_world *world)
 {
     double farthest = 0.0;

@@ -30,7 +30,7 @@ void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
  * that is the largest not over 1:least. */
 double pp_room_plan_usual_scale(double least);
 
-/* How far walls and reveals reach out from the plane's extent on each side, mm. */
+/* Extent of walls and reveals beyond the plane on each side, mm. */
 double pp_room_plan_border(const struct pp_room_plan *plan,
                            const struct pp_style *style);
 

@@ -268,7 +268,8 @@ static double facade_mm(const struct section_drawing *drawing, int face)
     return 0.0;
 }
 
-/* What is between two lines level with the ends of a cut, from and to mm beside it. */
+/* Traces the band between two lines level with the ends of a cut, from and to mm beside
+ * it. */
 static void trace_beside(const struct section_drawing *drawing,
                          const struct pp_cut *cut, double from, double to)
 {

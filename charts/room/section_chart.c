@@ -284,7 +284,7 @@ static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *c
     pp_room_section_fit(&section, style, body.width - left - right,
                         0.5 * (body.height - between));
     double width = plot->cut.length_m * section.mm_per_m;
-    /* What the scale leaves free across goes to what stands outside. */
+    /* Width that the scale leaves free goes to obstructions. */
     double spare = fmax(body.width - left - right - width, 0.0);
     if (pp_room_section_has_outside(&section, true))
         left += spare;

@@ -43,7 +43,7 @@ double pp_axis_draw_across(cairo_t *cr, const struct pp_style *style,
 double pp_axis_draw_up(cairo_t *cr, const struct pp_style *style,
                        const struct pp_axis *axis, double x);
 
-/* How far the labels of an upright axis will reach out. */
+/* Width of the labels of an upright axis. */
 double pp_axis_reach(cairo_t *cr, const struct pp_style *style,
                      const struct pp_axis *axis);
 

@@ -172,7 +172,7 @@ bool pp_bytes_name_svg(struct pp_bytes *svg, const struct pp_bytes *cairo,
                        double width_mm, double height_mm, const char *title,
                        const char *description)
 {
-    /* What follows cairo's own <svg ...> is the drawing. */
+    /* The drawing follows cairo's own <svg ...>. */
     const char *start = (const char *)cairo->list, *end = start + cairo->count;
     const char *root = memmem(start, cairo->count, "<svg", 4);
     root = root ? memchr(root, '>', (size_t)(end - root)) : 0;

@@ -52,8 +52,8 @@ double pp_canvas_height_mm(const struct pp_canvas *canvas);
  * canvas is left as it is. */
 void pp_canvas_lacks_memory(cairo_t *cr);
 
-/* What stands small at the foot of the sheets from now on: where the drawing comes from;
- * copied, cut at 160 bytes. None at first. */
+/* Sets the small print at the foot of sheets from now on: the drawing's source; copied,
+ * cut at 160 bytes. None at first. */
 void pp_canvas_set_imprint(struct pp_canvas *canvas, const char *words);
 const char *pp_canvas_imprint(const struct pp_canvas *canvas);
 

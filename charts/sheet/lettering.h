@@ -18,7 +18,7 @@ struct pp_box {
 
 bool pp_lettering_boxes_overlap(struct pp_box a, struct pp_box b);
 
-/* How a text is set. */
+/* Layout of a text. */
 struct pp_lettering {
     enum pp_text_size size;
     bool bold, italic;

@@ -97,7 +97,7 @@ static void say_openings(char *text, size_t room, const struct pp_world *world)
                     range_text(glass, sizeof glass, low[CURTAINS], high[CURTAINS]));
 }
 
-/* What is said of light that is reflected inside. */
+/* Appends the note on internally reflected light. */
 static void say_decorations(char *text, size_t room, const struct pp_world *world)
 {
     if (world->decorations != 1.0)

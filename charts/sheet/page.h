@@ -18,7 +18,7 @@ struct pp_page {
 struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,
                            const struct pp_page *page);
 
-/* What pp_page_draw would return; nothing is drawn. */
+/* Returns the box of pp_page_draw without drawing. */
 struct pp_box pp_page_measure(struct pp_canvas *canvas, const struct pp_style *style,
                               const struct pp_page *page);
 

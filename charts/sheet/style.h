@@ -36,7 +36,7 @@ struct pp_style pp_style_for(double short_mm);
 
 void pp_style_grey(cairo_t *cr, double grey);
 
-/* How the curve of number `index` is drawn; different for the first 24, at least. */
+/* Style of curve `index`; the first 24 differ at least. */
 struct pp_curve_style {
     int dash_count;   /* 0: a full line */
     double dashes[6]; /* mm, for A4 */

@@ -114,7 +114,7 @@ static double covered_m2(const struct pp_site_shape *shape, double middle[2])
     return fabs(area);
 }
 
-/* What is known of all shapes of one name together. */
+/* Properties of all shapes of one name together. */
 struct named_thing {
     double area_m2, middle[2]; /* of the largest of them */
     double top_m;

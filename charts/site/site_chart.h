@@ -7,8 +7,8 @@
 #include "charts/sheet/canvas.h"
 #include "model/results/sheets/site_sheet.h"
 
-/* What stands farther from the rooms than one and a half times their own extent, and 30 m,
- * is cut off. */
+/* Cuts off shapes farther from the rooms than one and a half times the rooms' extent, and
+ * 30 m. */
 enum pp_status pp_site_chart_draw(struct pp_canvas *canvas,
                                   const struct pp_site_sheet *sheet,
                                   struct pp_error *err);

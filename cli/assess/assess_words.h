@@ -44,7 +44,7 @@ void pp_assess_words_clear(void *words);
 enum pp_status pp_assess_words_check(void *words, char **files, int file_count,
                                      struct pp_error *err);
 
-/* What the help ends with: criteria and profiles. */
+/* Prints the end of the help: criteria and profiles. */
 void pp_assess_words_help(FILE *out);
 
 #endif

@@ -7,7 +7,7 @@
 #include "studies/atlas/atlas_columns.h"
 #include "studies/atlas/atlas_drawn.h"
 
-/* What the rows of a file depend on, beside their methods. */
+/* Settings, beside the methods, that determine the rows of a file. */
 struct pp_atlas_making {
     enum pp_atlas_sky sky;
     struct pp_atlas_trace trace;

@@ -12,7 +12,7 @@
 #include "studies/atlas/atlas_renewal.h"
 #include "studies/atlas/atlas_room.h"
 
-/* What rows are worked out of. */
+/* Inputs of rows. */
 struct row_source {
     const struct pp_atlas_making *making;
     const struct pp_atlas_table *table; /* that the truth is kept of; NULL: traced */

@@ -35,7 +35,7 @@ struct availability_options {
     enum pp_format format;
 };
 
-/* What a run holds. `outside` is the rooms' light, one each. */
+/* State of a run. `outside` is the rooms' light, one each. */
 struct availability_run {
     struct availability_options *options;
     const struct pp_rooms *rooms;

@@ -33,7 +33,7 @@ static enum pp_status choose_format(enum pp_chart_format *format,
 
 /* ---- What there is to draw ---- */
 
-/* What is drawn, of which rooms, and how it ended. */
+/* Chart to draw, its rooms, and the outcome. */
 struct chart_task {
     const struct pp_chart_kind *kind;
     enum pp_chart_format format;
@@ -51,7 +51,7 @@ static void clear_chart_task(struct chart_task *task)
     pp_rooms_clear(&task->rooms);
 }
 
-/* How many rooms the sheet that begins with that one shows: it, or all of its file. */
+/* Number of rooms on the sheet that begins with that one: it, or all of its file. */
 static int rooms_on_sheet(const struct chart_task *task, int first)
 {
     const struct pp_rooms *rooms = &task->rooms;

@@ -6,7 +6,7 @@
 #include "cli/exit_status.h"
 #include "cli/room_options.h"
 
-/* What was asked for of the sheet. */
+/* Sheet options as typed. */
 struct pp_chart_words {
     const char *format; /* as typed; NULL: by the file's name */
     enum pp_paper paper;

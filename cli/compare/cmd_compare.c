@@ -129,7 +129,7 @@ static void init_compare_options(void *values)
         (struct compare_options){.room = pp_room_options_none};
 }
 
-/* What is of rooms alone. */
+/* Rejects options for rooms only. */
 static enum pp_status check_scene(const struct compare_options *options, int file_count,
                                   struct pp_error *err)
 {
@@ -342,12 +342,12 @@ static enum pp_exit run_comparison(struct compare_run *run)
     run->watch = pp_watch_of_terminal(&terminal, run->options->room.quiet);
     enum pp_status status = take_points(run, &err);
     enum pp_exit exit_status = PP_EXIT_DONE;
-    run->subject =
-        run->room ? pp_compare_subject_of_room(run->room)
-                  : (struct pp_compare_subject){.file = run->scene.title,
-                                                .points = run->scene.points,
-                                                .count = run->scene.count,
-                                                .scene = &run->scene.description};
+    run->subject = run->room
+                       ? pp_compare_subject_of_room(run->room)
+                       : (struct pp_compare_subject){.file = run->scene.title,
+                                                     .points = run->scene.points,
+                                                     .count = run->scene.count,
+                                                     .scene = &run->scene.description};
     run->result.subject = &run->subject;
     run->result.other = run->other;
     run->result.variant = run->options->variant;
@@ -366,7 +366,7 @@ static enum pp_exit run_comparison(struct compare_run *run)
     return exit_status;
 }
 
-/* Of scene files, the other program's values behind them. */
+/* Runs with scene files; the other program's values follow them. */
 static enum pp_exit run_in_scene(struct compare_options *options, char **files,
                                  int file_count)
 {

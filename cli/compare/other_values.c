@@ -52,7 +52,7 @@ static const struct csv_column_name names[] = {
 };
 enum { NAME_COUNT = sizeof names / sizeof names[0] };
 
-/* What goes from line to line. */
+/* State kept from line to line. */
 struct csv_reading {
     const char *file;
     int line;

@@ -50,7 +50,7 @@ enum pp_status pp_other_values_place(int **chosen, struct pp_study_room *room,
                                      const struct pp_other_values *values,
                                      const char *path, int most, struct pp_error *err);
 
-/* Which of `count` values point `point` of `kept` has: evenly spread, the first among
+/* Index, of `count` values, of point `point` of `kept`: evenly spread, the first among
  * them. */
 int pp_other_values_spread(int point, int count, int kept);
 

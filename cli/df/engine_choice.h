@@ -17,7 +17,7 @@ bool pp_engine_choice_has(const struct pp_engine_choice *choice, int engine);
 /* --engine, --sensor, --interpolate; values are a struct pp_engine_choice. */
 extern const struct pp_option pp_engine_options[];
 
-/* What is set without --engine cache, two rooms in one cache file ...: PP_BAD_INPUT. */
+/* PP_BAD_INPUT if cache options are given without --engine cache, or for several rooms. */
 enum pp_status pp_engine_choice_settle(struct pp_engine_choice *words, bool simulate,
                                        struct pp_error *err);
 

@@ -10,7 +10,7 @@
 #include "model/base/read_file.h"
 #include "formats/radiance/write/rad_room.h"
 
-/* Of the open level ground, where nothing else is asked for. */
+/* Illuminance of the open level ground, by default. */
 static const double DEFAULT_LUX = 10000.0;
 
 static const char about[] =

@@ -51,7 +51,7 @@ enum pp_status pp_report_bytes_write(const struct pp_report *report, char **byte
     return pp_fail_memory(err);
 }
 
-/* What is left to be read. */
+/* Bytes left to read. */
 struct rest {
     const char *at;
     size_t length;

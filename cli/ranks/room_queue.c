@@ -64,7 +64,7 @@ static bool no_interrupt_came(void *data, double done)
     return !pp_interrupt_came();
 }
 
-/* Those from `first` on, by this process. */
+/* Simulates the rooms from `first` on, in this process. */
 static enum pp_status alone(const struct pp_room_queue *queue, int first,
                             struct pp_error *err)
 {

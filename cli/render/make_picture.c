@@ -29,7 +29,7 @@ enum { DIRECTIONS = 16 };
 /* Independent groups of a pixel's paths, where their standard error is wanted. */
 enum { RANDOMISATIONS = 32 };
 
-/* Of a checkpoint: 4 GiB. */
+/* Largest checkpoint: 4 GiB. */
 #define CHECKPOINT_MOST ((size_t)1 << 32)
 
 /* Lets the cache grow until it has all that the picture asks for. */

@@ -96,7 +96,7 @@ static void choose_levels(struct pp_picture_sheet *sheet,
         memcpy(sheet->levels, choice->levels.list, sizeof choice->levels.list);
         return;
     }
-    /* Those within the scale. */
+    /* Levels within the scale. */
     double all[PP_FALSE_COLOUR_LEVELS_MOST];
     int count = pp_false_colour_scale_levels(&sheet->scale, all);
     for (int i = 0; i < count; i++)

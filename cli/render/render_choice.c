@@ -9,7 +9,7 @@
 #include "model/base/text.h"
 #include "model/pictures/raster.h"
 
-/* Of a sentence that names the formats. */
+/* Size of a sentence that names the formats. */
 enum { ENDINGS_SIZE = 128 };
 
 struct pp_render_choice pp_render_choice_default(void)
@@ -80,7 +80,7 @@ static const char *making_said(const struct pp_render_choice *choice,
     return NULL;
 }
 
-/* What is of a sheet needs one; dots, one as PNG. */
+/* Sheet options need -o; raster options need -o FILE.png. */
 static enum pp_status check_sheet(const struct pp_render_choice *choice,
                                   const struct pp_picture_format *format,
                                   struct pp_error *err)
@@ -100,7 +100,7 @@ static enum pp_status check_sheet(const struct pp_render_choice *choice,
     return PP_OK;
 }
 
-/* What is shown is smaller than what is kept. */
+/* The shown picture is smaller than the saved one. */
 static enum pp_status check_size(const struct pp_render_choice *choice, bool shown,
                                  struct pp_error *err)
 {

@@ -55,7 +55,7 @@ struct pp_paper_choice {
     enum pp_paper is;
 };
 
-/* How light through windows is sampled. */
+/* Sampling of light through windows. */
 enum pp_window_light {
     PP_WINDOWS_STORED, /* next-event estimation; light from surfaces outside is stored once */
     PP_WINDOWS_AIMED,  /* next-event estimation along each path */

@@ -46,7 +46,7 @@ static enum pp_status read_direction(const char *text, void *place,
     return PP_OK;
 }
 
-/* Which of the words, up to a NULL; -1: none. */
+/* Index of the word in a list that ends with NULL; -1: none. */
 static int which_word(const char *text, const char *const words[])
 {
     for (int i = 0; words[i]; i++)

@@ -51,7 +51,7 @@ static enum pp_view_kind view_kind(enum pp_view_choice view)
     return PP_VIEW_PARALLEL;
 }
 
-/* What was typed takes the place of the room's own; a height that was not typed stays.
+/* Typed values replace the room's own; a height that was not typed stays.
  */
 static enum pp_status take_typed(struct pp_view_place *place,
                                  const struct pp_render_choice *choice,

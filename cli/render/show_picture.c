@@ -15,7 +15,7 @@
 #include "model/pictures/raster.h"
 #include "studies/pictures/view_grid.h"
 
-/* Of a picture's file: 1 GiB. */
+/* Largest picture file: 1 GiB. */
 #define BYTES_MOST ((size_t)1 << 30)
 
 /* ---- from a file ---- */

@@ -89,7 +89,7 @@ static enum pp_status add_drawing(struct drawing_task *task, int room, int first
 
 /* ---- of a site ---- */
 
-/* How many rooms are of the same file as the one there. */
+/* Number of rooms of the same file as that room. */
 static int rooms_of_site(const struct pp_rooms *rooms, int first)
 {
     int count = 1;

@@ -29,7 +29,7 @@ struct against_run {
 
 /* ---- one room ---- */
 
-/* Of both programs at one point, fractions. */
+/* Values of both programs at one point, fractions. */
 struct beside {
     struct pp_vec3 at;
     struct pp_reading traced, radiance;
@@ -185,7 +185,7 @@ static enum pp_status print_against_radiance(const void *data, FILE *out,
 
 /* ---- all rooms ---- */
 
-/* What does not take a simulation. */
+/* Prepares all that needs no simulation. */
 static enum pp_status begin_against_run(struct against_run *run,
                                         const struct pp_study_room *room,
                                         struct pp_error *err)

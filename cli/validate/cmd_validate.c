@@ -133,7 +133,7 @@ static const char *said_of_rooms(const struct validate_options *options)
                                          : NULL;
 }
 
-/* What the first operand says, where it is no file. */
+/* Reads the first operand, if it is no file. */
 static void take_word(struct validate_options *options, char **operands, int count)
 {
     options->suite = count == 0 ? &pp_suite_quick : pp_suite_find(operands[0]);

@@ -24,7 +24,7 @@ static struct pp_room_figures engine_room_figures(void *data, int index)
     return (struct pp_room_figures){&result->report, &result->by_clock};
 }
 
-/* What time there is for a room is shared by the engines. */
+/* Divides the room's time among the engines. */
 static enum pp_status simulate_by_engines(const void *data, int index,
                                           struct pp_report *report, bool *by_clock,
                                           struct pp_error *err)

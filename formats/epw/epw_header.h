@@ -17,7 +17,7 @@ struct pp_epw_period {
 
 enum pp_epw_leap { PP_LEAP_UNSAID, PP_LEAP_NO, PP_LEAP_YES };
 
-/* What the records are read by. */
+/* Settings for reading the records. */
 struct pp_epw_header {
     enum pp_epw_leap leap;
     int leap_line;

@@ -6,7 +6,7 @@
 #include "model/base/array.h"
 #include "model/base/text.h"
 
-/* How far the records have been read, and which record is due next. */
+/* Position in the records, and the record due next. */
 struct record_reader {
     struct pp_epw *epw;
     const struct pp_epw_header *header;

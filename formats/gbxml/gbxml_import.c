@@ -47,7 +47,7 @@ static void drop_room(struct gbxml_work *work, int space)
     work->rooms[space] = NULL;
 }
 
-/* How many openings the space has to the outside. */
+/* Number of the space's openings to the outside. */
 static int count_openings(const struct gbxml_work *work,
                           const struct pp_gbxml_space *space)
 {
@@ -112,7 +112,7 @@ static enum pp_status make_rooms(struct gbxml_work *work, struct pp_error *err)
     return status;
 }
 
-/* What gbXML has no word for, or this file has not. */
+/* Notes defaults for values that gbXML, or this file, lacks. */
 static void note_defaults(const struct gbxml_work *work)
 {
     int bare = 0;

@@ -68,7 +68,7 @@ static bool read_corner(const struct gbxml_reader *r,
     return true;
 }
 
-/* Of a PolyLoop; false, and noted, where it is none. */
+/* Reads a PolyLoop; false, with a note, if it is none. */
 static bool read_loop(struct gbxml_reader *r, const struct pp_xml_element *loop,
                       struct pp_gbxml_polygon *polygon)
 {

@@ -10,7 +10,7 @@
 #include "model/base/array.h"
 #include "model/base/text.h"
 
-/* How far an opening may stand from the plane of the face that it is in. */
+/* Greatest distance of an opening from the plane of its face. */
 static const double reveal_m = 0.6;
 
 /* Two lengths are the same. */
@@ -216,7 +216,7 @@ static enum pp_status add_room_opening(struct pp_gbxml_room *room,
     return PP_OK;
 }
 
-/* Those of the surfaces to the outside. */
+/* Adds the openings of surfaces to the outside. */
 static enum pp_status add_openings(struct pp_gbxml_room *room,
                                    struct pp_gbxml_surface *const *surfaces, int count,
                                    struct pp_mistakes *notes, struct pp_error *err)
@@ -377,7 +377,8 @@ static bool take_shell(struct pp_gbxml_room *room, struct pp_gbxml_shell *other,
     return true;
 }
 
-/* Of the surfaces, the ShellGeometry, or over the floor: the first that closes. */
+/* Makes the shell from the surfaces, the ShellGeometry, or the floor: the first that
+ * closes. */
 static enum pp_status make_shell(struct pp_gbxml_room *room, const char **why,
                                  bool *by_surfaces, const struct pp_gbxml_space *space,
                                  const struct pp_gbxml_polygon *polygons, int count,

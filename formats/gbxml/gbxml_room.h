@@ -34,8 +34,9 @@ struct pp_gbxml_room {
     double width_m, depth_m, height_m;
 };
 
-/* Of a space: the surfaces about it or, where those do not close, its ShellGeometry. What is
- * taken so is noted; *why as of pp_gbxml_shell_make. The room can be cleared whatever comes. */
+/* Makes a room of a space: from the surfaces about it or, where those do not close, its
+ * ShellGeometry. What is taken so is noted; *why as of pp_gbxml_shell_make. The room can
+ * be cleared whatever comes. */
 enum pp_status pp_gbxml_room_make(struct pp_gbxml_room *room, const char **why,
                                   struct pp_gbxml_model *model,
                                   const struct pp_gbxml_space *space,

@@ -93,7 +93,7 @@ static enum pp_status add_shell_face(struct pp_gbxml_shell *shell,
     return PP_OK;
 }
 
-/* How far along the edge from a to b a corner lies within it; NAN: it does not. */
+/* Position of a corner along the edge from a to b; NAN if not within it. */
 static double along_edge(const struct pp_gbxml_shell *shell, int a, int b, int corner)
 {
     struct pp_vec3 way = pp_vec_sub(shell->corners[b], shell->corners[a]);
@@ -215,7 +215,7 @@ static enum pp_status list_edges(struct shell_edges *edges,
     return PP_OK;
 }
 
-/* How many edges from `at` on have its corners. */
+/* Number of edges from `at` on with the same corners. */
 static int count_same(const struct shell_edges *edges, int at)
 {
     int count = 1;

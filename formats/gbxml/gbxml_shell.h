@@ -20,8 +20,7 @@ struct pp_gbxml_shell {
     int lacking; /* how many faces were added to close it */
 };
 
-/* Of `count` polygons, which are left as they are. *why: why no envelope comes of them, as the
- * end of a sentence that begins with "the space"; NULL: one did. The shell can be cleared
+/* Makes a shell of `count` polygons, which are left as they are. The shell can be cleared
  * whatever comes. */
 enum pp_status pp_gbxml_shell_make(struct pp_gbxml_shell *shell, const char **why,
                                    const struct pp_gbxml_polygon *polygons, int count,

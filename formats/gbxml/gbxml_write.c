@@ -101,7 +101,7 @@ static void put_glazing(struct pp_gbxml_writing *w,
         put_words(w, "name", opening->name);
 }
 
-/* Its extent in a wall of a box, left to right as seen from outside, and up. */
+/* Extent in a wall of a box, left to right as seen from outside, and up. */
 struct wall_extent {
     int wall; /* of south, east, north, west */
     double left, right, low, high, area;
@@ -109,7 +109,7 @@ struct wall_extent {
 
 static const char *const walls[] = {"south", "east", "north", "west"};
 
-/* Which wall of the box the face is in; -1: none. */
+/* Index of the box wall that the face is in; -1: none. */
 static int wall_of(const struct pp_gbxml_room *room, int face)
 {
     struct pp_vec3 normal = pp_gbxml_shell_normal(&room->shell, face);

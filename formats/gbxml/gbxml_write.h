@@ -7,7 +7,7 @@
 
 #include "formats/gbxml/gbxml_room.h"
 
-/* What stands on a line of the file that is written: whose `left_out` takes it away. */
+/* Source of a line of the written file, whose `left_out` removes it. */
 struct pp_gbxml_written {
     int first, last; /* lines */
     int from;        /* the line of the gbXML file */

@@ -16,7 +16,7 @@
 
 enum { PP_HDR_VIEW_SIZE = 512 };
 
-/* What the header says besides the size. */
+/* Contents of the header besides the size. */
 struct pp_hdr_notes {
     double exposure; /* factor that the radiances have been multiplied by; 0: 1 */
     char view[PP_HDR_VIEW_SIZE]; /* the options behind VIEW=, e.g. "-vtv -vp 1 2 3";

@@ -23,7 +23,7 @@
 
 struct pp_beam;
 
-/* What one thread needs to work out areas; begin with all zero, to be cleared. */
+/* Memory of one thread for areas; begin with all zero, to be cleared. */
 struct pp_beam_space {
     struct pp_fragments open, cut;
     double (*xy)[2];

@@ -82,7 +82,7 @@ static const double layers[LAYERS + 1] = {0.0, 0.21, 0.53, 1.0};
 /* One part by the cubature rule: its points. */
 enum { FIRST_POINTS = 17, MOST_POINTS = 6000 };
 
-/* What is known of a part: its values, and their errors together. */
+/* Integral of a part: its values, and their errors together. */
 struct part_integral {
     double values[2], error;
 };

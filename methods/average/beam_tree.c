@@ -13,7 +13,7 @@ static double middle(const struct beam_piece *piece, int axis)
                        : piece->low.z + piece->high.z;
 }
 
-/* Of two as far along the axis, that of the earlier corners comes first. */
+/* If two pieces are as far along the axis, the one with earlier corners comes first. */
 static int compare_along_axis(const struct beam_piece *a, const struct beam_piece *b,
                               int axis)
 {

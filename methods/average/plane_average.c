@@ -66,8 +66,8 @@ struct piece_integrals {
     struct piece_integral *of;
 };
 
-/* Of a piece that is not known well enough. All pieces are asked, whoever stops: what a
- * function notes on the way is then the same each time. */
+/* Integrates a piece again that is not known well enough. All pieces are asked, whoever
+ * stops: what a function notes on the way is then the same each time. */
 static bool integrate_piece(void *data, int worker, int i)
 {
     (void)worker;

@@ -44,7 +44,7 @@ struct pp_arc_bend {
     double width;
 };
 
-/* How far nodes may lie apart. */
+/* Greatest distance between nodes. */
 struct pp_arc_spacing {
     double longest; /* chord of an arc that one rule serves */
     int bend_count;

@@ -46,7 +46,7 @@ void pp_axial_table_init(struct pp_axial_table *table, pp_axial_function *functi
 void pp_axial_table_init_balanced(struct pp_axial_table *table,
                                   pp_axial_function *function, const void *context);
 
-/* What stands in (1) beside F. */
+/* Factors in (1) beside F. */
 struct pp_axial_light {
     const struct pp_axial_table *table;
     struct pp_vec3 axis;

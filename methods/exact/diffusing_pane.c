@@ -37,7 +37,7 @@ static const double barycentric[NODES] = {
 
 /* ---- lines where the illuminance is not smooth ---- */
 
-/* Those parallel to an axis of the pane: their coordinates on the other axis. */
+/* Borders parallel to an axis of the pane: their coordinates on the other axis. */
 struct borders {
     double *at[2];
     int count[2];

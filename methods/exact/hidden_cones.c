@@ -48,7 +48,7 @@ static struct pp_vec3 corner(const struct pp_polygon *polygon, const int *of, in
 static void add_cap(struct pp_hidden_cones *cones, struct pp_vec3 eye,
                     const struct pp_polygon *polygon, const int *of, int count)
 {
-    /* Of what rounding leaves of a direction. */
+    /* Rounding error of a direction. */
     const double hair = 1e-9;
     struct pp_vec3 sum = {0};
     for (int i = 0; i < count; i++)

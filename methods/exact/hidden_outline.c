@@ -22,7 +22,7 @@
 
 enum { STEPS = 1440 };
 
-/* What is hidden at a bearing: spans of cones, or of all, from low to high. */
+/* Hidden spans at a bearing: of cones, or of all, from low to high. */
 struct hidden_span {
     double low, high;
     int cone;
@@ -91,7 +91,7 @@ static bool is_within(struct hidden_span span, const struct hidden_spans *merged
 
 /* ---- cones ---- */
 
-/* Which altitudes a cone hides in the direction h; false: none. */
+/* Finds the altitudes that a cone hides in the direction h; false: none. */
 static bool hidden_towards(struct hidden_span *span,
                            const struct pp_hidden_cones *cones, int cone,
                            struct pp_vec3 h)
@@ -261,7 +261,7 @@ static bool meet(const struct hidden_span *a, const struct hidden_span *b)
     return a->low <= b->high && b->low <= a->high;
 }
 
-/* How many spans meet that one; *which: the last of them. */
+/* Number of spans that meet that one; *which: the last of them. */
 static int count_meeting(const struct hidden_spans *spans,
                          const struct hidden_span *span, int *which)
 {

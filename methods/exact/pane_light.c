@@ -18,7 +18,7 @@ static const struct pp_vec3 pane_axis = {0.0, 0.0, 1.0};
 
 enum { CORNERS_ON_STACK = 64 };
 
-/* What is summed over a ring: a table about an axis, or of a sky. */
+/* Summand over a ring: a table about an axis, or of a sky. */
 struct ring_light {
     const struct pp_axial_light *axial; /* NULL: sky */
     const struct pp_sky_table *sky;

@@ -8,7 +8,7 @@
 #include "methods/view/visible.h"
 #include "model/base/error.h"
 
-/* What is tabulated for an opening (pane_tables.h makes it); not owned. */
+/* Tables of an opening (pane_tables.h makes them); not owned. */
 struct pp_pane_light {
     const struct pp_axial_table *glass; /* of its clear glass; NULL: there is none */
     const struct pp_axial_table

@@ -108,7 +108,7 @@ static enum pp_status add_sky(struct pp_pane_tables *tables,
     return status;
 }
 
-/* What one opening needs. */
+/* Makes the table of one opening. */
 static enum pp_status add_pane_table(struct pp_pane_tables *tables,
                                      const struct pp_world *world,
                                      const struct pp_sky *sky,

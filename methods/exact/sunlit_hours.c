@@ -11,7 +11,7 @@
 /* The sun's direction of a day, in the world's axes: p + q cos h + r sin h. */
 struct path {
     struct pp_vec3 p, q, r;
-    /* Its circle: all directions so far from the pole of the sky, which is unit. */
+    /* The arc's circle: all directions so far from the pole of the sky, which is unit. */
     struct pp_vec3 pole;
     double cos_apart, sin_apart;
 };

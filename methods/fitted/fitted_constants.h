@@ -8,28 +8,28 @@
 #ifndef PP_METHODS_FITTED_FITTED_CONSTANTS_H
 #define PP_METHODS_FITTED_FITTED_CONSTANTS_H
 
-/* Of the position (fitted_position.h): depth, start and side. */
+/* Constants of the position (fitted_position.h): depth, start and side. */
 #define PP_FITTED_DEPTH "1.65"
 #define PP_FITTED_START "1.47"
 #define PP_FITTED_SIDE "0.65"
 
-/* Of the light outside (fitted_light.h): the shade on what stands there and on the
+/* Constants of the light outside (fitted_light.h): the shade on obstructions and on the
  * ground. */
 #define PP_FITTED_SHADE "0.78"
 
-/* Of `irc-atlas`: parts, reveal. */
+/* Constants of `irc-atlas`: parts, reveal. */
 #define PP_FITTED_PARTS "0.35"
 #define PP_FITTED_REVEAL "0.46"
 
-/* Of `bre-atlas`: upper part, parts, shallow rooms. */
+/* Constants of `bre-atlas`: upper part, parts, shallow rooms. */
 #define PP_FITTED_BRE_UPPER "0.72"
 #define PP_FITTED_BRE_PARTS "0.33"
 #define PP_FITTED_BRE_SHALLOW "0.27"
 
-/* Of `split-flux-atlas`: low glass. */
+/* Constant of `split-flux-atlas`: low glass. */
 #define PP_FITTED_FLUX_LOW "0.86"
 
-/* Of `average-df-atlas`: factor, reveal, floor, light of the ground. */
+/* Constants of `average-df-atlas`: factor, reveal, floor, light of the ground. */
 #define PP_FITTED_DF "0.73"
 #define PP_FITTED_DF_REVEAL "0.70"
 #define PP_FITTED_DF_FLOOR "0.43"

@@ -45,7 +45,8 @@ extern const struct pp_formula pp_fitted_light_E_b, pp_fitted_light_E_g;
         "E_g", PP_UNIT_DAYLIGHT_FACTOR, "on it from the ground that is seen"           \
     }
 
-/* Of each opening of the world, in their order: a method's `prepare`; freed by free(). */
+/* Prepares a method for each opening of the world, in their order; *tools is freed by
+ * free(). */
 enum pp_status pp_fitted_light_prepare(void **tools, const struct pp_world *world,
                                        const struct pp_outside_light *light,
                                        struct pp_error *err);

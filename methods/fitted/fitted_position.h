@@ -48,7 +48,7 @@ extern const struct pp_formula pp_fitted_position_l, pp_fitted_position_q_d,
     &pp_fitted_position_l, &pp_fitted_position_q_d, &pp_fitted_position_m_d,           \
         &pp_fitted_position_f_d, &pp_fitted_position_q_s, &pp_fitted_position_f_s
 
-/* What (1) and (2) are of, for one opening and receiver. */
+/* Quantities of (1) and (2) for one opening and receiver. */
 struct pp_fitted_place {
     double d_r, w_r, h_r, x, y; /* m */
 };

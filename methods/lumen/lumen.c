@@ -289,7 +289,7 @@ static double coefficient(const double cu[PP_LUMEN_POSITIONS], double share)
     return isnan(share) ? cu[PP_LUMEN_AVERAGE] : pp_lumen_table_at_depth(cu, share);
 }
 
-/* What enters by a window. */
+/* Writes the light that enters by a window. */
 static void put_window(struct pp_worksheet *sheet, const struct reading *r,
                        const struct pp_opening *opening)
 {

@@ -17,7 +17,7 @@ const struct pp_formula *const pp_nomogram_position_formulae[] = {
     &pp_fitted_position_q_d,  &pp_fitted_position_q_s, NULL,
 };
 
-/* Of A4, broad. */
+/* Width of the scales on A4. */
 static const double width_mm = 240.0;
 
 double pp_nomogram_position_division(const struct pp_nomogram *nomogram, double q,
@@ -62,7 +62,7 @@ static double factor_of(double q, double share)
     return fabs(q) < 1e-9 ? 1.0 : q * exp(-q * share) / -expm1(-q);
 }
 
-/* What has no place on the scales, or NULL. */
+/* Finds a value off the scales, or NULL. */
 static const char *find_off_scale(const struct pp_nomogram *nomogram, double light,
                                   const double q[2], const double share[2])
 {

@@ -7,7 +7,7 @@
 #include "model/results/nomogram_sheet.h"
 #include "model/room/world.h"
 
-/* What is worked out on paper before it is set on D and the curve; the list ends with NULL. */
+/* Formulae worked out before D and the curve are read; the list ends with NULL. */
 extern const struct pp_formula *const pp_nomogram_position_formulae[];
 
 /* Lays the straight-edge for an opening on A and B, on C and D; on H and the curve, for the

@@ -83,7 +83,7 @@ static enum pp_status make_marks(struct pp_nomogram_sheet *sheet,
     return PP_OK;
 }
 
-/* Of the curve of IV, a whole number after the other, each divided as there is room. */
+/* Curve IV: whole numbers one after the other, each divided as there is room. */
 static enum pp_status make_curve(struct pp_nomogram_sheet *sheet,
                                  struct pp_nomogram_spacing spacing,
                                  struct pp_error *err)

@@ -37,7 +37,7 @@
 #include "model/light/glass_curve.h"
 #include "model/light/sky.h"
 
-/* What the light falls on. */
+/* Receiver of the light. */
 enum pp_protractor_receiver {
     PP_PROTRACTOR_UP,    /* a level plane that faces up */
     PP_PROTRACTOR_AHEAD, /* an upright one that faces straight ahead, to the glass */

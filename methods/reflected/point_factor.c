@@ -5,7 +5,7 @@
 
 #include "methods/exact/solid_angle.h"
 
-/* What counts of a region that is seen from a point. */
+/* Part of a region seen from a point that counts. */
 struct view {
     struct pp_vec3 from, facing;
     bool turned; /* it is seen from where the sky's light comes that falls on it */

@@ -15,15 +15,15 @@
 double pp_point_factor(struct pp_vec3 from, struct pp_vec3 normal,
                        const struct pp_region *region, double z);
 
-/* Of an unglazed opening at `from`, whose normal points in, the sky's light that goes
- * straight on to the region below, over Eh: 0 to what falls on the opening. The sky has a
- * gradation and no azimuth dependence. */
+/* Sky light of an unglazed opening at `from`, whose normal points in, that falls straight
+ * on the region below, over Eh: 0 to what falls on the opening. The sky has a gradation
+ * and no azimuth dependence. */
 double pp_point_factor_sky(struct pp_vec3 from, struct pp_vec3 normal,
                            const struct pp_region *region, double z,
                            const struct pp_sky *sky);
 
-/* Of the sky's light that comes from the point `from` through a convex polygon below it,
- * the foot, of four edges at most, the share that falls on the region below straight, 0 to 1. */
+/* Share of the sky's light from the point `from`, through a convex polygon below it, the
+ * foot, of four edges at most, that falls straight on the region below, 0 to 1. */
 double pp_point_factor_through(struct pp_vec3 from, const struct pp_polygon *foot,
                                const struct pp_region *region, double z,
                                const struct pp_sky *sky);

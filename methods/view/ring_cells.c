@@ -41,7 +41,7 @@ static void halve(struct extent halves[2], const struct extent *all)
         all->low[axis] + 0.5 * (all->high[axis] - all->low[axis]);
 }
 
-/* Those of the rings that reach into an extent; returns how many. */
+/* Finds the rings that reach into an extent; returns their number. */
 static int reaching(int *to, const struct ring_cells *cells, const int *rings,
                     int count, const struct extent *in)
 {

@@ -11,7 +11,7 @@
 
 #include "methods/view/fragments.h"
 
-/* What is done with the fragments of a cell: `rings` has the numbers of those that reach into
+/* Callback for the fragments of a cell: `rings` has the numbers of rings that reach into
  * it, in their order. */
 typedef enum pp_status pp_ring_cells_do(void *data, struct pp_fragments *open,
                                         const int *rings, int count,

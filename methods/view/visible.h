@@ -66,11 +66,10 @@ enum pp_status pp_visible_opening(struct pp_visible *visible,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
                                   struct pp_error *err);
 
-/* That patch as a region on the plane at unit distance: x along opening->along, y along
+/* Patch as a region on the plane at unit distance: x along opening->along, y along
  * opening->up, from the foot of the perpendicular, over the distance from the face's
- * plane. Not cut at the position's horizon. Empty if the position lies behind the
- * opening or in its plane. The region may come as convex rings
- * that meet, and is the caller's. */
+ * plane. Not cut at the position's horizon. Empty if the position lies behind the opening
+ * or in its plane. The region may come as convex rings that meet, and is the caller's. */
 enum pp_status pp_visible_open_part(struct pp_region *region,
                                     const struct pp_world *world,
                                     const struct pp_opening *opening,

@@ -50,8 +50,8 @@ enum pp_status pp_window_drawing_of_view(struct pp_window_drawing *drawing,
                                          struct pp_error *err);
 void pp_window_drawing_clear(struct pp_window_drawing *drawing);
 
-/* Of the part's sky or externally reflected component: what was counted times what one
- * is worth, which stands on the sheet as "w". */
+/* Sky or externally reflected component of the part: the count times the worth of one,
+ * which is "w" on the sheet. */
 extern const struct pp_formula pp_window_drawing_sc, pp_window_drawing_erc;
 extern const struct pp_formula *const pp_window_drawing_formulae[]; /* both, and NULL */
 

@@ -23,7 +23,8 @@ enum pp_status pp_skylight_indicator_fill_blank(
     struct pp_skylight_indicator_sheet *sheet, const struct pp_sky *sky,
     struct pp_error *err);
 
-/* Of an upright opening of the world, by its index, under the CIE overcast sky. */
+/* Fills the sheet for an upright opening of the world, by its index, under the CIE
+ * overcast sky. */
 enum pp_status pp_skylight_indicator_fill_site(
     struct pp_skylight_indicator_sheet *sheet, const struct pp_world *world,
     int opening, struct pp_error *err);

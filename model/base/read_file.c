@@ -56,7 +56,7 @@ static bool is_regular(int file)
     return fstat(file, &there) == 0 && S_ISREG(there.st_mode);
 }
 
-/* What has no size of its own, a pipe say, is read up to PP_READ_FILE_STREAM_MOST. */
+/* Files without a size, such as pipes, are read up to PP_READ_FILE_STREAM_MOST. */
 static enum pp_status read_stream(char **bytes, size_t *length, size_t most, int file,
                                   const char *name, struct pp_error *err)
 {

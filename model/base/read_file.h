@@ -17,7 +17,7 @@
 enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size_t most,
                             struct pp_error *err);
 
-/* What messages call a path: itself, or "standard input" for "-". */
+/* Name of a path in messages: itself, or "standard input" for "-". */
 const char *pp_read_file_title(const char *path);
 
 #endif

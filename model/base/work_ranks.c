@@ -29,7 +29,7 @@ enum { CHUNKS = 8, CHUNK_MOST = 16 };
 
 enum kind { ASK, GIVE, WAIT, OVER, DONE };
 
-/* Of all messages; the bytes of an index, or the words of an error, follow. */
+/* Head of all messages; the bytes of an index, or the words of an error, follow. */
 struct head {
     int kind;
     int index;  /* GIVE, DONE */
@@ -200,7 +200,7 @@ static bool lead_or_work(void *data, int worker, int index)
     return true;
 }
 
-/* Those that are at work read it when they are done. */
+/* Busy ranks read the message when they are done. */
 void pp_work_ranks_dismiss(const struct pp_ranks *ranks)
 {
     const struct head over = {.kind = OVER};

@@ -20,7 +20,7 @@ struct pp_area_moments {
     double left, right, low, high;
 };
 
-/* Those of the empty figure, to which edges are added. */
+/* Moments of the empty figure, to which edges are added. */
 struct pp_area_moments pp_area_moments_empty(void);
 
 /* Adds an edge of a figure. Edges add up to its area as seen from the origin; those on
@@ -28,15 +28,15 @@ struct pp_area_moments pp_area_moments_empty(void);
 void pp_area_moments_add_edge(struct pp_area_moments *moments, const double a[2],
                               const double b[2]);
 
-/* Of the part of a region above z = 0. Takes spikes off the region's rings. */
+/* Moments of the part of a region above z = 0. Takes spikes off the region's rings. */
 struct pp_area_moments pp_area_moments_above_horizon(struct pp_region *region);
 
 /* Room that pp_area_moments_in_box needs for each point, of a figure that one cut may
  * have gone through already: each cut adds at most half as many. */
 enum { PP_AREA_MOMENTS_POINTS = 8 };
 
-/* Of the part of a polygon of `count` points within a box. points and spare have room
- * for PP_AREA_MOMENTS_POINTS times the first count of points; both are written over. */
+/* Moments of the part of a polygon of `count` points within a box. points and spare have
+ * room for PP_AREA_MOMENTS_POINTS times the first count of points; both are written over. */
 struct pp_area_moments pp_area_moments_in_box(double (*points)[2], double (*spare)[2],
                                               int count, double left, double right,
                                               double low, double high);

@@ -49,7 +49,7 @@ double pp_polygon_height(const struct pp_polygon *polygon, struct pp_vec3 point)
 bool pp_polygon_is_before(const struct pp_polygon *polygon,
                           const struct pp_polygon *plane);
 
-/* How far the vertex that is farthest from the polygon's plane lies off it (m). */
+/* Greatest distance of a vertex from the polygon's plane (m). */
 double pp_polygon_unevenness(const struct pp_polygon *polygon);
 
 /* Axes in a plane with this unit normal, so that along x up = normal: along is

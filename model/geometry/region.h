@@ -43,7 +43,7 @@ double pp_region_ring_area(const double (*xy)[2], int count);
 double pp_region_area(const struct pp_region *region);
 struct pp_bounds2 pp_region_bounds(const struct pp_region *region);
 bool pp_region_contains(const struct pp_region *region, double x, double y);
-/* How many of the points it contains. */
+/* Number of points within the region. */
 int pp_region_count_inside(const struct pp_region *region, double (*points)[2],
                            int count);
 /* Distance from a point to the nearest edge; INFINITY for the empty figure. */

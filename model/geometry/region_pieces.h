@@ -14,9 +14,9 @@ struct pp_region_pieces {
     int count;
 };
 
-/* Of the figure with its axes (unit, square to each other) along and up from the origin:
- * a ring without holes is one piece, all else triangles; what is smaller than least_m2 is
- * left out. To be cleared in any case. */
+/* Cuts the figure with its axes (unit, square to each other) along and up from the
+ * origin: a ring without holes is one piece, all else triangles; pieces smaller than
+ * least_m2 are left out. To be cleared in any case. */
 enum pp_status pp_region_pieces_cut(struct pp_region_pieces *pieces,
                                     const struct pp_region *figure,
                                     struct pp_vec3 origin, struct pp_vec3 along,

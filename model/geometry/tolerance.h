@@ -11,8 +11,8 @@
  * within it; nothing may be smaller. Metres. */
 #define PP_SAME_M 1e-3
 
-/* What rounding may do to a sum of typed lengths: a window that sticks out of its wall
- * or into its neighbour by less is moved back. Metres. */
+/* Rounding error of a sum of typed lengths: a window that sticks out of its wall or into
+ * its neighbour by less is moved back. Metres. */
 #define PP_ROUNDING_M 1e-6
 
 /* A receiver nearer to a surface than this lies on it. Metres. */

@@ -16,7 +16,7 @@ struct pp_glass_curve {
     pp_glass_cubic reflectance[PP_GLASS_CURVE_STEPS];
 };
 
-/* Of glass that is not diffusing. Errors are up to 1e-8. */
+/* Makes the curve of glass that is not diffusing. Errors are up to 1e-8. */
 void pp_glass_curve_init(struct pp_glass_curve *curve, const struct pp_glass *glass);
 
 /* As pp_glass_transmittance and pp_glass_reflectance, at a cosine of 0 to 1. */

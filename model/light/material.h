@@ -58,7 +58,7 @@ struct pp_material {
     struct pp_rgb through_gloss;
 
     struct pp_glass glass[3]; /* glass: of red, green and blue */
-    /* Of all three where they are alike, for who asks often; not owned; NULL: none. */
+    /* Curve of all three channels if they are alike; not owned; NULL: none. */
     const struct pp_glass_curve *curve;
     double clear_share; /* of its area that is glass, not frame */
     double dirt;        /* share of the light that dirt lets pass */

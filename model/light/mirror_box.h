@@ -29,9 +29,9 @@ double pp_mirror_box_luminance(const struct pp_mirror_box *box, double altitude_
 /* Illuminance of a level plane over L0: pi for perfect mirrors. */
 double pp_mirror_box_horizontal(const struct pp_mirror_box *box);
 
-/* What a sky component that was measured in the box is to be multiplied by where the
- * opening shows the sky at that altitude: the overcast sky's share of the horizontal
- * illuminance over the box's. INFINITY where the box is dark. */
+/* Correction factor of a sky component measured in the box, where the opening shows the
+ * sky at that altitude: the overcast sky's share of the horizontal illuminance over the
+ * box's. INFINITY where the box is dark. */
 double pp_mirror_box_correction(const struct pp_mirror_box *box, double altitude_rad);
 
 #endif

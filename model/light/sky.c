@@ -77,7 +77,7 @@ double pp_sky_luminance(const struct pp_sky *sky, struct pp_vec3 u)
     return relative_luminance(sky, u) * sky->per_horizontal;
 }
 
-/* What the quadrature of pp_sky_on_plane needs at each node. */
+/* Data that the quadrature of pp_sky_on_plane needs at each node. */
 struct plane_integral {
     const struct pp_sky *sky;
     struct pp_vec3 normal;

@@ -77,8 +77,8 @@ static void sum_ring(struct net *net, double upper, double lower)
         net->turn[k] /= net->turn[net->bearings];
 }
 
-/* How many cells the ring has that begins behind `done` of `count`: those that are nearest
- * to square, and all that are left where another such ring has no room. */
+/* Number of cells of the ring that begins behind `done` of `count`: those that are
+ * nearest to square, and all that are left where another such ring has no room. */
 static int ring_size(const struct net *net, int done, int count)
 {
     double top = altitude_of(share_position(net->above, STRIPS, (double)done / count));

@@ -64,7 +64,8 @@ static enum pp_status read_corner(struct pp_mesh_triangles *mesh,
         err);
 }
 
-/* Which corner does a word of a face name ("7", "7/3/2", "-1")? -1: none there is. */
+/* Index of the corner that a word of a face names ("7", "7/3/2", "-1"); -1: no such
+ * corner. */
 static int corner_of(const struct pp_mesh_triangles *mesh, const char *word)
 {
     char *end;

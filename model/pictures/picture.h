@@ -7,7 +7,7 @@
 #include "model/base/error.h"
 #include "model/light/rgb.h"
 
-/* Of both sides, and of all pixels: 768 MiB. */
+/* Limits of each side, and of all pixels: 768 MiB. */
 enum { PP_PICTURE_SIDE_MOST = 65535 };
 #define PP_PICTURE_PIXELS_MOST (1 << 26)
 

@@ -21,8 +21,8 @@ struct pp_atlas_scale {
     double edges[PP_ATLAS_CLASSES + 1]; /* rising */
 };
 
-/* What the method says over what is true, 1 where it is right: median and the values that
- * 5 and 95 % lie below. NAN of fewer than PP_ATLAS_ENOUGH rooms. */
+/* Ratio of the method's result to the truth, 1 where it is right: median and the values
+ * that 5 and 95 % lie below. NAN of fewer than PP_ATLAS_ENOUGH rooms. */
 struct pp_atlas_quantiles {
     int rooms;
     double low, median, high;
@@ -35,8 +35,8 @@ struct pp_atlas_map {
     int blind; /* values left out, as the truth of them is not well enough known */
     struct pp_atlas_scale across, up; /* up.count 1: a map by one number */
 
-    /* Of class u up and a across at u PP_ATLAS_CLASSES + a: in the room as it is, and in
-     * the world that the method calculates in, where that was traced. */
+    /* Quantiles of class u up and a across at u PP_ATLAS_CLASSES + a: in the room as it
+     * is, and in the world that the method calculates in, where that was traced. */
     struct pp_atlas_quantiles real[PP_ATLAS_CELLS], own[PP_ATLAS_CELLS];
 };
 

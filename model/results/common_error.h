@@ -9,7 +9,8 @@
 
 #include <math.h>
 
-/* Of a sum, from the sum of the terms' standard errors and that of their squares. */
+/* Standard error of a sum, from the sum of the terms' standard errors and that of their
+ * squares. */
 static inline double pp_common_error(double sum, double squares, double common)
 {
     return sqrt((1.0 - common) * squares + common * sum * sum);

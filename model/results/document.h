@@ -13,7 +13,7 @@
 
 #include "model/base/error.h"
 
-/* What a text is among others. */
+/* Role of a text among others. */
 enum pp_tone {
     PP_TONE_PLAIN,
     PP_TONE_SOFT, /* a remark, which stands back */

@@ -55,7 +55,7 @@ struct parser {
     bool failed;
 };
 
-/* What a part of the text stands for. */
+/* Meaning of a part of the text. */
 struct term {
     struct pp_dimension dimension;
     const char *start;

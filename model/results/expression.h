@@ -80,7 +80,7 @@ struct pp_expression {
     struct pp_dimension dimension;       /* of the result */
 };
 
-/* What is wrong with a text, and where: the column counts bytes from 0. */
+/* Mistake in a text, and its place: the column counts bytes from 0. */
 struct pp_expression_mistake {
     int column;
     char what[256]; /* "expected \")\", for the \"(\" in column 12" */
@@ -97,7 +97,7 @@ bool pp_expression_parse(struct pp_expression *expression, const char *text, int
 /* The functions, for lists; ends with NULL. */
 const char *const *pp_expression_functions(void);
 
-/* How many bytes at text are a name; 0: no name begins there. */
+/* Number of bytes of the name at text; 0: no name begins there. */
 int pp_expression_name_length(const char *text);
 
 #endif

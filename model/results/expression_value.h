@@ -15,7 +15,7 @@ struct pp_expression_fault {
 double pp_expression_value(const struct pp_expression *expression, const double *values,
                            struct pp_expression_fault *fault);
 
-/* What a function makes of its arguments, angles in degrees. */
+/* Value of a function of its arguments, angles in degrees. */
 double pp_expression_value_call(enum pp_operation_kind kind, const double *list,
                                 int count);
 

@@ -23,9 +23,9 @@ struct pp_lit_area {
 
 void pp_lit_area_clear(struct pp_lit_area *area);
 
-/* What is lost between two shares of a room that are lit, by the zones in which surveyors of
- * rights of light count it: quarters of the room's area, in the order in which the last of
- * them would be lost. A loss in the front zone leaves less than a quarter lit. */
+/* Zones of the loss between two lit shares of a room, as surveyors of rights of light
+ * count it: quarters of the room's area, in the order in which the last of them would be
+ * lost. A loss in the front zone leaves less than a quarter lit. */
 enum pp_lit_zone {
     PP_ZONE_FRONT,
     PP_ZONE_FIRST,
@@ -43,7 +43,7 @@ struct pp_lit_loss {
 
 struct pp_lit_loss pp_lit_area_loss(double plane_m2, double before_m2, double now_m2);
 
-/* What of a room is lit, now and before. */
+/* Lit area of a room, now and before. */
 struct pp_lit_change {
     double plane_m2, lit_m2;
     double before_m2; /* NAN: not known */

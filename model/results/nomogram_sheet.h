@@ -7,7 +7,7 @@
 
 #include "model/results/formula.h"
 
-/* How much a mark of a scale stands out. */
+/* Prominence of a mark of a scale. */
 enum pp_mark_rank { PP_MARK_FINE, PP_MARK_MIDDLE, PP_MARK_LABELLED };
 
 /* ---- the nomogram ----
@@ -72,8 +72,8 @@ struct pp_nomogram_place {
     double share_y, factor_y; /* on their stems */
 };
 
-/* What a person reads of one opening. Values are in the order of the stems, as set and
- * read; NAN: not used. Without an obstruction (a slope) E is not read: it is C. */
+/* Reading of one opening. Values are in the order of the stems, as set and read; NAN: not
+ * used. Without an obstruction (a slope) E is not read: it is C. */
 struct pp_nomogram_reading {
     double glass_m2, inside_m2; /* W, A */
     double ratio;               /* W/A */

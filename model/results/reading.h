@@ -15,7 +15,7 @@ static inline struct pp_reading pp_reading_none(const char *why)
     return (struct pp_reading){NAN, NAN, why, 0};
 }
 
-/* How far two sampled values are apart, in standard errors of their difference; 0 where they
+/* Distance of two sampled values, in standard errors of their difference; 0 where they
  * are the same without error, NAN where an error is not known. */
 static inline double pp_reading_apart(const struct pp_reading *reading,
                                       const struct pp_reading *other)

@@ -18,7 +18,7 @@
 enum { PP_PLANE_LEVELS = 3 };
 extern const double pp_plane_levels[PP_PLANE_LEVELS];
 
-/* Of the points of a grid over the working plane; NAN where there is none. */
+/* Statistics over the points of a grid on the working plane; NAN where there is none. */
 struct pp_plane_reading {
     struct pp_reading minimum, median, average;
     double uniformity;            /* minimum over average */

@@ -10,7 +10,7 @@
 
 #include "model/base/text.h"
 
-/* Which of the sheet's places a symbol has, by its first two letters. */
+/* Index of a symbol's place on the sheet, by its first two letters. */
 static int symbol_place(const char *symbol)
 {
     return (symbol[0] + 9 * symbol[1]) & (PP_WORKSHEET_PLACES - 1);

@@ -27,8 +27,8 @@ struct pp_worksheet {
     bool varied; /* has a reader's variant been worked out? */
     int part;    /* number behind the symbols that are put down now; 0: none */
     int count;
-    /* Of each place that symbols have by their letters, the latest figure, counted from 1; 0:
-     * none, so that no symbol of that place is there. */
+    /* Latest figure of each place that symbols have by their letters, counted from 1; 0:
+     * no symbol of that place. */
     unsigned char latest[PP_WORKSHEET_PLACES];
     struct pp_worksheet_figure {
         const char *symbol; /* not owned */

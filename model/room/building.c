@@ -168,7 +168,7 @@ enum pp_status pp_building_mirror(struct pp_building *building,
 
 /* ---- Blocks by their names ---- */
 
-/* Of the building, or of a lone room. */
+/* Room that holds the building, or a lone room. */
 static struct pp_room *holder(const struct pp_building *building)
 {
     bool lone = building->read_count == 1 && building->common.block_count == 0
@@ -186,8 +186,8 @@ static bool is_called(const char *own, const char *name)
     return own && strcmp(own, name) == 0;
 }
 
-/* Of the faces of the block of that line, but for the box itself: a roof, or the walls
- * over a footprint; z of the lowest and of the highest corner. */
+/* Finds the z of the lowest and highest corner of the block of that line, without the box
+ * itself: a roof, or the walls over a footprint. */
 static void find_reach(double reach_m[2], const struct pp_room *room, int line)
 {
     reach_m[0] = INFINITY;
@@ -291,7 +291,7 @@ enum pp_status pp_building_block_footprint(struct pp_vec3 **corners, int *count,
                                  pp_vec_add(b->corner, across)};
         return copy_corners(corners, count, four, 4, b->corner.z, err);
     }
-    /* Of what stands over an outline, the roof is the last. */
+    /* The roof is the last of the parts over an outline. */
     const struct pp_surface_part *roof = NULL;
     for (int i = 0; i < room->surface_count && line; i++)
         if (room->surfaces[i].is_of_block && room->surfaces[i].line == line)

@@ -18,7 +18,7 @@ struct pp_mirror_line {
     double from[2], to[2];
 };
 
-/* What one file holds: one room, or a building of several. */
+/* Contents of one file: one room, or a building of several. */
 struct pp_building;
 
 /* Reads a room file; path "-" is standard input. Mistakes in the file's form or
@@ -49,8 +49,8 @@ struct pp_room *pp_building_room(struct pp_building *building, int index);
 /* Where that room stands among all of the file, of any state, from 0. */
 int pp_building_place(const struct pp_building *building, int index);
 
-/* How many windows, rooflights and openings stand before those of that room in the file,
- * in rooms of any state. */
+/* Number of windows, rooflights and openings before those of that room in the file, in
+ * rooms of any state. */
 int pp_building_openings_before(const struct pp_building *building, int index);
 
 /* Does the file say of anything that it stands there in one state only? */

@@ -7,8 +7,8 @@
 #include "model/base/error.h"
 #include "model/room/world.h"
 
-/* What is left of a face of the room without its openings: one outline, or several
- * where openings part it. Corners are the face's and the openings' own to the bit. */
+/* Outlines of a face of the room without its openings: one, or several where openings
+ * part it. Corners are the face's and the openings' own to the bit. */
 struct pp_keyhole_outlines {
     int count;
     struct pp_ring_3d {

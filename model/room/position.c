@@ -122,7 +122,7 @@ bool pp_position_in_fitting(const struct pp_world *world, struct pp_vec3 point)
     return false;
 }
 
-/* What is wrong with a receiver on a surface of that role. */
+/* Fault of a receiver on a surface of that role. */
 static const char *fault_on_surface(enum pp_role role)
 {
     switch (role) {

@@ -22,9 +22,9 @@ bool pp_position_in_surface(const struct pp_world *world, struct pp_vec3 point);
 /* Is the point within furniture, a column or a partition, or on their sides? */
 bool pp_position_in_fitting(const struct pp_world *world, struct pp_vec3 point);
 
-/* What is wrong with a receiver at this position with that unit normal, as the end of a
- * sentence ("lies outside the room", "lies in an opening"), or NULL if nothing is. A
- * receiver may lie on floor, walls and ceiling if it faces straight into the room. */
+/* Fault of a receiver at this position with that unit normal, as the end of a sentence
+ * ("lies outside the room", "lies in an opening"), or NULL if there is none. A receiver
+ * may lie on floor, walls and ceiling if it faces straight into the room. */
 const char *pp_position_receiver_fault(const struct pp_world *world,
                                        struct pp_vec3 position, struct pp_vec3 normal);
 

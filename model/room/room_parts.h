@@ -84,8 +84,8 @@ struct pp_glazing_part {
 
 enum pp_shade_kind { PP_OVERHANG, PP_FIN, PP_BALCONY, PP_SHELF };
 
-/* What shades a window and belongs to it; lengths are counted from its edges, left and
- * right as drawn from outside (build/shades.h). */
+/* Shade that belongs to a window; lengths are counted from its edges, left and right as
+ * drawn from outside (build/shades.h). */
 struct pp_shade_part {
     enum pp_shade_kind kind;
     double depth_m, inside_m; /* outside the wall; of a shelf, inside it too */
@@ -164,7 +164,7 @@ struct pp_receiver_part {
 
 enum pp_cover_kind { PP_DOOR, PP_DADO };
 
-/* What covers a part of a wall, in another reflectance (build/covers.h). */
+/* Cover of a part of a wall, with another reflectance (build/covers.h). */
 struct pp_cover_part {
     enum pp_cover_kind kind;
     char *name;             /* NULL where not given */
@@ -178,7 +178,7 @@ struct pp_cover_part {
 
 enum pp_fitting_kind { PP_FURNITURE, PP_COLUMN, PP_PARTITION };
 
-/* What stands in a room: a box, or a round column (build/fittings.h). */
+/* Fitting in a room: a box, or a round column (build/fittings.h). */
 struct pp_fitting_part {
     enum pp_fitting_kind kind;
     struct pp_vec3 corner; /* of furniture its lower corner, of columns the middle, of

@@ -129,7 +129,7 @@ static bool is_number(struct span text, double number, double per_metre)
     return pp_text_parse_number(copy, &said) && said / per_metre == number;
 }
 
-/* How many of the file's units a metre is: its root says so. */
+/* Units of the file per metre, from its root. */
 static double per_metre_of(const char *text, size_t length)
 {
     const char *end = text + length;

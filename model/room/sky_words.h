@@ -6,7 +6,7 @@
 #include "model/base/error.h"
 #include "model/light/sky.h"
 
-/* What the words say, before it becomes a sky. */
+/* Sky as the words state it, before it becomes a sky. */
 struct pp_sky_part {
     enum pp_sky_kind kind;
     int iso;

@@ -131,7 +131,7 @@ struct pp_block {
     enum pp_site_state state;
     int line;
 
-    /* Of a world's block: the edges from the corner, width_m and depth_m long, and where
+    /* Block of a world: the edges from the corner, width_m and depth_m long, and where
      * its sides stand among the surfaces. */
     struct pp_vec3 along, across;
     int first_side, side_count;
@@ -231,7 +231,7 @@ struct pp_world {
     int receiver_count;
 };
 
-/* How many surfaces there are before those of meshes, which are the last. */
+/* Number of surfaces before those of meshes, which are the last. */
 int pp_world_before_meshes(const struct pp_world *world);
 
 /* The surface behind surface i; behind a side of a block, the first that is none. */

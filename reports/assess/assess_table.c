@@ -11,7 +11,7 @@
 #include "reports/parts/table.h"
 #include "studies/criteria/site_table.h"
 
-/* What a column shows of a row. */
+/* Content of a column in a row. */
 enum shown {
     ROOM,
     REF,
@@ -98,7 +98,7 @@ static void put_number(char cell[PP_CELL_BYTES], double value, int decimals)
         snprintf(cell, PP_CELL_BYTES, "%.*f", decimals, value + 0.0);
 }
 
-/* Of one room, or of all. */
+/* Writes the lit area of one room, or of all. */
 static void put_lit(char cell[PP_CELL_BYTES], const struct pp_lit_change *of,
                     enum shown shown)
 {

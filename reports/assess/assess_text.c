@@ -158,7 +158,7 @@ static void print_answer(const struct pp_answer *answer, struct layout layout,
         fprintf(out, "%*s", INDENT, "");
         pp_print_wrapped(findings->basis, INDENT, INDENT, layout.width, out);
     }
-    /* What holds for several findings on end is said once, below the last. */
+    /* Notes that hold for several findings on end are printed once, below the last. */
     for (int i = 0; i < findings->count; i++) {
         struct pp_finding finding = findings->list[i];
         bool said_again = i + 1 < findings->count
@@ -181,7 +181,7 @@ static bool is_left_to_another(const struct pp_assessment *assessment,
     return false;
 }
 
-/* How many findings have that verdict, those left to another criterion or all others. */
+/* Number of findings with that verdict, those left to another criterion or all others. */
 static int count_verdicts(const struct pp_assessment *assessment,
                           enum pp_verdict verdict, bool left)
 {
@@ -231,7 +231,7 @@ static void print_simulation(const struct pp_assessment *assessment,
     pp_print_wrapped(text, 2, 2, layout->width, out);
 }
 
-/* What stands in brackets behind figures by hand, or why nothing does. */
+/* Prints the bands in brackets behind figures by hand, or why there are none. */
 static void print_bands(const struct pp_assessment *assessment,
                         const struct layout *layout, FILE *out)
 {

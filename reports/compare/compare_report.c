@@ -141,7 +141,7 @@ static void print_instead(const struct pp_compare_result *result, int width, FIL
     }
 }
 
-/* What is left, and what it looks like. */
+/* Appends the unexplained rest, and its pattern. */
 static void append_left(char text[TEXT_BYTES], const struct pp_compared *compared)
 {
     const struct pp_likelihood *noise = &compared->search.sets[0].likelihood;
@@ -196,7 +196,7 @@ static void append_missing(char text[TEXT_BYTES])
                    ". A mistake of these kinds can look like the causes above.");
 }
 
-/* What to do about the noise; NULL: there is little. */
+/* Advice on the noise; NULL: there is little. */
 static const char *cure_of_noise(const struct pp_likelihood *noise)
 {
     return noise->sigma < PP_COMPARE_NOISY ? NULL

@@ -5,7 +5,7 @@
 
 #include "reports/page/site_report.h"
 
-/* Of room `room` of the assessments. */
+/* Adds the chapter of room `room` of the assessments. */
 void pp_room_chapter(struct pp_document *document, const struct pp_site_report *report,
                      int room);
 

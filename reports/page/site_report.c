@@ -18,7 +18,7 @@ static const enum pp_verdict verdicts[] = {PP_MET, PP_NOT_MET, PP_UNDECIDED,
 
 enum { VERDICTS = sizeof verdicts / sizeof *verdicts };
 
-/* How many of a room's findings have that verdict. */
+/* Number of a room's findings with that verdict. */
 static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verdict)
 {
     int count = 0;

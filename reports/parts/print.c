@@ -141,7 +141,7 @@ static void tell_reflectances(const struct pp_world *world,
     tell(listener, "reflectances", "%s", text);
 }
 
-/* What is assumed of an opening, without its place along the wall. */
+/* Describes the assumptions of an opening, without its place along the wall. */
 static void describe_opening(const struct pp_world *world,
                              const struct pp_opening *opening, char text[TEXT_BYTES])
 {

@@ -18,8 +18,8 @@ struct pp_band_ends pp_print_band_at(const struct pp_column *column, int index,
 /* Adds "band": [0.82, 1.31], where it is known. False when memory is out. */
 bool pp_print_band_json(struct json_object *object, struct pp_band_ends band);
 
-/* What the bands of a report are, with those of the averages, or why it has none, as a note; nothing where nobody
- * asked. */
+/* Prints a note on the bands of a report, with those of the averages, or why it has none;
+ * nothing if bands were not requested. */
 void pp_print_band_note(const struct pp_report *report, int width, FILE *out);
 
 #endif

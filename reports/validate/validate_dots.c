@@ -15,7 +15,7 @@ const char pp_validate_dots_style[] =
     "height:auto}circle{fill:var(--good);fill-opacity:.4}circle.edge{fill:none;"
     "stroke:var(--bad)}line.median{stroke:var(--bad);stroke-width:2}\n";
 
-/* Of a chart, in pixels. */
+/* Dimensions of a chart, in pixels. */
 enum { LEFT = 66, RIGHT = 334, WIDTH = 340, ROW = 22, AXIS = 16 };
 
 enum { ROWS = 3 };

@@ -26,7 +26,8 @@ static void print_case(const struct pp_known_case *one, FILE *out)
 
 enum { PLACE_WIDTH = 20 };
 
-/* Of a method in a room: per cent, with the differences that are allowed, and the parts. */
+/* Prints a method's difference in a room: per cent, with the allowed differences, and the
+ * parts. */
 static void print_parts(const struct pp_known_case *one, FILE *out)
 {
     bool judged = pp_known_case_is_judged(one);
@@ -117,7 +118,7 @@ void pp_validate_known_text(const struct pp_known_result *result, int width, FIL
 
 /* ---- JSON ---- */
 
-/* What cases of a user's rooms have besides. */
+/* Adds the extra members of cases of a user's rooms. */
 static bool add_of_room(struct json_object *object, const struct pp_known_case *one)
 {
     bool good = pp_json_text(object, "file", one->file)
@@ -171,7 +172,7 @@ enum pp_status pp_validate_known_json(const struct pp_known_result *result, FILE
 
 /* ---- CSV ---- */
 
-/* What cases of a user's rooms have besides. */
+/* Writes the extra columns of cases of a user's rooms. */
 static void put_csv_of_room(const struct pp_known_case *one, FILE *out)
 {
     const double numbers[] = {pp_known_case_is_judged(one) ? one->least : NAN,

@@ -7,7 +7,7 @@
 #include "studies/validation/known_case.h"
 #include "studies/validation/suite.h"
 
-/* What a suite found. */
+/* Results of a suite. */
 struct pp_known_result {
     const struct pp_suite *suite;
     struct pp_known_cases cases;

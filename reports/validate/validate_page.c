@@ -14,7 +14,7 @@ enum { BINS = 31 };
 
 static const double BIN_MOST = 1.5;
 
-/* Of a histogram, in pixels. */
+/* Dimensions of a histogram, in pixels. */
 enum { BIN_WIDTH = 6, BAR_HEIGHT = 40, AXIS_HEIGHT = 14 };
 
 /* The cases of one group, which need not stand together. */

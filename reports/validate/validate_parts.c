@@ -138,7 +138,7 @@ static bool add_parts(struct json_object *object, const char *begin,
     return good;
 }
 
-/* Of several rooms none is worked out. */
+/* Errors are not worked out for several rooms. */
 static struct pp_error_parts without_errors(double assumption, double formula)
 {
     return (struct pp_error_parts){assumption, NAN, formula, NAN};

@@ -15,7 +15,7 @@ bool pp_validate_parts_print(const struct pp_comparison *list, int count, FILE *
 /* The same over all rooms. */
 void pp_validate_parts_print_all(const struct pp_overall *list, int count, FILE *out);
 
-/* What the tables hold, for the end of a text with any. */
+/* Note on the tables' contents, for the end of a text with any. */
 extern const char pp_validate_parts_note[];
 
 /* Adds what is known of the parts to the object of a comparison; false: memory is out. */

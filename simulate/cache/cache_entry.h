@@ -22,7 +22,7 @@ struct pp_cache_entry {
     double curvature;   /* greatest second derivative over the value, as far as it is
                          * sure to be more than noise, 1/m2 */
 
-    /* What is read: those of `is`, or these smoothed (cache_smooth.h). */
+    /* Value that is read: that of `is`, or the smoothed one (cache_smooth.h). */
     struct pp_rgb value;
     struct pp_vec3 along[3];
 };
@@ -36,9 +36,9 @@ struct pp_cache_place {
     enum pp_space space;
 };
 
-/* How far from the record the place is, 0 at it and 1 at the edge of its ellipse; more
- * than 1e9 where it is more than `most`, and where the record does not hold for the
- * place however near. */
+/* Distance of the place from the record, 0 at it and 1 at the edge of its ellipse; more
+ * than 1e9 where it is more than `most`, and where the record does not hold for the place
+ * however near. */
 double pp_cache_entry_distance(const struct pp_cache_entry *entry,
                                const struct pp_cache_place *place, double most);
 

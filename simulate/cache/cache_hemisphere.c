@@ -65,9 +65,8 @@ static void shuffle(struct pp_cache_hemisphere *h, uint64_t seed)
     }
 }
 
-/* How much the neighbours' luminances differ from each other. The cell's own is left
- * out: more samples of a cell because its first came out high would bias the mean
- * down. */
+/* Contrast of the neighbours' luminances. The cell's own is left out: more samples of a
+ * cell because its first came out high would bias the mean down. */
 static double contrast_about(const struct pp_cache_hemisphere *h, int k)
 {
     int n = h->side, i = k % n, j = k / n, count = 0;

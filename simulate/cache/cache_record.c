@@ -61,8 +61,8 @@ static void sector_border(int s, double u[2])
     }
 }
 
-/* How far off the plane that the cell has met stands in direction u of the surface;
- * INFINITY if it does not stand there. */
+/* Distance of the plane that the cell has met, in direction u of the surface; INFINITY if
+ * it does not stand there. */
 static double plane_distance(const struct pp_cache_hemisphere_cell *cell,
                              const double u[2])
 {
@@ -86,7 +86,7 @@ static double clear_of(const struct pp_cache_hemisphere_cell *cell, int sector)
     return clear;
 }
 
-/* How far the surface is clear all round, by the surfaces that low rays met: in their
+/* Clear distance of the surface all round, by the surfaces that low rays met: in their
  * own sector and, since no ray may have come into those, in the two beside it. */
 static void find_horizon(const struct pp_cache_hemisphere *h,
                          struct pp_cache_entry *entry)

@@ -6,7 +6,7 @@
 
 #include "simulate/cache/cache_hemisphere.h"
 
-/* How records of one depth are made. */
+/* Settings of the records of one depth. */
 struct pp_cache_record_settings {
     int side; /* of the hemispheres */
     int supersamples;

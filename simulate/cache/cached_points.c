@@ -23,7 +23,7 @@ enum {
 /* The least standard error that is wanted, as the tracer's: 0.002 % daylight factor. */
 static const double LEAST_ERROR = 2e-5;
 
-/* How the internally reflected light at a point is found. */
+/* Estimator of the internally reflected light at a point. */
 enum reflected_by {
     BY_SAMPLES,  /* rays from the point */
     BY_RECORDS,  /* the cache, interpolated there */

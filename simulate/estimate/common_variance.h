@@ -10,11 +10,11 @@
 
 enum { PP_COMMON_VARIANCE_NEAREST = 12 };
 
-/* Of the first `count` points. */
+/* Common variance of the first `count` points. */
 double pp_common_variance_of_all(const struct pp_planner *planner, int count);
 
-/* Of one with the PP_COMMON_VARIANCE_NEAREST - 1 that are nearest to it, on average.
- * places: of the points. */
+/* Common variance of a point with the PP_COMMON_VARIANCE_NEAREST - 1 nearest to it, on
+ * average. places: of the points. */
 double pp_common_variance_of_near(const struct pp_planner *planner,
                                   const struct pp_vec3 *places, int count);
 

@@ -16,7 +16,7 @@ static const double PATH_COST = 1.0;
  * 1 % less than they should. */
 static const double SKEWNESS_SQUARED = 1.5;
 
-/* How the third moment of a mean falls with its paths, on the safe side. */
+/* Exponent of the fall of a mean's third moment with its paths, on the safe side. */
 static const double THIRD_FALL = 2.0;
 
 /* Paths for the sake of skewness and of what was not found: no more in a
@@ -31,7 +31,7 @@ static const double VAGUE = 5.0;
  * tell a variance to 36 %. */
 static const double LEAST_ADDED = 1.5, MOST_ADDED = 4.0;
 
-/* What randomisations of some numbers of paths will show. */
+/* Predicted statistics of randomisations of some numbers of paths. */
 struct outlook {
     const struct pp_sampled *pilot;
     struct pp_counts counts;
@@ -105,7 +105,7 @@ static struct outlook doubled(const struct outlook *outlook, int k)
     return more;
 }
 
-/* What is to come down, by more paths. */
+/* Statistic that more paths are to reduce. */
 enum aim { VARIANCE, SKEWNESS, BOUND };
 
 static double height(const struct outlook *outlook, enum aim aim)

@@ -157,7 +157,7 @@ static double wanted_error(const struct pp_planner *planner, int index)
                 1e-12);
 }
 
-/* What a point needs by its pilot. */
+/* Plans a point by its pilot. */
 static bool foresee(void *data, int worker, int index)
 {
     (void)worker;
@@ -214,7 +214,7 @@ static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *er
     return status;
 }
 
-/* What the halves of a point need by each other's spread. */
+/* Plans the halves of a point by each other's spread. */
 static bool foresee_halves(void *data, int worker, int index)
 {
     (void)worker;

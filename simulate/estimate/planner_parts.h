@@ -51,7 +51,7 @@ static inline bool pp_planner_by_error(const struct pp_planner *planner)
     return planner->options.error > 0.0 && !pp_planner_by_samples(planner);
 }
 
-/* What a point has in a stage. */
+/* Samples of a point in a stage. */
 static inline struct pp_sampled pp_planner_stage(const struct pp_planner *planner,
                                                  int index, enum pp_planner_stage stage)
 {

@@ -44,19 +44,19 @@ struct pp_sampler {
     int estimators; /* of each point */
     int values;     /* read from the sums; of the last one an error is wanted */
 
-    /* How the variance of an estimator's mean falls with its paths, n to the minus
-     * this. */
+    /* Exponent of the fall of an estimator's variance of the mean with its paths, n to
+     * the minus this. */
     double fall[PP_ESTIMATORS_MOST];
 
     /* Paths of each estimator in a randomisation: of the pilot, and at least in the
      * end. */
     struct pp_counts pilot, least;
 
-    /* Of the pilot, by error: even, and fewer than PP_RANDOMISATIONS (plan.h) where values
-     * have little skew; 0: as many. */
+    /* Randomisations of the pilot, by error: even, and fewer than PP_RANDOMISATIONS
+     * (plan.h) where values have little skew; 0: as many. */
     int pilot_randomisations;
 
-    /* Of each estimator in a randomisation: no more than so many; 0: no such limit. */
+    /* Greatest number of paths of each estimator in a randomisation; 0: no limit. */
     struct pp_counts most;
 
     /* The cost of a path beside its rays, in rays; 0: 1. */
@@ -65,11 +65,11 @@ struct pp_sampler {
     /* And of a randomisation more than PP_RANDOMISATIONS (plan.h), beside its paths. */
     double cost_of_more;
 
-    /* What points share, before they are followed: of the randomisations `first` to
-     * first + count - 1 of a stage, which have seeds of their own, and of each the
-     * greatest number of paths by estimator. What was made ready before is wanted no
-     * more, but for the same `first` of the same stage. pool: the threads at work. NULL:
-     * nothing. */
+    /* Makes the samples that points share, before paths are followed: for the
+     * randomisations `first` to first + count - 1 of a stage, which have seeds of their
+     * own, and of each the greatest number of paths by estimator. What was made ready
+     * before is wanted no more, but for the same `first` of the same stage. pool: the
+     * threads at work. NULL: nothing. */
     enum pp_status (*prepare)(const void *client, int stage, int first, int count,
                               const struct pp_counts *wanted,
                               struct pp_thread_pool *pool, struct pp_error *err);
@@ -78,7 +78,7 @@ struct pp_sampler {
     size_t state_size;
     void (*begin)(const void *client, void *state);
 
-    /* What the point's random numbers are hashed from. */
+    /* Seed of the point's random numbers. */
     uint64_t (*seed)(const void *client, int point);
 
     /* Adds the paths to the randomisation's sums, rays and leaks. */

@@ -38,7 +38,7 @@ static double variance_of_mean(const struct half *half, double mean)
     return (half->squares - n * off * off) / (n - 3.0) / n;
 }
 
-/* Of a value, or of an estimator's part in the last one. */
+/* Spread of a value, or of an estimator's part in the last one. */
 static struct pp_spread spread_of(const struct pp_sampled *sampled, int value,
                                   int estimator)
 {
@@ -123,7 +123,7 @@ static bool differs(const struct pp_sampled *sampled, int value)
     return false;
 }
 
-/* How many randomisations from the first on all points have begun. */
+/* Number of randomisations, from the first, that all points have begun. */
 static int begun_by_all(const struct pp_sampled *points, int count)
 {
     int all = points[0].count;

@@ -54,8 +54,8 @@ void pp_photon_enter(struct pp_photon_state *state, const double *chances, int v
 /* To the surface that it meets next; false where it meets none. */
 bool pp_photon_arrive(struct pp_photon_state *state, struct pp_photon *photon);
 
-/* What it brings there: the light that leaves its own side (0) or the far one (1)
- * diffusely. False where that is none. */
+/* Power left there by the photon: the light that leaves its own side (0) or the far one
+ * (1) diffusely. False where that is none. */
 bool pp_photon_leaves(const struct pp_photon_state *state,
                       const struct pp_photon *photon, int side,
                       struct pp_photon_place *place);

@@ -83,7 +83,7 @@ static void add_sources(struct pp_photon_state *state, struct gathering *ray)
     }
 }
 
-/* What a photon brings the receiver that the ray has become. */
+/* Adds a photon's light to the receiver that the ray has become. */
 static void add_photon(struct pp_photon_state *state, struct gathering *ray)
 {
     struct pp_photon photon;

@@ -7,8 +7,8 @@
 
 enum { MOST_PANES = 64 }; /* that a shadow ray passes */
 
-/* What a ray meets less than this over the receiver's plane does not hide it: it may be
- * the surface in which the receiver lies, met in single precision. */
+/* Surfaces that a ray meets less than this over the receiver's plane do not hide it: it
+ * may be the surface in which the receiver lies, met in single precision. */
 static const double OVER_PLANE_M = 1e-5;
 
 double pp_photon_receiver_limit(const struct pp_photon_state *state,

@@ -17,7 +17,7 @@
  * alike, 2 and 100 take 5 to 10 % more. */
 static const double SOURCE_LIMIT = 1.0, SURFACE_LIMIT = 8.0;
 
-/* Of the mean luminance: what the table takes a direction to have at least. */
+/* Least value of a table's direction, over the mean luminance. */
 static const double LEAST_CELL = 0.2;
 
 /* The luminance, at least, that an opening is taken to look out on, over Eh: the middle of
@@ -301,7 +301,8 @@ static double projected(const struct pp_target *target, struct pp_vec3 on,
     return fmin(here * there / (d2 * d2), PP_PI / target->area_m2);
 }
 
-/* Of a triangle: over its corners and middle; *seen where one of them has any. */
+/* Projected area of a triangle, over its corners and middle; *seen where one of them has
+ * any. */
 static double projected_triangle(const struct pp_target *target, int index,
                                  struct pp_vec3 point, struct pp_vec3 normal,
                                  bool *seen)

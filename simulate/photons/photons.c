@@ -22,7 +22,7 @@ enum { SUM_DIRECT = 0, SUM_PHOTONS = 2, SUM_GATHER = 4 };
  * more. */
 enum { MOST_SHARED = 1024 };
 
-/* What one of them costs a receiver, in rays, as if some 25 receivers had it. */
+/* Cost of a shared photon set to a receiver, in rays, as if some 25 receivers used it. */
 static const double SHARED_COST = 0.3;
 
 /* The least standard error that is wanted, over Eh: 0.002 % daylight factor. */
@@ -65,8 +65,8 @@ static void take_direct(struct pp_photon_state *state, const struct photon_point
     sums[last == PP_PHOTON_FROM_SKY ? PP_SC : PP_ERC] += pp_rgb_luminance(light);
 }
 
-/* Of a photon that all receivers share. Adds to sums[PP_ERC] and on, by what it has last
- * come from. */
+/* Takes in a photon that all receivers share. Adds to sums[PP_ERC] and on, by what it has
+ * last come from. */
 static void take_photon(struct pp_photon_state *state, const struct photon_point *point,
                         const struct pp_photon_place *places, int count, double *sums)
 {

@@ -23,7 +23,7 @@ static double factor_of(const struct descent *g, const struct pp_vec3 *corners,
     return pp_form_factor(g->taker->point, g->taker->normal, corners, count);
 }
 
-/* How much of a polygon is seen, by its middle and corners: 0, 1, or something between. */
+/* Seen share of a polygon, by its middle and corners: 0, 1, or something between. */
 static double seen_of(const struct descent *g, const struct pp_vec3 *corners, int count,
                       bool by_middle)
 {
@@ -57,8 +57,9 @@ static double factor_seen(const struct descent *g, int index,
     return sum;
 }
 
-/* What the light over an element may differ by, as this place takes it: by its spread, in
- * so far as the form factor too differs from part to part, with size over distance. */
+/* Possible variation of the light over an element, as this place receives it: by its
+ * spread, in so far as the form factor too differs from part to part, with size over
+ * distance. */
 static double unevenness(const struct descent *g, const struct pp_element *element,
                          double factor)
 {

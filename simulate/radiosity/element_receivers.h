@@ -39,17 +39,17 @@ enum pp_status pp_element_receivers_begin(struct pp_element_receivers *receivers
                                           struct pp_radiosity_system *system, int level,
                                           struct pp_error *err);
 
-/* How exactly elements are taken by whatever takes them. */
+/* Accuracy with which elements are summed by any receiver. */
 struct pp_element_light_accuracy pp_element_receivers_accuracy(int level);
 
-/* What those asked for take. Elements may want dividing afterwards: ->wanted. Cells that
- * are new outside are gathered, and all of it is solved again. */
+/* Gathers light for the receivers asked for. Elements may want dividing afterwards:
+ * ->wanted. Cells that are new outside are gathered, and all of it is solved again. */
 enum pp_status pp_element_receivers_by_openings(struct pp_element_receivers *receivers,
                                                 struct pp_error *err);
 enum pp_status pp_element_receivers_by_elements(struct pp_element_receivers *receivers,
                                                 struct pp_error *err);
 
-/* What the plane's points take, by openings and by elements. */
+/* Gathers light at the plane's points, by openings and by elements. */
 enum pp_status pp_element_receivers_on_plane(struct pp_element_receivers *receivers,
                                              struct pp_error *err);
 

@@ -19,7 +19,7 @@ static const struct pp_facet *inside(const struct pp_element_sight *sight, int i
     return &sight->facets->list[sight->inside[i]];
 }
 
-/* How low and how high inside[i] reaches over inside[plane], by its pieces' corners. */
+/* Extent of inside[i] below and above inside[plane], by its pieces' corners. */
 static void reach(const struct pp_element_sight *sight, int i, int plane, double *low,
                   double *high)
 {

@@ -207,7 +207,7 @@ void pp_element_tree_destroy(struct pp_element_tree *tree)
 
 /* ---- asking ---- */
 
-/* How far the point lies beyond the element's edge, m; 0 or less: within. */
+/* Distance of the point beyond the element's edge, m; 0 or less: within. */
 static double beyond(const struct pp_element_tree *tree, int index,
                      struct pp_vec3 point)
 {

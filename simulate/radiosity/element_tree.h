@@ -61,7 +61,7 @@ void pp_element_tree_average(struct pp_element_tree *tree);
 /* The side's normal: out of the surface, to where it gives off light. */
 struct pp_vec3 pp_element_tree_normal(const struct pp_element_tree *tree, int side);
 
-/* What a convex polygon is cut into. */
+/* Parts of a convex polygon after a cut. */
 struct pp_element_parts {
     int count, counts[PP_ELEMENT_PARTS]; /* of parts, and of each one's corners */
     struct pp_vec3 corners[PP_ELEMENT_PARTS][PP_FORM_FACTOR_MOST];

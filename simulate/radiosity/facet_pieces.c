@@ -11,7 +11,7 @@
 
 /* Lines nearer to each other than this are one, m. */
 static const double SAME_LINE_M = 1e-6;
-/* Of a cell, that counts as empty or as full. */
+/* Share of a cell that counts as empty or as full. */
 static const double NOTHING = 1e-9;
 
 enum { MOST_LINES = 32 };
@@ -103,7 +103,7 @@ static struct cut_lines lines_of(const struct pp_region *region, int axis)
     return lines;
 }
 
-/* What the facet fills of one cell. */
+/* Cuts the facet's part in one cell. */
 static enum pp_status cut_cell(const struct cutting *work,
                                const struct pp_region *region, double left,
                                double right, double low, double high,

@@ -59,8 +59,8 @@ enum pp_status pp_facets_create(struct pp_facets **facets, const struct pp_world
                                 struct pp_error *err);
 void pp_facets_destroy(struct pp_facets *facets); /* NULL is allowed */
 
-/* Of the first elements, m: no longer than the room is wide or high, about, as far as a
- * thousand of them are enough. */
+/* Size of the first elements, m: no longer than the room is wide or high, about, as far
+ * as a thousand of them are enough. */
 double pp_facets_element_m(const struct pp_facets *facets);
 
 /* Height of a point over a facet's plane, on the side that its normal points to, m. */

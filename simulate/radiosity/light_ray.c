@@ -34,7 +34,7 @@ static void follow_light_ray(const struct walk *walk,
                              const struct pp_light_ray_start *ray, double weight,
                              enum pp_component part, int panes);
 
-/* What the facet itself sends back along the ray. */
+/* Adds the facet's own light back along the ray. */
 static void add_facet(const struct walk *walk, int side, bool indoors,
                       struct pp_vec3 point, double weight, enum pp_component part)
 {

@@ -12,7 +12,8 @@
 
 struct pp_element_sight;
 
-/* What rays are followed in and places look about in; nothing of it is owned. */
+/* Surroundings in which rays are followed and places gather light; nothing of it is
+ * owned. */
 struct pp_light_room {
     const struct pp_facets *facets;
     const struct pp_element_tree *tree;
@@ -33,7 +34,7 @@ void pp_light_ray_follow(const struct pp_light_room *room,
                          const struct pp_light_ray_start *ray, double weight,
                          enum pp_component part, struct pp_light_sum *sum);
 
-/* What the sum comes to since `from` with the elements' radiosities as they are; places
+/* Value of the sum since `from` with the elements' radiosities as they are; places
  * outside count by a guess. */
 double pp_light_ray_guess(const struct pp_light_room *room,
                           const struct pp_light_sum *sum,

@@ -59,7 +59,7 @@ static void add_ray(const struct looking *l, struct pp_vec3 point, bool mirrored
         pp_light_ray_follow(l->room, &on, weight, mirrored ? PP_IRC : PP_DF, l->sum);
 }
 
-/* Of what lies above the taker's horizon, the middle. */
+/* Middle of the part above the receiver's horizon. */
 static struct pp_vec3 middle_above(const struct looking *l, const struct cell *cell)
 {
     struct pp_vec3 above[PP_FORM_FACTOR_MOST + 1];
@@ -167,8 +167,9 @@ static double divide_cell(const struct looking *l, const struct cell *cell, int 
     return sum;
 }
 
-/* What a pane's opening in its face lets see of a convex piece of the pane, exactly:
- * between the planes through the taker and the opening's edges. Returns its corners. */
+/* Clips a convex piece of a pane, exactly, to the part visible through the pane's opening
+ * in its face: between the planes through the receiver and the opening's edges. Returns
+ * its corners. */
 static int through_opening(const struct looking *l, const struct pp_piece *piece,
                            struct pp_vec3 seen[2][PP_FORM_FACTOR_MOST + 1],
                            const struct pp_vec3 **corners)

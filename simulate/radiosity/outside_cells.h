@@ -49,8 +49,8 @@ enum pp_status pp_outside_cells_gather(struct pp_outside_cells *cells,
                                        struct pp_thread_pool *pool,
                                        struct pp_error *err);
 
-/* What a place outdoors takes from `directions` directions; `turn` sets them off from
- * those of others. part as in light_ray.h. */
+/* Gathers light at a place outdoors from `directions` directions; `turn` sets them off
+ * from those of others. part as in light_ray.h. */
 void pp_outside_cells_hemisphere(const struct pp_light_room *room,
                                  const struct pp_light_ray_start *place, int directions,
                                  unsigned turn, double weight, enum pp_component part,

@@ -59,7 +59,7 @@ double pp_radiosity_error(const struct pp_radiosity *radiosity);
 void pp_radiosity_read(const struct pp_radiosity *radiosity, int index,
                        struct pp_reading readings[PP_COMPONENT_COUNT]);
 
-/* How large the system is now. */
+/* Present size of the system. */
 struct pp_radiosity_size {
     int level;             /* how many are done */
     int elements, divided; /* undivided and divided ones */

@@ -49,8 +49,9 @@ enum pp_status pp_radiosity_system_gather(struct pp_radiosity_system *system,
 /* Sets all radiosities, of elements and cells. */
 void pp_radiosity_system_solve(struct pp_radiosity_system *system);
 
-/* What the sum comes to now, by component, added to value[]. With `scattered` an element's
- * light from behind is sky's or outside's, else all is the term's own component. */
+/* Adds the present value of the sum, by component, to value[]. With `scattered` an
+ * element's light from behind is sky's or outside's, else all is the term's own
+ * component. */
 void pp_radiosity_system_value(const struct pp_radiosity_system *system,
                                const struct pp_light_sum *sum, bool scattered,
                                double value[PP_LIGHT_PARTS]);

@@ -69,7 +69,7 @@ static bool ray_of(const void *list, size_t number, struct pp_light_ray *ray)
     return pp_render_camera_ray(part->view, middle, ray);
 }
 
-/* How many pixels there are from `first` on, with `step` from one to the next. */
+/* Number of pixels from `first` on, with `step` from one to the next. */
 static size_t pixels(int first, int end, int step)
 {
     return first < end ? (size_t)((end - first + step - 1) / step) : 0;

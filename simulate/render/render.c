@@ -255,7 +255,7 @@ struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile)
                                    y1 < options->height ? y1 : options->height};
 }
 
-/* What pixel i of the tile at hand shows. */
+/* Renders pixel i of the current tile. */
 static bool show_pixel(void *data, int worker, int i)
 {
     (void)worker;

@@ -134,7 +134,7 @@ double pp_gloss_sample(const struct pp_gloss *gloss, struct pp_vec3 i, double u,
 {
     double r = sqrt(-log(u)), sine, cosine;
     sincos(2.0 * PP_PI * v, &sine, &cosine);
-    /* Of two opposite slopes one may mirror light down, near grazing incidence nearly
+    /* One of two opposite slopes may mirror light down, near grazing incidence nearly
      * always: then the other is drawn, twice as often. */
     struct pp_vec3 opposite;
     double weight = mirrored(gloss, i, r * cosine, r * sine, o);

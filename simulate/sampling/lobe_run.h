@@ -5,7 +5,7 @@
 #include "model/geometry/frame.h"
 #include "simulate/sampling/lanes.h"
 
-/* What pp_lobe_sample_in_frame gives for u[0][i] and u[1][i], to the bit, for the first
+/* Computes pp_lobe_sample_in_frame of u[0][i] and u[1][i], to the bit, for the first
  * `count`, at most PP_RUN_MOST; those behind, to the next multiple of PP_LANES, are no
  * directions. */
 void pp_lobe_run(const struct pp_frame *frame, double u[2][PP_RUN_MOST], int count,

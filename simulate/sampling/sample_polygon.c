@@ -82,7 +82,7 @@ static void turn_by_solid_angle(double z[2], double sign, double x, double y,
     z[0] = turned;
 }
 
-/* What a rectangle may bring to a point so near to it that its middle says little: its
+/* Importance of a rectangle to a point so near to it that its middle says little: its
  * solid angle, by the weight of its middle or of its nearest point. */
 static double importance_when_near(const struct pp_target *target, struct pp_vec3 from,
                                    struct pp_vec3 n, struct pp_brightness brightness,

@@ -30,7 +30,7 @@ struct pp_target {
     int triangle_count;
 };
 
-/* How far a point lies before the target's plane (m). */
+/* Height of a point before the target's plane (m). */
 static inline double pp_target_height(const struct pp_target *target,
                                       struct pp_vec3 point)
 {

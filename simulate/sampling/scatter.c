@@ -6,7 +6,7 @@
 
 #include "simulate/sampling/lobe.h"
 
-/* Of each channel by itself. */
+/* Applies to each channel by itself. */
 static struct pp_rgb by_channel(const struct pp_material *material, double cosine,
                                 double (*law)(const struct pp_glass *, double))
 {

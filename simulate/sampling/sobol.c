@@ -168,7 +168,7 @@ static const pp_int_lanes steps = {0,
                                    UINT32_C(3) << 29,
                                    UINT32_C(7) << 29};
 
-/* What draw does, for as many points as there are lanes. Their indices differ in the
+/* Draws like draw, for as many points as there are lanes. Their indices differ in the
  * last three bits alone: so shuffled and reversed they differ in the highest byte alone,
  * as a scramble never changes a bit by a higher one. */
 PP_LANES_BODY void draw_lanes(const struct pp_sobol *sobol, const uint32_t *seeds,

@@ -189,7 +189,8 @@ static bool in_target(const struct pp_target *target, struct pp_vec3 point)
     return false;
 }
 
-/* Of a ray that starts so far before its nearest plane: none near the mouth of a niche. */
+/* Finds none near the mouth of a niche for a ray that starts so far before its nearest
+ * plane. */
 static void settle_nearest_plane(struct pp_convex_nearest *nearest,
                                  const struct pp_convex_room *room, double from_m)
 {
@@ -288,7 +289,7 @@ bool pp_convex_room_nearest(const struct pp_convex_room *room, struct pp_vec3 fr
                                                                 nearest);
 }
 
-/* How far it is from x to the sides of an interval from 0 to `width`, for `step` in every
+/* Distance from x to the sides of an interval from 0 to `width`, for `step` in every
  * metre of a ray; *high: to that side? */
 static double to_side(double x, double width, double step, bool *high)
 {

@@ -60,9 +60,9 @@ struct pp_convex_nearest {
     double distance_m;
 };
 
-/* Those of rays that start at one point, in `count` (at most PP_RUN_MOST) directions, in
- * one go; those behind, to the next multiple of PP_LANES, are overwritten. False where
- * the point is outside the room. */
+/* Finds the nearest hits of rays that start at one point, in `count` (at most
+ * PP_RUN_MOST) directions, in one go; those behind, to the next multiple of PP_LANES, are
+ * overwritten. False where the point is outside the room. */
 bool pp_convex_room_nearest(const struct pp_convex_room *room, struct pp_vec3 from,
                             const struct pp_lanes_directions *to, int count,
                             struct pp_convex_nearest nearest[PP_RUN_MOST]);

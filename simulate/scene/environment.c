@@ -7,7 +7,7 @@
 #include "model/light/graded_sky.h"
 #include "simulate/sampling/hash.h"
 
-/* That of an overcast sky, and of the ground, over its horizon. */
+/* Brightness of an overcast sky, and of the ground, over its horizon. */
 static struct pp_brightness brightness_of(const struct pp_outside_light *light)
 {
     double b = PP_GRADED_SKY_OVERCAST;

@@ -39,7 +39,7 @@ struct pp_light_part {
 struct pp_light_scene {
     struct pp_vec3 centre; /* points below are measured from there */
 
-    /* Of a world. */
+    /* World of the scene. */
     const struct pp_world *world; /* NULL: of a description; not owned */
     bool has_room;                /* else every point is outside */
     double size_m;                /* greatest coordinate of the room */

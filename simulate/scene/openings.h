@@ -24,7 +24,7 @@ struct pp_pane {
     bool unobstructed; /* a ray that leaves by it meets no surface any more */
 };
 
-/* What directions to an opening are sampled to. */
+/* Target of directions to an opening. */
 static inline const struct pp_target *pp_openings_aim(const struct pp_pane *pane,
                                                       bool mouths)
 {
@@ -37,8 +37,8 @@ enum pp_status pp_openings_find(struct pp_light_scene *scene,
                                 const struct pp_triangles *triangles, int first,
                                 struct pp_error *err);
 
-/* What each opening may bring to one side of a surface, by the guessed brightness
- * outside: kept, as a point chooses more than once. */
+/* Importance of each opening to one side of a surface, by the guessed brightness outside:
+ * kept, as a point chooses more than once. */
 enum { PP_OPENINGS_KEPT = 16 };
 
 struct pp_openings_shares {

@@ -135,7 +135,7 @@ static void add_disc(struct pp_bounds3 *bounds, struct pp_vec3 centre,
     pp_bounds3_add(bounds, pp_vec_add(centre, reach));
 }
 
-/* How far a disc about the axis reaches along each coordinate. */
+/* Extent of a disc about the axis along each coordinate. */
 static struct pp_vec3 disc_reach(struct pp_vec3 axis, double radius)
 {
     return pp_vec(radius * sqrt(fmax(0.0, 1.0 - axis.x * axis.x)),

@@ -238,9 +238,9 @@ static const struct variate_patch *neighbour(const struct variate_patch *patches
     return patch->in_figure ? patch : NULL;
 }
 
-/* What comes by exchange varies little from patch to patch, but its noise is each
- * patch's own: it becomes the mean over a patch and its neighbours, by weights 1, 2, 1
- * along either axis. Neighbours count in opposite pairs, so that a linear course is
+/* Smooths exchanged light, which varies little from patch to patch, though its noise is
+ * each patch's own: it becomes the mean over a patch and its neighbours, by weights 1, 2,
+ * 1 along either axis. Neighbours count in opposite pairs, so that a linear course is
  * kept. Measured over 40 rooms: half as many samples then do as well. */
 static void smooth(struct pp_control_variate *variate, struct variate_patch *patches,
                    const struct pp_control_variate_grid *grid)

@@ -17,8 +17,8 @@ enum { PATCHES_ALONG = 2 };
 /* Cells that are no larger than this many times their face fill it, but for rounding. */
 static const double FILLED = 1.0 + 1e-9;
 
-/* Of a net: coordinates, and G above its level; each an array of as many numbers as there are
- * lanes. */
+/* Arrays of a net: coordinates, and G above its level; each an array of as many numbers
+ * as there are lanes. */
 enum { X, Y, Z, GUESS, ARRAYS };
 
 struct cell_face {

@@ -50,8 +50,8 @@ bool pp_gather_cells_are_on(const struct pp_gather_cells *cells, int part);
 double pp_gather_cells_taken(const struct pp_gather_cells *cells, const double *net,
                              struct pp_vec3 point, struct pp_vec3 normal);
 
-/* What (1) leaves of a G over Eh to a ray of the lobe that has come straight to it: all where
- * there are no cells. */
+/* Rest of a G over Eh that (1) leaves to a ray of the lobe that has come straight to it:
+ * all where there are no cells. */
 double pp_gather_cells_left(const struct pp_gather_cells *cells,
                             const struct pp_light_ray *ray,
                             const struct pp_light_hit *met, double guess);

@@ -127,7 +127,7 @@ static void add_direct(struct pp_path_state *state, const struct pp_start *start
     state->light.index = first;
 }
 
-/* What the glass of openings shows of other openings. */
+/* Adds openings that are seen mirrored in the glass of other openings. */
 static void add_glass(struct pp_path_state *state, const struct pp_start *start,
                       struct pp_vec3 point, struct pp_light *light)
 {

@@ -63,7 +63,7 @@ struct pp_light {
     double part[3];
 };
 
-/* What a thread needs to follow paths. */
+/* State of a thread that follows paths. */
 struct pp_path_state {
     struct pp_radiance_state light;
     const struct pp_control_variate
@@ -109,8 +109,8 @@ void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
 void pp_path_correction(struct pp_path_state *state, const struct pp_start *start,
                         uint32_t end, double *sum);
 
-/* What cells gather beside the paths, in a randomisation: 0 where there are none, or a path
- * starts anywhere. */
+/* Light gathered by cells beside the paths, in a randomisation: 0 where there are none,
+ * or a path starts anywhere. */
 double pp_path_gather_cells(const struct pp_path_state *state,
                             const struct pp_start *start);
 

@@ -57,8 +57,8 @@ struct fan_rays {
     bool known; /* are the nearest planes? */
 };
 
-/* Of the paths from the present index on, as many as there is room for at most. All leave
- * from one place. */
+/* Draws the rays of paths from the present index on, as many as there is room for. All
+ * leave from one place. */
 static void draw_rays(const struct pp_path_state *state, const struct path_fan *fan,
                       int vertex, int paths, struct fan_rays *rays)
 {
@@ -141,7 +141,7 @@ static struct path_arm choose_path_arm(const struct path_arm *arms, int count, d
     return arm;
 }
 
-/* What the fan gathers by its own rays of G where the arm has come to. */
+/* Light of G gathered by the fan's own rays where the arm has come to. */
 static double gathered(const struct pp_path_state *state, const struct path_fan *fan,
                        const struct path_arm *arm, double guess)
 {

@@ -19,7 +19,7 @@ static inline int pp_path_run_from(uint32_t index, uint32_t end, uint32_t most)
     return (int)count;
 }
 
-/* What the guess G has where a ray has come to. */
+/* Value of the guess G where a ray has come to. */
 static inline double pp_path_guess(const struct pp_path_state *state,
                                    const struct pp_light_hit *met)
 {

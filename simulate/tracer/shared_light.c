@@ -103,7 +103,7 @@ static void draw_net(struct pp_path_state *state, const struct pp_sobol *sobol,
     pp_gather_cells_draw(state->cells, &state->light, u, net);
 }
 
-/* What the workers of a pool share: how many points each set is to have. */
+/* Task shared by the workers of a pool: the number of points of each set. */
 struct extension {
     const struct pp_shared_lights *lights;
     const uint32_t *wanted;

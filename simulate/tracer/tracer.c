@@ -90,7 +90,7 @@ static uint64_t traced_point_seed(const void *client, int point)
     return ((const struct pp_tracer *)client)->points[point].seed;
 }
 
-/* What the points of the randomisation bring to a receiver. */
+/* Light that the shared points of the randomisation bring to a receiver. */
 static double shared_of(const struct pp_tracer *tracer, struct pp_path_state *path,
                         const struct pp_path_range *range)
 {
@@ -202,7 +202,7 @@ static double tracer_bound(const void *client, int point, int component, unsigne
                            const double *paths)
 {
     const struct pp_tracer *tracer = client;
-    /* Of what is shared a receiver takes 1 on the average. */
+    /* A receiver takes 1 shared point on the average. */
     double reflected = paths[tracer->points[point].shares ? SHARED : CORRECTION];
     if (tracer->scene->glass_image_count > 0) /* what glass shows of others */
         reflected = fmin(reflected, PP_GLASS_CHANCE * paths[DIRECT]);
@@ -237,7 +237,7 @@ static uint32_t most_shared(double error)
     return most;
 }
 
-/* Of direct light alone. */
+/* Estimate of direct light alone. */
 static double direct_part_of(const void *client, int point,
                              const struct pp_randomisation *randomisation,
                              int estimator)
@@ -348,7 +348,7 @@ static struct traced_point traced_at(const struct pp_tracer *tracer,
     return point;
 }
 
-/* What receivers share, where they can. */
+/* Prepares light that receivers share, where they can. */
 static enum pp_status share(struct pp_tracer *tracer, uint64_t seed,
                             struct pp_error *err)
 {

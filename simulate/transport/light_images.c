@@ -9,7 +9,7 @@ static int vertex_of(const struct pp_shading_point *shading)
     return pp_path_vertex_branch(shading->vertex * PP_DRAWS + PP_DRAW_WINDOWS, -2);
 }
 
-/* What the diffuse surface has of the light that comes along `to`. */
+/* Weight of light along `to` at the diffuse surface. */
 static struct pp_rgb weight_of(const struct pp_shading_point *shading,
                                struct pp_vec3 to, double pdf)
 {

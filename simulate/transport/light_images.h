@@ -33,9 +33,9 @@ bool pp_light_images_sample(struct pp_radiance_state *state,
                             const struct pp_image_view *view,
                             struct pp_opening_sample *sample);
 
-/* How often an image in glass is looked for: it brings little, but steadily. Measured in 93
- * rooms of openings in several walls, eight points at 1 %: with 1 they take 10 % more time,
- * with 0.5 2 % more. */
+/* Probability of sampling an image in glass: it brings little, but steadily. Measured in
+ * 93 rooms of openings in several walls, eight points at 1 %: with 1 they take 10 % more
+ * time, with 0.5 2 % more. */
 #define PP_GLASS_CHANCE 0.25
 
 /* To an opening's image in the glass of another (glass_images.h), as far as that glass, and

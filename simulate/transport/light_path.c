@@ -29,11 +29,10 @@ enum {
 /* A gloss that reflects more than this is a strong one. */
 static const double STRONG_GLOSS = 0.1;
 
-/* What a gloss, a mirror or a pane leads to may be a window or a lamp, far brighter
- * than all that these light: Russian roulette begins at this share of the throughput at
- * which it begins for diffuse light. Together with paths of their own for gloss and
- * mirror, a polished floor at 16 paths a pixel had an RMS error of 10 % instead of
- * 41 %, for 36 % more time. */
+/* Gloss, mirrors and panes may lead to a window or a lamp, far brighter than all that
+ * these light: Russian roulette begins at this share of the throughput at which it begins
+ * for diffuse light. Together with paths of their own for gloss and mirror, a polished
+ * floor at 16 paths a pixel had an RMS error of 10 % instead of 41 %, for 36 % more time. */
 static const double LEAST_GLOSS = 0.1;
 /* The same of the ground, which leads to the sky: with the whole share the light by way
  * of a block and the ground before it had an error of 1.7 % where this leaves 0.7 %. */
@@ -194,9 +193,9 @@ static struct pp_rgb direct_light_of_lobes(struct pp_radiance_state *state,
     return sum;
 }
 
-/* What one side of a surface reflects of diffuse inter-reflection, *share of it, where
- * that is known from elsewhere (a cache): *share is black from then on, as it is after
- * the last diffuse reflection that is wanted. */
+/* Diffuse inter-reflection of one side of a surface, *share of it, where that is known
+ * from elsewhere (a cache): *share is black from then on, as it is after the last diffuse
+ * reflection that is wanted. */
 static struct pp_rgb ambient_reflected(const struct pp_radiance_state *state,
                                        const struct pp_light_hit *hit,
                                        struct pp_vec3 normal, int depth,
@@ -417,7 +416,7 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
            || pp_path_scatter_survives(path, LEAST_GROUND * path->least, chance);
 }
 
-/* How a ray has come to a reflector, for light that was sampled by way of it. */
+/* Arrival of a ray at a reflector, for light that was sampled by way of it. */
 static struct pp_arrival arrival_of(const struct pp_radiance_state *state,
                                     const struct pp_light_path *path,
                                     const struct pp_light_hit *hit)

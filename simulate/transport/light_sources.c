@@ -13,7 +13,7 @@ enum {
     MOST_MIRRORED = 8,
 };
 
-/* How light gets from an emitter to the shading point: straight (mirror_path -1), or by
+/* Connection of an emitter with the shading point: straight (mirror_path -1), or by
  * mirrors. */
 struct connection {
     const struct pp_emitter *emitter; /* not owned */
@@ -63,7 +63,7 @@ static bool samples_all(struct connection_group group, bool split)
     return count <= 1 || (split && count <= group.most);
 }
 
-/* How many directions go to an emitter by a connection; on the average, where one is
+/* Number of directions to an emitter by a connection; on the average, where one is
  * chosen. */
 static double samples_of(const struct pp_radiance_state *state, bool split,
                          const struct connection *connection)
@@ -170,8 +170,8 @@ struct connections {
     int first;
 };
 
-/* What may come by that connection. Never 0 where there may be light: glass mirrors
- * more at other angles than at normal incidence. */
+/* Importance of that connection. Never 0 where there may be light: glass mirrors more at
+ * other angles than at normal incidence. */
 static double importance_of(const void *of, int index)
 {
     const struct connections *connections = of;
@@ -187,7 +187,7 @@ static double importance_of(const void *of, int index)
                                     connection.n);
 }
 
-/* Those of the group. */
+/* Samples the connections of the group. */
 static struct pp_rgb sample_connections(struct pp_radiance_state *state,
                                         const struct pp_shading_point *shading,
                                         bool straight, int vertex)

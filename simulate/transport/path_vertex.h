@@ -47,7 +47,7 @@ static inline double pp_path_vertex_mis(double own, double other)
     return own > 0.0 ? 1.0 / (1.0 + other / own * (other / own)) : 0.0;
 }
 
-/* What a path has first met: the daylight component that its light belongs to, where
+/* First surface met by a path: the daylight component that its light belongs to, where
  * the path has come through an opening. */
 enum pp_first_met { PP_MET_NOTHING, PP_MET_SKY, PP_MET_OUTSIDE, PP_MET_INSIDE };
 

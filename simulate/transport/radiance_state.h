@@ -12,7 +12,7 @@
 #include "simulate/scene/light_scene.h"
 #include "simulate/scene/openings.h"
 
-/* Which estimators the light transport uses, and when paths end. */
+/* Estimators of the light transport, and when paths end. */
 struct pp_radiance_options {
     bool sources;       /* next-event estimation of concentrated emitters */
     bool windows;       /* next-event estimation of openings */

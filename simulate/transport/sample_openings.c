@@ -48,7 +48,7 @@ static bool samples_all(const struct pp_light_scene *scene, bool split)
     return split || scene->pane_count <= FEW_OPENINGS;
 }
 
-/* How many directions go to a opening; on the average, where one opening is chosen. */
+/* Number of directions to an opening; on the average, where one opening is chosen. */
 static double samples_of(const struct pp_radiance_state *state, bool split,
                          uint32_t gloss_rays, int opening, struct pp_vec3 point)
 {

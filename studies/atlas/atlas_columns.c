@@ -65,7 +65,7 @@ static void put_per_cent(FILE *out, double fraction)
     put_atlas_value(out, 100.0 * fraction);
 }
 
-/* What a column says at a point, or of the average for -1. */
+/* Value of a column at a point, or of the average for -1. */
 static double atlas_column_value(const struct pp_report *report,
                                  const struct pp_atlas_method *method, int point)
 {

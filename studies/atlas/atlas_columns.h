@@ -31,7 +31,7 @@ struct pp_atlas_columns {
     } * methods;
 };
 
-/* Of that report, which the columns do not refer to. On success to be cleared. */
+/* Columns of that report, which they do not refer to. On success to be cleared. */
 enum pp_status pp_atlas_columns_of(struct pp_atlas_columns *columns,
                                    const struct pp_report *report,
                                    struct pp_error *err);
@@ -40,7 +40,7 @@ void pp_atlas_columns_clear(struct pp_atlas_columns *columns);
 /* The line of names, with its end. */
 void pp_atlas_columns_print_names(const struct pp_atlas_columns *columns, FILE *out);
 
-/* What is traced of a row: fractions, NAN where there is none. */
+/* Traced values of a row: fractions, NAN where there is none. */
 struct pp_atlas_truth {
     double value[PP_COMPONENT_COUNT], std_error[PP_COMPONENT_COUNT]; /* the room's */
     double *

@@ -148,7 +148,7 @@ static double clean(const struct pp_atlas_layout *room, double u)
     return u < 0.15 ? 1.0 : pp_between_ends(room->ranges->clean, (u - 0.15) / 0.85);
 }
 
-/* What all openings of a room have, as attributes. */
+/* Writes the attributes common to all openings of a room. */
 static void put_pane(struct pp_atlas_layout *room, bool upright)
 {
     static const char *const names[PP_ATLAS_PANES] = {

@@ -9,7 +9,7 @@
 #include "studies/study_options.h"
 #include "studies/study_room.h"
 
-/* How the rooms are traced. */
+/* Settings for tracing the rooms. */
 struct pp_atlas_trace {
     double error; /* wanted standard error over daylight factor, at every point */
     uint64_t seed;

@@ -76,7 +76,8 @@ static inline double pp_scaled_ends(const double ends[2], double u)
     return pp_scaled(ends[0], ends[1], u);
 }
 
-/* Which of several, with these shares of 1; u is left as a number in (0, 1) of its own. */
+/* Chooses one of several, with these shares of 1; u is left as a number in (0, 1) of its
+ * own. */
 static inline int pp_one_of(const double *shares, int count, double *u)
 {
     int chosen = 0;

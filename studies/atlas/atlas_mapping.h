@@ -5,7 +5,7 @@
 #include "model/results/atlas_map.h"
 #include "studies/atlas/atlas_table.h"
 
-/* What there are maps by. */
+/* Quantity that maps are of. */
 enum pp_atlas_mapping_kind {
     PP_MAP_DEPTH,       /* depth of the point, and proportion of the room */
     PP_MAP_ERC,         /* share of the externally reflected in the direct component */

@@ -11,7 +11,7 @@
 #include "studies/atlas/atlas_drawn.h"
 #include "studies/atlas/atlas_table.h"
 
-/* How many whole rooms the table has; PP_BAD_INPUT where its rows are not those of such a
+/* Number of whole rooms in the table; PP_BAD_INPUT where its rows are not those of such a
  * sweep, one room after another. */
 enum pp_status pp_atlas_renewal_rooms(int *rooms, const struct pp_atlas_table *table,
                                       struct pp_error *err);

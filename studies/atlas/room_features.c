@@ -65,7 +65,7 @@ static const struct pp_opening *largest(const struct pp_world *world, bool uprig
     return found;
 }
 
-/* How far the room reaches in a direction (unit). */
+/* Extent of the room in a direction (unit). */
 static double room_reach(const struct pp_world *world, struct pp_vec3 direction)
 {
     double low = INFINITY, high = -INFINITY;

@@ -9,9 +9,9 @@
 #include "model/base/array.h"
 #include "studies/bands/report_bands.h"
 
-/* How much wider (in logarithms) than the narrowest a band may be for a method to be
- * preferred all the same: because it stands before others in the report, or because it is
- * the best over all points. */
+/* Greatest width (in logarithms), over the narrowest, of a band whose method is preferred
+ * all the same: because it stands before others in the report, or because it is the best
+ * over all points. */
 static const double about_as_narrow = 1.1, narrow_enough = 1.25;
 
 /* The records of the daylight factors that have figures at a place, in the report's order;

@@ -7,7 +7,7 @@
 #include "studies/bands/band_features.h"
 #include "studies/bands/band_fit.h"
 
-/* What is known of one column's figures at points, or of its averages. */
+/* Known ratios of one column's figures at points, or of its averages. */
 struct pp_atlas_column {
     enum pp_band_place place;
     char component[8], name[48];
@@ -18,7 +18,7 @@ struct pp_atlas_column {
     double inside; /* share of all points (averages) tried that were in their bands */
 };
 
-/* What the rooms of the atlas have of a feature. */
+/* Span of a feature over the rooms of the atlas. */
 struct pp_atlas_span {
     double from, to;
 };
@@ -31,8 +31,8 @@ struct pp_atlas_bands {
     int column_count;
 };
 
-/* Of every hand column that the table has with the truth beside it. To be cleared in any
- * case. */
+/* Fits bands of every hand column that the table has with the truth beside it. To be
+ * cleared in any case. */
 enum pp_status pp_atlas_bands_fit(struct pp_atlas_bands *bands,
                                   const struct pp_atlas_table *table,
                                   struct pp_error *err);

@@ -31,8 +31,8 @@ const char *pp_band_features_name(int feature);
 /* The feature of that name, or -1. */
 int pp_band_features_find(const char *name);
 
-/* What a figure's direct and internal parts are called in the columns of a pair A+B; empty
- * of what is no pair. */
+/* Names of a figure's direct and internal parts in the columns of a pair A+B; empty if it
+ * is no pair. */
 struct pp_band_parts {
     char direct[48], internal[48];
 };

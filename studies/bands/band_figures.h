@@ -38,8 +38,8 @@ struct pp_band_row {
 enum pp_status pp_band_figures_add(struct pp_band_figures *figures,
                                    const struct pp_band_row *row, struct pp_error *err);
 
-/* Which of two halves a room belongs to, 0 or 1: by a hash of its number, as the even and
- * the odd numbers of a Sobol sequence are in different halves of its first dimension. */
+/* Half that a room belongs to, 0 or 1: by a hash of its number, as the even and the odd
+ * numbers of a Sobol sequence are in different halves of its first dimension. */
 int pp_band_figures_side(int room);
 
 /* Adds those of the rows whose room is on that side. */

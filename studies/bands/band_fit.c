@@ -29,7 +29,7 @@ static bool take_sample(struct pp_band_sample *sample, double **ratios,
     return *ratios != NULL;
 }
 
-/* Those of the rows whose own world is known. */
+/* Keeps the rows whose own world is known. */
 static int keep_known(int *rows, int count, const struct pp_band_figures *figures)
 {
     int kept = 0;

@@ -39,7 +39,7 @@ enum pp_status pp_band_fit(struct pp_band_entry **entries, int *count,
                            const struct pp_band_figures *figures,
                            const struct pp_band_rules *rules, struct pp_error *err);
 
-/* How a band does on rooms that it was not made from. */
+/* Performance of a band on rooms that it was not made from. */
 struct pp_band_trial {
     struct pp_band_entry entry; /* of the rooms fitted */
     int rooms;                  /* tested */

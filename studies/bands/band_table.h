@@ -11,10 +11,10 @@
 struct pp_band_table;
 extern const struct pp_band_table pp_band_table_overcast, pp_band_table_iso;
 
-/* That of the run under such skies; NULL: there was none. */
+/* Table of the run under such skies; NULL: there was none. */
 const struct pp_band_table *pp_band_table_under(const struct pp_sky *sky);
 
-/* What a table says of a column in one regime. */
+/* Entry of a table for a column in one regime. */
 struct pp_band_record {
     enum pp_band_place place;
     enum pp_component component;
@@ -51,12 +51,12 @@ const struct pp_band_record *pp_band_table_regime(const struct pp_band_regimes *
                                                   enum pp_band_place place,
                                                   const double *features);
 
-/* What the rooms of the run have of a feature of rooms or points, from the least to the
- * most. False: the run does not tell. */
+/* Span of a feature of rooms or points in the run, from the least to the most. False: the
+ * run does not tell. */
 bool pp_band_table_span(double *from, double *to, const struct pp_band_table *table,
                         int feature);
 
-/* How many rooms the run has. */
+/* Number of rooms in the run. */
 int pp_band_table_rooms(const struct pp_band_table *table);
 
 #endif

@@ -20,9 +20,9 @@ struct pp_band_rules {
     double gain_least; /* share of the score of all rows that a split has to save */
 };
 
-/* Those of the program's table: 300 rooms, 20 regimes, 0.4 %. Of 200 rooms a regime that was
- * chosen for its narrow band has it a little too narrow: 86.5 % of the rooms held out were in
- * one. */
+/* Rules of the program's table: 300 rooms, 20 regimes, 0.4 %. Of 200 rooms a regime that
+ * was chosen for its narrow band has it a little too narrow: 86.5 % of the rooms held out
+ * were in one. */
 extern const struct pp_band_rules pp_band_tree_rules;
 
 /* The regimes, which have each row of the sample in one of them, as a list to be freed.

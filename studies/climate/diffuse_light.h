@@ -34,8 +34,8 @@ enum pp_status pp_diffuse_light_of_epw(struct pp_diffuse_light *light,
                                        const struct pp_epw *epw, const char *file,
                                        struct pp_error *err);
 
-/* Of a sky that is overcast all year, every 5 minutes of a year of 365 days that begins
- * on a Monday (2018):
+/* Diffuse light of a sky that is overcast all year, every 5 minutes of a year of 365 days
+ * that begins on a Monday (2018):
  *
  *     Eh = 300 + 21000 sin(gamma) lx,   0 while the sun is down             [KRO63]
  *

@@ -9,8 +9,8 @@
 #include "model/base/array.h"
 #include "studies/compare/set_effects.h"
 
-/* That a kind of cause is at work, beforehand; and a common factor, which so many things
- * are: what has the pattern of one is to be called sure by its size alone only where
+/* Prior probability that a kind of cause is at work; and of a common factor, which so
+ * many things are: a cause with the pattern of one is sure by its size alone only where
  * that fits closely. */
 static const double AT_WORK = 0.12, FACTOR_AT_WORK = 0.4;
 /* Sets so much (in logarithms) less likely than the best are traced no more; and those so
@@ -114,7 +114,7 @@ static enum pp_status judge_fully(struct cause_search *search,
     return status;
 }
 
-/* Of the sets that are traced. */
+/* Best of the sets that are traced. */
 static double best(const struct cause_search *search)
 {
     double most = -INFINITY;
@@ -155,7 +155,7 @@ static bool excludes(const struct cause_search *search, int a, int b)
     return same_kind(search, a, b) || causes[a]->is_alone || causes[b]->is_alone;
 }
 
-/* How much likelier than not a cause is at work beforehand; logarithm. */
+/* Prior odds that a cause is at work; logarithm. */
 static double odds(const struct cause_search *search, int cause)
 {
     int alike = 0;
@@ -231,8 +231,9 @@ static const struct cause_candidate *to_trace(const struct cause_search *search)
     return next;
 }
 
-/* What to trace of three: them, or of those pairs that have not been traced the one that
- * may do most beyond its sum, from which there is more to learn. Returns how many. */
+/* Next set to trace of three causes: them, or of those pairs that have not been traced
+ * the one that may do most beyond its sum, from which there is more to learn. Returns how
+ * many. */
 static int first_to_trace(const struct cause_search *search,
                           int causes[PP_CAUSE_SEARCH_MOST], int count, double level)
 {

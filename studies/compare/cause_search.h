@@ -42,9 +42,8 @@ struct pp_cause_search_question {
     const struct pp_cause *const *causes;
     int cause_count;
 
-    /* What a set without a common factor does: effect[i] and variance[i] of a
-     * pp_supposition. value: of its fitted cause. PP_BAD_INPUT: it makes no sense
-     * there. */
+    /* Traces the effect of a set without a common factor: effect[i] and variance[i] of a
+     * pp_supposition. value: of its fitted cause. PP_BAD_INPUT: it makes no sense there. */
     enum pp_status (*trace)(void *tracer, const int *causes, int count, double value,
                             double *effect, double *variance, struct pp_error *err);
     void *tracer;

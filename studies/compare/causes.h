@@ -21,7 +21,7 @@ struct pp_cause {
 
 enum { PP_CAUSES_MOST = 32 };
 
-/* Those that apply, in the order of the list; returns how many. */
+/* Lists the causes that apply, in the order of the list; returns their number. */
 int pp_causes_of(const struct pp_cause *list[PP_CAUSES_MOST],
                  const struct pp_compare_subject *subject);
 
@@ -35,7 +35,7 @@ const char *pp_causes_missing_at(int index);
 #define PP_CAUSES_VALUE_MOST 0.8
 bool pp_causes_is_fitted(const struct pp_cause *cause);
 
-/* Its switch on top of those that are set; value: of a fitted one. Not of a factor. */
+/* Adds the cause's switch to those that are set; value: of a fitted one. Not of a factor. */
 enum pp_status pp_causes_set_variant(struct pp_room_variant *variant,
                                      const struct pp_cause *cause, double value,
                                      struct pp_error *err);

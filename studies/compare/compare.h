@@ -20,7 +20,7 @@ struct pp_compare_options {
     int traced_most; /* sets of several causes, of one explanation; 0: 40 */
 };
 
-/* What is found. Arrays have a value a point, fractions. */
+/* Results of a comparison. Arrays have a value a point, fractions. */
 struct pp_compared {
     int count;
     const double *ours, *errors; /* not owned: the comparison's */
@@ -35,16 +35,16 @@ struct pp_compared {
     double gap_rms;           /* root mean square of the gap, logarithms */
     double left, left_rms;    /* the same once the likeliest set is taken in */
     struct pp_left_over over; /* than the other program's noise */
-    /* Of the likeliest set's causes, averaged over orders: what each does to the mean
-     * (logarithm), and its share of the squares of the gap, all of which is 1. */
+    /* Effects of the likeliest set's causes, averaged over orders: each one's effect on
+     * the mean (logarithm), and its share of the squares of the gap, all of which is 1. */
     double effects[PP_CAUSE_SEARCH_MOST], shares[PP_CAUSE_SEARCH_MOST];
     double factor; /* the common one, where the likeliest set has it; else 1 */
 };
 
 struct pp_compare;
 
-/* What the subject points to must outlive it. PP_BAD_INPUT where there
- * are more points than PP_COMPARE_POINTS_MOST. */
+/* The subject's pointers must outlive the comparison. PP_BAD_INPUT where there are more
+ * points than PP_COMPARE_POINTS_MOST. */
 enum pp_status pp_compare_create(struct pp_compare **compare,
                                  const struct pp_compare_subject *subject,
                                  const struct pp_compare_options *options,

@@ -34,7 +34,7 @@ static void change(struct pp_material *material, const struct pp_room_variant *v
     }
 }
 
-/* What a scene cannot be switched to; NULL: all can be done. */
+/* Switch that a scene cannot have; NULL: all can be done. */
 static const char *not_of_scenes(const struct pp_room_variant *variant)
 {
     return variant->sky[0]                                   ? "sky"

@@ -112,8 +112,8 @@ static enum pp_status judge_criteria(struct pp_assessment *assessment,
     return status;
 }
 
-/* Those asked for by name; else of the profile's, or of all, those that bear on the room.
- * Whoever asks for a profile has chosen a country's rules. */
+/* Chooses the criteria named; else of the profile's, or of all, those that apply to the
+ * room. Whoever asks for a profile has chosen a country's rules. */
 static enum pp_status choose_criteria(bool chosen[PP_CRITERIA_MOST],
                                       const struct pp_world *world,
                                       const struct pp_assess_options *options,

@@ -15,9 +15,9 @@ enum pp_dwelling_room {
     PP_DWELLING_KITCHEN = 4
 };
 
-/* Which of them the room is: a room of several uses is the one that asks for most
- * [BS8206]; all of them where its use is not known; 0: it is no habitable room of a
- * dwelling. */
+/* Kinds of habitable room that the room counts as: a room of several uses is the one with
+ * the highest target [BS8206]; all of them where its use is not known; 0: it is no
+ * habitable room of a dwelling. */
 int pp_bearing_dwelling_rooms(enum pp_room_use use);
 
 /* For bears_on_use of criteria. */

@@ -11,8 +11,8 @@
 
 #include "studies/criteria/assessment.h"
 
-/* Of the time that a room may take by the clock, the other trace's share: at twice the
- * standard error it is a quarter of the work. */
+/* Share of the room's time for the other trace: at twice the standard error it is a
+ * quarter of the work. */
 #define PP_FACADE_SENSITIVITY_SHARE 0.2
 
 /* Checks the sampled verdicts of an assessment by simulation: those that change lose their

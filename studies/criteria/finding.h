@@ -66,8 +66,8 @@ struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wante
                                 bool at_most, const char *what, ...)
     __attribute__((format(printf, 5, 6)));
 
-/* What the finding's figure rests on: the figure now, and before something was built
- * (NAN: not known). */
+/* Basis of the finding's figure: the figure now, and before something was built (NAN: not
+ * known). */
 void pp_finding_compares(struct pp_finding *finding, enum pp_figure compared,
                          double now, double before);
 

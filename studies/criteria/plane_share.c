@@ -162,7 +162,7 @@ static double probability_with(const struct plane_points *points, double level,
     return fmin(sum, 1.0);
 }
 
-/* Of a shift that is less than this the normal probability. */
+/* Normal probability of a shift that is less than this. */
 static double normal_below(double z)
 {
     return 0.5 * erfc(-z / sqrt(2.0));

@@ -17,9 +17,9 @@ struct pp_plane_share {
                          * where nothing was sampled */
 };
 
-/* Of `count` points (1 or more), all with values, the part `part` (above 0, at most 1)
- * is wanted to reach `target`: k points, the least number that is that part or more. Half
- * of them (a part of 0.5) reach it where their median does.
+/* Share of `count` points (1 or more), all with values, of which the part `part` (above
+ * 0, at most 1) should reach `target`: k points, the least number that is that part or
+ * more. Half of them (a part of 0.5) reach it where their median does.
  *
  * Points are normal with their standard errors, of whose squares they have the share
  * `common` in common (common_error.h) and are independent else. Given what is common, the

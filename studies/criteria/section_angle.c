@@ -80,8 +80,8 @@ static bool next_crossing(struct edge_crossing *next, const struct edge_crossing
     return isfinite(next->along);
 }
 
-/* Of the crossings in order along the line the first two are the ends of a piece of the
- * polygon, and so are each two that follow. */
+/* Pairs of crossings in order along the line, the first two and each two that follow, are
+ * the ends of pieces of the polygon. */
 static double angle_of_polygon(const struct section_plane *section,
                                const struct pp_polygon *polygon)
 {

@@ -98,7 +98,7 @@ static enum pp_status add_answer(struct pp_site_table *table,
                   || criterion == &pp_criterion_former_sky;
     if (criterion == &pp_criterion_vertical_sky && has(room, &pp_criterion_former_sky))
         return PP_OK;
-    /* Of the no-sky line the last finding is the one that compares, if any does. */
+    /* The last finding of the no-sky line is the one that compares, if any does. */
     if (criterion == &pp_criterion_no_sky_line)
         return findings->count == 0
                    ? PP_OK

@@ -17,7 +17,7 @@
 #include "model/results/report.h"
 #include "simulate/cache/irradiance_cache.h"
 
-/* What any engine may be asked; each looks at what it has a use for. */
+/* Options of any engine; each uses those that apply to it. */
 struct pp_engine_options {
     double error; /* wanted standard error over daylight factor; 0: by samples, time */
     long samples; /* paths a point in each randomisation instead; 0: not given */
@@ -72,8 +72,8 @@ struct pp_engine {
     double (*common)(const void *run);
     double (*common_near)(const void *run);
 
-    /* What a later run may begin with, as the bytes of a file; NULL where there is
-     * nothing to keep. *bytes NULL: not yet. Otherwise the caller's to free. */
+    /* Data that a later run may begin with, as the bytes of a file; NULL where there is
+     * nothing to keep. Otherwise the caller's to free. */
     enum pp_status (*keep)(const void *run, char **bytes, size_t *length,
                            struct pp_error *err);
     void (*destroy)(void *run); /* NULL is allowed */

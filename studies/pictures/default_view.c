@@ -79,8 +79,8 @@ static double hidden(const struct pp_light_scene *scene, struct pp_vec3 place,
     return free_m < 0.98 * distance_m - 0.02 ? 1e3 : 0.0;
 }
 
-/* How far one sees, level, across the picture: the harmonic mean, in which a wall near
- * by on one side of it weighs as it does to the eye. */
+/* Free distance, level, across the picture: the harmonic mean, in which a wall near by on
+ * one side of it weighs as it does to the eye. */
 static double prospect(const struct pp_light_scene *scene, struct pp_vec3 place,
                        struct pp_vec3 target)
 {

@@ -62,7 +62,7 @@ static enum pp_status trace_elevation_wall(struct pp_elevation_wall *wall,
     return status;
 }
 
-/* How far the wall's outside is before the face. */
+/* Distance of the wall's outside before the face. */
 static double outside_of(const struct pp_world *world, int face)
 {
     for (int i = 0; i < world->facade_count; i++)

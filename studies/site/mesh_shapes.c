@@ -25,13 +25,13 @@ struct mesh_triangle {
     struct pp_vec3 normal;
     bool is_upright;
     int part; /* a triangle of the same part; a root's is itself */
-    /* Of a root's part: */
+    /* Size of a root's part: */
     int size;
     bool is_plane;
     double low_m, high_m;
 };
 
-/* Of a triangle, between two places. */
+/* Edge of a triangle, between two places. */
 struct mesh_edge {
     int low, high; /* places, low < high */
     int triangle;
@@ -159,8 +159,8 @@ static bool is_smooth(const struct mesh_parts *parts, const struct mesh_edge *pa
            && pp_vec_dot(a->normal, b->normal) > cos(BEND_RAD);
 }
 
-/* How far two parts may rise together: more where they are one plane, which they are told to
- * be by their roots, so that what bends little by little is none. */
+/* Greatest common rise of two parts: more where they are one plane, by their roots, so
+ * that gentle bends are no edges. */
 static double rise_of(const struct mesh_triangle *a, const struct mesh_triangle *b)
 {
     return pp_vec_dot(a->normal, b->normal) > cos(PLANE_RAD) && a->is_plane
@@ -187,7 +187,7 @@ static void join_mesh_parts(struct mesh_parts *parts, const struct mesh_edge *pa
     other->part = first ? one : two;
 }
 
-/* How many edges from index i on lie between the same places. */
+/* Number of edges from index i on between the same places. */
 static int run_of(const struct mesh_parts *parts, int i)
 {
     int count = 1;

@@ -148,7 +148,7 @@ static enum pp_status add_shape(struct pp_site_sheet *sheet,
     return PP_OK;
 }
 
-/* Of a side of a block the block's. */
+/* The side of a block has the block's name. */
 static const char *site_surface_name(const struct pp_world *world,
                                      const struct pp_surface *surface)
 {

@@ -16,10 +16,10 @@
  * they name no criterion. */
 enum pp_status pp_criterion_margin_check(const char *words, struct pp_error *err);
 
-/* Of `world`, which is the room or a changed one. With `traced`, by its options and by
- * simulated daylight factors; else (NULL) by hand. No value, with the reason in `why`,
- * where a finding is not judged or none has a bound; and where daylight factors have no
- * part in it, and it was to be traced. */
+/* Margin of `world`, which is the room or a changed one. With `traced`, by its options
+ * and by simulated daylight factors; else (NULL) by hand. No value, with the reason in
+ * `why`, where a finding is not judged or none has a bound; and where daylight factors
+ * have no part in it, and it was to be traced. */
 enum pp_status pp_criterion_margin(struct pp_reading *reading, char *why,
                                    size_t why_bytes, const char *words,
                                    const struct pp_study_room *room,

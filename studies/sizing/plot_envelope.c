@@ -64,7 +64,7 @@ static void set_planes(const struct envelope_search *search, double tangent)
         search->planes[i] = tangent;
 }
 
-/* What the window has over its due where its plane, of that altitude, is the only one. */
+/* Surplus of the window over its due if its plane, of that altitude, is the only one. */
 static enum pp_status alone_at(void *context, double altitude_rad, double *value,
                                struct pp_error *err)
 {
@@ -193,7 +193,7 @@ static enum pp_status search_all(struct envelope_search *search, struct pp_error
     return status == PP_OK ? find_together(search, err) : status;
 }
 
-/* What was found, of the cells and planes of the last trial. */
+/* Sets the results from the cells and planes of the last trial. */
 static void settle_plot_envelope(struct pp_plot_envelope *found,
                                  const struct envelope_search *search)
 {

@@ -69,7 +69,8 @@ enum pp_status pp_retained_sky_after_one(struct pp_retained_sky *retained, int n
                                          struct pp_building *building,
                                          struct pp_error *err);
 
-/* What one has after over its due, less 1; INFINITY where it had nothing before. */
+/* Surplus of a place: its value after over its due, less 1; INFINITY where it had nothing
+ * before. */
 double pp_retained_sky_surplus_of(const struct pp_retained_sky_place *due,
                                   const struct pp_retained_sky_rule *rule);
 

@@ -17,7 +17,7 @@
 const char *const pp_size_room_change_words[] = {"width", "height", "head",
                                                  "sill",  "number", NULL};
 
-/* What a value of a room is worked out from. */
+/* Inputs for the value of a room. */
 struct valuation {
     const struct pp_size_request *request;
     const struct pp_study_room *room;
@@ -30,8 +30,8 @@ enum pp_gives pp_size_room_gives(const char *by)
     return method ? method->gives : PP_GIVES_WHOLE;
 }
 
-/* What was traced at a point (-1: the average), of the components that the method
- * gives. The errors of two are added: they may go together. */
+/* Traced reading at a point (-1: the average), of the components that the method gives.
+ * The errors of two are added: they may go together. */
 static struct pp_reading traced_at(const struct pp_report *report, enum pp_gives gives,
                                    int point)
 {

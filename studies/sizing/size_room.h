@@ -12,7 +12,7 @@
 #include "studies/study_options.h"
 #include "studies/sizing/window_sizes.h"
 
-/* What is wanted. */
+/* Target and options. */
 struct pp_size_request {
     const struct pp_study_options *study; /* of points and simulation; not owned */
     double target;                        /* a fraction; 0: not given */
@@ -26,10 +26,10 @@ struct pp_size_request {
     long line;        /* only the opening on that line of the file; 0: any */
 };
 
-/* What may change, by its name: "width". */
+/* Names of quantities that may change: "width". */
 extern const char *const pp_size_room_change_words[];
 
-/* What was found for one room. */
+/* Results for one room. */
 struct pp_size_room_result {
     const struct pp_study_room *room; /* not owned */
     const char *method; /* that it was sized by; NULL: a criterion's own; not owned */
@@ -61,7 +61,7 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
 /* Makes it the result of a room that can't be sized, and why. */
 void pp_size_room_result_refuse(struct pp_size_room_result *result, const char *why);
 
-/* What a method, a pair or "traced" gives: what the target is of. */
+/* Quantity that a method, a pair or "traced" gives, and the target is of. */
 enum pp_gives pp_size_room_gives(const char *by);
 
 void pp_size_room_result_clear(struct pp_size_room_result *result);

@@ -18,7 +18,7 @@
     "<window wall='south' left='3' sill='1.45' width='3' height='1.8'/>"               \
     "<point x='5.1' y='3'/>"
 
-/* How a known room is traced. */
+/* Settings for tracing a known room. */
 struct pp_known_trace {
     uint64_t seed;
     int threads;  /* 0: as many as there are processors */

@@ -8,7 +8,7 @@
 #include "model/light/graded_sky.h"
 #include "model/room/room.h"
 
-/* Of an obstruction, in the formulae. */
+/* Reflectance of an obstruction, in the formulae. */
 static const double formulas_reflectance = 0.2;
 
 /* Angles (rad) that differ by less are the same, and directions whose cosine falls short

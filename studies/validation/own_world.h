@@ -27,7 +27,7 @@
 #include "model/room/building.h"
 #include "studies/study_options.h"
 
-/* Of all columns of a report. */
+/* Worlds of all columns of a report. */
 struct pp_own_worlds;
 
 /* The worlds of the report's columns. room: the description of the report's world. The

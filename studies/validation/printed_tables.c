@@ -19,7 +19,7 @@ static const double brs[][21] = {
 /* An endless window, over the point's distance: what is beyond is below the last digit. */
 static const double ENDLESS = 300.0;
 
-/* What a cell may be off by, per cent: half a unit of its last digit, and 6 per cent of
+/* Greatest error of a cell, per cent: half a unit of its last digit, and 6 per cent of
  * itself, since the table was worked by hand. Its lowest row is one or two units off
  * throughout. */
 static double brs_limit(double per_cent, double h)
@@ -235,7 +235,7 @@ struct factor_row {
     double per_cent[8];
 };
 
-/* What the points are lit by, over the exitance of the one plate that glows. */
+/* Checks the light on the points, over the exitance of the one plate that glows. */
 static enum pp_status check_row(struct pp_known_cases *cases, struct pp_surface *plates,
                                 int plate_count, const struct factor_row *row,
                                 const struct pp_known_trace *how, struct pp_error *err)

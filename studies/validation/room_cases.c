@@ -11,7 +11,7 @@
 
 static const double STD_ERRORS = 3.0;
 
-/* What no trace can tell apart from rounding. */
+/* Least difference that a trace can tell apart from rounding. */
 static const double ROUNDING = 1e-12;
 
 /* The case that was added last; NULL where memory was out. */
@@ -20,7 +20,7 @@ static struct pp_known_case *last_of(struct pp_known_cases *cases)
     return cases->whole ? &cases->list[cases->count - 1] : NULL;
 }
 
-/* What an engine that is no truth may be off by, of it. */
+/* Greatest relative error of an engine that is no truth. */
 static const double CACHE_SHARE = 0.02;
 
 static double known_error(struct pp_reading reading)

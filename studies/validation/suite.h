@@ -9,8 +9,7 @@
 struct pp_suite {
     const char *name, *summary;
     const char *limits; /* what an answer may be off by, a sentence */
-    /* Of those outside their limits as many may be by chance, a share of the traced cases;
-     * 0: none. */
+    /* Share of traced cases that may be outside their limits by chance; 0: none. */
     double chance;
     bool of_rooms; /* of a user's rooms: there is no `run` */
     long samples;  /* that traced cases want: paths a point in each randomisation */
@@ -27,10 +26,10 @@ const struct pp_suite *pp_suite_find(const char *name);
 /* The suites of a user's rooms. */
 extern const struct pp_suite pp_suite_rooms, pp_suite_radiance, pp_suite_engines;
 
-/* What takes a second or two: closed forms and worked examples. */
+/* Suite that takes a second or two: closed forms and worked examples. */
 extern const struct pp_suite pp_suite_quick;
 
-/* How the cases of a suite came out. */
+/* Outcome of a suite's cases. */
 struct pp_suite_score {
     int count, wrong; /* of cases that are not traced */
     int traced, traced_wrong;

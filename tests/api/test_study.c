@@ -336,7 +336,7 @@ static void charts_are_files_of_their_format(void **state)
     close_room(&opened);
 }
 
-/* How many of the study's judgements rest on sampled figures. */
+/* Number of the study's judgements that rest on sampled figures. */
 static int judge_and_count_sampled(struct pp_study *study)
 {
     struct pp_error err = {0};

@@ -18,7 +18,7 @@ static size_t numbers_of(const struct pp_picture *picture)
     return 3 * (size_t)picture->width * (size_t)picture->height;
 }
 
-/* What we wrote reads back to the same numbers: they are middles of steps already. */
+/* Written pictures read back to the same numbers: they are middles of steps already. */
 static void write_and_read(const struct pp_picture *picture,
                            const struct pp_hdr_notes *notes)
 {

@@ -21,7 +21,7 @@ struct figures {
 
 void figures_add(struct figures *figures, const char *symbol, struct interval value);
 
-/* What a printed number stands for: half a unit of its last digit to either side. */
+/* Interval of a printed number: half a unit of its last digit to either side. */
 struct interval figure_as_printed(const char *digits);
 
 /* All values that the formula may have. False, with a message, where it makes no sense

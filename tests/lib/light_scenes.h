@@ -55,7 +55,7 @@ static inline void pp_test_box(struct pp_scene_description *scene, int material,
     pp_test_rectangle(scene, material, far, mx, mz);
 }
 
-/* What rays meet; the description is cleared. */
+/* Scene that rays meet; the description is cleared. */
 static inline struct pp_light_scene *pp_test_built(struct pp_scene_description *from)
 {
     struct pp_light_scene *scene = NULL;

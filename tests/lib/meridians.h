@@ -17,7 +17,7 @@ struct pp_meridian_sums {
     double sky, external;
 };
 
-/* What one opening of the world gives the receiver, by the conventions, to about
+/* Light of one opening of the world at the receiver, by the conventions, to about
  * relative_error; the rule over azimuth starts with `parts` to each stretch between two
  * corners: narrow features need more. */
 struct pp_meridian_sums pp_meridians(const struct pp_world *world,

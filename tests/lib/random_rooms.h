@@ -69,7 +69,7 @@ static inline struct pp_world *pp_test_random_room(struct pp_outside_light *ligh
     return pp_test_lit_world(light, xml);
 }
 
-/* What one point of an opening's plane gives, per square metre. */
+/* Light of one point of an opening's plane, per square metre. */
 static inline double pp_test_sky_from(const struct pp_outside_light *light,
                                       const struct pp_opening *opening,
                                       const struct pp_receiver *receiver,
@@ -130,7 +130,7 @@ static inline double pp_test_sky_component(const struct pp_world *world,
     return sum;
 }
 
-/* How often values lay within so many of their standard errors of the truth. */
+/* Share of values within so many of their standard errors of the truth. */
 struct pp_coverage {
     int count, within_1, within_2, beyond_4;
 };

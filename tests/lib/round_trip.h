@@ -16,7 +16,7 @@
 #include "tests/lib/traced.h"
 #include "formats/radiance/write/rad_write_materials.h"
 
-/* Of all rooms. */
+/* Comparison over all rooms. */
 struct pp_test_beside {
     double error; /* wanted of the tracer; the sensors get three times that */
     int rooms, points;

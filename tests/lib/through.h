@@ -9,7 +9,7 @@
 
 #include "tests/lib/near.h"
 
-/* What a command ("pdftotext %s -") prints of our file, up to a megabyte, to be freed; NULL
+/* Output of a command ("pdftotext %s -") on our file, up to a megabyte, to be freed; NULL
  * where there is no such command. */
 static inline char *through(const char *command, const char *file, size_t length)
 {

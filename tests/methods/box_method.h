@@ -9,7 +9,7 @@
 
 #include "tests/lib/box_room.h"
 
-/* Of a method that gives the internally reflected component or the daylight factor. */
+/* Value of a method that gives the internally reflected component or the daylight factor. */
 static inline double box_method_value(const struct pp_method *method,
                                       struct box_room *box, int index)
 {

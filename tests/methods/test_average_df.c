@@ -96,8 +96,9 @@ static void glass_below_the_working_plane_counts_by_way_of_the_floor(void **stat
     }
 }
 
-/* Of the same window 1.1 of 1.5 m count, whatever the floor; on a black one the two
- * practices are one, as they are for glass above the plane. Wholly below it: nothing. */
+/* Glass of the same window counts for 1.1 of 1.5 m, whatever the floor; on a black one
+ * the two practices are one, as they are for glass above the plane. Wholly below it:
+ * nothing. */
 static void glass_below_the_working_plane_can_be_left_out(void **state)
 {
     (void)state;

@@ -370,7 +370,7 @@ static void averages_agree_with_a_fine_sum_over_the_plane(void **state)
     pp_world_destroy(world);
 }
 
-/* What averages are taken of: fixed rules in place of adaptive quadrature. */
+/* Averages use fixed rules in place of adaptive quadrature. */
 static void a_rough_value_is_near_the_exact_one(void **state)
 {
     (void)state;

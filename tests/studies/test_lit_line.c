@@ -71,8 +71,8 @@ static void along_the_legal_line_the_sky_factor_is_a_fifth_of_a_per_cent(void **
     pp_world_destroy(world);
 }
 
-/* Of 20 m2 from 14 lit to 4: one of the front quarter, all of the first, four of the second;
- * 3/2 + 5 + 4/2 of first zone. */
+/* A loss of 20 m2 from 14 lit to 4: one of the front quarter, all of the first, four of
+ * the second; 3/2 + 5 + 4/2 of first zone. */
 static void a_loss_is_counted_by_quarters_of_the_room(void **state)
 {
     (void)state;

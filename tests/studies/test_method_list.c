@@ -89,7 +89,7 @@ static struct answers answers_in(const struct textbook_room *room, bool simulate
     answers.world = pp_test_lit_world(&light, room->xml);
     for (int i = 0; i < POINTS; i++)
         answers.points[i] = (struct pp_receiver){room->point[i], {0.0, 0.0, 1.0}, 0};
-    /* It faces the window, a little aside. */
+    /* The receiver faces the window, a little aside. */
     answers.points[UPRIGHT].normal = pp_vec(sin(0.3), -cos(0.3), 0.0);
     if (simulated) {
         /* To 2 % of the daylight factor. */
@@ -141,7 +141,7 @@ static int compare_column(const struct pp_column *column, const struct answers *
     return compared;
 }
 
-/* Which components a method gives. */
+/* Components that a method gives. */
 static bool gives(const struct pp_method *method, enum pp_component component)
 {
     switch (method->gives) {

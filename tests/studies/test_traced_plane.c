@@ -44,7 +44,7 @@ static void clear(struct made_up *room)
     pp_world_destroy(room->world);
 }
 
-/* What a tracer might find: an obstruction that is darker than by the convention of
+/* Made-up results of a tracer: an obstruction that is darker than by the convention of
  * `exact`, the more so to one side, and reflected light that falls off into the room. */
 static double external_at(const struct made_up *room, double x, double y, double *sky)
 {

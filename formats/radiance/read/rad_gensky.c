@@ -270,7 +270,7 @@ static double horizontal_over_zenith(int type, double altitude)
     return sum;
 }
 
-/* What the formula of the type gives at the zenith: skies are divided by it. */
+/* Value of the type's formula at the zenith, which divides the sky. */
 static double zenith_scale(int type, double altitude)
 {
     double away = PP_PI / 2.0 - altitude, s = sin(altitude);

@@ -14,7 +14,7 @@
  * of the corners. */
 enum { ARGUMENTS_MOST = 300000 };
 
-/* How many strings, whole numbers or numbers follow. */
+/* Reads the number of strings, whole numbers or numbers that follow. */
 static enum pp_status read_count(struct pp_rad_words *words, const char *what,
                                  int *count, struct pp_error *err)
 {

@@ -58,7 +58,7 @@ struct pp_rad_primitive {
     int number_count;
 };
 
-/* What the xforms that shapes go through do to them. */
+/* Transforms applied to shapes by xform. */
 struct pp_rad_context {
     struct pp_rad_transform transform;
     bool inverted;                  /* front for back */
@@ -77,7 +77,7 @@ struct pp_rad_reader {
     unsigned long long copied_bytes; /* of those in copies */
     int copied_shapes;               /* in copies, */
     long copied_corners;             /* and of the polygons among them */
-    /* Of the primitive that is being read; kept from one to the next. */
+    /* Strings of the current primitive; kept from one to the next. */
     struct pp_rad_word *strings;
     int string_space;
     double *numbers;

@@ -19,8 +19,8 @@ enum pp_status pp_rad_sky_define(struct pp_rad_reader *reader,
                                  const struct pp_pattern *pattern,
                                  struct pp_error *err);
 
-/* What "gensky [options]" would print: "skyfunc" and, of a sky with a sun, "solar" and
- * its source. */
+/* Generates the output of "gensky [options]": "skyfunc" and, of a sky with a sun, "solar"
+ * and its source. */
 enum pp_status pp_rad_sky_generate(struct pp_rad_reader *reader,
                                    const struct pp_rad_pipe *pipe,
                                    const struct pp_rad_command *command,

@@ -43,13 +43,13 @@ enum pp_status pp_rad_words_fail(const struct pp_rad_words *words, int line,
                                  struct pp_error *err, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* What another part of the program says of the primitive on that line: PP_BAD_INPUT
- * with the file and line before its sentence, any other status as it is. */
+/* Adds file and line of the primitive to the sentence of a PP_BAD_INPUT from another part
+ * of the program; other statuses are unchanged. */
 enum pp_status pp_rad_words_locate(const struct pp_rad_words *words, int line,
                                    enum pp_status status, const struct pp_error *said,
                                    struct pp_error *err);
 
-/* How much of the word a message shows: characters, for "%.*s". */
+/* Number of the word's characters shown in a message, for "%.*s". */
 static inline int pp_rad_words_shown(struct pp_rad_word word)
 {
     return (int)(word.length < 60 ? word.length : 60);

@@ -36,7 +36,7 @@ enum pp_status pp_rad_xform_read(struct pp_rad_xform *xform,
                                  const struct pp_rad_command *command,
                                  struct pp_error *err);
 
-/* How many copies it makes, 1 or more; by doubles, since it may be any number. */
+/* Number of copies, 1 or more; a double, since it may be any number. */
 double pp_rad_xform_copies(const struct pp_rad_xform *xform);
 
 /* Works out once what all copies have in common: stages that are applied N times become

@@ -12,7 +12,7 @@ void pp_rad_numbers_text(double number, char *text);
 /* The number of 15 digits nearest to it. */
 double pp_rad_numbers_round(double number);
 
-/* Their count, then all of them, on a line. */
+/* Writes the count, then all numbers, on a line. */
 void pp_rad_numbers_write(FILE *out, const double *numbers, int count);
 
 #endif

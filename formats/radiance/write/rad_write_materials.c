@@ -274,7 +274,7 @@ static void write_gensky(const struct pp_pattern *pattern, const char *name, FIL
 
 /* ---- all of them ---- */
 
-/* Of a pair: two clear panes of the same glass, that differ in their frames' sides? */
+/* True if two clear panes are of the same glass and differ in their frames' sides. */
 static bool is_one_glazing(const struct pp_material *front,
                            const struct pp_material *back)
 {

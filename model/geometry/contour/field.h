@@ -47,7 +47,7 @@ struct pp_field {
     struct pp_known_values known; /* wherever it was evaluated */
     long evaluations;
 
-    /* Of the level whose curves are being traced. */
+    /* Level of the curves being traced. */
     double level;
     int stamp;
     struct pp_curve_end *ends; /* by edge */
@@ -74,7 +74,7 @@ void pp_field_range(const struct pp_field *field, double *lowest, double lowest_
  * each triangle's corners: for a choice of levels, not for results. */
 double pp_field_share_below(const struct pp_field *field, double level);
 
-/* How often the function was evaluated. */
+/* Number of evaluations of the function. */
 long pp_field_evaluations(const struct pp_field *field);
 
 /* The value at a place. What was evaluated is kept: a level whose curves were traced

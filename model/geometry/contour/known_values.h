@@ -23,7 +23,7 @@ void pp_known_values_clear(struct pp_known_values *known);
 bool pp_known_values_find(const struct pp_known_values *known, const double xy[2],
                           double *value);
 
-/* Of a place of which nothing is known. */
+/* Adds the value at a place that is not in the table. */
 enum pp_status pp_known_values_add(struct pp_known_values *known, const double xy[2],
                                    double value, struct pp_error *err);
 

@@ -6,7 +6,7 @@
 
 #include "model/base/array.h"
 
-/* How often a chord between two crossings is halved at most. Chosen by trial. */
+/* Greatest number of halvings of a chord between two crossings. Chosen by trial. */
 enum { DEEPEST = 10 };
 
 /* The place between a and b, on different sides of the level by ga and gb (value less

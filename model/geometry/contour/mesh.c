@@ -178,7 +178,7 @@ static bool is_longer(const struct pp_mesh *mesh, int a, int b, int c, int d)
     return ab_low != cd_low ? ab_low < cd_low : a + b < c + d;
 }
 
-/* Which edge is the longest: 0 from corner 0 to 1, 1 from 1 to 2, 2 from 2 to 0. */
+/* Index of the longest edge: 0 from corner 0 to 1, 1 from 1 to 2, 2 from 2 to 0. */
 static int longest_side(const struct pp_mesh *mesh, int triangle)
 {
     const int *t = mesh->triangles[triangle];

@@ -33,7 +33,7 @@ struct pp_availability_period {
 /* Places beside the receivers, which have their index. */
 enum { PP_PLACE_AVERAGE = -1, PP_PLACE_MEDIAN = -2 };
 
-/* How often one place has one illuminance, by one method's daylight factor. */
+/* Share of time that one place has one illuminance, by one method's daylight factor. */
 struct pp_availability_row {
     int place;                     /* a receiver, PP_PLACE_AVERAGE or PP_PLACE_MEDIAN */
     const char *method;            /* "exact+bre"; not owned */

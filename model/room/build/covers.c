@@ -12,7 +12,8 @@ static const char *const words[] = {[PP_DOOR] = "door", [PP_DADO] = "dado"};
 
 /* ---- A piece of a cover ---- */
 
-/* Of a wall, surface `face`: the frame's own pointer to it holds until surfaces are added. */
+/* Adds a piece to a wall, surface `face`: the frame's own pointer to it holds until
+ * surfaces are added. */
 static enum pp_status add_cover_piece(struct pp_resolver *r,
                                       const struct pp_cover_part *part, int face,
                                       const struct pp_face_frame *frame,
@@ -287,7 +288,7 @@ static bool put_dado(struct pp_resolver *r, int *dado, int i)
     return false;
 }
 
-/* Which dado is a face's: its own, or that of all walls; -1: none. */
+/* Finds the dado of each face: its own, or that of all walls; -1: none. */
 static void find_dados(struct pp_resolver *r, int *dados)
 {
     const struct pp_room *room = r->room;

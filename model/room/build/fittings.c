@@ -9,7 +9,7 @@
 
 enum { SIDES_ROUND = PP_FITTING_CORNERS };
 
-/* What messages call it. Furniture has a height. */
+/* Name of the part in messages. Furniture has a height. */
 static const char *words_of(const struct pp_fitting_part *part)
 {
     static const char *const words[] = {[PP_FURNITURE] = "furniture",

@@ -105,7 +105,7 @@ static void say_rooms_overlap(struct pp_resolver *r, const struct pp_surface_par
                     part->line, where.x, where.y, where.z);
 }
 
-/* Of which room are the coordinates in a message? Empty for a room's own surfaces. */
+/* Name of the room whose coordinates a message gives. Empty for a room's own surfaces. */
 static const char *room_words(char words[96], const struct pp_resolver *r,
                               const struct pp_surface_part *part)
 {
@@ -287,7 +287,7 @@ enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
     struct sides_seen seen = {.outside = true};
     bool clear = true;
     enum pp_status status = PP_OK;
-    /* What belongs inside is looked for wherever it is. */
+    /* A surface that belongs inside is checked wherever it is. */
     if (part->is_of_room || is_near(r->world, &surface.outline))
         status =
             place_free_surface(&seen, &clear, r, part, what, &surface.outline, err);

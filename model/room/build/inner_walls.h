@@ -5,8 +5,8 @@
 
 #include "model/room/build/resolve.h"
 
-/* Those that the file says are, and those with another placed room right behind them.
- * Notes walls that are said to be, but have openings. */
+/* Marks inner walls: those stated in the file, and those with another placed room right
+ * behind them. Notes walls that are said to be, but have openings. */
 enum pp_status pp_build_inner_walls(struct pp_resolver *r, struct pp_error *err);
 
 #endif

@@ -136,7 +136,7 @@ static int ceiling_of(const struct pp_world *world, const struct pp_opening_part
             pp_polygon_distance(&face->outline, pp_vec(part->x + 0.5 * part->width_m,
                                                        part->y + 0.5 * part->depth_m,
                                                        face->outline.vertices[0].z));
-        /* Of two ceilings, one above the other, the upper. */
+        /* The upper of two ceilings, one above the other, is taken. */
         bool above = nearest >= 0
                      && face->outline.vertices[0].z
                             > world->surfaces[nearest].outline.vertices[0].z;

@@ -9,7 +9,7 @@
 /* "window", "rooflight" or "opening". */
 const char *pp_opening_outline_word(const struct pp_opening_part *part);
 
-/* What to call a face in a message: wall "south", or the ceiling. Returns text. */
+/* Name of a face in a message: wall "south", or the ceiling. Returns text. */
 const char *pp_opening_outline_face_words(char *text, size_t size,
                                           const struct pp_surface *face);
 

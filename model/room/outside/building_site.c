@@ -107,7 +107,7 @@ static enum pp_status add_front(struct pp_room *room, const struct pp_room_shell
     return status;
 }
 
-/* Its own blocks, but for those that the room has too, and meshes. */
+/* Adds the site's own blocks, but for those that the room has too, and meshes. */
 static enum pp_status add_solids(struct pp_room *room, const struct pp_room *own,
                                  struct pp_error *err)
 {
@@ -143,7 +143,7 @@ static enum pp_status add_neighbour(struct pp_room *room,
         const struct pp_room_carried *it = &shell->carried[i];
         struct pp_surface_part part = it->part;
         part.is_shade = it->is_shade && pp_room_shell_shares_front(own, it);
-        /* What several rooms repeat is of their files, not of their windows. */
+        /* Repeated warnings of several rooms concern their files, not their windows. */
         if (part.what || part.is_room_outside
             || !pp_outside_parts_has_surface(room, &part))
             status = pp_outside_parts_add_surface(room, &part, part.vertices.list,
@@ -172,7 +172,7 @@ static bool has_too_many(const struct pp_building *building)
     return placed > PP_ROOM_PLACED_MOST;
 }
 
-/* What a state is made of. */
+/* Parts of a state. */
 struct settling {
     struct pp_building *building;
     enum pp_site_state state;
@@ -269,8 +269,8 @@ static enum pp_status make_way(struct settling *site, int index, struct pp_error
     return status;
 }
 
-/* What the rooms are to each other; of those that stand by themselves, their walls'
- * names. */
+/* Makes the shells of rooms that touch each other; of rooms that stand by themselves,
+ * their walls' names. */
 static enum pp_status make_shells(struct settling *site, struct pp_error *err)
 {
     const struct pp_building *building = site->building;

@@ -217,7 +217,7 @@ static enum pp_status add_rims(struct pp_resolver *r, struct facade_site *site,
 
 /* ---- The sheet ---- */
 
-/* What is left out of the sheet: holes, or of a flush one the walls in its plane. */
+/* Gap in the sheet: holes, or of a flush one the walls in its plane. */
 static const struct pp_polygon *gap_at(const struct pp_world *world,
                                        const struct facade_site *site, int index)
 {

@@ -13,8 +13,8 @@
 
 #include "model/room/outside/room_shell.h"
 
-/* How far the room is over to the left of the line and to the right of it (m, 0 or more),
- * as one looks along it. */
+/* Extent of the room to the left and to the right of the line (m, 0 or more), as one
+ * looks along it. */
 void pp_mirror_image_sides(double sides_m[2], const struct pp_room_shell *shell,
                            const struct pp_mirror_line *line);
 

@@ -42,7 +42,7 @@ static bool is_of_facade(const struct pp_world *world, int surface, int facade)
            && world->surfaces[surface].owner == facade;
 }
 
-/* Its triangles, one figure again. */
+/* Joins the sheet's triangles to one figure again. */
 static enum pp_status join_sheet(struct pp_room_front *front,
                                  const struct pp_world *world, int facade,
                                  const struct pp_placement *place,
@@ -226,7 +226,8 @@ static enum pp_status turn_body(struct pp_world *turned, bool *goes_through,
     return PP_OK;
 }
 
-/* What lies in a room that comes through the plane: its section right behind that. */
+/* Leaves the part inside a room that comes through the plane: its section right behind
+ * that. */
 static enum pp_status leave_section(struct pp_room_front *front,
                                     const struct pp_world *body,
                                     struct pp_clipper *clipper, struct pp_error *err)

@@ -63,7 +63,7 @@ enum pp_status pp_room_front_cut(struct pp_region_pieces *pieces,
                                  const struct pp_room_front *front,
                                  struct pp_clipper *clipper, struct pp_error *err);
 
-/* What each of them is as a part of the building's, without its vertices. */
+/* Properties of each as a part of the building, without its vertices. */
 struct pp_surface_part pp_room_front_part(const struct pp_room_front *front);
 
 enum pp_status pp_room_front_copy(struct pp_room_front *copy,

@@ -20,7 +20,7 @@
 #include "model/room/outside/shades.h"
 #include "model/room/outside/site_state.h"
 
-/* Of outer faces of walls and roofs. */
+/* Reflectance of outer faces of walls and roofs. */
 static const double outside_reflectance = 0.2;
 
 void pp_room_shell_clear(struct pp_room_shell *shell)
@@ -97,7 +97,7 @@ static enum pp_status carry(struct pp_room_shell *shell,
     return status;
 }
 
-/* What shades a window. */
+/* Carries over the shade of a window. */
 static enum pp_status carry_shade(struct pp_room_shell *shell,
                                   const struct pp_surface *surface,
                                   struct pp_error *err)
@@ -251,7 +251,8 @@ static enum pp_status resolve_shell(struct pp_room_shell *shell,
     return status == PP_SYSTEM ? pp_fail(err, status, "%s", fault.message) : PP_OK;
 }
 
-/* Of a wall whose facade lies in its own plane that of the facade. */
+/* Sets the reflectance of a wall whose facade lies in its own plane to that of the
+ * facade. */
 static void set_reflectances(struct pp_world *body)
 {
     for (int i = 0; i < body->face_count; i++)
@@ -272,7 +273,7 @@ static void turn_body(struct pp_room_shell *shell)
     }
 }
 
-/* What is fixed outside a room that has no mistakes, and the panes in its faces. */
+/* Adds fixed outside parts of a room that has no mistakes, and the panes in its faces. */
 static enum pp_status fit_out(struct pp_room_shell *shell, double glass_reflectance,
                               struct pp_clipper *clipper, struct pp_error *err)
 {

@@ -20,8 +20,7 @@
  * in walls that lean, those that go through the room, and shelves above the head. */
 enum pp_status pp_build_shades(struct pp_resolver *r, struct pp_error *err);
 
-/* What the opening's shade in that line is called, "balcony"; static; NULL: there is
- * none. */
+/* Name of the opening's shade in that line, "balcony"; static; NULL: there is none. */
 const char *pp_shades_word(const struct pp_opening_part *part, int line);
 
 #endif

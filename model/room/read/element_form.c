@@ -27,7 +27,7 @@ struct value_place {
     double per_metre;
 };
 
-/* What is expected of values of the kind, in the words of the file's units. */
+/* Expected values of the kind, in the words of the file's units. */
 static const char *expected_of(const struct pp_value_kind *kind, double per_metre)
 {
     return kind->expected_mm && per_metre > 1.0 ? kind->expected_mm : kind->expected;

@@ -10,7 +10,7 @@
 
 enum { PP_PLAN_ROOF_TEETH_MOST = 50 };
 
-/* How the roof of a plan is given: lengths in metres, the eaves' height, pitch in rad. */
+/* Form of a plan's roof: lengths in metres, the eaves' height, pitch in rad. */
 struct pp_plan_roof {
     double width_m, depth_m, height_m, pitch_rad;
     enum pp_roof roof; /* not flat */

@@ -229,7 +229,7 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
         read_receiver(r, room, e, PP_GRID, &pp_rule_grid);
 }
 
-/* Of rooms without a <site>. */
+/* Site of rooms without a <site>. */
 static const struct pp_site_part plain_site = {
     .latitude_rad = NAN, .longitude_rad = NAN, .ground_reflectance = 0.2};
 
@@ -305,7 +305,7 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
     common->north_rad = form.north_rad;
     building->glass_reflectance = form.glass_reflectance;
     common->line = e->line;
-    /* What is common to all rooms may stand behind them. */
+    /* Elements common to all rooms may stand behind them. */
     for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
          c = c->next)
         if (!pp_element_form_matches(c, &pp_rule_building_room))

@@ -5,7 +5,8 @@
 
 #include "model/room/read/reader.h"
 
-/* What is wrong with its file is a mistake on the element's line, and names the file's. */
+/* Mistakes in the mesh file are reported on the element's line, with the line of that
+ * file. */
 void pp_read_mesh(struct pp_reader *r, struct pp_room *room,
                   const struct pp_xml_element *e);
 

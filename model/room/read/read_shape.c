@@ -9,7 +9,7 @@
 #include "model/room/read/element_form.h"
 #include "model/room/read/plan_roof.h"
 
-/* What is wrong with the way a plan's outline is given, or NULL. */
+/* Fault of a plan's outline, or NULL. */
 static const char *plan_fault(const struct pp_plan_form *form, int vertices)
 {
     bool width = !isnan(form->width_m), depth = !isnan(form->depth_m);
@@ -27,7 +27,7 @@ static const char *plan_fault(const struct pp_plan_form *form, int vertices)
                      "vertices";
 }
 
-/* What is wrong with the way its roof is given, or NULL. */
+/* Fault of a plan's roof, or NULL. */
 static const char *roof_fault(const struct pp_plan_form *form, int vertices)
 {
     bool is_flat = form->roof == PP_ROOF_FLAT;

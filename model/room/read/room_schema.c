@@ -345,7 +345,7 @@ static const struct pp_attribute_rule room_rows[] = {
     {"north", &pp_room_values_bearing, OR(NAN), IN(room, north_rad)},
     {"ref", &text, OR(NAN), IN(room, ref)},
     {"use", &pp_room_values_use, OR(0), IN(room, use)},
-    /* Those that follow are of rooms in a building. */
+    /* Following attributes are of rooms in a building. */
     {"x", &pp_room_values_coordinate, OR(NAN), IN(room, x)},
     {"y", &pp_room_values_coordinate, OR(NAN), IN(room, y)},
     {"z", &pp_room_values_coordinate, OR(NAN), IN(room, z)},

@@ -15,7 +15,7 @@
 #include "model/base/mistakes.h"
 #include "model/base/xml.h"
 
-/* How the text of a value is read, and the C type that it is stored as. */
+/* Reader of a value's text, and the C type that it is stored as. */
 enum pp_reading_of_value {
     PP_VALUE_TEXT,        /* const char *, of the XML tree */
     PP_VALUE_NAME,        /* the same, and not empty */

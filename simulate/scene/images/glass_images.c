@@ -26,7 +26,7 @@ static bool mirrors(const struct pp_light_scene *scene, int pane)
            && scene->panes[pane].opening->glass.panes > 0;
 }
 
-/* What two openings that face each other send to each other, but for its factor. */
+/* Light exchanged by two openings that face each other, but for its factor. */
 static double exchange(const struct pp_target *glass, const struct pp_target *window)
 {
     double apart = pp_vec_length(pp_vec_sub(glass->middle, window->middle));
@@ -83,8 +83,8 @@ bool pp_glass_images_has(const struct pp_light_scene *scene, int glass, int wind
 
 /* ---- seen ---- */
 
-/* What no glass is taken to reflect less than: one as clear as its stack of panes can be
- * mirrors nothing straight ahead, and some at a slant. */
+/* Least reflectance of glass: one as clear as its stack of panes can be mirrors nothing
+ * straight ahead, and some at a slant. */
 static const double LEAST_REFLECTANCE = 0.01;
 
 /* The box of what a point sees through an outline of the target's plane, along the
@@ -174,7 +174,7 @@ static bool seen_part(const struct pp_light_scene *scene,
     return cut_to(part, &box);
 }
 
-/* What the image may bring, by the reflectance in the middle of it. */
+/* Importance of the image, by the reflectance in the middle of it. */
 static double image_importance(const struct pp_light_scene *scene,
                                const struct pp_glass_view *view,
                                struct pp_brightness brightness, int index)
@@ -208,7 +208,7 @@ static void look_from(const struct pp_light_scene *scene, struct pp_glass_view *
         view->share[i] = image_importance(scene, view, brightness, i);
 }
 
-/* Of an image that is in sight. */
+/* Sight of an image that is visible. */
 static struct pp_glass_sight *sight_of(const struct pp_light_scene *scene,
                                        struct pp_glass_view *view,
                                        struct pp_brightness brightness, int index)

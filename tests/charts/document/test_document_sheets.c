@@ -59,7 +59,7 @@ static bool has(const struct sheets *sheets, int sheet, const char *words)
     return strstr(sheets->list[sheet], words) != NULL;
 }
 
-/* How many sheets have it. */
+/* Number of sheets with it. */
 static int sheets_with(const struct sheets *sheets, const char *words)
 {
     int count = 0;

@@ -26,7 +26,7 @@ struct drawing {
     struct line list[6000];
 };
 
-/* What a PDF's first stream says, inflated. */
+/* First stream of a PDF, inflated. */
 static char *first_stream(const unsigned char *bytes, size_t length)
 {
     const unsigned char *from = memmem(bytes, length, "stream\n", 7);
@@ -299,7 +299,7 @@ static const char corner_room[] =
     "glazing='clear-double' maintenance='0.8'/>"
     "<skyline wall='south' angle='27'/><point x='3' y='2'/></room>";
 
-/* What stands below the chart is what `df` says; windows alike share their lines. */
+/* The chart's foot has the results of `df`; windows alike share their lines. */
 static void sum_of_a_room_is_that_of_the_method(void **state)
 {
     (void)state;

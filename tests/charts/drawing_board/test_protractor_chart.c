@@ -71,8 +71,8 @@ static struct line *lines_of(const char *svg, int *count)
     return lines;
 }
 
-/* How far, on paper, a mark under this altitude stands from where the scale reads the
- * nearest tenth of a per cent; by quadrature. */
+/* Distance, on paper, of a mark under this altitude from the place where the scale reads
+ * the nearest tenth of a per cent; by quadrature. */
 static double off_mm(const struct pp_protractor *protractor, double angle, double arc)
 {
     double share = pp_protractor_scale_primary(protractor, angle);

@@ -279,8 +279,8 @@ static struct strokes drawn(const struct pp_world *world, double scale,
     return strokes;
 }
 
-/* Of a door the sides and the head, as its foot is the wall's; of the dado beside it the
- * upper edges, which end at the wall's corners and at the door. */
+/* A door's sides and head are drawn, as its foot is the wall's; a dado's upper edges
+ * beside it, which end at the wall's corners and at the door. */
 static void doors_and_dados_are_drawn_to_scale_without_the_edges_of_their_wall(
     void **state)
 {

@@ -1,4 +1,4 @@
-/* What --explain prints, recomputed: every formula of every method, in every example
+/* Recomputes the output of --explain: every formula of every method, in every example
  * room, from the figures printed above it, in text and in JSON. Runs ./pepperpot. */
 #include "tests/lib/near.h"
 
@@ -221,8 +221,8 @@ static void check_text(struct sheet *sheet, const char *of, char *text)
                 snprintf(symbol, sizeof symbol, "%.*s",
                          indent == SYMBOL ? (int)strcspn(line + SYMBOL, " ") : 0,
                          line + SYMBOL);
-            /* What was counted, whole or in tenths, is no rounded figure; a bare 0 is
-             * less than 1e-7. */
+            /* Counted figures, whole or in tenths, are not rounded; a bare 0 is less than
+             * 1e-7. */
             struct interval printed = figure_as_printed(digits);
             const char *point = strchr(digits, '.');
             if (!point || (strlen(point + 1) == 1 && !has_unit))

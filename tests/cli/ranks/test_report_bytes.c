@@ -81,7 +81,7 @@ static void what_was_stopped_anywhere_is_unfinished(void **state)
     }
 }
 
-/* Of every length but the whole. */
+/* Files of every length but the whole. */
 static void bytes_that_are_cut_short_are_refused(void **state)
 {
     (void)state;

@@ -16,7 +16,7 @@ static struct pp_epw *taken(struct made_epw *made)
     return epw;
 }
 
-/* It is refused with a message that begins with its line and has those words. */
+/* The file is refused with a message that begins with its line and has those words. */
 static void assert_refused(struct made_epw *made, int line, const char *words)
 {
     char wanted[16];
@@ -255,7 +255,7 @@ static void several_data_periods_follow_each_other(void **state)
     done(&made, epw);
 }
 
-/* Of years that stand in the header, each is passed. */
+/* Each of the years that stand in the header is passed. */
 static void a_period_may_take_years(void **state)
 {
     (void)state;

@@ -78,7 +78,7 @@ static void a_near_skyline_stands_on_the_ground(void **state)
         if (!is_ground(&room.scene, i))
             face = &room.scene.shapes[i];
     double foot = INFINITY;
-    /* It reflects: the light on it is Radiance's to find. */
+    /* The face reflects: the light on it is Radiance's to find. */
     assert_non_null(face);
     const struct pp_material *matt = &room.scene.materials[face->material];
     assert_int_equal(matt->emits, PP_EMITS_NOTHING);
@@ -140,7 +140,7 @@ static void ground_higher_than_the_floor_stays_out_of_the_room(void **state)
 
 /* ---- its light ---- */
 
-/* What a sensor a centimetre over the ground gets from below, 50 m before the room. */
+/* Illuminance from below at a sensor a centimetre over the ground, 50 m before the room. */
 static double light_from_below(const char *parts)
 {
     struct pp_rad_room room = scene_of(parts);

@@ -133,7 +133,7 @@ static void lamps_and_mirrors_have_two_faces(void **state)
     pp_scene_description_clear(&scene);
 }
 
-/* How many corners of shapes `first` to `end` - 1 are there. */
+/* Number of corners of shapes `first` to `end` - 1. */
 static int corners_at(const struct pp_scene_description *scene, int first, int end,
                       double x, double y, double z)
 {
@@ -292,7 +292,7 @@ static void files_that_copies_read_without_end_are_refused(void **state)
     unlink(name);
 }
 
-/* What Radiance's own gensky prints for these. */
+/* Skies as Radiance's own gensky prints them. */
 static void skies_are_those_of_gensky(void **state)
 {
     (void)state;

@@ -21,7 +21,7 @@ static struct pp_vec3 direction(struct dice *dice)
                               between(dice, 0.05, 1.5)));
 }
 
-/* Of more directions than are kept, each twice, as the beam itself has them. */
+/* Looks up more directions than are kept, each twice, as the beam itself has them. */
 static void areas_are_those_of_the_beam(void **state)
 {
     (void)state;
@@ -60,7 +60,7 @@ static void areas_are_those_of_the_beam(void **state)
     pp_world_destroy(world);
 }
 
-/* What is kept of one opening, glass or view is not taken for another's. */
+/* Kept means of one opening, glass or view are not used for another's. */
 static void means_are_of_an_opening_a_view_and_a_glass(void **state)
 {
     (void)state;

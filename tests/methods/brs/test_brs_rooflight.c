@@ -191,7 +191,7 @@ static void windows_are_read_off_the_vertical_table(void **state)
     pp_world_destroy(world);
 }
 
-/* It is the table of windows where there are windows alone: the average is that table's,
+/* A room with windows alone uses the table of windows: the average is that table's,
  * worked out once. */
 static void a_room_of_windows_has_the_average_of_their_table(void **state)
 {

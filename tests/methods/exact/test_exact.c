@@ -184,7 +184,7 @@ static void a_facade_hides_the_sky_as_a_reveal_to_its_face(void **state)
                     ROOM(SIDE_WINDOW("0.45")), 1e-12);
 }
 
-/* What the facade hides of the sky is lit facade: its reflectance times that sky. */
+/* Sky hidden by the facade is lit facade: its reflectance times that sky. */
 static void what_a_facade_hides_counts_as_facade(void **state)
 {
     (void)state;

@@ -264,7 +264,7 @@ static double disagreement(double value, double other, double relative)
     return difference <= 1e-15 ? 0.0 : difference / (relative * fabs(other));
 }
 
-/* What the method gives when it was prepared, for single points or for those of a plane. */
+/* Result of the method when it was prepared, for single points or for those of a plane. */
 static struct pp_part prepared(const struct scene *scene, bool for_plane)
 {
     const struct pp_method *exact = &pp_method_exact;

@@ -165,7 +165,7 @@ static void a_continuous_obstruction_leaves_the_vertical_sky_component(void **st
                                         {40, 18.33}, {60, 7.42},  {80, 0.87}};
     for (size_t i = 0; i < sizeof printed / sizeof printed[0]; i++) {
         double alpha = printed[i][0] * PP_RAD;
-        /* What is above the plane through the eye at that altitude. */
+        /* Half space above the plane through the eye at that altitude. */
         struct pp_vec3 half_spaces[3] = {
             facing, zenith, {0.0, -sin(alpha), cos(alpha)}};
         const struct pp_vec3 wall[4] = {

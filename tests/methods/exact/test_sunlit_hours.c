@@ -145,7 +145,7 @@ static void a_tower_hides_the_hours_of_its_azimuths(void **state)
                 HALF_TURN - lost * HALF_TURN / PP_PI, 1e-9);
 }
 
-/* What stands to the east hides in the morning what its mirror image hides in the
+/* Obstructions to the east hide in the morning as much as their mirror images in the
  * afternoon. */
 static void mornings_mirror_afternoons(void **state)
 {

@@ -154,7 +154,7 @@ static void a_furnace_is_lit_alike_everywhere_by_its_energy_balance(void **state
     for (int i = 0; i < BY_POSITION; i++)
         for (double y = 0.7; y < 9.3; y += 2.1) {
             struct pp_receiver point = at(2.9, y);
-            /* It differs by what is left of 1 - R, 2.4e-6, and of its root in f_d. */
+            /* The difference is the rest of 1 - R, 2.4e-6, and of its root in f_d. */
             assert_relative(value_of(by_position[i], &box, 0, &point), balance, 1e-2);
         }
 }

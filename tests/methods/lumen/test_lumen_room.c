@@ -47,7 +47,7 @@ static void faces_of_a_cube_have_the_printed_form_factors(void **state)
     assert_near(pp_rectangle_factor_exchange_area(&floor, &wall), 0.200044, 5e-7);
 }
 
-/* What a piece of floor sends out arrives: on the ceiling, the four walls. */
+/* Light from a piece of floor arrives: on the ceiling, the four walls. */
 static void all_light_of_a_piece_of_floor_arrives(void **state)
 {
     (void)state;

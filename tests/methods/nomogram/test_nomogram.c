@@ -198,7 +198,7 @@ static void what_leaves_the_scales_is_refused(void **state)
     }
 }
 
-/* What is read lies between what is set, on the sheet, for all values. */
+/* Readings lie between the values set, on the sheet, for all values. */
 static void scales_keep_to_the_sheet(void **state)
 {
     (void)state;

@@ -22,7 +22,7 @@ static double next(uint64_t *seed)
     return (double)(*seed >> 11) * 0x1p-53;
 }
 
-/* What a rectangle of the drawing gives, by midpoints of even steps in a and b: another
+/* Light of a rectangle of the drawing, by midpoints of even steps in a and b: another
  * route than the altitudes and azimuths of the dots. */
 static double rectangle_share(const struct pp_pepper_pot *pot, double a0, double a1,
                               double b0, double b1)

@@ -25,7 +25,7 @@ static struct pp_sky clear_sky(void)
     return sky;
 }
 
-/* What a rectangle of the drawing gives, by the midpoints of a grid of it. */
+/* Light of a rectangle of the drawing, by the midpoints of a grid of it. */
 static double by_grid(const struct pp_sky *sky, const struct pp_glass *glass,
                       const struct pp_window_axes *axes, struct pp_vec3 normal,
                       const double at[4])

@@ -21,7 +21,7 @@ static struct pp_receiver facing_up(double x, double y, double z)
     return (struct pp_receiver){{x, y, z}, {0.0, 0.0, 1.0}, 0};
 }
 
-/* What the method gives of the world's first opening, its figures as read. */
+/* Result of the method for the world's first opening, its figures as read. */
 static struct pp_part read_with(const void *tools, const struct pp_method *method,
                                 const struct pp_world *world,
                                 const struct pp_outside_light *light, double x,
@@ -396,7 +396,7 @@ static void correction_factors_are_read_between_semicircles(void **state)
                             row[r].cf[i], row[r].tolerance);
 }
 
-/* Of all ten, both scales against adaptive quadrature, also between their marks. */
+/* All ten protractors, both scales against adaptive quadrature, also between their marks. */
 static void dials_agree_with_quadrature(void **state)
 {
     (void)state;

@@ -36,8 +36,8 @@ static void primary_scales_of_vertical_windows(void **state)
     }
 }
 
-/* What a horizontal receiver gets through an endless pane overhead, or through one at
- * any slope, can't depend on which way the section is walked through: by quadrature in
+/* Light of a horizontal receiver through an endless pane overhead, or through one at any
+ * slope, does not depend on which way the section is walked through: by quadrature in
  * altitude and azimuth instead of along strips. */
 static double all_through_glass(const struct pp_protractor *protractor)
 {

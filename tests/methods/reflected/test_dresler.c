@@ -20,8 +20,8 @@ static struct two_parts awkward_parts(const struct box_method_symbols *s)
     return p;
 }
 
-/* What reaches the plane from above, of first light on the lower and the upper part (m2
- * of open sky), over the plane's area; *absorbed: what all of it comes to. */
+/* Light that reaches the plane from above, for first light on the lower and the upper
+ * part (m2 of open sky), over the plane's area; *absorbed: the sum of all of it. */
 static double followed(const struct two_parts *p, double lower, double upper,
                        double *absorbed)
 {

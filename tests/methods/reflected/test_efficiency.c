@@ -47,8 +47,8 @@ static void light_on_the_window_is_vsc_and_15_per_cent_of_what_is_hidden(void **
     }
 }
 
-/* What of the sky's light goes through a point to the plane is, turned round, the sky
- * component at that point of a rectangle above it: by quadrature over the plane. */
+/* The sky's light through a point to the plane is, turned round, the sky component at
+ * that point of a rectangle above it: by quadrature over the plane. */
 static void direct_share_is_the_light_followed_to_the_plane(void **state)
 {
     (void)state;

@@ -107,7 +107,7 @@ static void rooflight_lets_the_whole_sky_in(void **state)
                     1e-12);
 }
 
-/* What the open overcast sky gives glass at the slope beta. */
+/* Light of the open overcast sky on glass at the slope beta. */
 static double open_sky_on_slope(double beta)
 {
     return 3.0 / 14.0 * (1 + cos(beta))

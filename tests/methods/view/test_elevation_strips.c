@@ -32,7 +32,7 @@ static bool is_within(const struct pp_elevation_part *part, double x, double z)
     return x > part->left && x < part->right && z > part->low && z < part->high;
 }
 
-/* What a person sees there: the nearest of all; NAN: sky. */
+/* Obstruction seen there: the nearest of all; NAN: sky. */
 static double seen_there(const struct pp_elevation_obstruction *all, int count,
                          double x, double z)
 {
@@ -136,7 +136,7 @@ static void what_stands_behind_a_wall_makes_no_parts(void **state)
     pp_elevation_clear(&elevation);
 }
 
-/* Of 40 obstructions each is asked for when all others have been added. Most stand on the
+/* Each of 40 obstructions is tested when all others have been added. Most stand on the
  * ground, as most do. */
 static void what_counts_as_covered_is_seen_nowhere(void **state)
 {

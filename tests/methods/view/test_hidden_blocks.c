@@ -17,7 +17,7 @@ struct blocks_room {
     struct pp_report report;
 };
 
-/* What the methods say of a room before which `blocks` stand. */
+/* Results of the methods for a room before which `blocks` stand. */
 static void answer(struct blocks_room *room, const char *glazing, const char *blocks)
 {
     size_t size = strlen(blocks) + 500;
@@ -119,7 +119,7 @@ static void blocks_behind_a_higher_house_change_no_figure(void **state)
     free(all);
 }
 
-/* Of blocks of two reflectances the nearest counts, not the first in the file. */
+/* The nearest of blocks of two reflectances counts, not the first in the file. */
 static void the_order_of_the_blocks_in_the_file_changes_no_figure(void **state)
 {
     (void)state;

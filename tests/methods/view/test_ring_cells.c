@@ -51,7 +51,7 @@ static double area_of(const struct pp_fragments *fragments, int owner)
     return sum;
 }
 
-/* How many rings the cells had. */
+/* Number of rings in the cells. */
 struct seen {
     const struct leaves *leaves;
     int cells, most;
@@ -106,7 +106,7 @@ static void what_leaves_leave_open_is_the_same_without_cells(void **state)
     free(leaves);
 }
 
-/* Of each leaf as much is in front. */
+/* Each leaf has as much in front of it. */
 static void each_leaf_has_in_front_what_it_has_without_cells(void **state)
 {
     (void)state;

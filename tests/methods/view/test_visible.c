@@ -404,8 +404,8 @@ static int places_of(double places[][2], double low, double high, double border)
     return count;
 }
 
-/* What a pane with something before it gives points from 0.4 m to the back, against a
- * sum over the pane's area. Its illuminance is not smooth at x and at z. */
+/* Light of an obstructed pane at points from 0.4 m to the back, against a sum over the
+ * pane's area. Its illuminance is not smooth at x and at z. */
 static void assert_sum_of_pieces(const char *before, double x, double z)
 {
     char xml[2000];
@@ -503,8 +503,8 @@ static void an_uneven_pane_is_the_same_prepared_and_roughly(void **state)
     pp_world_destroy(world);
 }
 
-/* What a block hides counts as the sky that it takes, times rho under the overcast sky and
- * half of rho under any other. */
+/* Sky hidden by a block counts times rho under the overcast sky and half of rho under any
+ * other. */
 static void hidden_sky_counts_by_the_reflectance_or_by_half_of_it(void **state)
 {
     (void)state;

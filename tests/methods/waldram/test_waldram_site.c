@@ -99,7 +99,7 @@ static struct pp_world *deal_site(struct dice *dice)
     return pp_test_world(xml);
 }
 
-/* What is summed of counts less the exact area. */
+/* Sum of counts less the exact area. */
 struct bias {
     double sum, sum2;
     int count;

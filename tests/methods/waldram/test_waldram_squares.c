@@ -53,8 +53,8 @@ static struct tally count_rectangle(const struct pp_waldram *waldram,
     return count_ring(waldram, axes, xy, 4);
 }
 
-/* What a gabled house before it leaves of a rectangle: its outline stands at parts of
- * the width and height. */
+/* Rest of a rectangle behind a gabled house: its outline stands at parts of the width and
+ * height. */
 static struct tally count_obstructed(const struct pp_waldram *waldram, double x0,
                                      double x1, double y0, double y1,
                                      const double at[4])

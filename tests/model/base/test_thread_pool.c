@@ -9,7 +9,7 @@
 
 enum { MOST = 10007, MEMBERS_MOST = 9 };
 
-/* What was done, by index and by worker. */
+/* Work done, by index and by worker. */
 struct done {
     atomic_int times[MOST];
     atomic_bool busy[MEMBERS_MOST];
@@ -31,7 +31,7 @@ static bool note(void *data, int worker, int index)
     return index != done->stop_at;
 }
 
-/* How indices are dealt out: one at a time, or by handfuls. */
+/* Ways to run indices: one at a time, or by handfuls. */
 typedef int dealer(struct pp_thread_pool *pool, int first, int end,
                    pp_thread_pool_work *work, void *data);
 static dealer *const dealers[] = {pp_thread_pool_run, pp_thread_pool_run_small};
@@ -82,7 +82,7 @@ static void of_no_indices_nothing_is_done(void **state)
     }
 }
 
-/* What was dealt out is done to the end, so that it is all before some index. */
+/* Started indices are done to the end, so that it is all before some index. */
 static void work_that_stops_leaves_no_gap(void **state)
 {
     (void)state;

@@ -60,7 +60,7 @@ static void above_the_horizon_the_upper_part_is_left(void **state)
     assert_moments(pp_area_moments_above_horizon(&region), 2.0, 0.0, 2.0 / 3.0, box);
 }
 
-/* Of the square from 0 to 4 the box leaves 1.1 to 2.9 by 0.3 to 4; of a triangle whose
+/* The box leaves 1.1 to 2.9 by 0.3 to 4 of the square from 0 to 4; of a triangle whose
  * corner it cuts off, the rest. */
 static void a_box_leaves_what_is_in_it(void **state)
 {

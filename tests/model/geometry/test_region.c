@@ -127,7 +127,7 @@ static void a_hole_runs_clockwise_and_takes_its_area(void **state)
     /* 0.3 m to the left of the window, 0.8 m from the wall's end. */
     assert_near(pp_region_edge_distance(&rest, 0.8, 1.5), 0.3, ROUNDING);
 
-    /* What has a hole goes in again as it came out. */
+    /* Regions with holes go in again as they came out. */
     struct pp_region both[2], whole, none;
     both[0] = rest;
     both[1] = window;
@@ -255,9 +255,9 @@ static void inside_its_edge_an_l_is_a_smaller_l(void **state)
     pp_region_clear(&outer);
 }
 
-/* Of random quadrilaterals round a circle, all convex: two triangles, counter-clockwise, of
- * the whole area, of the two ways the one whose angles at the corners off the diagonal add
- * up to 180 degrees or less (Delaunay). */
+/* Random quadrilaterals round a circle, all convex, give two triangles,
+ * counter-clockwise, of the whole area, of the two ways the one whose angles at the
+ * corners off the diagonal add up to 180 degrees or less (Delaunay). */
 static void a_convex_ring_of_four_is_cut_by_delaunay_s_diagonal(void **state)
 {
     (void)state;

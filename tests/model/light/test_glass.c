@@ -38,7 +38,7 @@ static void diffuse_transmittances(void **state)
     assert_near(pp_glass_panes(2, 1.52, 0.02).diffuse, 0.7292, 5e-5);
 }
 
-/* Its figures stand in the program; they are the integral's but for its rounding. */
+/* The pane's figures stand in the program; they are the integral's but for its rounding. */
 static void the_brs_pane_is_the_sum_over_its_angles(void **state)
 {
     (void)state;

@@ -54,8 +54,8 @@ static void without_a_sky_it_is_dark(void **state)
     pp_scene_description_clear(&scene);
 }
 
-/* Of two sources in one direction the narrower one is seen: a cap of 45 degrees, half of
- * all that counts, thrice as bright as the sky behind it. */
+/* The narrower of two sources in one direction is seen: a cap of 45 degrees, half of all
+ * that counts, thrice as bright as the sky behind it. */
 static void a_bright_cap_stands_before_the_sky(void **state)
 {
     (void)state;

@@ -131,7 +131,7 @@ static void a_faded_sky_is_half_ground_at_the_horizon(void **state)
     struct pp_vec3 zenith = pp_vec(0.0, 0.0, 1.0);
     double horizon = pp_sky_luminance(&sky, pp_vec(0.6, 0.8, 1e-9));
     assert_relative(horizon / pp_sky_luminance(&sky, zenith), 0.253260, 1e-5);
-    /* What it lacks at the horizon is little of the light on level ground. */
+    /* The loss at the horizon is little of the light on level ground. */
     assert_near(pp_sky_on_plane(&sky, zenith), 1.0, 1e-8);
     assert_near(sum_on_plane(&sky, zenith), 1.0, 1e-4);
     double more = pp_sky_luminance(&sky, zenith) / pp_sky_luminance(&overcast, zenith);

@@ -100,8 +100,8 @@ static void a_fisheye_shows_a_circle(void **state)
     assert_true(to.z < 0.0);
 }
 
-/* Of less than a hemisphere the edge is half the angle off, and the way there goes by
- * the sine. */
+/* The edge of a view of less than a hemisphere is half the angle off, and the way there
+ * goes by the sine. */
 static void a_narrow_fisheye_keeps_to_its_angle(void **state)
 {
     (void)state;

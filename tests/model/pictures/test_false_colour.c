@@ -16,7 +16,7 @@ static struct pp_picture picture_of(int width, int height,
     return picture;
 }
 
-/* Of the eye, for a byte of sRGB: relative luminance by [IEC61966]. */
+/* Light of a byte of sRGB to the eye: relative luminance by [IEC61966]. */
 static double light_of(const unsigned char rgb[3])
 {
     static const double weights[3] = {0.2126, 0.7152, 0.0722};

@@ -7,7 +7,7 @@
 #include "formats/pictures/picture_hdr.h"
 #include "formats/pictures/picture_pfm.h"
 
-/* What a writer puts into a file. */
+/* Contents of a file, as its writer has them. */
 struct file {
     char *bytes;
     size_t length;

@@ -1,4 +1,4 @@
-/* What is shown of a picture's light. */
+/* Tests of the shown part of a picture's light. */
 #include "tests/lib/near.h"
 
 #include "model/pictures/tone.h"

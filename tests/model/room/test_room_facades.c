@@ -49,7 +49,7 @@ static void walls_with_windows_go_on_to_all_sides(void **state)
     pp_room_destroy(room);
 }
 
-/* What the file says of a wall stands, though it be that nothing goes on. */
+/* A wall's facade in the file stands, though it be that nothing goes on. */
 static void a_wall_of_which_the_file_speaks_stays_as_it_is(void **state)
 {
     (void)state;

@@ -5,8 +5,8 @@
 #include "model/room/room_text.h"
 #include "tests/lib/near.h"
 
-/* What is like a window and is none, quotes of both kinds, a tag over two lines, an
- * element that is not empty, and a last one on a line with others. */
+/* Text like a window that is none, quotes of both kinds, a tag over two lines, an element
+ * that is not empty, and a last one on a line with others. */
 static const char file[] =
     "<?xml version='1.0'?> <!-- <window left='9'/> -->\n"
     "<room version=\"1\" name=\"a > b &lt;window\">\n"

@@ -256,7 +256,7 @@ static void what_lies_flush_with_a_wall_is_set_off_it(void **state)
         for (int k = 0; surface->role == PP_BLOCK && k < 4; k++)
             least = fmin(least, surface->outline.vertices[k].x - 4.3);
     }
-    /* Its other sides still begin in the wall's plane, edge on. */
+    /* The niche's other sides still begin in the wall's plane, edge on. */
     assert_near(least, 0.0, 1e-12);
     const struct pp_surface *flush = NULL;
     for (int i = 0; i < world->surface_count; i++)

@@ -102,7 +102,7 @@ static void corrected_figures_stand_with_the_average_and_the_points(void **state
     free(words);
 }
 
-/* What the figure is to be multiplied by is the middle of the truth over it. */
+/* The figure's factor is the middle of the truth over it. */
 static void a_bias_is_said_with_the_factor_that_takes_it_away(void **state)
 {
     (void)state;

@@ -71,7 +71,7 @@ static bool read_row(const char *line, int *rooms, double *bias, double *low,
            == 6;
 }
 
-/* Of a ratio of truth to figure of 1/2 the figure is 100 % too high: the bias is the
+/* A ratio of truth to figure of 1/2 means a figure 100 % too high: the bias is the
  * figure's, of the truth. */
 static void every_regime_is_a_row_with_the_figure_s_bias(void **state)
 {

@@ -25,7 +25,7 @@ static double edge_share(struct pp_vec3 r0, struct pp_vec3 r1)
     return 0.5 * angle * across.z / pp_vec_length(across);
 }
 
-/* What the patch gives to the floor at (x, y), by Lambert. */
+/* Light of the patch on the floor at (x, y), by Lambert. */
 static double irradiance_at(double x, double y)
 {
     struct pp_vec3 from = pp_vec(x, y, 0.0);

@@ -277,7 +277,7 @@ static void a_restart_forgets_the_points(void **state)
 
 /* ---- what points share ---- */
 
-/* What has been made ready, and how often paths asked for more. */
+/* Points made ready, and how often paths asked for more. */
 struct ready {
     int stage, first, count, missed;
     uint32_t paths[128];

@@ -291,9 +291,9 @@ static void sky_components_keep_the_error_that_is_stated(void **state)
 
 #define SILL "left='0.5' sill='1.4' width='3' height='1.6' glazing='clear-single'"
 
-/* Of a point at the height of that sill, `away` from the middle of the pane, by the midpoint
- * rule over azimuth from its normal and altitude: up from a skyline 30 degrees high, which
- * falls off aside, to the head. */
+/* Light at a point at the height of that sill, `away` from the middle of the pane, by the
+ * midpoint rule over azimuth from its normal and altitude: up from a skyline 30 degrees
+ * high, which falls off aside, to the head. */
 static double before_the_sill(const struct pp_world *world,
                               const struct pp_outside_light *light, double away)
 {

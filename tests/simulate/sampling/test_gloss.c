@@ -73,10 +73,10 @@ static void a_gloss_gives_back_all_that_it_gets_at_any_angle(void **state)
     }
 }
 
-/* What [GMD10] gives back by itself, from another route: over the facets' slopes across
- * the plane of incidence in closed form, with error functions, along it by adaptive
- * quadrature in another language. At normal incidence and roughness a all is closed:
- * 1 - a^2 + a^2 exp(-1/a^2). */
+/* Albedo of [GMD10] by itself, from another route: over the facets' slopes across the
+ * plane of incidence in closed form, with error functions, along it by adaptive
+ * quadrature in another language. At normal incidence and roughness a all is closed: 1 -
+ * a^2 + a^2 exp(-1/a^2). */
 static void unscaled_the_lobe_loses_what_facets_throw_down(void **state)
 {
     (void)state;

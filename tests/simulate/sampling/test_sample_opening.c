@@ -163,7 +163,7 @@ static void a_polygon_has_its_configuration_factor(void **state)
     }
 }
 
-/* What a fifth of the window contributes to the solid angle is that fifth's own. */
+/* A fifth of the window contributes its own solid angle. */
 static void density_is_right_in_every_part_of_a_rectangle(void **state)
 {
     (void)state;

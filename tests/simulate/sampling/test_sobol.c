@@ -142,7 +142,7 @@ static void digits_hang_on_the_digits_before_them_only(void **state)
     }
 }
 
-/* Of vertices whose seeds are kept and of others, in all dimensions. */
+/* Vertices whose seeds are kept and others, in all dimensions. */
 static void a_run_has_the_points_of_the_sequence(void **state)
 {
     (void)state;

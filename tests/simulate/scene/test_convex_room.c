@@ -152,7 +152,7 @@ static void behind_the_mouth_of_a_niche_stand_its_pane_and_its_sides(void **stat
          * the pane. */
         {{1.5, 3.0, 1.4}, {0.0, -3.0, 0.76}, SIDE, 3.257652, {0.0, 0.0, -1.0}},
         {{1.5, 3.0, 1.4}, {0.0, -3.0, 0.86}, WALL, 3.120833, {0.0, 1.0, 0.0}},
-        /* Its left side at 0.3, which is reached at y = -0.2. */
+        /* The niche's left side at 0.3, which is reached at y = -0.2. */
         {{1.5, 3.0, 1.4}, {-1.2, -3.2, 0.0}, SIDE, 3.417601, {1.0, 0.0, 0.0}},
         {{1.5, 3.0, 1.4}, {1.1, -3.2, -0.1}, SIDE, 3.385262, {-1.0, 0.0, 0.0}},
         {{1.5, 3.0, 1.4}, {0.0, -3.2, -0.6}, SIDE, 3.255764, {0.0, 0.0, 1.0}},

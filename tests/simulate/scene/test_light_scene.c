@@ -105,7 +105,7 @@ static void cones_are_open_and_rings_have_holes(void **state)
     struct pp_light_hit hit;
     assert_true(look(made, pp_vec(5.0, 0.0, 1.0), pp_vec(-1.0, 0.0, 0.0), &hit));
     assert_at(hit.point, 0.75, 0.0, 1.0, 1e-9);
-    /* It leans by 1 in 4. */
+    /* The surface leans by 1 in 4. */
     assert_at(hit.normal, 4.0 / sqrt(17.0), 0.0, 1.0 / sqrt(17.0), 1e-9);
     assert_false(hit.back);
     /* From inside: its back, and out by the open end through the ring's hole. */

@@ -53,7 +53,8 @@ static void a_rings_points_are_even(void **state)
     assert_near(pp_round_area(&ring), M_PI * (1.21 - 0.16), 1e-12);
 }
 
-/* Of a cone from radius a to b the same; the radius goes evenly along the axis. */
+/* Points of a cone from radius a to b are even, too; the radius goes evenly along the
+ * axis. */
 static void a_cones_points_are_even(void **state)
 {
     (void)state;

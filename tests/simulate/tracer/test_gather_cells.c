@@ -146,7 +146,7 @@ static void a_ceiling_is_gathered_by_hand(void **state)
     pp_test_guessed_room_clear(&room);
 }
 
-/* What is as bright everywhere is gathered by the lobe without noise. */
+/* A guess as bright everywhere is gathered by the lobe without noise. */
 static void an_even_guess_is_left_to_the_lobe(void **state)
 {
     (void)state;

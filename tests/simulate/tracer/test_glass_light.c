@@ -60,8 +60,8 @@ static bool is_in(const struct pp_opening *opening, struct pp_vec3 point)
     return in;
 }
 
-/* What the first opening's glass mirrors of a place in the other to the receiver, per
- * square metre: as from the receiver's image, through the glass. */
+/* Light of a place in the other opening that the first one's glass mirrors to the
+ * receiver, per square metre: as from the receiver's image, through the glass. */
 static double mirrored_from(const struct pp_outside_light *light,
                             const struct pp_opening *glass,
                             const struct pp_opening *window,
@@ -133,7 +133,7 @@ static void black_room_reflects_one_window_in_the_glass_of_the_other(void **stat
     pp_world_destroy(world);
 }
 
-/* What is reflected at the point, and its standard deviation over nets of paths. glass: are
+/* Reflected light at the point, and its standard deviation over nets of paths. glass: are
  * images in glass sampled? */
 struct found_light {
     double mean, deviation;
@@ -206,7 +206,7 @@ static void the_clearest_glass_mirrors_at_its_sides(void **state)
     images_are_what_rays_find(CLEAREST_ROOM, 1.0);
 }
 
-/* Of six openings without glass and six windows opposite the windows alone mirror; of 72
+/* Only the windows mirror, of six openings without glass and six windows opposite; of 72
  * pairs of windows the 32 that have most of each other are kept, in the glass of both
  * walls. */
 static void pairs_are_of_glass_and_those_that_have_most_of_each_other(void **state)

@@ -69,7 +69,7 @@ static void a_wall_takes_its_share_of_the_sky_from_the_ground(void **state)
                   1e-3);
 }
 
-/* What a wall takes away it gives back by its own reflectance: a white wall under a
+/* Light that a wall takes away it gives back by its own reflectance: a white wall under a
  * uniform sky, over a white ground, stands in a field of light that is the same
  * everywhere, as if neither were there. */
 static void white_walls_and_white_ground_vanish_in_a_uniform_sky(void **state)
@@ -213,7 +213,7 @@ static void there_is_no_ground_in_a_basement(void **state)
     pp_world_destroy(world);
 }
 
-/* What a shadow ray seeks above or below the ground, the ground hides. */
+/* The ground hides the targets of shadow rays above or below it. */
 static void a_shadow_ray_ends_at_the_ground(void **state)
 {
     (void)state;

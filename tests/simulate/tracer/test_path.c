@@ -27,8 +27,9 @@ static struct pp_start start_of(const struct pp_test_guessed_room *room)
                              .normal = receiver->normal};
 }
 
-/* What the room's surfaces bring to the point, the sides of the niche with the direct
- * light; its standard deviation over the nets of so many paths. niches: are their mouths aimed at? */
+/* Light of the room's surfaces at the point, the sides of the niche with the direct
+ * light; its standard deviation over the nets of so many paths. niches: are their mouths
+ * aimed at? */
 enum { NETS = 64 };
 
 struct found_light {
@@ -87,7 +88,7 @@ static void light_does_not_depend_on_the_guess(void **state)
     pp_test_guessed_room_clear(&room);
 }
 
-/* Of several directions a path goes on by one where the guess has light: 64 paths have a
+/* A path goes on by one of several directions where the guess has light: 64 paths have a
  * deviation of 5.5 %. One drawn without regard to it leaves 6.4 %. */
 static void paths_go_to_where_there_is_light(void **state)
 {

@@ -389,7 +389,7 @@ static void a_facade_hides_what_a_deeper_reveal_does(void **state)
         hypot(readings[2][PP_SC].std_error, readings[3][PP_SC].std_error) + 1e-5;
     assert_near(readings[3][PP_SC].value, readings[2][PP_SC].value, 4.0 * noise);
     assert_true(readings[3][PP_SC].value < readings[0][PP_SC].value - 20.0 * noise);
-    /* What the rims hide of the sky is seen as facade. */
+    /* Sky hidden by the rims is seen as facade. */
     assert_true(readings[3][PP_ERC].value > 1.2 * readings[2][PP_ERC].value);
 }
 
@@ -567,9 +567,9 @@ static void a_near_skyline_hides_more_from_the_front_of_the_room(void **state)
         struct pp_reading readings[4];
         trace_one(world, &light, receiver, 512, readings);
         assert_traced(readings[PP_SC], sky, 2e-4);
-        /* Its face has the whole sky over it, and sees no more of the room than a few
-         * square metres: it gets the sky's 0.396 and, of a ground that it takes half of
-         * the sky from at its foot, 0.061 to 0.1. */
+        /* The point's face has the whole sky over it, and sees no more of the room than a
+         * few square metres: it gets the sky's 0.396 and, of a ground that it takes half
+         * of the sky from at its foot, 0.061 to 0.1. */
         assert_true(readings[PP_ERC].value < 0.2 * (0.39617691 + 0.1) * hidden + 1e-4);
         assert_true(readings[PP_ERC].value > 0.2 * (0.39617691 + 0.05) * hidden - 1e-4);
     }

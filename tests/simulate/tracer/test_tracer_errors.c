@@ -77,8 +77,8 @@ static void a_small_bright_window_is_not_missed(void **state)
     pp_world_destroy(world);
 }
 
-/* What is planned for is 92 % of that, and one in a few comes out above: 31 degrees of
- * freedom tell an error to 13 %, a pilot's as well. */
+/* Plans aim at 92 % of that, and one in a few comes out above: 31 degrees of freedom tell
+ * an error to 13 %, a pilot's as well. */
 static void the_error_asked_for_is_about_reached_everywhere(void **state)
 {
     (void)state;

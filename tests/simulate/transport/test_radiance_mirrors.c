@@ -155,7 +155,7 @@ static void mirrors_show_the_same_lamp_aimed_at_and_found(void **state)
     pp_light_scene_destroy(made);
 }
 
-/* What is left to chance is said: three reflections of two mirrors, one of a ball, a
+/* Paths left to chance are reported: three reflections of two mirrors, one of a ball, a
  * small glow. */
 static void what_mirrors_may_hide_is_known(void **state)
 {

@@ -171,8 +171,8 @@ static void an_unseen_lamp_lights_but_does_not_show(void **state)
     pp_light_scene_destroy(scene);
 }
 
-/* Of a hundred lamps, one is chosen at a time beyond the first surface: the sum is
- * that of one lamp as large as all of them. */
+/* One of a hundred lamps is chosen at a time beyond the first surface: the sum is that of
+ * one lamp as large as all of them. */
 static void many_lamps_give_as_much_as_one_of_their_size(void **state)
 {
     (void)state;

@@ -191,9 +191,9 @@ static const char *const polished[] = {
     "<opening><vertex x='0.8' y='0' z='2.2'/><vertex x='1.9' y='0' z='2.3'/>"
     "<vertex x='2.6' y='0' z='1.1'/><vertex x='0.3' y='0' z='0.9'/></opening>"};
 
-/* What polished planes send on of a window's light is the same, whether its images in
- * them are aimed at or found by the walls' own rays; with less than half the error, at
- * equal numbers of paths. */
+/* Polished planes send on the same light of a window, whether its images in them are
+ * aimed at or found by the walls' own rays; with less than half the error, at equal
+ * numbers of paths. */
 static void polished_planes_send_on_the_same_light_aimed_at_and_found(void **state)
 {
     (void)state;
@@ -232,9 +232,8 @@ static void polished_planes_send_on_the_same_light_aimed_at_and_found(void **sta
     }
 }
 
-/* Of a wall before one window, part is lit through the room and its other window.
- * Windows aren't sampled directly from there, so what it finds through both of them
- * counts. */
+/* Part of a wall before one window is lit through the room and its other window. Windows
+ * aren't sampled directly from there, so what it finds through both of them counts. */
 static void light_through_two_windows_falls_on_what_stands_outside(void **state)
 {
     (void)state;

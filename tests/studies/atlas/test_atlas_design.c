@@ -60,8 +60,9 @@ static void every_room_makes_sense(void **state)
     }
 }
 
-/* Of the rooms of any 2^k that begin the sweep 0.8 have the working plane at 0.85 m, to a room:
- * they are a net in each coordinate. Rooms drawn by lot would be off by 4 of 128. */
+/* The rooms of any 2^k that begin the sweep have the working plane at 0.85 m in 0.8 of
+ * cases, to a room: they are a net in each coordinate. Rooms drawn by lot would be off by
+ * 4 of 128. */
 static void a_prefix_is_spread_evenly(void **state)
 {
     (void)state;

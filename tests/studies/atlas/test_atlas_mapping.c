@@ -95,8 +95,8 @@ static void a_method_of_averages_is_held_against_averages(void **state)
     pp_atlas_table_clear(&table);
 }
 
-/* Of 21 rooms, 10 have eight points at which the method is right, 11 have one at which it
- * says twice the truth: most points are right, most rooms are not. */
+/* The method is right at eight points in each of 10 of 21 rooms, and twice the truth at
+ * one point in each of 11: most points are right, most rooms are not. */
 static void print_uneven(FILE *file, int room)
 {
     for (int i = 0; i < (room < 10 ? 8 : 1); i++)

@@ -8,7 +8,7 @@
 
 enum { ROOMS = 2000, POINTS = 4, FEATURES = 3, ROWS = ROOMS * POINTS };
 
-/* Of a room: its rows have feature 0 and the error in common. */
+/* State of a room: its rows have feature 0 and the error in common. */
 struct made {
     int rooms[ROWS];
     double ratios[ROWS], features[ROWS * FEATURES];

@@ -190,7 +190,7 @@ static double width_of(struct pp_band_ends band, double figure)
     return log((band.high + a) / (figure + a)) - log((band.low + a) / (figure + a));
 }
 
-/* Of two pairs at two points: no method that is advised has a band 1.25 times as wide as
+/* Two pairs at two points: no method that is advised has a band 1.25 times as wide as
  * another's, and every point is advised on but once. */
 static void advice_is_the_method_of_the_narrowest_band(void **state)
 {

@@ -72,8 +72,8 @@ static void two_per_cent_and_300_lx_need_15000(void **state)
     assert_true(isinf(pp_availability_needed_lx(500.0, 0.0)));
 }
 
-/* Of ten hours of 1000 ... 10,000 lx, 6000 or more are there in five. 150 lx need 6000
- * at 2.5 %, 3000 at 5 %, 75,000 at 0.2 %, and nothing is enough where nothing comes in.
+/* Ten hours of 1000 ... 10,000 lx have 6000 or more in five. 150 lx need 6000 at 2.5 %,
+ * 3000 at 5 %, 75,000 at 0.2 %, and nothing is enough where nothing comes in.
  */
 static void hours_are_counted_by_what_they_need(void **state)
 {

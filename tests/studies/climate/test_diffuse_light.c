@@ -211,7 +211,7 @@ static void without_any_illuminance_irradiance_is_taken(void **state)
     }
 }
 
-/* Of hours of 0 to 8759 lx the brighter half is daylight; half of that passes 6569.5,
+/* The brighter half of hours of 0 to 8759 lx is daylight; half of that passes 6569.5,
  * between the 2190th and the 2191st. */
 static void the_median_is_that_of_the_brighter_half_of_the_year(void **state)
 {

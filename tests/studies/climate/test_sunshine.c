@@ -1,5 +1,5 @@
-/* How likely the sun is to shine, from weather files made up, and what probable hours make
- * of sunlight. */
+/* Tests of the sun's probability, from weather files made up, and of probable sunlight
+ * hours. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -16,7 +16,7 @@ static const struct pp_cause listed[CAUSES] = {
     {"factor", "factor", "", "", true, false, NULL},
     {"ground", "ground", "", "", false, false, NULL}};
 
-/* How much a pair does beyond its sum, over the smaller of both at each point. */
+/* Effect of a pair beyond its sum, over the smaller of both at each point. */
 static const double TOGETHER = 0.5;
 
 static double fitted(double value, int point)
@@ -272,7 +272,7 @@ static void probabilities_are_of_one_whole(void **state)
         assert_true(i == 0
                     || search.sets[i].probability <= search.sets[i - 1].probability);
     }
-    /* Those below a thousandth are left out; there are some thirty. */
+    /* Sets below a thousandth are left out; there are some thirty. */
     assert_true(sum > 0.97 && sum < 1.0 + 1e-9);
     pp_cause_search_clear(&search);
 }

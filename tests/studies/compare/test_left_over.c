@@ -1,5 +1,5 @@
-/* What is left over, held against noise that is not taken from it: by the scatter of points
- * on a grid about a smooth surface, or as stated. */
+/* Tests of the unexplained rest against noise that is not taken from it: by the scatter
+ * of points on a grid about a smooth surface, or as stated. */
 #include "studies/compare/left_over.h"
 #include "tests/lib/near.h"
 
@@ -11,7 +11,7 @@ static void lay_out(struct pp_vec3 places[POINTS])
         places[i] = pp_vec(0.4 + 0.7 * (i % 4), 0.3 + 0.9 * (i / 4), 0.8); /* NOLINT */
 }
 
-/* Of variance 1, from a generator of its own: a sum of twelve even numbers. */
+/* Noise of variance 1, from a generator of its own: a sum of twelve even numbers. */
 static double draw(uint32_t *state)
 {
     double sum = -6.0;

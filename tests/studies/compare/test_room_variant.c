@@ -1,5 +1,4 @@
-/* What switches do is what their physics says, held against closed forms and hand
- * methods. */
+/* Tests of switches by their physics, against closed forms and hand methods. */
 #include "methods/evaluate.h"
 #include "model/light/glass.h"
 #include "tests/studies/compare/compared_room.h"

@@ -19,7 +19,7 @@ struct facts {
     const char *capital;
     double median_lux;
     double opening_m2, glass_m2, floor_m2;
-    /* Of boxes with windows in one wall; depth 0: any other room. */
+    /* Dimensions of boxes with windows in one wall; depth 0: any other room. */
     double width, depth, height, head, floor, walls, ceiling, back;
 };
 

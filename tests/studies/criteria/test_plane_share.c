@@ -27,10 +27,10 @@ static void computed_points_are_counted(void **state)
     assert_near(half.level, 0.019, 0.0); /* 4 of 7 are half of them or more */
     assert_near(half.over, 3.0 / 7.0, 1e-15);
     assert_true(isnan(half.std_error) && isnan(half.probability));
-    /* Of 95 % of 7 points all 7 are the least number. */
+    /* All 7 are the least number that is 95 % of 7 points. */
     assert_near(share_of(points, 7, 0.95, 0.02).level, 0.007, 0.0);
     assert_near(share_of(points, 7, 1.0, 0.007).over, 1.0, 0.0);
-    /* Of 20 points 19 are 95 %, whatever 0.95 * 20 is in binary. */
+    /* The least number for 95 % of 20 points is 19, whatever 0.95 * 20 is in binary. */
     struct pp_reading many[20];
     for (int i = 0; i < 20; i++)
         many[i] = pp_reading_of(0.001 * (i + 1));
@@ -198,7 +198,7 @@ static void many_points_are_quick_and_as_sure(void **state)
         points[i] = (struct pp_reading){.value = 0.02, .std_error = 0.0003};
     /* Alike tosses: 200 or more of 399 heads. */
     assert_near(share_of(points, MOST - 1, 0.5, 0.02).probability, 0.5, 1e-9);
-    /* Of 400 the median is as often above as below; its error is that of 399. */
+    /* The median of 400 is as often above as below; its error is that of 399. */
     struct pp_plane_share even = share_of(points, MOST, 0.5, 0.02);
     assert_near(even.probability, 0.5, 1e-3);
     assert_relative(even.std_error, share_of(points, MOST - 1, 0.5, 0.02).std_error,

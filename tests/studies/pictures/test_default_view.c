@@ -87,7 +87,7 @@ static void the_default_view_is_clear_of_what_stands_in_the_room(void **state)
     clear(&scene);
 }
 
-/* How far the next thing is, level, in that direction. */
+/* Level distance to the next thing in that direction. */
 static double free_m(const struct scene *scene, struct pp_vec3 eye, double angle_rad)
 {
     struct pp_light_ray ray = {.from = eye,

@@ -226,7 +226,7 @@ static void elevations_go_round_from_north(void **state)
     clear_made(&made);
 }
 
-/* Of what stands there: the shed goes, the tower comes, the mill stays. */
+/* Changes of obstructions: the shed goes, the tower comes, the mill stays. */
 static void what_goes_and_what_comes_is_told_apart(void **state)
 {
     (void)state;

@@ -60,8 +60,8 @@ static void make(struct pp_site_sheet *sheet, struct mesh_text *mesh)
     pp_world_destroy(world);
 }
 
-/* Of all shapes: their area from above, rings counted by their sense, and the length of edges
- * that are lines. */
+/* Sums over all shapes: their area from above, rings counted by their sense, and the
+ * length of edges that are lines. */
 static double area_of(const struct pp_site_sheet *sheet, double *lines)
 {
     double area = 0.0;

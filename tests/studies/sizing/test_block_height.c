@@ -134,8 +134,8 @@ static void traced_sky_at_that_height_agrees(void **state)
     pp_building_destroy(building);
 }
 
-/* What stood there before takes its part: less is left to keep, so that the block that
- * replaces it may be higher than on the empty plot. */
+/* Existing obstructions take their part: less is left to keep, so that the block that
+ * replaces them may be higher than on the empty plot. */
 static void before_is_the_site_as_existing(void **state)
 {
     (void)state;

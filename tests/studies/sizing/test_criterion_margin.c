@@ -50,7 +50,7 @@ static double margin_for(const char *words, char why[200])
     return reading.value;
 }
 
-/* Of glass 8 %, of openings 12.5 % of the floor are wanted: openings are fewer first. */
+/* The target is glass of 8 %, openings of 12.5 % of the floor: openings are fewer first. */
 static void a_third_of_the_window_wanted_is_a_third(void **state)
 {
     (void)state;

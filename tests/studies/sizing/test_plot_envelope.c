@@ -95,8 +95,8 @@ static void every_cell_ends_below_the_lowest_plane(void **state)
     pp_building_destroy(building);
 }
 
-/* What that window sees with the cells so high as they are found, times `by`, over what it
- * has before. */
+/* Share that the window sees with the cells so high as they are found, times `by`, over
+ * its value before. */
 static double share_with(struct pp_building *building, struct pp_plot_envelope *found,
                          int window, double by)
 {

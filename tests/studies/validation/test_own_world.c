@@ -147,9 +147,9 @@ static void the_sky_component_has_no_other_ground(void **state)
     clear(&c);
 }
 
-/* Of the world with the block and an open ground nothing is asked but the externally
- * reflected component, as bre has a skyline in the block's place: it is traced by direct
- * light alone. That of bre is traced whole. */
+/* Only the externally reflected component is asked of the world with the block and an
+ * open ground, as bre has a skyline in the block's place: it is traced by direct light
+ * alone. That of bre is traced whole. */
 static void a_world_is_traced_for_what_is_asked_of_it(void **state)
 {
     (void)state;

@@ -126,7 +126,7 @@ static void level_of_a_valley_is_an_ellipse_that_turns_right(void **state)
     assert_int_equal(pp_contour_curves(field, 1.0, &curves, 0), PP_OK);
     assert_int_equal(curves.count, 1);
     assert_true(curves.list[0].closed);
-    /* Its circumference is 9.06 m; lower is inside. */
+    /* The ellipse has a circumference of 9.06 m; lower is inside. */
     assert_near(signed_area(&curves.list[0]), -M_PI * 2.1 * 0.45, 9.1 * TOLERANCE);
     for (int i = 0; i < curves.list[0].count; i++) {
         /* The slope is least at the ends of the long axis: 2/2.1 a metre. */

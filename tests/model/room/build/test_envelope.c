@@ -278,7 +278,7 @@ static void maintenance_goes_by_slope_and_surroundings(void **state)
             const struct pp_opening *opening = &world->openings[0];
             assert_near(opening->slope_rad, cases[i].slope_deg * PP_RAD, 1e-12);
             assert_near(opening->maintenance, cases[i].rural - 0.1 * k, 1e-12);
-            /* Its long side is level, its short one climbs. */
+            /* The opening's long side is level, its short one climbs. */
             assert_near(opening->width_m, 1.0, 1e-12);
             assert_near(opening->height_m, 0.5, 1e-12);
             assert_true(opening->rectangle);

@@ -74,7 +74,7 @@ static void a_wing_hides_on_the_side_on_which_it_lies(void **state)
     }
 }
 
-/* What an opening looks like is the same where nothing is known beforehand. */
+/* An opening has the same view where nothing is known beforehand. */
 static void a_view_is_that_of_all_faces_held_before_it(void **state)
 {
     (void)state;

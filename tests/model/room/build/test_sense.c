@@ -58,7 +58,7 @@ static void all_mistakes_are_found_at_once(void **state)
         "7 (9, 1, 0.9) lies outside");
 }
 
-/* What depends on a plan that can't be is not blamed as well; what doesn't, is. */
+/* Parts that depend on an impossible plan are not reported as well; others are. */
 static void a_bad_plan_does_not_drag_the_rest_along(void **state)
 {
     (void)state;

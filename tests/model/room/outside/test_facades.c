@@ -17,7 +17,7 @@
     "<vertex x='4.3' y='3.3' z='0.8'/><vertex x='4.3' y='3.3' z='2.0'/>"               \
     "<vertex x='4.3' y='3.8' z='2.4'/><vertex x='4.3' y='4.3' z='2.0'/></opening>"
 
-/* What the pieces of a facade measure: the sheet's normal is `out`, rims lie across. */
+/* Measures of a facade's pieces: the sheet's normal is `out`, rims lie across. */
 struct measure {
     double sheet_m2, rim_m2;
     int pieces;
@@ -158,7 +158,7 @@ static void in_the_wall_s_own_plane_the_wall_is_the_facade(void **state)
     pp_world_destroy(world);
 }
 
-/* Of a U the facade of one leg goes on over the other: that leg's window has a hole, as
+/* The facade of one leg of a U goes on over the other: that leg's window has a hole, as
  * deep as it stands back. */
 static void the_other_wing_s_window_has_its_hole_too(void **state)
 {

@@ -7,8 +7,8 @@
 #include "model/room/building.h"
 #include "tests/lib/room_of.h"
 
-/* That room of the building, whose element has these attributes; line: with its mirror
- * image there, NULL: as proposed. */
+/* World of that room of the building, whose element has these attributes; line: with its
+ * mirror image there, NULL: as proposed. */
 static struct pp_world *world_by(const char *attributes, const char *inside, int index,
                                  const struct pp_mirror_line *line)
 {
@@ -203,7 +203,7 @@ static void a_front_ends_at_a_bay_that_comes_through_it(void **state)
                      "depth='0.2'/></room><room x='4.2' y='-1.2'>" ROOM "</room>",
                      1);
     assert_near(bay, component_alone(ROOM), 1e-9);
-    /* Its west wall looks along the front, which begins 1 m behind its window. */
+    /* The room's west wall looks along the front, which begins 1 m behind its window. */
     double aside = component_in(
         "<room x='0' y='0'>" ROOM "<facade wall='south' right='9' depth='0.2'/></room>"
         "<room x='4.2' y='-3'>" PLAN "<window wall='west' left='3.4' sill='0.8' "

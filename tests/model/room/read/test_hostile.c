@@ -274,7 +274,7 @@ static void endless_input_is_left_at_the_limit_of_size(void **state)
     close(count[0]);
     close(count[1]);
     assert_int_equal(waitpid(writer, NULL, 0), writer);
-    /* What was read, and what the pipe held besides (64 KiB, a chunk under way). */
+    /* Bytes read, and those that the pipe held besides (64 KiB, a chunk under way). */
     assert_true(written <= PP_READ_ELEMENTS_BYTES_MOST + 1 + (1 << 20));
 }
 
@@ -401,7 +401,7 @@ static void any_byte_may_be_any_of_the_dangerous_ones(void **state)
         }
 }
 
-/* What cannot be read at all is no mistake in the file. */
+/* Unreadable input is no mistake in the file. */
 static void what_is_no_file_is_said_to_be_none(void **state)
 {
     (void)state;

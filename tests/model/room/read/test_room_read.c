@@ -178,7 +178,7 @@ static void names_may_be_escaped(void **state)
     pp_building_destroy(b);
 }
 
-/* What the file leaves out is as the contract and the conventions have it. */
+/* Defaults are those of the contract and the conventions. */
 static void the_smallest_room(void **state)
 {
     (void)state;

@@ -100,7 +100,7 @@ static void lists_read_as_people_write_them(void **state)
     assert_string_equal(pp_text_list_names(little, sizeof little, names, -1), "x, y");
 }
 
-/* What a file holds can't reach the terminal as a command, nor fill it. */
+/* Contents of a file can't reach the terminal as a command, nor fill it. */
 static void excerpts_are_short_and_plain(void **state)
 {
     (void)state;

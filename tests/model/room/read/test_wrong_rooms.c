@@ -25,7 +25,7 @@ struct verdict {
     struct pp_mistakes mistakes;
 };
 
-/* What reading the room and making its world says; clear its mistakes. */
+/* Verdict on reading the room and making its world; clear its mistakes. */
 static struct verdict verdict_on(const char *bytes, size_t length)
 {
     struct verdict verdict;
