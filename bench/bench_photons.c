@@ -8,9 +8,9 @@
 #include <stdlib.h>
 
 #include "bench/bench.h"
-#include "simulate/photons/photons.h"
+#include "simulate/research/photons/photons.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/tracer/tracer.h"
+#include "simulate/fast/tracer.h"
 #include "simulate/transport/sensors.h"
 
 enum { RUNS = 2, MOST_POINTS = 400 };

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 
 #include "bench/bench.h"
-#include "simulate/radiosity/radiosity.h"
+#include "simulate/research/radiosity/radiosity.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/tracer/tracer.h"
+#include "simulate/fast/tracer.h"
 
 enum { MOST_POINTS = 400, LEVELS = 3 };
 

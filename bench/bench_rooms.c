@@ -8,7 +8,7 @@
 #include "model/base/clock.h"
 #include "model/base/thread_pool.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/tracer/tracer.h"
+#include "simulate/fast/tracer.h"
 #include "tests/lib/random_rooms.h"
 
 struct times {

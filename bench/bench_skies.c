@@ -1,7 +1,7 @@
 /* bench_skies.c - a hundred skies on one scene: one build, a hundred integrations. */
 #include "bench/bench.h"
 #include "simulate/scene/light_scene_parts.h"
-#include "simulate/tracer/tracer.h"
+#include "simulate/fast/tracer.h"
 
 enum { SKIES = 100 };
 

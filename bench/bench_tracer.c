@@ -8,9 +8,9 @@
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/scene/light_scene_parts.h"
-#include "simulate/tracer/control_variate_solve.h"
-#include "simulate/tracer/path.h"
-#include "simulate/tracer/tracer.h"
+#include "simulate/fast/control_variate_solve.h"
+#include "simulate/fast/path.h"
+#include "simulate/fast/tracer.h"
 #include "tests/lib/random_rooms.h"
 
 /* Daylight factors of all receivers (and the average behind them); seconds taken. */

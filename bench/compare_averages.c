@@ -17,7 +17,7 @@
 #include "methods/reflected/well.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/tracer/tracer.h"
+#include "simulate/fast/tracer.h"
 
 enum { MOST_ROOMS = 1000, MOST_METHODS = 16, MOST_CLASSES = 8, TEXT = 4096 };
 

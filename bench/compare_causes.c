@@ -18,8 +18,8 @@
 #include "bench/bench.h"
 #include "bench/compare_foreign.h"
 #include "simulate/sampling/hash.h"
-#include "studies/compare/compare.h"
-#include "studies/compare/variant_values.h"
+#include "studies/research/compare/compare.h"
+#include "studies/research/compare/variant_values.h"
 
 enum { MOST_POINTS = 16, ROOMS_MOST = 40 };
 /* A cause does at least that much by itself (root mean square of logarithms), or as much

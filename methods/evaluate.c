@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "methods/component_steps.h"
-#include "methods/average/beams.h"
+#include "methods/fast/beams.h"
 #include "methods/method_run.h"
 #include "methods/pair.h"
 #include "methods/reflected/light_bound.h"

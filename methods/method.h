@@ -18,7 +18,7 @@
 #include "model/results/worksheet.h"
 #include "model/room/world.h"
 
-struct pp_beams; /* methods/average/beams.h */
+struct pp_beams; /* methods/fast/beams.h */
 
 enum pp_gives {
     PP_GIVES_DIRECT,   /* sky and externally reflected component, at a point */

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "methods/component_steps.h"
-#include "methods/average/beams.h"
+#include "methods/fast/beams.h"
 #include "methods/average/opening_averages.h"
 #include "methods/average/plane_average.h"
 

@@ -8,7 +8,7 @@
 #include "model/base/clock.h"
 #include "model/base/text.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/tracer/tracer.h"
+#include "simulate/fast/tracer.h"
 
 /* Between two looks at the clock and by the watch. */
 static const double slice_s = 0.1;

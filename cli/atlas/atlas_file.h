@@ -3,7 +3,7 @@
  *
  * This file alone is not written whole or not at all. A room that a run was stopped in the
  * middle of is cut off by the next one, so that the bytes are those of a run that never
- * stopped; who reads the file (studies/atlas/atlas_table.h) leaves such a room out.
+ * stopped; who reads the file (studies/research/atlas/atlas_table.h) leaves such a room out.
  */
 #ifndef PP_CLI_ATLAS_ATLAS_FILE_H
 #define PP_CLI_ATLAS_ATLAS_FILE_H

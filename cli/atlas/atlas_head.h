@@ -4,8 +4,8 @@
 #ifndef PP_CLI_ATLAS_ATLAS_HEAD_H
 #define PP_CLI_ATLAS_ATLAS_HEAD_H
 
-#include "studies/atlas/atlas_columns.h"
-#include "studies/atlas/atlas_drawn.h"
+#include "studies/research/atlas/atlas_columns.h"
+#include "studies/research/atlas/atlas_drawn.h"
 
 /* Settings, beside the methods, that determine the rows of a file. */
 struct pp_atlas_making {

@@ -9,8 +9,8 @@
 #include "cli/message.h"
 #include "cli/output.h"
 #include "model/base/work_queue.h"
-#include "studies/atlas/atlas_renewal.h"
-#include "studies/atlas/atlas_room.h"
+#include "studies/research/atlas/atlas_renewal.h"
+#include "studies/research/atlas/atlas_room.h"
 
 /* Inputs of rows. */
 struct row_source {

@@ -4,7 +4,7 @@
 
 #include "charts/sheet/canvas.h"
 #include "cli/exit_status.h"
-#include "studies/atlas/atlas_mapping.h"
+#include "studies/research/atlas/atlas_mapping.h"
 
 struct pp_map_sheet {
     enum pp_atlas_mapping_kind kind;

@@ -74,7 +74,8 @@ const struct pp_option pp_engine_options[] = {
     {"engine", 0, "LIST",
      "What simulates: path (default), light paths from the points, without bias; "
      "photons, light followed from the openings, without bias; radiosity, finite "
-     "elements; cache, through an irradiance cache; plain, light paths by the textbook, "
+     "elements; cache, through an irradiance cache; plain, light paths by the "
+     "textbook, "
      "slower; several as path,photons, and how far they are apart.",
      read_engines, offsetof(struct pp_engine_choice, engines)},
     {"sensor", 0, "RADIUS",

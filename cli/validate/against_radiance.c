@@ -17,7 +17,7 @@
 #include "reports/parts/json.h"
 #include "reports/parts/print.h"
 #include "studies/study_report.h"
-#include "studies/validation/room_cases.h"
+#include "studies/research/validation/room_cases.h"
 
 struct against_run {
     const struct pp_room_options *options;

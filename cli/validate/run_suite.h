@@ -5,7 +5,7 @@
 #include "cli/exit_status.h"
 #include "cli/room_options.h"
 #include "reports/parts/format.h"
-#include "studies/validation/suite.h"
+#include "studies/research/validation/suite.h"
 
 /* Where a suite's cases come from. */
 struct pp_suite_source {

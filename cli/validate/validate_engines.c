@@ -9,7 +9,7 @@
 #include "reports/df_result.h"
 #include "simulate/cache/irradiance_cache.h"
 #include "studies/study_report.h"
-#include "studies/validation/room_cases.h"
+#include "studies/research/validation/room_cases.h"
 
 struct engines_run {
     const struct pp_room_options *options;

@@ -13,8 +13,8 @@
 #include "reports/validate/validate_report.h"
 #include "studies/bands/report_bands.h"
 #include "studies/study_report.h"
-#include "studies/validation/own_world.h"
-#include "studies/validation/room_cases.h"
+#include "studies/research/validation/own_world.h"
+#include "studies/research/validation/room_cases.h"
 
 /* One report that is traced: of a room, or of a world of its methods. */
 struct traced_report {

@@ -2,7 +2,7 @@
  * once. */
 #include "methods/average/opening_averages.h"
 
-#include "methods/average/beams.h"
+#include "methods/fast/beams.h"
 
 struct averages {
     struct pp_part *parts;

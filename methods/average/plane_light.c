@@ -1,7 +1,7 @@
 /* plane_light.c - see plane_light.h. */
 #include "methods/average/plane_light.h"
 
-#include "methods/average/beam_average.h"
+#include "methods/fast/beam_average.h"
 #include "methods/average/point_average.h"
 #include "methods/exact/pane_luminance.h"
 #include "methods/view/visible.h"

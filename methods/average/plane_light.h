@@ -6,7 +6,7 @@
 #ifndef PP_METHODS_AVERAGE_PLANE_LIGHT_H
 #define PP_METHODS_AVERAGE_PLANE_LIGHT_H
 
-#include "methods/average/beams.h"
+#include "methods/fast/beams.h"
 #include "methods/exact/quadrature.h"
 #include "model/light/outside_light.h"
 

@@ -18,7 +18,7 @@
 #ifndef PP_METHODS_EXACT_DIRECT_H
 #define PP_METHODS_EXACT_DIRECT_H
 
-#include "methods/exact/pane_light.h"
+#include "methods/fast/pane_light.h"
 #include "methods/exact/solid_angle.h"
 #include "methods/exact/quadrature.h"
 #include "methods/view/visible.h"

@@ -25,7 +25,7 @@
 #include "methods/exact/direct.h"
 #include "methods/exact/exterior.h"
 #include "methods/exact/diffusing_pane.h"
-#include "methods/exact/pane_tables.h"
+#include "methods/fast/pane_tables.h"
 #include "methods/view/visible.h"
 
 /* ---- what is worked out once for a room ---- */

@@ -1,7 +1,7 @@
 /* atlas_map.h - how far a method is from the truth over the rooms of an atlas, by one
  * number that is known of them or by two, as it is drawn.
  *
- * studies/atlas/atlas_mapping.h fills it; charts/atlas_chart.h draws it.
+ * studies/research/atlas/atlas_mapping.h fills it; charts/atlas_chart.h draws it.
  */
 #ifndef PP_MODEL_RESULTS_ATLAS_MAP_H
 #define PP_MODEL_RESULTS_ATLAS_MAP_H

@@ -2,7 +2,7 @@
 #ifndef PP_REPORTS_COMPARE_COMPARE_RESULT_H
 #define PP_REPORTS_COMPARE_COMPARE_RESULT_H
 
-#include "studies/compare/compare.h"
+#include "studies/research/compare/compare.h"
 
 struct pp_compare_result {
     const struct pp_compare_subject *subject; /* not owned */

@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "studies/validation/known_case.h"
+#include "studies/research/validation/known_case.h"
 
 /* The style of the charts (CSS). */
 extern const char pp_validate_dots_style[];

@@ -4,8 +4,8 @@
 
 #include <stdio.h>
 
-#include "studies/validation/known_case.h"
-#include "studies/validation/suite.h"
+#include "studies/research/validation/known_case.h"
+#include "studies/research/validation/suite.h"
 
 /* Results of a suite. */
 struct pp_known_result {

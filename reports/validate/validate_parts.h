@@ -1,12 +1,12 @@
 /* validate_parts.h - the assumption's and the formula's part of the differences that
- * `validate` found (studies/validation/own_world.h), within its text, JSON and CSV. */
+ * `validate` found (studies/research/validation/own_world.h), within its text, JSON and CSV. */
 #ifndef PP_REPORTS_VALIDATE_VALIDATE_PARTS_H
 #define PP_REPORTS_VALIDATE_VALIDATE_PARTS_H
 
 #include <stdio.h>
 
 #include "reports/parts/json.h"
-#include "studies/validation/comparison.h"
+#include "studies/research/validation/comparison.h"
 
 /* Tables of the components in which a method has a world of its own, with the parts of
  * the average's difference and of the bias; nothing, and false, where none has. */

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "studies/validation/comparison.h"
+#include "studies/research/validation/comparison.h"
 #include "reports/df_result.h"
 
 /* Rooms, each with its comparisons, and all of them together. */

@@ -3,7 +3,7 @@
 #ifndef PP_STUDIES_BANDS_ATLAS_BANDS_H
 #define PP_STUDIES_BANDS_ATLAS_BANDS_H
 
-#include "studies/atlas/atlas_table.h"
+#include "studies/research/atlas/atlas_table.h"
 #include "studies/bands/band_features.h"
 #include "studies/bands/band_fit.h"
 

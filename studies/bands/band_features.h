@@ -12,7 +12,7 @@
 #define PP_STUDIES_BANDS_BAND_FEATURES_H
 
 #include "model/results/report.h"
-#include "studies/atlas/room_features.h"
+#include "studies/research/atlas/room_features.h"
 
 enum {
     PP_BAND_FIGURE = PP_ROOM_FEATURES,

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "studies/atlas/room_features.h"
+#include "studies/research/atlas/room_features.h"
 
 /* ---- ratios ---- */
 

@@ -1,7 +1,7 @@
-/* engine_path.c - the unbiased path tracer of simulate/tracer as an engine. */
+/* engine_path.c - the unbiased path tracer of simulate/fast as an engine. */
 #include <stdlib.h>
 
-#include "simulate/tracer/tracer.h"
+#include "simulate/fast/tracer.h"
 #include "studies/engines/engine.h"
 
 /* The light on the scene, and the tracer. */

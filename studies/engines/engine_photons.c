@@ -1,7 +1,7 @@
-/* engine_photons.c - the photons of simulate/photons as an engine. */
+/* engine_photons.c - the photons of simulate/research/photons as an engine. */
 #include <stdlib.h>
 
-#include "simulate/photons/photons.h"
+#include "simulate/research/photons/photons.h"
 #include "studies/engines/engine.h"
 
 /* The light on the scene, and its photons. */

@@ -1,5 +1,5 @@
-/* engine_radiosity.c - the finite elements of simulate/radiosity as an engine. */
-#include "simulate/radiosity/radiosity.h"
+/* engine_radiosity.c - the finite elements of simulate/research/radiosity as an engine. */
+#include "simulate/research/radiosity/radiosity.h"
 #include "studies/engines/engine.h"
 
 static enum pp_status create_radiosity_engine(void **data,

@@ -24,12 +24,13 @@ methods             model
 simulate/sampling   model
 simulate/estimate   model simulate/sampling
 simulate/scene      model simulate/sampling
-simulate/radiosity  model
-simulate/photons    model simulate/sampling simulate/estimate simulate/scene
-simulate/tracer     model simulate/sampling simulate/estimate simulate/scene simulate/transport
+simulate/path_tracer model simulate/sampling simulate/estimate simulate/scene
 simulate/transport  model simulate/sampling simulate/estimate simulate/scene
+simulate/fast       model simulate/sampling simulate/estimate simulate/scene simulate/transport
 simulate/cache      model simulate/sampling simulate/estimate simulate/scene simulate/transport
 simulate/render     model simulate
+simulate/research/radiosity model
+simulate/research/photons model simulate/sampling simulate/estimate simulate/scene
 studies             model formats methods simulate
 charts              model
 reports             model formats methods simulate studies

@@ -3,7 +3,7 @@
 #define PP_TESTS_LIB_GUESSED_ROOM_H
 
 #include "simulate/scene/light_scene_parts.h"
-#include "simulate/tracer/control_variate_solve.h"
+#include "simulate/fast/control_variate_solve.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 

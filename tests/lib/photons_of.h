@@ -2,7 +2,7 @@
 #ifndef PP_TESTS_LIB_PHOTONS_OF_H
 #define PP_TESTS_LIB_PHOTONS_OF_H
 
-#include "simulate/photons/photons.h"
+#include "simulate/research/photons/photons.h"
 #include "tests/lib/traced.h"
 
 /* The readings of `count` receivers in a scene, all four components, and behind them

@@ -3,7 +3,7 @@
 #ifndef PP_TESTS_LIB_RADIOSITY_OF_H
 #define PP_TESTS_LIB_RADIOSITY_OF_H
 
-#include "simulate/radiosity/radiosity.h"
+#include "simulate/research/radiosity/radiosity.h"
 #include "tests/lib/traced.h"
 
 /* The readings of `count` receivers, all four components, and behind them those of the

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "simulate/scene/light_scene_of_world.h"
-#include "simulate/tracer/tracer.h"
+#include "simulate/fast/tracer.h"
 #include "tests/lib/light_on.h"
 #include "tests/lib/near.h"
 

@@ -6,15 +6,27 @@
 . "$srcdir/tests/lib/cli.sh"
 . "$srcdir/tests/lib/streets.sh"
 
-for number in ${CONVENTIONS:-$(seq 60)}; do
-    engines=path
-    [ $((number % 6)) -ne 0 ] || engines=path,cache,photons
+# traced ENGINES ERROR: the factors of both ways to write the room.
+traced() {
     for written in no yes; do
         awk -v number="$number" -v written=$written -f "$srcdir/tests/lib/conventions.awk" \
             >"$scratch/$written.xml"
-        factors $engines 0.2% "$scratch/$written.xml" >"$scratch/$written"
+        factors "$1" "$2" "$scratch/$written.xml" >"$scratch/$written"
     done
-    check "room $number is the one written out in polygons" \
-        agree "$scratch/no" "$scratch/yes" 0.01
+}
+
+# same ENGINES: do both agree? Of so many values one in some hundred is off by chance: what
+# differs at 0.2 % has to agree at 0.1 %.
+same() {
+    traced "$1" 0.2%
+    agree "$scratch/no" "$scratch/yes" 0.01 && return
+    traced "$1" 0.1%
+    agree "$scratch/no" "$scratch/yes" 0.01
+}
+
+for number in ${CONVENTIONS:-$(seq 60)}; do
+    engines=path
+    [ $((number % 6)) -ne 0 ] || engines=path,cache,photons
+    check "room $number is the one written out in polygons" same $engines
 done
 tap_done

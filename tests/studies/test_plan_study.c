@@ -3,7 +3,7 @@
 
 #include "model/room/position.h"
 #include "model/room/section.h"
-#include "tests/studies/compare/compared_room.h"
+#include "tests/studies/research/compare/compared_room.h"
 
 /* A cupboard in the back corner, a column, a partition, and a desk below the plane. */
 static const char furnished[] =

@@ -1,0 +1,68 @@
+/* axial_table.h - the light of a polygon where the luminance depends on the angle to one
+ * axis and, besides, on direction only as a polynomial: glass under graded skies, a
+ * gradation about the zenith, the circumsolar part of a clear sky.
+ *
+ *     f(u) = F(a.u) [ p + q.u + (n.u)(g.u) ]                                         (1)
+ *
+ * With c = a.u, s^2 = 1 - c^2, N = n.u - c n.a and likewise for q and g, the potential of
+ * arc_sum.h about the axis a is
+ *
+ *     B = p k1 + (q.a) kc + Q ks
+ *         + (n.a)(g.a) kcc + [(n.a) G + (g.a) N] kcs + N G kss                       (2)
+ *     kij = 1/s^(j+2) integral from c to 1 of F(c') c'^i s'^j dc'
+ *
+ * six functions of c alone, smooth at c = 1, which are tabulated as piecewise polynomials of
+ * degree 5 in rho = sqrt(1 - c). The table serves for all receivers, windows and planes.
+ */
+#ifndef PP_METHODS_FAST_AXIAL_TABLE_H
+#define PP_METHODS_FAST_AXIAL_TABLE_H
+
+#include "methods/fast/arc_sum.h"
+
+enum { PP_AXIAL_CELLS = 64, PP_AXIAL_POWERS = 6, PP_AXIAL_MOMENTS = 6 };
+
+struct pp_axial_table {
+    double border;       /* of coarse and fine cells, in rho */
+    double coarse, fine; /* cells per unit of rho */
+    int coarse_cells;
+    double balance[3]; /* of pp_axial_table_init_balanced, else 0 */
+    double cells[PP_AXIAL_CELLS][PP_AXIAL_POWERS][PP_AXIAL_MOMENTS];
+};
+
+/* F at c = a.u. */
+typedef double pp_axial_function(const void *context, double c);
+
+/* Fills a table for c from 0 to 1. */
+void pp_axial_table_init(struct pp_axial_table *table, pp_axial_function *function,
+                         const void *context);
+
+/* Fills one for all directions. So that the potential is regular opposite to the axis too,
+ * a constant is taken off each of F, F c and F s / s, which makes their integrals over
+ * every meridian 0: k1, kc and ks then belong to
+ *
+ *     F(c) p - balance[0] p + (q.a) (F(c) c - balance[1]) + Q (F(c) - balance[2])    (3)
+ *
+ * The other three are not filled. */
+void pp_axial_table_init_balanced(struct pp_axial_table *table,
+                                  pp_axial_function *function, const void *context);
+
+/* Factors in (1) beside F. */
+struct pp_axial_light {
+    const struct pp_axial_table *table;
+    struct pp_vec3 axis;
+    double constant;       /* p */
+    struct pp_vec3 linear; /* q */
+    bool quadratic;        /* are there n and g? */
+    struct pp_vec3 n, g;
+};
+
+/* The potential (2) about the light's axis, for pp_arc_sum. */
+double pp_axial_table_potential(const void *light, const struct pp_arc_nodes *nodes);
+
+/* The light of a ring within half-spaces, for a table of pp_axial_table_init: along arcs no
+ * longer than `longest`. width: F bends within it of a.u = 0. */
+double pp_axial_table_sum(const struct pp_axial_light *light, double longest,
+                          double width, const struct pp_vec3 *vertices, int count,
+                          const struct pp_vec3 *half_spaces, int half_space_count);
+
+#endif

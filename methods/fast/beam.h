@@ -1,0 +1,62 @@
+/* beam.h - parallel light through an opening on to the working plane.
+ *
+ * Light from one direction u that reaches the plane comes through a part of the opening
+ * which is plane geometry: the opening's outlines, the plane, and what stands inside and
+ * outside, all projected along u on to the face that the opening is cut from. Of a
+ * luminance that depends on the direction only, the mean over the plane is an integral
+ * over directions
+ *
+ *     1/A integral over A of integral L(u) (n.u) domega dA
+ *         = 1/A integral L(u) (w.u) a(u) domega
+ *
+ * with a(u) the area of that part and w the opening's normal: what is clipped in space
+ * is clipped once for an opening and a plane, and one direction costs a plane clip.
+ *
+ * The conventions are those of visible.h: what hides inside takes away, what hides
+ * outside is told by its reflectance and exitance, the nearest counts.
+ */
+#ifndef PP_METHODS_FAST_BEAM_H
+#define PP_METHODS_FAST_BEAM_H
+
+#include "methods/view/fragments.h"
+#include "model/room/world.h"
+
+struct pp_beam;
+
+/* Memory of one thread for areas; begin with all zero, to be cleared. */
+struct pp_beam_space {
+    struct pp_fragments open, cut;
+    double (*xy)[2];
+    struct pp_fragment_ring *rings;
+    double (*lights)[2]; /* reflectance and exitance of the rings */
+    /* Comparisons of rings with fragments so far, in all directions, which is nearly all of
+     * the time. Beyond the budget (0: unlimited) a direction ends without areas. */
+    long long work, work_budget;
+};
+
+/* Parts of the opening in the face's plane, m2. */
+struct pp_beam_areas {
+    double sky;
+    double reflecting; /* of obstructions, each times its reflectance */
+    double emitting;   /* of obstructions, each times its exitance */
+};
+
+/* *beam is the caller's, and refers to world. Without `with_outside`, obstructions and
+ * skylines are left out. */
+enum pp_status pp_beam_create(struct pp_beam **beam, const struct pp_world *world,
+                              const struct pp_opening *opening, bool with_outside,
+                              struct pp_error *err);
+void pp_beam_destroy(struct pp_beam *beam); /* NULL is allowed */
+
+/* For the direction u, a unit vector from the plane to the light: upwards and out
+ * through the opening. Several threads may use one beam. */
+enum pp_status pp_beam_areas(struct pp_beam_areas *areas, const struct pp_beam *beam,
+                             struct pp_beam_space *space, struct pp_vec3 u,
+                             struct pp_error *err);
+
+/* True once the work has exceeded its budget. */
+bool pp_beam_budget_exhausted(const struct pp_beam_space *space);
+
+void pp_beam_space_clear(struct pp_beam_space *space);
+
+#endif

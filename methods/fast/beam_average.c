@@ -1,0 +1,157 @@
+/* beam_average.c - divides the directions in which an opening faces, and integrates over
+ * each part by hcubature. */
+#include "methods/fast/beam_average.h"
+
+#include <cubature.h>
+
+/* Directions by bearing from the opening's own and altitude (radians). */
+struct bearing_range {
+    double low, high;
+};
+
+struct beam_integral {
+    struct pp_kept_beam *beam;
+    const struct pp_plane_light *light;
+    struct pp_vec3 out, across; /* horizontal: the opening's bearing, square to it */
+    double level,
+        tilt;          /* u.w = level cos(altitude) cos(bearing) + tilt sin(altitude) */
+    double bearing[2]; /* of the part */
+    double share[2];   /* of the altitudes that the opening faces */
+    bool failed;
+};
+
+/* The altitudes at a bearing at which the opening faces the sky. */
+static struct bearing_range altitudes(const struct beam_integral *integral,
+                                      double bearing)
+{
+    double level = integral->level * cos(bearing), tilt = integral->tilt;
+    struct bearing_range range = {0.0, PP_PI / 2.0};
+    if (level < 0.0)
+        range.low = atan2(-level, tilt);
+    else if (tilt < 0.0)
+        range.high = atan2(level, -tilt);
+    range.low = fmin(fmax(range.low, 0.0), PP_PI / 2.0);
+    return range;
+}
+
+static int integrand_at(unsigned dim, const double *square, void *data, unsigned fdim,
+                        double *values)
+{
+    (void)dim, (void)fdim;
+    struct beam_integral *integral = data;
+    double bearing = integral->bearing[0]
+                     + square[0] * (integral->bearing[1] - integral->bearing[0]);
+    struct bearing_range range = altitudes(integral, bearing);
+    double height = range.high - range.low;
+    double altitude = range.low
+                      + height
+                            * (integral->share[0]
+                               + square[1] * (integral->share[1] - integral->share[0]));
+    double level = cos(altitude), rise = sin(altitude);
+    struct pp_vec3 u = pp_vec_along(pp_vec_scale(integral->out, level * cos(bearing)),
+                                    level * sin(bearing), integral->across);
+    u.z = rise;
+    double facing = integral->level * level * cos(bearing) + integral->tilt * rise;
+    struct pp_beam_areas areas = {0};
+    values[0] = values[1] = 0.0;
+    if (!(facing > 0.0) || integral->failed)
+        return 0;
+    if (pp_kept_beam_areas(&areas, integral->beam, u, NULL) != PP_OK)
+        integral->failed = true;
+    const struct pp_plane_light *light = integral->light;
+    double weight = facing * level * (integral->bearing[1] - integral->bearing[0])
+                    * (integral->share[1] - integral->share[0]) * height;
+    if (areas.sky > 0.0 || areas.reflecting > 0.0) {
+        double sky = weight * light->sky(light->context, u);
+        values[0] = sky * areas.sky;
+        values[1] = sky * light->of_reflectance * areas.reflecting;
+    }
+    if (areas.emitting > 0.0 && light->exitance)
+        values[1] +=
+            weight * light->exitance(light->context, u) / PP_PI * areas.emitting;
+    return 0;
+}
+
+/* Parts of the directions, uneven so that no cut falls on the middle of a window: in a
+ * symmetrical room the estimated errors would be too small. */
+enum { FRONT = 4, BACK = 2, LAYERS = 3, PARTS = (FRONT + BACK) * LAYERS };
+static const double bearings[FRONT + BACK + 1] = {-1.0, -0.43, 0.09, 0.55,
+                                                  1.0,  1.93,  3.0};
+static const double layers[LAYERS + 1] = {0.0, 0.21, 0.53, 1.0};
+
+/* One part by the cubature rule: its points. */
+enum { FIRST_POINTS = 17, MOST_POINTS = 6000 };
+
+/* Integral of a part: its values, and their errors together. */
+struct part_integral {
+    double values[2], error;
+};
+
+/* Works out the parts that have a larger error than `absolute`, and adds all up. */
+static enum pp_status integrate_parts(double sum[2], struct part_integral *of,
+                                      const struct beam_integral *like, int parts,
+                                      double absolute, int points, struct pp_error *err)
+{
+    bool failed = false;
+    for (int i = 0; i < parts && !failed; i++) {
+        const double low[2] = {0.0, 0.0}, high[2] = {1.0, 1.0};
+        struct beam_integral own = *like;
+        double error[2];
+        if (of[i].error <= absolute)
+            continue;
+        for (int k = 0; k < 2; k++) {
+            own.bearing[k] = bearings[i / LAYERS + k] * PP_PI / 2.0;
+            own.share[k] = layers[i % LAYERS + k];
+        }
+        failed = hcubature(2, integrand_at, &own, 2, low, high, (size_t)points,
+                           absolute, 0.0, ERROR_L1, of[i].values, error)
+                     != 0
+                 || own.failed;
+        of[i].error = error[0] + error[1];
+    }
+    sum[0] = sum[1] = 0.0;
+    for (int i = 0; i < parts && !failed; i++) {
+        sum[0] += of[i].values[0];
+        sum[1] += of[i].values[1];
+    }
+    return failed ? pp_fail_memory(err) : PP_OK;
+}
+
+enum pp_status pp_beam_average(double mean[2], struct pp_beams *beams,
+                               const struct pp_opening *opening,
+                               const struct pp_plane_light *light,
+                               double relative_error, struct pp_error *err)
+{
+    struct pp_kept_beam *beam;
+    mean[0] = mean[1] = 0.0;
+    enum pp_status status =
+        pp_beams_of(&beam, beams, opening, light->with_outside, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_vec3 w = pp_vec_scale(opening->inner.normal, -1.0);
+    double level = hypot(w.x, w.y);
+    if (level < 1e-12)
+        level = 0.0;
+    struct beam_integral integral = {.beam = beam,
+                                     .light = light,
+                                     .out = level > 0.0
+                                                ? pp_vec(w.x / level, w.y / level, 0.0)
+                                                : pp_vec(1.0, 0.0, 0.0),
+                                     .level = level,
+                                     .tilt = fabs(w.z) < 1e-12 ? 0.0 : w.z};
+    integral.across = pp_vec(-integral.out.y, integral.out.x, 0.0);
+    /* An opening that does not slope upwards faces half of the bearings. */
+    int parts = (integral.tilt > 0.0 ? FRONT + BACK : FRONT) * LAYERS;
+    double sum[2];
+    struct part_integral of[PARTS];
+    for (int i = 0; i < parts; i++)
+        of[i].error = INFINITY;
+    status = integrate_parts(sum, of, &integral, parts, 1e300, FIRST_POINTS, err);
+    double absolute = relative_error / 8.0 * (sum[0] + sum[1]) / sqrt(parts);
+    if (status == PP_OK && absolute > 0.0)
+        status = integrate_parts(sum, of, &integral, parts, absolute, MOST_POINTS, err);
+    double area_m2 = pp_region_area(&pp_beams_world(beams)->plane);
+    mean[0] = sum[0] / area_m2;
+    mean[1] = sum[1] / area_m2;
+    return status;
+}

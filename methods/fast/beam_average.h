@@ -1,0 +1,19 @@
+/* beam_average.h - the mean over the working plane of what comes through an opening, as
+ * an integral over directions (view/beam.h). */
+#ifndef PP_METHODS_FAST_BEAM_AVERAGE_H
+#define PP_METHODS_FAST_BEAM_AVERAGE_H
+
+#include "methods/average/plane_light.h"
+
+/* The error of the mean, relative to both components together. Over the rooms of
+ * tests/methods/fast/test_beam_average.c the figures are within a tenth. */
+#define PP_BEAM_AVERAGE_ERROR 1e-3
+
+/* The means over the world's plane of the sky component and the externally reflected
+ * component of one opening. The plane must not be empty. */
+enum pp_status pp_beam_average(double mean[2], struct pp_beams *beams,
+                               const struct pp_opening *opening,
+                               const struct pp_plane_light *light,
+                               double relative_error, struct pp_error *err);
+
+#endif

@@ -1,0 +1,48 @@
+/* beam_pieces.h - what is clipped once for an opening and a working plane. For beam.c
+ * only. */
+#ifndef PP_METHODS_FAST_BEAM_PIECES_H
+#define PP_METHODS_FAST_BEAM_PIECES_H
+
+#include "methods/fast/beam.h"
+#include "model/geometry/projection.h"
+
+/* A convex polygon in the beam's axes: `count` corners from beam->corners[first] on. */
+struct beam_piece {
+    int first, count;
+    struct pp_vec3 low, high; /* extent of the corners */
+    struct pp_vec3 normal;
+    double offset; /* normal.v of the corners */
+    double front, back, exitance;
+    bool side_of_box; /* of a block, all of which is outside: hides from its front */
+};
+
+struct beam_pieces {
+    int count, capacity;
+    struct beam_piece *list;
+};
+
+/* Axes: x along the opening, y up its face, z out through it, from the opening's first
+ * corner. */
+struct pp_beam {
+    const struct pp_world *world;
+    const struct pp_opening *opening;
+    struct pp_projection axes;
+    bool with_outside;
+    bool one_light;                  /* do all obstructions give off the same light? */
+    double of_light[2];              /* then its reflectance and exitance */
+    struct beam_pieces inner, outer; /* the opening's outlines, in convex parts */
+    struct beam_pieces plane;
+    struct beam_pieces inside, outside;
+    int node_count;
+    struct beam_node *nodes; /* of the pieces outside (beam_tree.h) */
+    int skylines;
+    int corner_count, corner_capacity;
+    struct pp_vec3 *corners;
+    double low[2], high[2]; /* of the opening's outline */
+};
+
+/* Fills a beam of which world, opening and with_outside are set, all else zero. The
+ * caller destroys it, after a failure too. */
+enum pp_status pp_beam_pieces_find(struct pp_beam *beam, struct pp_error *err);
+
+#endif

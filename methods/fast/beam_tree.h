@@ -1,0 +1,20 @@
+/* beam_tree.h - a hierarchy of the pieces outside, so that one direction tests only those which
+ * may lie before the opening along it. For beam.c and beam_pieces.c only.
+ */
+#ifndef PP_METHODS_FAST_BEAM_TREE_H
+#define PP_METHODS_FAST_BEAM_TREE_H
+
+#include "methods/fast/beam_pieces.h"
+
+/* Neighbouring pieces, from `first` on, in a box of the beam's axes. A node is followed
+ * by those within it, and these by node `next`. */
+struct beam_node {
+    struct pp_vec3 low, high;
+    int first, count; /* count 0: the pieces are those of the nodes within */
+    int next;
+};
+
+/* Sorts beam->outside and fills beam->nodes. Once, when all pieces are there. */
+enum pp_status pp_beam_tree_grow(struct pp_beam *beam, struct pp_error *err);
+
+#endif

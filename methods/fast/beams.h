@@ -1,0 +1,47 @@
+/* beams.h - the beams of a world's openings, and the areas along them once found.
+ *
+ * Methods that average over the working plane weigh one area by different lights: exact,
+ * both Waldram diagrams and both pepper-pot ones ask the same directions, as they divide
+ * them alike until their lights differ. Each is worked out once, and so is a mean that two
+ * of them have in common.
+ */
+#ifndef PP_METHODS_FAST_BEAMS_H
+#define PP_METHODS_FAST_BEAMS_H
+
+#include "methods/fast/beam.h"
+
+struct pp_beams;
+
+/* The beams of all openings; none is made before it is asked for. *beams is the caller's,
+ * and refers to world. plain: averages are integrals over points instead (plane_light.h). */
+enum pp_status pp_beams_create(struct pp_beams **beams, const struct pp_world *world,
+                               bool plain, struct pp_error *err);
+void pp_beams_destroy(struct pp_beams *beams); /* NULL is allowed */
+
+const struct pp_world *pp_beams_world(const struct pp_beams *beams);
+bool pp_beams_plain(const struct pp_beams *beams);
+
+/* One beam (beam.h), with what is known of it. Several threads may ask for those of
+ * different openings. */
+struct pp_kept_beam;
+enum pp_status pp_beams_of(struct pp_kept_beam **kept, struct pp_beams *beams,
+                           const struct pp_opening *opening, bool with_outside,
+                           struct pp_error *err);
+
+/* pp_beam_areas, of one thread at a time; without the areas where the beam has given up. */
+enum pp_status pp_kept_beam_areas(struct pp_beam_areas *areas,
+                                  struct pp_kept_beam *kept, struct pp_vec3 u,
+                                  struct pp_error *err);
+
+/* True if a beam has exhausted its budget, as obstructions have too many pieces for a mean
+ * within seconds. No mean is valid then. */
+bool pp_beams_gave_up(const struct pp_beams *beams);
+
+/* The means that were kept of the beam's light through that glass, under the one sky that
+ * all ask of; false: none were. */
+bool pp_kept_beam_means(double means[2], const struct pp_kept_beam *kept,
+                        const struct pp_glass *glass);
+void pp_kept_beam_keep_means(struct pp_kept_beam *kept, const struct pp_glass *glass,
+                             const double means[2]);
+
+#endif

@@ -1,0 +1,46 @@
+/* pane_light.h - the light of a patch through a pane from tables that were made for many
+ * points: sums over the patch's edges (arc_sum.h) in place of a quadrature over it. */
+#ifndef PP_METHODS_FAST_PANE_LIGHT_H
+#define PP_METHODS_FAST_PANE_LIGHT_H
+
+#include "methods/fast/axial_table.h"
+#include "methods/fast/sky_table.h"
+#include "methods/view/visible.h"
+#include "model/base/error.h"
+
+/* Tables of an opening (pane_tables.h makes them); not owned. */
+struct pp_pane_light {
+    const struct pp_axial_table *glass; /* of its clear glass; NULL: there is none */
+    const struct pp_axial_table
+        *gradation;                 /* of a sky of ISO 15469 without a sun, about
+                                             * the zenith; NULL: it is another sky */
+    const struct pp_sky_table *sky; /* NULL: not made, or not needed */
+};
+
+/* A part of a view: of a patch within half-spaces (room's axes), on a receiver with that
+ * normal, which is one of them. */
+struct pp_pane_part {
+    const struct pp_visible *visible;
+    const struct pp_visible_patch *patch;
+    struct pp_vec3 normal;
+    const struct pp_vec3 *half_spaces; /* at most PP_HALF_SPACES_MOST */
+    int half_space_count;
+    bool glazed;
+    bool rough; /* to 1e-6 of the open sky; else to 1e-9 */
+};
+
+/* Do the tables hold the light of that sky on such a part? *value is then the integral of
+ * L tau (n.u) over Eh; one of the half-spaces is the horizon. */
+bool pp_pane_light_has_sky(const struct pp_pane_light *light, const struct pp_sky *sky,
+                           const struct pp_pane_part *part);
+enum pp_status pp_pane_light_sky(double *value, const struct pp_pane_light *light,
+                                 const struct pp_sky *sky,
+                                 const struct pp_pane_part *part, struct pp_error *err);
+
+/* The integral of tau (n.u), for glass. */
+enum pp_status pp_pane_light_transmitted(double *value,
+                                         const struct pp_pane_light *light,
+                                         const struct pp_pane_part *part,
+                                         struct pp_error *err);
+
+#endif

@@ -1,0 +1,27 @@
+/* pane_tables.h - the tables of pane_light.h for all openings of a world under one light,
+ * shared by openings of one glazing and, for a sky with azimuth, one orientation. */
+#ifndef PP_METHODS_FAST_PANE_TABLES_H
+#define PP_METHODS_FAST_PANE_TABLES_H
+
+#include "methods/fast/pane_light.h"
+#include "model/light/outside_light.h"
+#include "model/room/world.h"
+
+struct pp_pane_tables;
+
+/* Makes tables of clear glass and of gradations, which take some 70 us each and serve any
+ * receiver. `plane` is the normal of many receivers to come: for them skies that have no
+ * other table are tabulated too, to 1e-6, which takes some 3 ms for each orientation;
+ * NULL: they are not. *tables is the caller's, may outlive the world, and is read by any
+ * number of threads. */
+enum pp_status pp_pane_tables_create(struct pp_pane_tables **tables,
+                                     const struct pp_world *world,
+                                     const struct pp_outside_light *light,
+                                     const struct pp_vec3 *plane, struct pp_error *err);
+void pp_pane_tables_destroy(struct pp_pane_tables *tables); /* NULL is allowed */
+
+/* Table of the opening of that index. */
+const struct pp_pane_light *pp_pane_tables_at(const struct pp_pane_tables *tables,
+                                              int opening);
+
+#endif

@@ -1,0 +1,48 @@
+/* control_variate.h - a coarse radiosity solution of the room, interpolated between patches.
+ *
+ * Some thousand patches gather light from the openings and, along a few random rays, from
+ * other patches; values between their centres are bilinear. The solution is the control
+ * variate G of path.h, so that its errors do not bias a result. Room, light and seed alone
+ * determine it (control_variate_solve.h).
+ */
+#ifndef PP_SIMULATE_FAST_CONTROL_VARIATE_H
+#define PP_SIMULATE_FAST_CONTROL_VARIATE_H
+
+#include "simulate/scene/light_scene.h"
+#include "simulate/transport/niche_light.h"
+
+/* The patches of one side of a part, in a grid; a patch's value stands at its
+ * centre. */
+struct pp_control_variate_grid {
+    int first;           /* of its values; -1: no patches on this side */
+    int columns, rows;   /* along the part's a and b */
+    double a0, b0;       /* of the first centre, along a and b */
+    double per_a, per_b; /* patches a metre */
+};
+
+struct pp_control_variate {
+    struct pp_control_variate_grid (*grids)[2]; /* by part and side */
+    double *values;                             /* exitance over Eh */
+    int count;
+    const struct pp_light_scene *scene; /* not owned */
+    struct pp_niche_light niches;       /* of the sides of niches, by these values */
+};
+
+void pp_control_variate_destroy(
+    struct pp_control_variate *variate); /* NULL is allowed */
+
+/* The exitance where a ray has met something, over Eh; 0 where there are no patches. */
+double pp_control_variate_at(const struct pp_control_variate *variate,
+                             const struct pp_light_scene *scene,
+                             const struct pp_light_hit *hit);
+
+/* The same as a niche's light: `variate` is that solution. */
+double pp_control_variate_of_side(void *variate, const struct pp_light_hit *side,
+                                  double worth);
+
+/* The number of the patch nearest to the hit; -1 where there are none. */
+int pp_control_variate_nearest(const struct pp_control_variate *variate,
+                               const struct pp_light_scene *scene,
+                               const struct pp_light_hit *hit);
+
+#endif

@@ -1,0 +1,59 @@
+/* gather_cells.h - the control variate of path.h, gathered from far by cells of the room's
+ * surfaces.
+ *
+ * What a receiver at x gathers of G is its mean over the cosine lobe, or the integral over the
+ * room's surfaces of G(y) k(x, y), k = cos cos' / (pi r2). Rays of the lobe find by chance alone
+ * what is small, far and bright, such as the floor at the window from the depth of a room. A
+ * point in each cell of the surfaces, of area A, finds that always, but for what is near, where
+ * k is large and varies within the cell. So cells gather
+ *
+ *     (G - g) / (1 + c k A)                                                            (1)
+ *
+ * and the rest of G is left to the lobe's rays, as if c of them were weighed against a cell by
+ * the balance heuristic of [VG95]. g is the least value of G: what is the same everywhere makes
+ * no noise in the lobe. The sum has no bias, whatever c and g. All cells of a net have their
+ * point at the same place but mirrored from one to the next, which takes away what is linear
+ * in it; G there serves all who gather.
+ *
+ * Only where shared_density.h serves, too: no point is hidden. Sides of niches have no cells.
+ */
+#ifndef PP_SIMULATE_FAST_GATHER_CELLS_H
+#define PP_SIMULATE_FAST_GATHER_CELLS_H
+
+#include "model/base/error.h"
+#include "simulate/fast/control_variate.h"
+#include "simulate/transport/radiance_state.h"
+
+struct pp_gather_cells;
+
+/* For the convex room of a scene of which G is known; both must live as long. On success
+ * *cells is the caller's. */
+enum pp_status pp_gather_cells_create(struct pp_gather_cells **cells,
+                                      const struct pp_light_scene *scene,
+                                      const struct pp_control_variate *variate,
+                                      struct pp_error *err);
+void pp_gather_cells_destroy(struct pp_gather_cells *cells); /* NULL is allowed */
+
+/* The numbers that a net of points takes. */
+size_t pp_gather_cells_size(const struct pp_gather_cells *cells);
+
+/* A net for two numbers in (0, 1): points with their G over Eh, which is nothing in an opening
+ * and beside the figure. `light` traces rays. net: pp_gather_cells_size() numbers. */
+void pp_gather_cells_draw(const struct pp_gather_cells *cells,
+                          struct pp_radiance_state *light, const double u[2],
+                          double *net);
+
+/* Has the part cells? From all of it they are all seen. */
+bool pp_gather_cells_are_on(const struct pp_gather_cells *cells, int part);
+
+/* (1) by the cells of a net, over Eh, at a point in the room that faces `normal`. */
+double pp_gather_cells_taken(const struct pp_gather_cells *cells, const double *net,
+                             struct pp_vec3 point, struct pp_vec3 normal);
+
+/* Rest of a G over Eh that (1) leaves to a ray of the lobe that has come straight to it:
+ * all where there are no cells. */
+double pp_gather_cells_left(const struct pp_gather_cells *cells,
+                            const struct pp_light_ray *ray,
+                            const struct pp_light_hit *met, double guess);
+
+#endif

@@ -1,0 +1,127 @@
+/* path.h - the daylight factor at a point, by random paths.
+ *
+ * It is split into three expectations, each sampled on its own. With B the true
+ * exitance of the room's surfaces,
+ *
+ *     B = M + rho (E + K B)                                                        (1)
+ *
+ * (M their own, E the irradiance by the openings, K the irradiance by other surfaces'
+ * exitance), and a coarse radiosity solution G (control_variate.h) as control variate:
+ *
+ *     direct      light that comes in by an opening straight to the point, by
+ *                 next-event estimation
+ *     gather      the mean of G over the cosine lobe of the point, in a convex room by
+ *                 cells (gather_cells.h) but for what they leave
+ *     correction  the mean of B - G over that lobe, with
+ *
+ *                     B - G = (M - G) + rho (E + K G) + rho K (B - G)              (2)
+ *
+ *                 followed along a path: at each surface met the first two terms of
+ *                 (2) by several directions, K G by cells too, then on by one of
+ *                 these
+ *
+ * Their sum is unbiased whatever G; a good G leaves a correction of little variance.
+ * That is the noise of the samples at each surface, and grows with the light there. So
+ * the direction that goes on is drawn in proportion to the G that it has met, as in the
+ * importance resampling of [TCE05], and whether it goes on at all depends, by Russian
+ * roulette, on what G says that it brings.
+ *
+ * Without G the correction is plain path tracing. Where receivers share light
+ * (shared_density.h) most of the correction is what shared points bring, and a path goes
+ * on only with what is left to it.
+ *
+ * Directions to the openings of an empty convex room are directions to the mouths of their
+ * niches: those that end on a side bring its G, with the direct light, and rays from the
+ * room that come to a side bring none. Small and bright, sides were found by few rays:
+ * rooms with reveals took up to ten times longer.
+ *
+ * Paths are those of the light transport (transport/light_path.h), in the scene of a
+ * world with every finish diffuse: indoors, every surface gets the light of the openings
+ * by next-event estimation; a ray of the cosine lobe that reaches an opening counts
+ * nothing for light that comes in by it, and is reflected by glass and frame.
+ *
+ * What glass reflects of other openings to the point itself is sampled with the direct
+ * light, by the openings' images, and the correction's own rays leave it out: they found
+ * it so seldom that of a hundred points in rooms with windows in several walls one ended
+ * with three to fifteen times the error that was wanted.
+ *
+ * All light is over Eh.
+ */
+#ifndef PP_SIMULATE_FAST_PATH_H
+#define PP_SIMULATE_FAST_PATH_H
+
+#include "simulate/scene/images/glass_images.h"
+#include "simulate/fast/control_variate.h"
+#include "simulate/fast/gather_cells.h"
+#include "simulate/fast/shared_density.h"
+#include "simulate/transport/irradiance.h"
+#include "simulate/transport/radiance_state.h"
+
+/* Light by what the point first sees: PP_SC, PP_ERC, PP_IRC of
+ * model/results/reading.h. */
+struct pp_light {
+    double part[3];
+};
+
+/* State of a thread that follows paths. */
+struct pp_path_state {
+    struct pp_radiance_state light;
+    const struct pp_control_variate
+        *variate; /* the control variate; not owned; NULL: none */
+    const struct pp_niche_light *niches; /* by it; not owned; NULL: none are aimed at */
+    const struct pp_shared_density *shared; /* not owned; NULL: nothing is shared */
+    const struct pp_gather_cells *cells;    /* not owned; NULL: rays gather all */
+    const double *net;         /* of the cells, in this randomisation; not owned */
+    bool glass;                /* are openings sampled by their images in glass? */
+    struct pp_glass_view view; /* of these, from the last point */
+};
+
+/* For paths in that scene and light; the sequence is still to be set. */
+struct pp_path_state pp_path_state(const struct pp_light_scene *scene,
+                                   const struct pp_environment *environment,
+                                   const struct pp_control_variate *variate);
+
+/* Where paths start: at a point, or anywhere on the working plane. */
+struct pp_start {
+    bool anywhere;
+    struct pp_vec3 position; /* in the scene's coordinates */
+    struct pp_vec3 normal;
+};
+
+/* The irradiance by the openings at a point indoors, of that many directions with the
+ * random numbers of a vertex: straight from the sky, from outside, and (`rest`) from the
+ * sides of niches, by G, and by way of another opening from the room itself. */
+struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
+                                         struct pp_vec3 point, struct pp_vec3 normal,
+                                         int vertex, uint32_t directions);
+
+/* True if next-event estimation at `from` already counts the light of this hit. */
+bool pp_path_counted_by_nee(const struct pp_path_state *state, struct pp_vec3 from,
+                            const struct pp_light_hit *met);
+
+/* Add the samples of the paths from state->light.index to `end`, one after the other; the
+ * index is `end` afterwards. Gathered light and its correction are internally reflected,
+ * and 0 where there is no room. */
+void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
+                    uint32_t end, struct pp_light *light);
+void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
+                    uint32_t end, double *sum);
+void pp_path_correction(struct pp_path_state *state, const struct pp_start *start,
+                        uint32_t end, double *sum);
+
+/* Light gathered by cells beside the paths, in a randomisation: 0 where there are none,
+ * or a path starts anywhere. */
+double pp_path_gather_cells(const struct pp_path_state *state,
+                            const struct pp_start *start);
+
+/* By one of the points that receivers share; where state->shared is not NULL the mean of
+ * these is a part of the correction. */
+double pp_path_shared(const struct pp_path_state *state, const struct pp_start *start,
+                      const struct pp_shared_light *shared);
+
+/* B - G where something was met, one sample: by a path, or, given others that are shared
+ * and independent of it, by one step of (2) and what those bring there. */
+double pp_path_residual(struct pp_path_state *state, const struct pp_light_hit *met,
+                        const struct pp_shared_light *others, int count);
+
+#endif

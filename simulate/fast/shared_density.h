@@ -1,0 +1,88 @@
+/* shared_density.h - where on a room's surfaces points lie whose light all receivers
+ * share, and what of it each takes.
+ *
+ * What the control variate G of path.h leaves out, D = B - G, is noise at each surface
+ * met, and it is the same noise for whoever looks there. So it is sampled once, at
+ * points y on the room's surfaces of density p (1/m2). With an unbiased estimate D(y) at
+ * every one of them (shared_light.h) a receiver at x takes
+ *
+ *     min(k(x, y)/p(y), c) D(y),        k = cos cos' / (pi r2)                      (1)
+ *
+ * the mean of which over p is the mean of D over the cosine lobe at x, but for what the
+ * bound c cuts off where x and y are near. That is left to the lobe's own rays: one that
+ * has met y goes on with the probability
+ *
+ *     1 - c p(y)/k(x, y)                                                            (2)
+ *
+ * where that is positive. Both together have no bias, whatever p and c. These are the many
+ * lights of [KELLER97], bounded as in [KK06].
+ *
+ * Only where any two points of the room see each other (convex_room.h): there (1) needs
+ * no ray. Not all of it sees the sides of niches: no points lie there, and what they bring
+ * is left to the lobe's rays; nor is anything shared with receivers in a niche.
+ */
+#ifndef PP_SIMULATE_FAST_SHARED_DENSITY_H
+#define PP_SIMULATE_FAST_SHARED_DENSITY_H
+
+#include "model/base/error.h"
+#include "simulate/fast/control_variate.h"
+
+/* The greatest weight c in (1). Measured: from 6 to 25 the work to an error changes by less
+ * than a tenth; but of 6,000 points in random rooms 0.08, 0.2 and 0.6 % end with more than
+ * twice the standard error asked for by 6, 12 and 25. */
+#define PP_SHARED_DENSITY_MOST_WEIGHT 6.0
+
+/* A point y with its light. */
+struct pp_shared_light {
+    struct pp_vec3 point, normal; /* in the scene's coordinates */
+    double per_density;           /* 1/(pi p), m2 */
+    double light;                 /* D(y) over Eh; 0 where there is no surface */
+};
+
+struct pp_shared_density;
+
+/* For the scene, of which it is known what G is; both must live as long. On success
+ * *density is the caller's; NULL where nothing can be shared. */
+enum pp_status pp_shared_density_create(struct pp_shared_density **density,
+                                        const struct pp_light_scene *scene,
+                                        const struct pp_control_variate *variate,
+                                        struct pp_error *err);
+void pp_shared_density_destroy(struct pp_shared_density *density); /* NULL is allowed */
+
+/* Does a receiver there see all points? Nothing is shared with others. */
+bool pp_shared_density_serves(const struct pp_shared_density *density,
+                              struct pp_vec3 point);
+
+/* A place for three numbers in (0, 1), with 1/(pi p), and the ray that looks at it from
+ * the middle of the room. Where that meets another part, there is no surface: a pane, or
+ * beside the figure. */
+struct pp_shared_place {
+    int part;
+    struct pp_light_ray sight;
+    double per_density;
+};
+struct pp_shared_place pp_shared_density_draw(const struct pp_shared_density *density,
+                                              const double u[3]);
+
+/* (2), or 0, for a ray of the lobe that has come from x straight to y. */
+double pp_shared_density_left(const struct pp_shared_density *density,
+                              const struct pp_light_ray *ray,
+                              const struct pp_light_hit *met);
+
+/* (1) of a receiver that faces `normal`. */
+static inline double pp_shared_density_taken(const struct pp_shared_light *shared,
+                                             struct pp_vec3 point,
+                                             struct pp_vec3 normal)
+{
+    struct pp_vec3 to = pp_vec_sub(shared->point, point);
+    double cosine = pp_vec_dot(normal, to), other = -pp_vec_dot(shared->normal, to);
+    if (!(cosine > 0.0 && other > 0.0))
+        return 0.0;
+    double square = pp_vec_dot(to, to);
+    double weight = cosine * other * shared->per_density / (square * square);
+    return shared->light
+           * (weight < PP_SHARED_DENSITY_MOST_WEIGHT ? weight
+                                                     : PP_SHARED_DENSITY_MOST_WEIGHT);
+}
+
+#endif

@@ -1,0 +1,84 @@
+/* tracer.h - daylight factors of a room by unbiased path tracing.
+ *
+ * The caller holds the loop: create, then advance until done, looking at the readings
+ * whenever it likes, then destroy.
+ *
+ *     while (!pp_tracer_done(tracer))
+ *         if (pp_tracer_advance(tracer, 0.1, err) != PP_OK) ...
+ *
+ * With --error or --samples the answer depends on world, light, receivers and seed alone, to
+ * the bit, whatever the number of threads and the length of the slices.
+ */
+#ifndef PP_SIMULATE_FAST_TRACER_H
+#define PP_SIMULATE_FAST_TRACER_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "model/base/error.h"
+#include "model/results/reading.h"
+#include "simulate/scene/environment.h"
+#include "simulate/scene/light_scene_of_world.h"
+
+/* No smaller standard error is wanted, over Eh: 0.002 % daylight factor. */
+#define PP_TRACER_LEAST_ERROR 0.00002
+
+struct pp_tracer_options {
+    double
+        error; /* wanted standard error over the daylight factor, at every point; never
+                * under PP_TRACER_LEAST_ERROR. 0: go by samples or the caller's clock alone */
+    long samples; /* paths a point in each randomisation instead of error; 0: not set */
+    uint64_t seed;
+    int threads;    /* 0: as many as the machine has processors */
+    bool average;   /* the average over the working plane too */
+    bool alone;     /* points share no light: sooner for ten points or less at 1 % */
+    bool direct;    /* sky and externally reflected component alone; the error is over
+                     * their sum then, and nothing else can be read */
+    bool every_ray; /* trace also the rays whose end is known beforehand: for checks */
+};
+
+struct pp_tracer;
+
+/* Copies the receivers; the scene and the light that falls on it must live as long as
+ * the tracer. */
+enum pp_status pp_tracer_create(struct pp_tracer **tracer,
+                                const struct pp_light_scene *scene,
+                                const struct pp_environment *environment,
+                                const struct pp_receiver *receivers, int receiver_count,
+                                const struct pp_tracer_options *options,
+                                struct pp_error *err);
+
+/* Works for about `seconds` (by the clock; at least one batch of work). */
+enum pp_status pp_tracer_advance(struct pp_tracer *tracer, double seconds,
+                                 struct pp_error *err);
+bool pp_tracer_done(const struct pp_tracer *tracer);
+
+/* The share of the work that is done, 0 to 1, by the present plan. */
+double pp_tracer_progress(const struct pp_tracer *tracer);
+
+/* The largest standard error over daylight factor of any point so far; NAN before there
+ * is any. */
+double pp_tracer_error(const struct pp_tracer *tracer);
+
+/* The readings so far of receiver `index`, or of the average over the working plane
+ * for index -1: readings[PP_SC] ... readings[PP_DF]. */
+void pp_tracer_read(const struct pp_tracer *tracer, int index,
+                    struct pp_reading readings[PP_COMPONENT_COUNT]);
+
+/* The work done so far. A leak is a ray that left the room between the edges of two
+ * surfaces and was given up. */
+struct pp_tracer_work {
+    long long paths, rays, leaks;
+};
+struct pp_tracer_work pp_tracer_work(const struct pp_tracer *tracer);
+
+/* The share of the variance of their daylight factors that receivers have in common, 0 to 1
+ * (common_variance.h): all of them; and those that are near each other. What is near takes
+ * the same light of shared points, so that the latter is much larger where that light makes
+ * most of the variance. */
+double pp_tracer_common(const struct pp_tracer *tracer);
+double pp_tracer_common_near(const struct pp_tracer *tracer);
+
+void pp_tracer_destroy(struct pp_tracer *tracer); /* NULL is allowed */
+
+#endif

@@ -1,0 +1,66 @@
+/* photon.h - a photon followed from where it enters the room, or from a lamp, to where it
+ * is absorbed or lost.
+ *
+ * What it carries is flux over Eh (m2), divided by the density with which its source, place
+ * and direction were drawn and by the chances of each turn since. It may leave the room
+ * and come back.
+ */
+#ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_H
+#define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_H
+
+#include "simulate/research/photons/photon_lobes.h"
+#include "simulate/research/photons/photon_sources.h"
+
+/* Whose light it is to who sees it straight: what it has last been scattered by. */
+enum pp_photon_last {
+    PP_PHOTON_FROM_SKY,
+    PP_PHOTON_FROM_OUTSIDE, /* a surface there, or the ground */
+    PP_PHOTON_FROM_INSIDE,
+};
+
+/* A place from which light goes to receivers. */
+struct pp_photon_place {
+    struct pp_vec3 point, normal; /* of the side that it leaves */
+    enum pp_space space;          /* on that side */
+    struct pp_rgb exitance; /* flux that leaves diffusely, or at clear glass 1 over
+                                   * the density of the point times pi */
+    int clear;              /* the pane, where the light hangs on the direction; -1 */
+    int source;             /* of a photon's first place; -1: any other place */
+    enum pp_photon_last last;
+};
+
+struct pp_photon {
+    struct pp_light_ray ray;
+    struct pp_rgb flux;
+    enum pp_photon_last last;
+    bool scattered; /* is it more than the light that an opening sends straight? */
+    struct pp_light_hit hit; /* where it has come to */
+    struct pp_lobes lobes;   /* there */
+    int vertex;              /* of its random numbers */
+    int turns;
+};
+
+/* A photon that starts, from one of the first `count` sources: on its ray. False where
+ * there is none. place: where; its exitance is that of receivers' straight light. vertex:
+ * the first of its random numbers. */
+bool pp_photon_begin(struct pp_photon_state *state, int count, int vertex,
+                     struct pp_photon *photon, struct pp_photon_place *place);
+
+/* A place on an opening, drawn by a receiver's own chances (photon_sources.h), not all
+ * 0. */
+void pp_photon_enter(struct pp_photon_state *state, const double *chances, int vertex,
+                     struct pp_photon_place *place);
+
+/* To the surface that it meets next; false where it meets none. */
+bool pp_photon_arrive(struct pp_photon_state *state, struct pp_photon *photon);
+
+/* Power left there by the photon: the light that leaves its own side (0) or the far one
+ * (1) diffusely. False where that is none. */
+bool pp_photon_leaves(const struct pp_photon_state *state,
+                      const struct pp_photon *photon, int side,
+                      struct pp_photon_place *place);
+
+/* On from there by one of the surface's lobes; false where it ends. */
+bool pp_photon_turn(struct pp_photon_state *state, struct pp_photon *photon);
+
+#endif

@@ -1,0 +1,31 @@
+/* photon_counter.h - a sensor of finite size, on which photons are counted: a disc, or the
+ * whole working plane.
+ *
+ * A photon that crosses it from its front brings flux / area; it goes on as if nothing had
+ * been there. What is counted is the mean irradiance over the sensor: no connection, no
+ * limit, and light by mirrors and panes counts as all other does.
+ */
+#ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_COUNTER_H
+#define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_COUNTER_H
+
+#include "simulate/research/photons/photon.h"
+
+struct pp_photon_counter {
+    struct pp_vec3 point, normal;         /* of the plane: where, and of its front */
+    double area_m2;                       /* 0: there is no counter */
+    double radius_m;                      /* of a disc round the point; 0: else */
+    const struct pp_vec3 (*triangles)[3]; /* not owned */
+    int triangle_count;
+};
+
+struct pp_photon_counter pp_photon_counter_disc(struct pp_vec3 point,
+                                                struct pp_vec3 normal, double radius_m);
+
+/* The working plane of the scene's world. */
+struct pp_photon_counter pp_photon_counter_plane(const struct pp_light_scene *scene);
+
+/* Irradiance by the photon on its way to photon->hit, or by one that meets nothing. */
+double pp_photon_counter_takes(const struct pp_photon_counter *counter,
+                               const struct pp_photon *photon);
+
+#endif

@@ -1,0 +1,36 @@
+/* photon_receiver.h - what a place from which light goes brings to a receiver: a
+ * connection, (1) of photon_sources.h, with a shadow ray.
+ *
+ * cos cos'/d^2 is cut at the place's limit. The share that is left of it,
+ *
+ *     w = min(1, limit d^2 / (cos cos'))
+ *
+ * depends on the two places alone, not on how they were drawn: a ray from the receiver
+ * that comes to the same place straight, or through clear glass, has 1 - w of its light
+ * (photon_gather.h), as in [KK06]. Both together have no bias, and neither is without
+ * bound.
+ */
+#ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_RECEIVER_H
+#define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_RECEIVER_H
+
+#include "simulate/research/photons/photon.h"
+
+struct pp_photon_receiver {
+    struct pp_vec3 point, normal;
+    enum pp_space space;
+    const double *chances; /* of openings, where they are drawn for this receiver; NULL:
+                            * by their power; not owned */
+};
+
+/* The limits of a surface that is no source, and of a source. */
+double pp_photon_receiver_limit(const struct pp_photon_state *state,
+                                const struct pp_photon_receiver *receiver, int source);
+
+/* Irradiance at the receiver; *last: whose light it is. vertex: of the random numbers
+ * outside. */
+struct pp_rgb pp_photon_receiver_takes(struct pp_photon_state *state,
+                                       const struct pp_photon_receiver *receiver,
+                                       const struct pp_photon_place *place, int vertex,
+                                       enum pp_photon_last *last);
+
+#endif

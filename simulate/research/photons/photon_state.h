@@ -1,0 +1,66 @@
+/* photon_state.h - what a thread needs to follow photons, and the rays that it traces.
+ * Inside simulate/research/photons only; all points are measured from the scene's centre.
+ */
+#ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_STATE_H
+#define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_STATE_H
+
+#include <stdint.h>
+
+#include "simulate/sampling/hash.h"
+#include "simulate/sampling/sobol.h"
+#include "simulate/scene/environment.h"
+#include "simulate/scene/light_scene_parts.h"
+
+struct pp_photon_sources;
+
+struct pp_photon_state {
+    const struct pp_light_scene *scene;       /* not owned */
+    const struct pp_environment *environment; /* not owned */
+    const struct pp_photon_sources *sources;  /* not owned */
+    struct pp_sobol_sequence sequence;        /* the randomisation */
+    uint32_t index;                           /* which path of it */
+    long rays, leaks;                         /* traced so far, and lost of them */
+};
+
+enum {
+    /* A path ends here where nothing ever absorbs: in an enclosure that reflects all. */
+    PP_PHOTON_MOST_VERTICES = 1 << 14
+};
+
+/* The random numbers of a path's vertex, each in (0, 1); at most six. */
+static inline void pp_photon_state_draw(const struct pp_photon_state *state, int vertex,
+                                        int count, double u[])
+{
+    pp_sobol_sequence_draw(&state->sequence, state->index, vertex, count, u);
+}
+
+/* Vertex numbers for a path that branches off a vertex: hashed, so that they meet those
+ * of no other branch. */
+static inline int pp_photon_state_branch(int vertex, int kind)
+{
+    uint32_t mixed = pp_hash_mix32((uint32_t)vertex * 4 + (uint32_t)kind + 1);
+    return (int)(mixed >> 4) + 64;
+}
+
+/* pp_light_scene_meet, with the ray counted. */
+static inline enum pp_meeting pp_photon_state_meet(struct pp_photon_state *state,
+                                                   const struct pp_light_ray *ray,
+                                                   struct pp_light_hit *hit)
+{
+    enum pp_meeting meeting = pp_light_scene_meet(state->scene, ray, hit);
+    state->rays++;
+    state->leaks += meeting == PP_MEETS_LEAK;
+    return meeting;
+}
+
+/* A hit's point, drawn back along the ray by half of what lifts rays off their surface
+ * (rays.h): in a corner it would lie in the other surface too. */
+static inline struct pp_vec3 pp_photon_state_drawn_back(const struct pp_light_hit *hit,
+                                                        struct pp_vec3 to)
+{
+    struct pp_vec3 p = hit->point;
+    double reach = fabs(p.x) + fabs(p.y) + fabs(p.z);
+    return pp_vec_along(p, -0x1p-21 - 0x1p-21 * reach, to);
+}
+
+#endif

@@ -1,0 +1,86 @@
+/* photons.h - daylight factors of a room by light that is followed forwards, after
+ * Genelux [MPF95].
+ *
+ * Photons enter by the openings in proportion to the luminance outside and the projected
+ * opening, or leave a lamp, and are followed from surface to surface. At each they bring
+ * every receiver what the surface then sends there (photon_receiver.h), the same photons
+ * all of them (photon_store.h); or they are
+ * counted where they cross a sensor of finite size (photon_counter.h), as they always are
+ * for the average over the working plane. What openings bring straight is an estimator of
+ * its own, and what connections leave out a third (photon_gather.h). No estimate has a
+ * bias, nor the radius of one: there is no density estimation.
+ *
+ * Transport, directions to openings and the choice of paths are none of the path
+ * tracer's; the two have in common what a ray meets, and how errors are planned.
+ *
+ * The caller holds the loop, as with the tracer: create, then advance until done, looking
+ * at the readings whenever it likes, then destroy. By error or samples the answer depends
+ * on world, light, receivers and seed alone, to the bit.
+ */
+#ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTONS_H
+#define PP_SIMULATE_RESEARCH_PHOTONS_PHOTONS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "model/base/error.h"
+#include "model/results/reading.h"
+#include "simulate/scene/environment.h"
+#include "simulate/scene/light_scene_of_world.h"
+
+struct pp_photons_options {
+    double
+        error; /* wanted standard error over the daylight factor, at every point; never
+                   * under 0.00002 of Eh. 0: go by samples or the caller's clock alone */
+    long
+        samples; /* photons a point in each randomisation instead of error; 0: not set */
+    uint64_t seed;
+    int threads;  /* 0: as many as the machine has processors */
+    bool average; /* the average over the working plane too */
+    double
+        sensor_m; /* radius of discs round the receivers on which photons are counted;
+                      * 0: the receivers are points */
+};
+
+struct pp_photons;
+
+/* Copies the receivers; the scene and the light that falls on it must live as long as the
+ * photons. PP_BAD_INPUT where the radius is negative or not finite. */
+enum pp_status pp_photons_create(
+    struct pp_photons **photons, const struct pp_light_scene *scene,
+    const struct pp_environment *environment, const struct pp_receiver *receivers,
+    int receiver_count, const struct pp_photons_options *options, struct pp_error *err);
+
+/* Works for about `seconds` (by the clock; at least one batch of work). */
+enum pp_status pp_photons_advance(struct pp_photons *photons, double seconds,
+                                  struct pp_error *err);
+bool pp_photons_done(const struct pp_photons *photons);
+
+/* The share of the work that is done, 0 to 1, by the present plan. */
+double pp_photons_progress(const struct pp_photons *photons);
+
+/* The largest standard error over daylight factor of any point so far; NAN before there
+ * is any. */
+double pp_photons_error(const struct pp_photons *photons);
+
+/* The readings so far of receiver `index`, or of the average over the working plane for
+ * index -1: readings[PP_SC] ... readings[PP_DF]. */
+void pp_photons_read(const struct pp_photons *photons, int index,
+                     struct pp_reading readings[PP_COMPONENT_COUNT]);
+
+/* The share of the variance of their daylight factors that receivers have in common, 0 to 1
+ * (common_variance.h), since they share photons: all of them; and those that are near each
+ * other. */
+double pp_photons_common(const struct pp_photons *photons);
+double pp_photons_common_near(const struct pp_photons *photons);
+
+/* The work done so far: photons and rays from receivers; rays; and those lost between the
+ * edges of two surfaces. */
+struct pp_photons_work {
+    long long paths, rays, leaks;
+};
+struct pp_photons_work pp_photons_work(const struct pp_photons *photons);
+
+void pp_photons_destroy(struct pp_photons *photons); /* NULL is allowed */
+
+#endif

@@ -1,0 +1,80 @@
+/* element_tree.h - the elements of the room's sides, as trees: a side's pieces, what they
+ * are divided into, and so on. An element's radiosity is even over it; that of a
+ * divided one is its parts' mean.
+ *
+ * A side that gives off nothing and reflects nothing has no elements.
+ */
+#ifndef PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_TREE_H
+#define PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_TREE_H
+
+#include "simulate/research/radiosity/facets.h"
+#include "simulate/research/radiosity/form_factor.h"
+
+enum {
+    PP_ELEMENT_PARTS = 4,
+    PP_ELEMENT_LONG = 4, /* times as long as broad: halved across its length alone */
+};
+
+struct pp_element {
+    int side;                /* of the facets: twice a facet, one more for the back */
+    int first_corner, count; /* of its convex outline, as its piece's */
+    struct pp_vec3 middle;   /* centre of area */
+    double area_m2;
+    int parent;                 /* -1: none */
+    int first_part, part_count; /* elements; 0: it is not divided */
+    double radiosity;           /* over Eh */
+    double sky,
+        outside; /* of that, what a pane that scatters sends on from the sky, and
+                          * from what else is outside */
+    double
+        spread; /* how much of it may differ from place to place; INFINITY: not known */
+};
+
+struct pp_element_tree {
+    const struct pp_facets *facets; /* not owned */
+    struct pp_element *list;        /* roots first, by sides */
+    int count, room;
+    struct pp_vec3 *corners;
+    int corner_count, corner_room;
+    int (*roots)[2]; /* of each side: the first, and how many */
+};
+
+/* Elements no longer than `size_m`, nor than PP_ELEMENT_LONG times their breadth. facets
+ * must live as long. */
+enum pp_status pp_element_tree_create(struct pp_element_tree **tree,
+                                      const struct pp_facets *facets, double size_m,
+                                      struct pp_error *err);
+void pp_element_tree_destroy(struct pp_element_tree *tree); /* NULL is allowed */
+
+/* Divides an element that is not divided, into halves where it is long, else into
+ * quarters; the parts begin with its radiosity. */
+enum pp_status pp_element_tree_divide(struct pp_element_tree *tree, int element,
+                                      struct pp_error *err);
+
+/* The undivided element of a side at a point of it; -1: the side has none. */
+int pp_element_tree_at(const struct pp_element_tree *tree, int side,
+                       struct pp_vec3 point);
+
+/* Radiosities of divided elements from their parts', and all spreads. */
+void pp_element_tree_average(struct pp_element_tree *tree);
+
+/* The side's normal: out of the surface, to where it gives off light. */
+struct pp_vec3 pp_element_tree_normal(const struct pp_element_tree *tree, int side);
+
+/* Parts of a convex polygon after a cut. */
+struct pp_element_parts {
+    int count, counts[PP_ELEMENT_PARTS]; /* of parts, and of each one's corners */
+    struct pp_vec3 corners[PP_ELEMENT_PARTS][PP_FORM_FACTOR_MOST];
+};
+
+/* Cuts a convex polygon of a facet, of up to PP_FORM_FACTOR_MOST / 2 corners, through the
+ * middle of its extent along the facet's axes, into halves where it is long, else into
+ * quarters. */
+void pp_element_tree_cut(struct pp_element_parts *parts, const struct pp_facet *facet,
+                         const struct pp_vec3 *corners, int count);
+
+/* Centre of area of a convex polygon; *area_m2 may be NULL. */
+struct pp_vec3 pp_element_tree_middle(const struct pp_vec3 *corners, int count,
+                                      double *area_m2);
+
+#endif

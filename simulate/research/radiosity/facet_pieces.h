@@ -1,0 +1,13 @@
+/* facet_pieces.h - a facet cut into convex pieces along the lines of its corners: with
+ * upright edges rectangles, as elements like to be. */
+#ifndef PP_SIMULATE_RESEARCH_RADIOSITY_FACET_PIECES_H
+#define PP_SIMULATE_RESEARCH_RADIOSITY_FACET_PIECES_H
+
+#include "model/geometry/clipper.h"
+#include "simulate/research/radiosity/facets.h"
+
+/* Appends facet `index`'s pieces and sets its region. */
+enum pp_status pp_facet_pieces_add(struct pp_facets *facets, int index,
+                                   struct pp_clipper *clipper, struct pp_error *err);
+
+#endif

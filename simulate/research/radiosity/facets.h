@@ -1,0 +1,77 @@
+/* facets.h - the surfaces and panes of a world as radiosity has them: plane facets with two
+ * matt sides, those in the room cut into convex pieces.
+ *
+ * A facet's index is its surface's; those of panes follow, in the order of the openings.
+ * The pane of an opening is where its glass stands. A door or a dado, which the world has
+ * right before its wall, is a piece of the wall's plane instead of it, so that the two leave
+ * no gap. Positions are the world's.
+ */
+#ifndef PP_SIMULATE_RESEARCH_RADIOSITY_FACETS_H
+#define PP_SIMULATE_RESEARCH_RADIOSITY_FACETS_H
+
+#include <stdbool.h>
+
+#include "model/base/error.h"
+#include "model/geometry/region.h"
+#include "model/room/world.h"
+#include "simulate/research/radiosity/ray_tree.h"
+
+/* A side of a facet, by an index: twice its facet's, one more for the back. */
+struct pp_facet_side {
+    bool indoors;
+    double reflectance, exitance; /* diffuse, over Eh; of clear glass its frame's */
+};
+
+struct pp_facet {
+    const struct pp_polygon
+        *outline; /* the world's; a cover's is set before its plane */
+    struct pp_vec3 origin, a, b, normal; /* axes in its plane; a x b is the normal */
+    struct pp_facet_side side[2]; /* front, which the normal points from, and back */
+    const struct pp_opening *opening; /* of a pane; NULL: a surface */
+    bool clear;                       /* a pane that is seen through */
+    bool looks_out;                   /* a pane with no surface before it outdoors */
+    double through;          /* transmittance of a pane that scatters, 0 elsewhere */
+    bool envelope;           /* is one side in the room and the other outdoors? */
+    struct pp_region region; /* in a and b from the origin, without openings and covers;
+                                * of facets with a side in the room only */
+    int first_piece, piece_count;
+};
+
+/* A convex polygon, counter-clockwise seen against its facet's normal. */
+struct pp_piece {
+    int facet, first_corner, count;
+};
+
+struct pp_facets {
+    const struct pp_world *world; /* not owned */
+    struct pp_facet *list;
+    int count;
+    struct pp_piece *pieces; /* of facets with a side in the room, in their order */
+    int piece_count;
+    struct pp_vec3 *corners; /* of pieces */
+    int corner_count, corner_room;
+    struct pp_ray_tree *rays; /* of all facets, which are the owners */
+    struct pp_bounds3 room;   /* round the pieces, or round everything */
+    double reach_m;           /* from the room's middle to the farthest corner */
+};
+
+enum pp_status pp_facets_create(struct pp_facets **facets, const struct pp_world *world,
+                                struct pp_error *err);
+void pp_facets_destroy(struct pp_facets *facets); /* NULL is allowed */
+
+/* Size of the first elements, m: no longer than the room is wide or high, about, as far
+ * as a thousand of them are enough. */
+double pp_facets_element_m(const struct pp_facets *facets);
+
+/* Height of a point over a facet's plane, on the side that its normal points to, m. */
+static inline double pp_facet_height(const struct pp_facet *facet, struct pp_vec3 point)
+{
+    return pp_vec_dot(facet->normal, pp_vec_sub(point, facet->origin));
+}
+
+/* The share of the light at this cosine of incidence that goes straight through a clear
+ * pane, and that it mirrors. */
+double pp_facet_straight(const struct pp_facet *facet, double cosine);
+double pp_facet_mirrored(const struct pp_facet *facet, double cosine);
+
+#endif

@@ -1,0 +1,43 @@
+/* light_ray.h - what a ray looks at: followed through clear panes and by their reflections
+ * to all that gives light along it.
+ *
+ * The ray itself has no number of its own: it goes on by both ways at a pane, each with
+ * its share, until that is too small to count.
+ */
+#ifndef PP_SIMULATE_RESEARCH_RADIOSITY_LIGHT_RAY_H
+#define PP_SIMULATE_RESEARCH_RADIOSITY_LIGHT_RAY_H
+
+#include "simulate/research/radiosity/light_sum.h"
+#include "simulate/research/radiosity/outdoors.h"
+
+struct pp_element_sight;
+
+/* Surroundings in which rays are followed and places gather light; nothing of it is
+ * owned. */
+struct pp_light_room {
+    const struct pp_facets *facets;
+    const struct pp_element_tree *tree;
+    const struct pp_outdoors *outdoors;
+    const struct pp_element_sight *sight;
+};
+
+struct pp_light_ray_start {
+    struct pp_vec3 from, to; /* to: unit */
+    int but;                 /* the facet that the ray leaves; -1: none */
+    bool indoors;            /* does it begin in the room? */
+};
+
+/* Adds `weight` times pi times the radiance along the ray to the sum. part: PP_DF: by
+ * what it comes to first (PP_SC the sky, PP_ERC anything else outdoors, PP_IRC what is
+ * in the room); else all is of that component. */
+void pp_light_ray_follow(const struct pp_light_room *room,
+                         const struct pp_light_ray_start *ray, double weight,
+                         enum pp_component part, struct pp_light_sum *sum);
+
+/* Value of the sum since `from` with the elements' radiosities as they are; places
+ * outside count by a guess. */
+double pp_light_ray_guess(const struct pp_light_room *room,
+                          const struct pp_light_sum *sum,
+                          const struct pp_light_mark *from);
+
+#endif

@@ -1,0 +1,62 @@
+/* light_sum.h - what a place takes, as a sum over what gives light: a row of the system of
+ * equations.
+ *
+ * Sky and whatever outside is fixed beforehand are numbers; what elements and places
+ * outside give off is to be found, and stands here by a weight, its form factor times what
+ * lets it through. Everything is told by the component that it is to the place.
+ */
+#ifndef PP_SIMULATE_RESEARCH_RADIOSITY_LIGHT_SUM_H
+#define PP_SIMULATE_RESEARCH_RADIOSITY_LIGHT_SUM_H
+
+#include "pepperpot.h"
+#include "simulate/research/radiosity/element_tree.h"
+
+enum { PP_LIGHT_PARTS = 3 }; /* PP_SC, PP_ERC, PP_IRC */
+
+struct pp_light_term {
+    int source; /* an element; or -1 - i: place outside i (outside_cells.h) */
+    enum pp_component part;
+    double weight;
+};
+
+/* A place outside that is to become a term. */
+struct pp_outside_hit {
+    int side; /* of the facets; -1: the ground */
+    struct pp_vec3 point;
+    enum pp_component part;
+    double weight;
+};
+
+struct pp_light_sum {
+    double fixed[PP_LIGHT_PARTS];
+    struct pp_light_term *terms;
+    int term_count, term_room;
+    struct pp_outside_hit *hits;
+    int hit_count, hit_room;
+    bool failed; /* memory was out: the sum is not whole */
+};
+
+void pp_light_sum_clear(struct pp_light_sum *sum); /* leaves the empty one */
+
+void pp_light_sum_add(struct pp_light_sum *sum, int source, enum pp_component part,
+                      double weight);
+void pp_light_sum_hit(struct pp_light_sum *sum, int side, struct pp_vec3 point,
+                      enum pp_component part, double weight);
+
+/* Where a sum has come to: what is added later can be weighted together. */
+struct pp_light_mark {
+    double fixed[PP_LIGHT_PARTS];
+    int term_count, hit_count;
+};
+
+struct pp_light_mark pp_light_sum_mark(const struct pp_light_sum *sum);
+
+/* Multiplies all that was added between the two marks, which have nothing fixed between
+ * them that was not added there; 0 takes it away. */
+void pp_light_sum_scale(struct pp_light_sum *sum, const struct pp_light_mark *from,
+                        const struct pp_light_mark *to, double factor);
+
+/* Drops terms and hits of no weight. */
+void pp_light_sum_tidy(struct pp_light_sum *sum);
+
+#endif

@@ -1,0 +1,291 @@
+/* opening_light.c - cells of panes, divided where they disagree with their parts. */
+#include "simulate/research/radiosity/opening_light.h"
+
+#include <math.h>
+
+#include "model/geometry/clip.h"
+#include "model/geometry/convex_parts.h"
+#include "simulate/research/radiosity/form_factor.h"
+
+enum {
+    DEEPEST = 9, /* divisions that share out a cell's light */
+    NEAREST =
+        48, /* and divisions at all: a point 1e-14 times a pane's size before it */
+};
+
+/* Light below this share of Eh need not be told apart: a fifth of what the tracer stops
+ * at. */
+static const double UNTOLD = 4e-6;
+
+/* Corners are looked at by this much nearer to the middle of their cell. */
+static const double WITHIN = 0.96;
+/* The share of a part that an edge seen at its corner alone may have of it, about. */
+static const double CORNER = 0.25;
+
+struct looking {
+    const struct pp_light_room *room;
+    struct pp_element_view *view;
+    const struct pp_taker *taker;
+    const struct pp_opening_light_accuracy *accuracy;
+    struct pp_light_sum *sum;
+    int pane;             /* its facet */
+    bool through_opening; /* is the pane seen through its opening's edges alone? */
+    double tolerance;     /* of a pane's light */
+};
+
+/* A cell with the light along the ray to its middle, and where that stands in the sum. */
+struct cell {
+    const struct pp_vec3 *corners;
+    int count;
+    double factor, light;
+    struct pp_vec3 middle;
+    bool seen; /* is the middle? */
+    struct pp_light_mark from, to;
+};
+
+/* Adds the light along the ray through a point of the pane, or what that mirrors. */
+static void add_ray(const struct looking *l, struct pp_vec3 point, bool mirrored,
+                    double weight)
+{
+    const struct pp_facet *pane = &l->room->facets->list[l->pane];
+    struct pp_vec3 to = pp_vec_unit(pp_vec_sub(point, l->taker->point));
+    double cosine = fmin(fabs(pp_vec_dot(pane->normal, to)), 1.0);
+    struct pp_light_ray_start on = {point, to, l->pane, mirrored};
+    weight *=
+        mirrored ? pp_facet_mirrored(pane, cosine) : pp_facet_straight(pane, cosine);
+    if (mirrored)
+        on.to = pp_vec_mirrored(to, pane->normal);
+    if (weight > 0.0)
+        pp_light_ray_follow(l->room, &on, weight, mirrored ? PP_IRC : PP_DF, l->sum);
+}
+
+/* Middle of the part above the receiver's horizon. */
+static struct pp_vec3 middle_above(const struct looking *l, const struct cell *cell)
+{
+    struct pp_vec3 above[PP_FORM_FACTOR_MOST + 1];
+    int count = pp_clip_convex(above, cell->corners, cell->count, l->taker->normal,
+                               pp_vec_dot(l->taker->normal, l->taker->point));
+    return pp_element_tree_middle(above, count, NULL);
+}
+
+static void add_cell_light(const struct looking *l, struct cell *cell)
+{
+    cell->factor =
+        pp_form_factor(l->taker->point, l->taker->normal, cell->corners, cell->count);
+    cell->light = 0.0;
+    cell->from = cell->to = pp_light_sum_mark(l->sum);
+    if (!(cell->factor > 0.0))
+        return;
+    cell->middle = middle_above(l, cell);
+    cell->seen = pp_element_sight_shows(l->view, cell->middle);
+    if (cell->seen)
+        add_ray(l, cell->middle, false, 1.0);
+    cell->light = pp_light_ray_guess(l->room, l->sum, &cell->from);
+    cell->to = pp_light_sum_mark(l->sum);
+}
+
+/* Does the light at the corners of a cell, too, agree with its parts'? Where something
+ * hides an edge of it, their middles may miss that. */
+static bool corners_agree(const struct looking *l, const struct cell *cell,
+                          const struct cell *parts, int count, double tolerance)
+{
+    struct pp_vec3 middle = pp_element_tree_middle(cell->corners, cell->count, NULL);
+    for (int i = 0; i < cell->count; i++) {
+        struct pp_vec3 corner =
+            pp_vec_along(middle, WITHIN, pp_vec_sub(cell->corners[i], middle));
+        const struct cell *nearest = NULL;
+        double least = INFINITY;
+        for (int k = 0; k < count; k++) {
+            double off = pp_vec_length(pp_vec_sub(parts[k].middle, corner));
+            if (parts[k].factor > 0.0 && off < least) {
+                least = off;
+                nearest = &parts[k];
+            }
+        }
+        if (!nearest
+            || pp_vec_dot(l->taker->normal, pp_vec_sub(corner, l->taker->point)) <= 0.0)
+            continue;
+        struct pp_light_mark from = pp_light_sum_mark(l->sum), to;
+        if (pp_element_sight_shows(l->view, corner))
+            add_ray(l, corner, false, 1.0);
+        double light = pp_light_ray_guess(l->room, l->sum, &from);
+        to = pp_light_sum_mark(l->sum);
+        pp_light_sum_scale(l->sum, &from, &to, 0.0);
+        if (fabs(light - nearest->light) * nearest->factor * CORNER > tolerance)
+            return false;
+    }
+    return true;
+}
+
+/* Does the part have most of what its cell has, and too much to stand for it? So it is
+ * near the taker, as long as the cell is larger than its distance: dividing it has come
+ * nearer to the taker, and has not shared out its light. */
+static bool is_nearest(const struct looking *l, const struct cell *cell,
+                       const struct cell *part)
+{
+    return part->factor > 0.5 * cell->factor && part->factor > l->accuracy->most_factor;
+}
+
+/* The cell's parts in its place, as deep as it takes: `depth` divisions have shared out
+ * light, of `divisions` in all. Returns the light. */
+static double divide_cell(const struct looking *l, const struct cell *cell, int depth,
+                          int divisions, double tolerance)
+{
+    struct pp_element_parts cut;
+    struct cell parts[PP_ELEMENT_PARTS];
+    double sum = 0.0, most = 0.0;
+    pp_element_tree_cut(&cut, &l->room->facets->list[l->pane], cell->corners,
+                        cell->count);
+    int count = cut.count;
+    for (int i = 0; i < count; i++) {
+        parts[i] = (struct cell){.corners = cut.corners[i], .count = cut.counts[i]};
+        add_cell_light(l, &parts[i]);
+        sum += parts[i].factor * parts[i].light;
+        most = fmax(most, parts[i].factor);
+    }
+    bool enough = depth >= l->accuracy->least_depth && most <= l->accuracy->most_factor
+                  && (isinf(tolerance)
+                      || (fabs(sum - cell->factor * cell->light) <= tolerance
+                          && corners_agree(l, cell, parts, count, tolerance)));
+    if (!enough && depth < DEEPEST && divisions < NEAREST) {
+        double light = 0.0;
+        for (int i = 0; i < count; i++) {
+            bool near = is_nearest(l, cell, &parts[i]);
+            pp_light_sum_scale(l->sum, &parts[i].from, &parts[i].to, 0.0);
+            if (parts[i].factor > 0.0)
+                light +=
+                    divide_cell(l, &parts[i], near ? depth : depth + 1, divisions + 1,
+                                near ? tolerance : l->accuracy->stricter * tolerance);
+        }
+        return light;
+    }
+    for (int i = 0; i < count; i++) {
+        pp_light_sum_scale(l->sum, &parts[i].from, &parts[i].to, parts[i].factor);
+        if (parts[i].seen)
+            add_ray(l, parts[i].middle, true, parts[i].factor);
+    }
+    return sum;
+}
+
+/* Clips a convex piece of a pane, exactly, to the part visible through the pane's opening
+ * in its face: between the planes through the receiver and the opening's edges. Returns
+ * its corners. */
+static int through_opening(const struct looking *l, const struct pp_piece *piece,
+                           struct pp_vec3 seen[2][PP_FORM_FACTOR_MOST + 1],
+                           const struct pp_vec3 **corners)
+{
+    const struct pp_facets *facets = l->room->facets;
+    const struct pp_polygon *inner = &facets->list[l->pane].opening->inner;
+    int count = piece->count;
+    *corners = &facets->corners[piece->first_corner];
+    if (!l->through_opening)
+        return count;
+    for (int i = 0; count >= 3 && i < inner->count; i++) {
+        struct pp_vec3 a = pp_vec_sub(inner->vertices[i], l->taker->point);
+        struct pp_vec3 b = pp_vec_sub(inner->vertices[i + 1 < inner->count ? i + 1 : 0],
+                                      l->taker->point);
+        /* Seen against its normal the opening runs counter-clockwise. */
+        struct pp_vec3 in = pp_vec_cross(b, a);
+        double length = pp_vec_length(in);
+        if (!(length > 0.0))
+            continue;
+        in = pp_vec_scale(in, 1.0 / length);
+        count = pp_clip_convex(seen[i % 2], *corners, count, in,
+                               pp_vec_dot(in, l->taker->point));
+        *corners = seen[i % 2];
+    }
+    return count;
+}
+
+static double add_pane(const struct looking *l)
+{
+    const struct pp_facets *facets = l->room->facets;
+    const struct pp_facet *pane = &facets->list[l->pane];
+    struct pp_vec3 seen[2][PP_FORM_FACTOR_MOST + 1];
+    double light = 0.0;
+    for (int i = 0; i < pane->piece_count; i++) {
+        const struct pp_piece *piece = &facets->pieces[pane->first_piece + i];
+        struct cell cell = {.factor = 0.0};
+        cell.count = through_opening(l, piece, seen, &cell.corners);
+        if (cell.count < 3)
+            continue;
+        cell.factor =
+            pp_form_factor(l->taker->point, l->taker->normal, cell.corners, cell.count);
+        cell.light = NAN; /* its parts never agree with that: */
+        if (cell.factor > 0.0)
+            light += divide_cell(l, &cell, 0, 0, l->tolerance);
+    }
+    return light;
+}
+
+/* Is the taker before the pane, on the side of the room? */
+static bool faces(const struct looking *l)
+{
+    const struct pp_facet *pane = &l->room->facets->list[l->pane];
+    return l->taker->facet != l->pane && pp_facet_height(pane, l->taker->point) > 0.0;
+}
+
+/* A part of the opening's face or of its reveal? */
+static bool is_round(const struct pp_facets *facets, const struct pp_opening *opening,
+                     int facet)
+{
+    const struct pp_world *world = facets->world;
+    if (facet == opening->face || facet >= world->surface_count)
+        return facet == opening->face;
+    const struct pp_surface *surface = &world->surfaces[facet];
+    return (surface->role == PP_REVEAL && surface->owner == opening - world->openings)
+           || (surface->role == PP_COVER && surface->owner == opening->face);
+}
+
+/* Where the taker stands before the face, the opening's edges hide what its face and its
+ * reveal may hide, which are no blockers then. */
+static void look_through(struct looking *l)
+{
+    struct pp_element_view *view = l->view;
+    const struct pp_facets *facets = l->room->facets;
+    const struct pp_opening *opening = facets->list[l->pane].opening;
+    int left = 0;
+    l->through_opening =
+        view->blocker_count > 0 && opening->inner.count <= PP_FORM_FACTOR_MOST / 4
+        && pp_convex_parts_is_convex(&opening->inner)
+        && pp_facet_height(&facets->list[opening->face], l->taker->point) > 1e-9;
+    if (!l->through_opening)
+        return;
+    for (int i = 0; i < view->blocker_count; i++)
+        if (!is_round(facets, opening, view->blockers[i]))
+            view->blockers[left++] = view->blockers[i];
+    view->blocker_count = left;
+}
+
+void pp_opening_light_add(const struct pp_light_room *room,
+                          const struct pp_taker *taker,
+                          const struct pp_opening_light_accuracy *accuracy,
+                          struct pp_light_sum *sum)
+{
+    struct pp_element_view view;
+    struct pp_light_sum rough = {.failed = false};
+    struct pp_opening_light_accuracy first = {INFINITY, INFINITY, 0, 1.0};
+    double light = 0.0;
+    bool looks = pp_element_sight_view_init(&view, room->sight, taker->point);
+    sum->failed |= !looks;
+    for (int pass = 0; looks && pass < 2; pass++)
+        for (int i = 0; i < room->sight->count; i++) {
+            const struct pp_facet *facet = &room->facets->list[room->sight->inside[i]];
+            struct looking l = {.room = room,
+                                .view = &view,
+                                .taker = taker,
+                                .accuracy = pass ? accuracy : &first,
+                                .sum = pass ? sum : &rough,
+                                .pane = room->sight->inside[i]};
+            if (!facet->clear || !faces(&l))
+                continue;
+            pp_element_sight_look_at(&view, i);
+            look_through(&l);
+            l.tolerance = pass ? accuracy->error * fmax(light, UNTOLD) : INFINITY;
+            double found = add_pane(&l);
+            light += pass ? 0.0 : found;
+        }
+    sum->failed |= rough.failed;
+    pp_light_sum_clear(&rough);
+    pp_element_sight_view_clear(&view);
+}

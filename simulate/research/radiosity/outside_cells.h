@@ -1,0 +1,59 @@
+/* outside_cells.h - the places outside whose light comes into the room: surfaces, the
+ * outside of its own walls, and the ground, in cells of even radiosity.
+ *
+ * Cells exist only where a ray has come: each surface is ruled into squares that grow with
+ * the distance from the room, and the first few places met within a square are where its
+ * light is gathered, from as many directions over the hemisphere as asked. These again
+ * come to cells, which are added in their turn, until no new one is met.
+ */
+#ifndef PP_SIMULATE_RESEARCH_RADIOSITY_OUTSIDE_CELLS_H
+#define PP_SIMULATE_RESEARCH_RADIOSITY_OUTSIDE_CELLS_H
+
+#include "model/base/thread_pool.h"
+#include "simulate/research/radiosity/light_ray.h"
+
+enum { PP_OUTSIDE_CELL_PLACES = 4 };
+
+struct pp_outside_cell {
+    int side; /* of the facets; -1: the ground */
+    int level;
+    long long column, row; /* of its square, of 2^level times the least width */
+    struct pp_vec3 places[PP_OUTSIDE_CELL_PLACES];
+    int place_count;
+    double reflectance, exitance;
+    double radiosity;
+    struct pp_light_sum taken;
+};
+
+struct pp_outside_cells {
+    struct pp_outside_cell *list;
+    int count, room;
+    int *slots; /* of a hash table: cells, -1: empty */
+    int slot_count;
+    int gathered;   /* cells from here on have not gathered yet */
+    double size_m;  /* of the room, above 0 */
+    double width;   /* of the squares as far as that from its middle, over size_m */
+    int directions; /* from each cell */
+};
+
+void pp_outside_cells_clear(struct pp_outside_cells *cells);
+
+/* Turns the sum's hits into terms, with new cells where there are none. */
+enum pp_status pp_outside_cells_resolve(struct pp_outside_cells *cells,
+                                        const struct pp_light_room *room,
+                                        struct pp_light_sum *sum, struct pp_error *err);
+
+/* All cells gather that have not, and those that they come to. */
+enum pp_status pp_outside_cells_gather(struct pp_outside_cells *cells,
+                                       const struct pp_light_room *room,
+                                       struct pp_thread_pool *pool,
+                                       struct pp_error *err);
+
+/* Gathers light at a place outdoors from `directions` directions; `turn` sets them off
+ * from those of others. part as in light_ray.h. */
+void pp_outside_cells_hemisphere(const struct pp_light_room *room,
+                                 const struct pp_light_ray_start *place, int directions,
+                                 unsigned turn, double weight, enum pp_component part,
+                                 struct pp_light_sum *sum);
+
+#endif

@@ -1,0 +1,23 @@
+/* plane_points.h - points of a room's working plane that stand for equal or known areas of
+ * it: one in each of many squares, no two in line with a wall (a partition or the edge of
+ * a shadow would cover or miss them together), and the middles of the triangles that
+ * fill squares cut by its edge. */
+#ifndef PP_SIMULATE_RESEARCH_RADIOSITY_PLANE_POINTS_H
+#define PP_SIMULATE_RESEARCH_RADIOSITY_PLANE_POINTS_H
+
+#include "model/room/world.h"
+
+struct pp_plane_points {
+    struct pp_vec3 *list;
+    double *shares; /* of the plane's area: 1 together */
+    int count;
+};
+
+/* About `wanted` points; none where there is no plane. The points are the caller's to
+ * clear. */
+enum pp_status pp_plane_points_of(struct pp_plane_points *points,
+                                  const struct pp_world *world, int wanted,
+                                  struct pp_error *err);
+void pp_plane_points_clear(struct pp_plane_points *points);
+
+#endif

@@ -1,0 +1,73 @@
+/* radiosity.h - daylight factors of a room by finite elements: radiosity, as SuperLite,
+ * Lumen Micro and Lightscape worked it, without random numbers.
+ *
+ * The room's surfaces are divided into elements of even radiosity, finer where the light
+ * changes (element_tree.h, element_light.h); what comes in by the openings, and what places
+ * outside give off, is summed over cells (opening_light.h, outside_cells.h); the
+ * equations are solved for all bounces (radiosity_system.h), and the points gather as the elements
+ * do. It shares the world with the path tracer, and nothing else: rays, form factors,
+ * sky and ground outdoors are its own.
+ *
+ * Everything is done in levels, each with smaller elements, more cells and more
+ * directions. What the last level has changed is the measure of what is still wrong: an
+ * error is stated that the truth keeps in 19 of 20 readings.
+ *
+ * The caller holds the loop, as with the tracer: create, then advance until done. The
+ * answer depends on world, light, receivers and the wanted error alone, to the bit.
+ */
+#ifndef PP_SIMULATE_RESEARCH_RADIOSITY_RADIOSITY_H
+#define PP_SIMULATE_RESEARCH_RADIOSITY_RADIOSITY_H
+
+#include <stdbool.h>
+
+#include "model/base/error.h"
+#include "model/light/outside_light.h"
+#include "model/results/reading.h"
+#include "model/room/world.h"
+
+struct pp_radiosity_options {
+    double error; /* wanted error over the daylight factor, at every point; never under
+                   * 0.00002 of Eh. 0: two levels */
+    int threads;  /* 0: as many as the machine has processors */
+};
+
+struct pp_radiosity;
+
+/* The receivers are in the room, or in the open where the world has no room. Copies the
+ * receivers; the world must live as long. */
+enum pp_status pp_radiosity_create(struct pp_radiosity **radiosity,
+                                   const struct pp_world *world,
+                                   const struct pp_outside_light *light,
+                                   const struct pp_receiver *receivers,
+                                   int receiver_count,
+                                   const struct pp_radiosity_options *options,
+                                   struct pp_error *err);
+
+/* One level more. */
+enum pp_status pp_radiosity_advance(struct pp_radiosity *radiosity,
+                                    struct pp_error *err);
+bool pp_radiosity_done(const struct pp_radiosity *radiosity);
+
+/* The share of the work that is done, 0 to 1, about. */
+double pp_radiosity_progress(const struct pp_radiosity *radiosity);
+
+/* The largest error over daylight factor of any point so far; NAN before it is known. */
+double pp_radiosity_error(const struct pp_radiosity *radiosity);
+
+/* The readings so far of receiver `index`, or of the average over the working plane for
+ * index -1: readings[PP_SC] ... readings[PP_DF]. */
+void pp_radiosity_read(const struct pp_radiosity *radiosity, int index,
+                       struct pp_reading readings[PP_COMPONENT_COUNT]);
+
+/* Present size of the system. */
+struct pp_radiosity_size {
+    int level;             /* how many are done */
+    int elements, divided; /* undivided and divided ones */
+    int cells;             /* outside */
+    long long terms;       /* form factors in the equations */
+};
+struct pp_radiosity_size pp_radiosity_size(const struct pp_radiosity *radiosity);
+
+void pp_radiosity_destroy(struct pp_radiosity *radiosity); /* NULL is allowed */
+
+#endif

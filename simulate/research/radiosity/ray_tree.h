@@ -1,0 +1,31 @@
+/* ray_tree.h - the first triangle that a ray meets, in double precision: a bounding
+ * volume hierarchy.
+ *
+ * Built once and only read afterwards, by any number of threads.
+ */
+#ifndef PP_SIMULATE_RESEARCH_RADIOSITY_RAY_TREE_H
+#define PP_SIMULATE_RESEARCH_RADIOSITY_RAY_TREE_H
+
+#include "model/base/error.h"
+#include "model/geometry/vec.h"
+
+struct pp_ray_triangle {
+    struct pp_vec3 corners[3];
+    int owner; /* what the caller knows it by */
+};
+
+struct pp_ray_tree;
+
+/* Copies the triangles; none is allowed. On success *tree is the caller's. */
+enum pp_status pp_ray_tree_create(struct pp_ray_tree **tree,
+                                  const struct pp_ray_triangle *triangles, int count,
+                                  struct pp_error *err);
+void pp_ray_tree_destroy(struct pp_ray_tree *tree); /* NULL is allowed */
+
+/* The owner of the first triangle, from either side, along the ray from `from` towards
+ * `to` (unit), but for those of `but` (-1: all count), with its distance; -1 and INFINITY
+ * if there is none. */
+int pp_ray_tree_first(const struct pp_ray_tree *tree, struct pp_vec3 from,
+                      struct pp_vec3 to, int but, double *distance);
+
+#endif

@@ -1,0 +1,62 @@
+/* atlas_columns.h - what stands in a row of the atlas, in which order, under which name.
+ *
+ *     room, point              indices from 0; the last row of a room has the point -1 and
+ *                              is of the average over its working plane
+ *     x, y                     m; empty for the average
+ *     features                 room_features.h, under their names there
+ *     true.C, se.C             traced component C (sc, erc, irc, df) of the room as it is,
+ *                              and its standard error
+ *     C.METHOD                 what a method or a pair says: "df.exact+bre"
+ *     own.df.METHOD            traced in the world that the method calculates in
+ *                              (studies/research/validation/own_world.h), of daylight factors only
+ *
+ * Figures are in per cent of the open sky's horizontal illuminance, with five significant
+ * digits; where there is none the field is empty.
+ */
+#ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_COLUMNS_H
+#define PP_STUDIES_RESEARCH_ATLAS_ATLAS_COLUMNS_H
+
+#include <stdio.h>
+
+#include "model/results/report.h"
+
+enum { PP_ATLAS_NAME = 64 }; /* bytes of a column's name at most */
+
+/* The columns that reports have: of a method, and of its own world. */
+struct pp_atlas_columns {
+    int count;
+    struct pp_atlas_method {
+        enum pp_component component;
+        char name[48];
+    } * methods;
+};
+
+/* Columns of that report, which they do not refer to. On success to be cleared. */
+enum pp_status pp_atlas_columns_of(struct pp_atlas_columns *columns,
+                                   const struct pp_report *report,
+                                   struct pp_error *err);
+void pp_atlas_columns_clear(struct pp_atlas_columns *columns);
+
+/* The line of names, with its end. */
+void pp_atlas_columns_print_names(const struct pp_atlas_columns *columns, FILE *out);
+
+/* Traced values of a row: fractions, NAN where there is none. */
+struct pp_atlas_truth {
+    double value[PP_COMPONENT_COUNT], std_error[PP_COMPONENT_COUNT]; /* the room's */
+    double *
+        own; /* one for each of the columns, of which those of daylight factors count */
+};
+
+/* Where a room's rows have their truth from: fills it for a point, or for the average for
+ * -1. */
+typedef void pp_atlas_truth_of(const void *data, int point,
+                               struct pp_atlas_truth *truth);
+
+/* All rows of a room that the methods have been asked about. */
+enum pp_status pp_atlas_columns_print_room(const struct pp_atlas_columns *columns,
+                                           int room, const struct pp_report *report,
+                                           pp_atlas_truth_of *truth_of,
+                                           const void *data, FILE *out,
+                                           struct pp_error *err);
+
+#endif

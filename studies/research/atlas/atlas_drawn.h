@@ -1,0 +1,33 @@
+/* atlas_drawn.h - a room of the sweep as it comes from the drawing board: read, and every
+ * hand method asked. Nothing of it is traced.
+ */
+#ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_DRAWN_H
+#define PP_STUDIES_RESEARCH_ATLAS_ATLAS_DRAWN_H
+
+#include "model/results/report.h"
+#include "studies/research/atlas/atlas_design.h"
+#include "studies/study_options.h"
+#include "studies/study_room.h"
+
+/* Settings for tracing the rooms. */
+struct pp_atlas_trace {
+    double error; /* wanted standard error over daylight factor, at every point */
+    uint64_t seed;
+};
+
+struct pp_atlas_drawn {
+    struct pp_building *building;
+    struct pp_study_room room;
+    struct pp_study_options options; /* by one thread; the room's own seed */
+    struct pp_report report;         /* of all methods */
+};
+
+/* Room `index` of the sweep. To be cleared in any case. A room that makes no sense is
+ * PP_BAD_INPUT, which says why; no room of the sweep is. */
+enum pp_status pp_atlas_drawn_room(struct pp_atlas_drawn *drawn,
+                                   const struct pp_atlas_design *design, int index,
+                                   const struct pp_atlas_trace *trace,
+                                   struct pp_error *err);
+void pp_atlas_drawn_clear(struct pp_atlas_drawn *drawn);
+
+#endif

@@ -1,0 +1,94 @@
+/* atlas_layout.h - a room of the sweep while it is laid out, and the numbers that it takes
+ * from the sequence. Inside studies/research/atlas/ only.
+ */
+#ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_LAYOUT_H
+#define PP_STUDIES_RESEARCH_ATLAS_ATLAS_LAYOUT_H
+
+#include <math.h>
+
+#include "model/base/text.h"
+#include "studies/research/atlas/atlas_design.h"
+#include "studies/research/atlas/atlas_ranges.h"
+
+/* The groups of coordinates that a room takes, six each; a point takes two of its own. */
+enum pp_atlas_group {
+    PP_ATLAS_SHAPE,
+    PP_ATLAS_FINISHES,
+    PP_ATLAS_OPENINGS,
+    PP_ATLAS_WALL_1,
+    PP_ATLAS_WALL_2,
+    PP_ATLAS_ROOF,
+    PP_ATLAS_OUTSIDE,
+    PP_ATLAS_PLACE,
+    PP_ATLAS_SKY,
+    PP_ATLAS_POINT
+};
+
+enum pp_atlas_wall {
+    PP_ATLAS_SOUTH,
+    PP_ATLAS_EAST,
+    PP_ATLAS_NORTH,
+    PP_ATLAS_WEST,
+    PP_ATLAS_WALLS
+};
+
+/* A room that is being laid out. Lengths in m; the south wall lies along y = 0. */
+struct pp_atlas_layout {
+    const struct pp_atlas_design *design;
+    uint32_t index;
+    const struct pp_atlas_ranges *ranges;
+    char *xml;
+
+    enum pp_atlas_roof roof;
+    double width, depth;
+    double eaves;  /* height of the walls; of the lowest one under slopes */
+    double slope;  /* rise of the ceiling over a metre */
+    double plane;  /* height of the working plane */
+    double ground; /* z of the ground outside */
+    double lowest[PP_ATLAS_WALLS]; /* height that a window has in that wall */
+    double head;                   /* of the highest window in the south wall */
+};
+
+static inline void pp_atlas_draw(const struct pp_atlas_layout *room,
+                                 enum pp_atlas_group group, double u[6])
+{
+    pp_sobol_sequence_draw(&room->design->sequence, room->index, group, 6, u);
+}
+
+static inline double pp_between(double low, double high, double u)
+{
+    return low + (high - low) * u;
+}
+
+/* Evenly in the logarithm. */
+static inline double pp_scaled(double low, double high, double u)
+{
+    return low * pow(high / low, u);
+}
+
+static inline double pp_between_ends(const double ends[2], double u)
+{
+    return pp_between(ends[0], ends[1], u);
+}
+
+static inline double pp_scaled_ends(const double ends[2], double u)
+{
+    return pp_scaled(ends[0], ends[1], u);
+}
+
+/* Chooses one of several, with these shares of 1; u is left as a number in (0, 1) of its
+ * own. */
+static inline int pp_one_of(const double *shares, int count, double *u)
+{
+    int chosen = 0;
+    while (chosen < count - 1 && *u >= shares[chosen])
+        *u -= shares[chosen++];
+    *u /= shares[chosen];
+    return chosen;
+}
+
+#define PP_ONE_OF(shares, u) pp_one_of(shares, sizeof shares / sizeof shares[0], u)
+
+#define PP_SAY(room, ...) pp_text_append((room)->xml, PP_ATLAS_XML, __VA_ARGS__)
+
+#endif

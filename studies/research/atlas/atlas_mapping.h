@@ -1,0 +1,31 @@
+/* atlas_mapping.h - maps of a method's error, made from the table of an atlas. */
+#ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_MAPPING_H
+#define PP_STUDIES_RESEARCH_ATLAS_ATLAS_MAPPING_H
+
+#include "model/results/atlas_map.h"
+#include "studies/research/atlas/atlas_table.h"
+
+/* Quantity that maps are of. */
+enum pp_atlas_mapping_kind {
+    PP_MAP_DEPTH,       /* depth of the point, and proportion of the room */
+    PP_MAP_ERC,         /* share of the externally reflected in the direct component */
+    PP_MAP_GROUND,      /* reflectance of the ground */
+    PP_MAP_REFLECTANCE, /* mean reflectance inside */
+    PP_MAP_OBSTRUCTION, /* angle of what stands outside */
+    PP_MAP_KINDS,
+};
+
+/* "depth", "erc", "ground", "reflectance", "obstruction". */
+extern const char *const pp_atlas_mapping_names[PP_MAP_KINDS];
+
+/* The map of a method ("exact+bre", of its daylight factor, or of the one component that it
+ * gives) or of a column ("erc.exact"): at points, or of averages where the method gives
+ * nothing else. A ratio counts where the standard error of the truth is at most a tenth of
+ * it; a room's points in a class count together as one. The map refers to the table.
+ * PP_BAD_INPUT: the table has no such method, or nothing to map by. */
+enum pp_status pp_atlas_mapping_of(struct pp_atlas_map *map,
+                                   const struct pp_atlas_table *table,
+                                   enum pp_atlas_mapping_kind kind, const char *method,
+                                   struct pp_error *err);
+
+#endif

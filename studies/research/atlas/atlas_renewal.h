@@ -1,0 +1,27 @@
+/* atlas_renewal.h - a room of an atlas that is there, with what the methods say today: what
+ * was traced stays.
+ *
+ * A method that the file does not know yet takes the truth of its own world from one that
+ * calculates in the same.
+ */
+#ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_RENEWAL_H
+#define PP_STUDIES_RESEARCH_ATLAS_ATLAS_RENEWAL_H
+
+#include "studies/research/atlas/atlas_columns.h"
+#include "studies/research/atlas/atlas_drawn.h"
+#include "studies/research/atlas/atlas_table.h"
+
+/* Number of whole rooms in the table; PP_BAD_INPUT where its rows are not those of such a
+ * sweep, one room after another. */
+enum pp_status pp_atlas_renewal_rooms(int *rooms, const struct pp_atlas_table *table,
+                                      struct pp_error *err);
+
+/* The rows of room `index` anew: *rows is the caller's to free. PP_BAD_INPUT where the
+ * points of the table are not the room's. */
+enum pp_status pp_atlas_renewal_rows(char **rows, size_t *length,
+                                     const struct pp_atlas_columns *columns,
+                                     const struct pp_atlas_design *design,
+                                     const struct pp_atlas_table *table, int index,
+                                     struct pp_error *err);
+
+#endif

@@ -1,0 +1,25 @@
+/* atlas_room.h - one room of the atlas worked out: every hand method, the light that each
+ * has in mind, and the room as it is.
+ */
+#ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_ROOM_H
+#define PP_STUDIES_RESEARCH_ATLAS_ATLAS_ROOM_H
+
+#include <stdint.h>
+
+#include "studies/research/atlas/atlas_columns.h"
+#include "studies/research/atlas/atlas_drawn.h"
+
+/* The columns that every room of the sweep has. */
+enum pp_status pp_atlas_room_columns(struct pp_atlas_columns *columns,
+                                     const struct pp_atlas_design *design,
+                                     struct pp_error *err);
+
+/* The rows of room `index`, by one thread: *rows is the caller's to free. They depend on
+ * nothing else than what is given here. */
+enum pp_status pp_atlas_room_rows(char **rows, size_t *length,
+                                  const struct pp_atlas_columns *columns,
+                                  const struct pp_atlas_design *design, int index,
+                                  const struct pp_atlas_trace *trace,
+                                  struct pp_error *err);
+
+#endif

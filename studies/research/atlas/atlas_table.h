@@ -1,0 +1,44 @@
+/* atlas_table.h - a file of the atlas in memory: named columns of numbers.
+ *
+ * The file is CSV: lines of comments (#), of which "# sky iso, ..." says that the rooms are
+ * under the skies of ISO 15469, a line of names, rows of numbers, of which an
+ * empty one is NAN. It may be written on while it is read, and has been cut off where it
+ * was: a last line without an end is left out, and so are the rows of a last room whose
+ * average, the row of point -1, is not there yet.
+ */
+#ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_TABLE_H
+#define PP_STUDIES_RESEARCH_ATLAS_ATLAS_TABLE_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "model/base/error.h"
+
+struct pp_atlas_table {
+    char **names;
+    int column_count, row_count;
+    double *values;  /* row after row */
+    int room, point; /* columns of these names */
+    bool iso;        /* rooms under the skies of ISO 15469, not the overcast one */
+    char *text;      /* that the names are in */
+};
+
+/* PP_BAD_INPUT says "FILE:LINE: what is wrong". To be cleared in any case. */
+enum pp_status pp_atlas_table_read(struct pp_atlas_table *table, const char *path,
+                                   struct pp_error *err);
+void pp_atlas_table_clear(struct pp_atlas_table *table);
+
+/* The column of that name, or -1. */
+int pp_atlas_table_find(const struct pp_atlas_table *table, const char *name);
+
+/* NAN of column -1. */
+static inline double pp_atlas_table_value(const struct pp_atlas_table *table, int row,
+                                          int column)
+{
+    return column < 0 ? NAN
+                      : table->values[(size_t)row * (size_t)table->column_count
+                                      + (size_t)column];
+}
+
+#endif

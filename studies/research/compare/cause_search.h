@@ -1,0 +1,68 @@
+/* cause_search.h - which causes together explain a difference: the search over their sets.
+ *
+ * Of all sets of up to three causes, no two of a kind, each has the probability
+ *
+ *     P(set) ~ density of the gap by (1) of likelihood.h x product over kinds
+ *
+ * where a kind is at work with a probability of 0.12 beforehand (a common factor of 0.4),
+ * each of its causes as likely as the next: of two sets that explain as much the
+ * smaller is the likelier, by seven times and more.
+ *
+ * What a set does is traced; but not of all. Causes are traced one by one; what several
+ * do together is at first taken as the sum, in logarithms, of what they do alone and, where
+ * pairs have been traced, of what these do beyond that. A set that may be among the likely
+ * ones is traced before it is believed; those that never were are left out.
+ *
+ * A set with a cause whose value is fitted, of which there is one, is traced with both
+ * ends of the range and its middle; a parabola through these has the values between. The
+ * value is the one that leaves least squares; its
+ * prior is even over the range, by Laplace's approximation: sqrt(2 pi) times the value's
+ * standard error, over the range.
+ */
+#ifndef PP_STUDIES_RESEARCH_COMPARE_CAUSE_SEARCH_H
+#define PP_STUDIES_RESEARCH_COMPARE_CAUSE_SEARCH_H
+
+#include <stdbool.h>
+
+#include "studies/research/compare/causes.h"
+#include "studies/research/compare/likelihood.h"
+
+enum { PP_CAUSE_SEARCH_MOST = 3 };
+
+struct pp_cause_set {
+    int causes[PP_CAUSE_SEARCH_MOST]; /* by their place in the list, ascending */
+    int count;
+    double value; /* of its fitted cause */
+    double probability;
+    struct pp_likelihood likelihood; /* of what it leaves */
+};
+
+struct pp_cause_search_question {
+    struct pp_likelihood_data data;
+    const struct pp_cause *const *causes;
+    int cause_count;
+
+    /* Traces the effect of a set without a common factor: effect[i] and variance[i] of a
+     * pp_supposition. value: of its fitted cause. PP_BAD_INPUT: it makes no sense there. */
+    enum pp_status (*trace)(void *tracer, const int *causes, int count, double value,
+                            double *effect, double *variance, struct pp_error *err);
+    void *tracer;
+    int traced_most; /* sets of several that are traced, at most */
+};
+
+struct pp_cause_search {
+    struct pp_cause_set *sets; /* the likeliest first */
+    int count;
+    double probability[PP_CAUSES_MOST]; /* that a cause is at work */
+    /* Least root mean square (logarithm) that a traced set without the cause leaves. */
+    double without[PP_CAUSES_MOST];
+    bool is_cut; /* there were more sets to be traced than traced_most */
+};
+
+/* sets: those with a probability of at least 0.001. */
+enum pp_status pp_cause_search_find(struct pp_cause_search *found,
+                                    const struct pp_cause_search_question *question,
+                                    struct pp_error *err);
+void pp_cause_search_clear(struct pp_cause_search *found);
+
+#endif

@@ -1,0 +1,43 @@
+/* causes.h - what another program may have taken otherwise: the list, each a switch of
+ * ours that imitates it (room_variant.h), with its words for people.
+ *
+ * Causes of one kind exclude each other. A common factor has no value of its own: it is
+ * whatever fits best; so is the reflectance of the ground. */
+#ifndef PP_STUDIES_RESEARCH_COMPARE_CAUSES_H
+#define PP_STUDIES_RESEARCH_COMPARE_CAUSES_H
+
+#include "studies/research/compare/compare_subject.h"
+
+struct pp_cause {
+    const char *word;   /* "bounces=2"; "ground" where the value is fitted */
+    const char *kind;   /* those of one kind exclude each other */
+    const char *action; /* what the other program did, as a sentence's end */
+    const char *remedy; /* what to set right there */
+    bool is_factor;
+    bool is_alone; /* is there nothing left for others to do? */
+    /* Can it be told there at all? NULL: anywhere. */
+    bool (*applies)(const struct pp_compare_subject *subject);
+};
+
+enum { PP_CAUSES_MOST = 32 };
+
+/* Lists the causes that apply, in the order of the list; returns their number. */
+int pp_causes_of(const struct pp_cause *list[PP_CAUSES_MOST],
+                 const struct pp_compare_subject *subject);
+
+/* All of them; NULL behind the last. */
+const struct pp_cause *pp_causes_at(int index);
+
+/* Kinds of mistake that no cause imitates, as a sentence's parts; NULL behind the last. */
+const char *pp_causes_missing_at(int index);
+
+/* Has its switch a value that is fitted, a reflectance from 0 to PP_CAUSES_VALUE_MOST? */
+#define PP_CAUSES_VALUE_MOST 0.8
+bool pp_causes_is_fitted(const struct pp_cause *cause);
+
+/* Adds the cause's switch to those that are set; value: of a fitted one. Not of a factor. */
+enum pp_status pp_causes_set_variant(struct pp_room_variant *variant,
+                                     const struct pp_cause *cause, double value,
+                                     struct pp_error *err);
+
+#endif

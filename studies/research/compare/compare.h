@@ -1,0 +1,76 @@
+/* compare.h - another program's values beside ours, and where the difference comes from.
+ *
+ * Ours are traced once; then any number of other values at the same points can be
+ * explained. What causes do is traced when it is first wanted, and kept.
+ */
+#ifndef PP_STUDIES_RESEARCH_COMPARE_COMPARE_H
+#define PP_STUDIES_RESEARCH_COMPARE_COMPARE_H
+
+#include "studies/research/compare/cause_search.h"
+#include "studies/research/compare/compare_subject.h"
+#include "studies/research/compare/left_over.h"
+
+enum { PP_COMPARE_POINTS_MOST = 48, PP_COMPARE_LISTED_MOST = 6 };
+
+struct pp_compare_options {
+    struct pp_room_variant
+        variant; /* as ours are to be taken before causes are searched */
+    struct pp_variant_tracing tracing;
+    double noise;    /* of the other program (logarithm), as stated; 0: not known */
+    int traced_most; /* sets of several causes, of one explanation; 0: 40 */
+};
+
+/* Results of a comparison. Arrays have a value a point, fractions. */
+struct pp_compared {
+    int count;
+    const double *ours, *errors; /* not owned: the comparison's */
+    double *theirs;
+    double *explained; /* ours as the likeliest set has it */
+    struct pp_cause_search search;
+
+    /* The likeliest sets that together have 98 %, or as many as fit: search.sets[0] up. */
+    int listed;
+
+    double gap;               /* mean of theirs over ours, less 1; logarithmic mean */
+    double gap_rms;           /* root mean square of the gap, logarithms */
+    double left, left_rms;    /* the same once the likeliest set is taken in */
+    struct pp_left_over over; /* than the other program's noise */
+    /* Effects of the likeliest set's causes, averaged over orders: each one's effect on
+     * the mean (logarithm), and its share of the squares of the gap, all of which is 1. */
+    double effects[PP_CAUSE_SEARCH_MOST], shares[PP_CAUSE_SEARCH_MOST];
+    double factor; /* the common one, where the likeliest set has it; else 1 */
+};
+
+struct pp_compare;
+
+/* The subject's pointers must outlive the comparison. PP_BAD_INPUT where there are more
+ * points than PP_COMPARE_POINTS_MOST. */
+enum pp_status pp_compare_create(struct pp_compare **compare,
+                                 const struct pp_compare_subject *subject,
+                                 const struct pp_compare_options *options,
+                                 struct pp_error *err);
+void pp_compare_destroy(struct pp_compare *compare); /* NULL is allowed */
+
+int pp_compare_causes(const struct pp_compare *compare,
+                      const struct pp_cause *const **list);
+
+/* Ours, with their standard errors; the comparison's. */
+const double *pp_compare_ours(const struct pp_compare *compare, const double **errors);
+
+/* theirs: fractions, 0 up, one of them above 0. */
+enum pp_status pp_compare_explain(struct pp_compared *compared,
+                                  struct pp_compare *compare, const double *theirs,
+                                  struct pp_error *err);
+void pp_compare_clear(struct pp_compared *compared);
+
+/* Noise (logarithm) from which nothing is sure beside it; and as much has to be left
+ * without a cause that is sure: mistakes that are on no list, of reflectances or
+ * dimensions, do as much and decide between sets that are nearer to each other. */
+#define PP_COMPARE_HIDES 0.05
+
+/* Is the cause, by its place in the list, at work for sure? With a probability of 98 %
+ * or more, where no more is left than the other program's noise, that is not so large
+ * that it may look like anything, and no set without the cause comes near. */
+bool pp_compare_is_sure(const struct pp_compared *compared, int cause);
+
+#endif

@@ -1,0 +1,31 @@
+/* compare_subject.h - what another program's values are of: points in a room, or in an
+ * imported scene. */
+#ifndef PP_STUDIES_RESEARCH_COMPARE_COMPARE_SUBJECT_H
+#define PP_STUDIES_RESEARCH_COMPARE_COMPARE_SUBJECT_H
+
+#include "model/light/scene_description.h"
+#include "studies/research/compare/room_variant.h"
+#include "studies/research/compare/variant_tracing.h"
+#include "studies/study_room.h"
+
+struct pp_compare_subject {  /* owns nothing */
+    const char *file, *name; /* name NULL: it has none */
+    const struct pp_receiver *points;
+    int count;
+    const struct pp_study_room *room;         /* NULL: a scene */
+    const struct pp_scene_description *scene; /* NULL: a room */
+};
+
+/* The room at its receivers. */
+struct pp_compare_subject pp_compare_subject_of_room(const struct pp_study_room *room);
+
+/* Values at its points as if it were another, fractions, with their standard errors.
+ * PP_BAD_INPUT where a switch makes no sense of it, PP_INTERRUPTED where look says
+ * stop. */
+enum pp_status pp_compare_subject_values(double *values, double *errors,
+                                         const struct pp_compare_subject *subject,
+                                         const struct pp_room_variant *variant,
+                                         const struct pp_variant_tracing *tracing,
+                                         struct pp_error *err);
+
+#endif

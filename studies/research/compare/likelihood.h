@@ -1,0 +1,52 @@
+/* likelihood.h - how well a supposed cause explains a difference of values at points.
+ *
+ * The gap at point i is g_i = f(theirs) - f(ours), f(v) = ln(v + c); a supposition
+ * predicts e_i with its own variance s_i^2. What is left is noise:
+ *
+ *     g = e + theta 1 + n,  n ~ N(0, S + sigma^2 ((1 - k) I + k C))              (1)
+ *     C_ij = exp(-(d_ij/l)^2 / 2)
+ *
+ * sigma is not known: its logarithm is taken as even over ln 0.003 to ln 0.6. Noise of
+ * single rays has k = 0; that of an interpolated cache is alike at neighbouring points, k =
+ * 0.9 with a reach l of 0.6 or 1.8 m: a half, a quarter and a quarter, beforehand. theta is
+ * the logarithm of a common factor, normal about 0: with a standard deviation of 0.005,
+ * as both programs err by so much in common anyhow; where a common factor is supposed,
+ * of 0.1 or 0.7, one as likely as the other. The likelihood is the density of g by (1),
+ * integrated over all of these.
+ */
+#ifndef PP_STUDIES_RESEARCH_COMPARE_LIKELIHOOD_H
+#define PP_STUDIES_RESEARCH_COMPARE_LIKELIHOOD_H
+
+#include "model/base/error.h"
+#include "model/geometry/vec.h"
+
+struct pp_likelihood_data {
+    int count;                    /* of points */
+    const double *gap;            /* g_i */
+    const struct pp_vec3 *places; /* m */
+};
+
+struct pp_supposition {
+    const double *effect;   /* e_i */
+    const double *variance; /* s_i^2 */
+    bool has_factor;        /* is theta unknown? */
+};
+
+struct pp_likelihood {
+    double log_density;
+    double sigma; /* expected */
+    double near;  /* probability that neighbours err alike, 0 to 1 */
+    double theta; /* expected */
+};
+
+/* By white noise alone, in the time of a sum: the first sieve. */
+double pp_likelihood_white(const struct pp_likelihood_data *data,
+                           const struct pp_supposition *supposed);
+
+/* By all of (1). */
+enum pp_status pp_likelihood(struct pp_likelihood *likelihood,
+                             const struct pp_likelihood_data *data,
+                             const struct pp_supposition *supposed,
+                             struct pp_error *err);
+
+#endif

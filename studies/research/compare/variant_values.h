@@ -1,0 +1,23 @@
+/* variant_values.h - daylight factors of a room as if it were another: traced.
+ *
+ * What is switched changes a copy of the room's description, its light or the points; all
+ * else is the path tracer's. With a limit of reflections it is the sensors' of
+ * simulate/transport, which follow paths so far and no further.
+ */
+#ifndef PP_STUDIES_RESEARCH_COMPARE_VARIANT_VALUES_H
+#define PP_STUDIES_RESEARCH_COMPARE_VARIANT_VALUES_H
+
+#include "studies/research/compare/room_variant.h"
+#include "studies/research/compare/variant_tracing.h"
+#include "studies/study_room.h"
+
+/* Values at the room's receivers, fractions, with their standard errors: values[i] and
+ * errors[i]. PP_BAD_INPUT where a switch does not make sense of this room, PP_INTERRUPTED
+ * where look says stop. */
+enum pp_status pp_variant_values(double *values, double *errors,
+                                 const struct pp_study_room *room,
+                                 const struct pp_room_variant *variant,
+                                 const struct pp_variant_tracing *tracing,
+                                 struct pp_error *err);
+
+#endif

@@ -1,0 +1,87 @@
+/* comparison.h - the differences between hand methods and the simulation, in one room
+ * and over several.
+ *
+ * At the n points i of a room the difference is d_i = method - traced; s_i is the
+ * standard error of the traced value:
+ *
+ *     bias    mean d_i, with the standard error sqrt(sum s_i^2) / n
+ *     spread  sqrt(max(0, mean d_i^2 - mean s_i^2)), the root mean square of d_i less
+ *             the simulation's noise
+ *     worst   the d_i of the largest magnitude
+ *
+ * Bias and the average's difference are each the sum of two (own_world.h): the
+ * assumption's, from the room to the method's own world, and the formula's, from there to
+ * the method.
+ *
+ * Over several rooms differences are divided by the room's mean traced value first, so
+ * that dark rooms count as much as bright ones.
+ */
+#ifndef PP_STUDIES_RESEARCH_VALIDATION_COMPARISON_H
+#define PP_STUDIES_RESEARCH_VALIDATION_COMPARISON_H
+
+#include "model/results/report.h"
+#include "studies/research/validation/own_world.h"
+
+/* The two parts of a difference; NAN: not known. */
+struct pp_error_parts {
+    double assumption, assumption_error; /* own - traced, and its standard error */
+    double formula, formula_error;       /* method - own, and its */
+};
+
+/* One column of a report against "traced" of its component; fractions of the open sky.
+ */
+struct pp_comparison {
+    enum pp_component component;
+    const char *name; /* the report's */
+    const char *why;  /* why the method has no value at all; NULL: it has some */
+    int points;       /* number of points with both values; 0: only averages compare */
+    double traced;    /* mean traced value of those points */
+    double bias, bias_error, spread;
+    double worst, worst_error; /* d_i and s_i of the worst point */
+    int worst_point;           /* of the report's receivers */
+    double average, traced_average, traced_average_error; /* NAN: none */
+    bool own_world; /* is the method's another than the room's? else assumption is 0 */
+    struct pp_error_parts of_bias, of_average; /* of average - traced_average */
+};
+
+/* Compares each column of the report with "traced" of the same component; worlds: the
+ * methods' own, traced. *list is the caller's to free; *count is 0 where nothing was
+ * traced. */
+enum pp_status pp_comparison_of_report(struct pp_comparison **list, int *count,
+                                       const struct pp_report *report,
+                                       const struct pp_own_worlds *worlds,
+                                       struct pp_error *err);
+
+/* The two parts of a column's difference at one point of the report, or, for -1, of the
+ * average. */
+struct pp_error_parts pp_comparison_parts(const struct pp_report *report,
+                                          const struct pp_column *column,
+                                          const struct pp_own_worlds *worlds,
+                                          int point);
+
+/* One method over several rooms; differences are shares of the rooms' mean traced
+ * values. */
+struct pp_overall {
+    enum pp_component component;
+    const char *name;
+    int rooms, points; /* rooms with values at points, and all their points */
+    double bias, spread;
+    double worst;          /* the difference at the worst point of all rooms */
+    int worst_room;        /* index of its room */
+    int averages;          /* rooms whose average both give */
+    double average_bias;   /* mean of method/traced - 1 over these rooms' averages */
+    double average_spread; /* root mean square of the same */
+    double assumption, formula;                 /* of bias */
+    double average_assumption, average_formula; /* of average_bias */
+    bool own_world; /* is the method's another than the room's in any of the rooms? */
+    const struct pp_comparison *worst_comparison; /* of the worst point; not owned */
+};
+
+/* Sums up room_count rooms; rooms[i] has counts[i] comparisons. *list is the caller's to
+ * free. */
+enum pp_status pp_comparison_overall(struct pp_overall **list, int *count,
+                                     struct pp_comparison *const *rooms,
+                                     const int *counts, int room_count,
+                                     struct pp_error *err);
+
+#endif

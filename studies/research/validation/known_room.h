@@ -1,0 +1,60 @@
+/* known_room.h - rooms of known answer: from their text to what methods and the tracer
+ * say of them.
+ */
+#ifndef PP_STUDIES_RESEARCH_VALIDATION_KNOWN_ROOM_H
+#define PP_STUDIES_RESEARCH_VALIDATION_KNOWN_ROOM_H
+
+#include <stdint.h>
+
+#include "model/base/error.h"
+#include "model/light/outside_light.h"
+#include "model/results/reading.h"
+#include "model/results/report.h"
+#include "model/room/world.h"
+
+/* A room whose window, 3 x 1.8 m and 3 m off its point, has been worked by several ways. */
+#define PP_KNOWN_HALL                                                                  \
+    "<room version='1'><plan width='9' depth='8' height='4'/>"                         \
+    "<window wall='south' left='3' sill='1.45' width='3' height='1.8'/>"               \
+    "<point x='5.1' y='3'/>"
+
+/* Settings for tracing a known room. */
+struct pp_known_trace {
+    uint64_t seed;
+    int threads;  /* 0: as many as there are processors */
+    long samples; /* paths a point in each randomisation; 0: by the error */
+    double error; /* wanted standard error over daylight factor */
+};
+
+/* The room of that text (UTF-8) and the light on it; *world is the caller's to destroy. */
+enum pp_status pp_known_room_world(struct pp_world **world,
+                                   struct pp_outside_light *light, const char *xml,
+                                   struct pp_error *err);
+
+/* A room and what methods say of its first point and its average. */
+struct pp_known_room {
+    struct pp_world *world;
+    struct pp_outside_light light;
+    struct pp_report report;
+};
+
+/* methods: names with commas between. On success *room is to be cleared. */
+enum pp_status pp_known_room_evaluate(struct pp_known_room *room, const char *xml,
+                                      const char *methods, struct pp_error *err);
+void pp_known_room_clear(struct pp_known_room *room);
+
+/* A component at the first point, and the average; NAN where there is none. */
+double pp_known_room_at_point(const struct pp_known_room *room,
+                              enum pp_component component, const char *name);
+double pp_known_room_average(const struct pp_known_room *room,
+                             enum pp_component component, const char *name);
+
+/* All components at `count` receivers, matt surfaces; readings[i] are the i-th one's. */
+enum pp_status pp_known_room_trace(struct pp_reading (*readings)[PP_COMPONENT_COUNT],
+                                   const struct pp_world *world,
+                                   const struct pp_outside_light *light,
+                                   const struct pp_receiver *receivers, int count,
+                                   const struct pp_known_trace *how,
+                                   struct pp_error *err);
+
+#endif

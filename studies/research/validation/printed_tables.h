@@ -1,0 +1,17 @@
+/* printed_tables.h - published tables cell by cell against what they were made of: the BRS
+ * simplified table and clear glass, BRE's obstruction factors and the overcast sky, the
+ * least internally reflected component and its formula, skies and configuration factors.
+ */
+#ifndef PP_STUDIES_RESEARCH_VALIDATION_PRINTED_TABLES_H
+#define PP_STUDIES_RESEARCH_VALIDATION_PRINTED_TABLES_H
+
+#include "studies/research/validation/known_case.h"
+#include "studies/research/validation/known_room.h"
+
+/* Adds a case a cell. Limits are the rounding of what is printed, and what the makers of
+ * the table are known to have been off by. */
+enum pp_status pp_printed_tables(struct pp_known_cases *cases,
+                                 const struct pp_known_trace *how,
+                                 struct pp_error *err);
+
+#endif

@@ -1,0 +1,36 @@
+/* room_cases.h - the figures of a user's room as cases: each method's beside the simulation's,
+ * the simulation's beside Radiance's.
+ */
+#ifndef PP_STUDIES_RESEARCH_VALIDATION_ROOM_CASES_H
+#define PP_STUDIES_RESEARCH_VALIDATION_ROOM_CASES_H
+
+#include "studies/research/validation/known_case.h"
+#include "studies/research/validation/own_world.h"
+
+/* Adds a case for every figure of the report's hand columns, at points and of the average,
+ * that has "traced" of its component beside it. The band that the report has beside the
+ * figure, widened by three standard errors of what is traced, is its limit: of a figure h
+ * with the band from a to b and the standard error s
+ *
+ *     h - b - 3 s  <=  h - traced  <=  h - a + 3 s
+ *
+ * Where there is no band there is no verdict. The report, whose names and sentences the
+ * cases keep, and `file` have to outlive them. */
+void pp_room_cases_of_methods(struct pp_known_cases *cases, const char *file,
+                              const struct pp_report *report,
+                              const struct pp_own_worlds *worlds);
+
+/* Adds a case for every daylight factor by an engine, at points and of the average, beside the
+ * first engine's that gives the truth (engine.h): limit three standard errors of the
+ * difference and, of an engine that does not, 2 % of the truth besides. An interpolated figure,
+ * whose error is not known, is left out. */
+void pp_room_cases_of_engines(struct pp_known_cases *cases, const char *file,
+                              const struct pp_report *report);
+
+/* Adds the daylight factors at one point, in the room's group: limit three standard errors of the difference,
+ * or 1 % of what Radiance finds. `world` and `file` have to outlive the case. */
+void pp_room_cases_of_radiance(struct pp_known_cases *cases, const char *file,
+                               const struct pp_world *world, struct pp_vec3 position,
+                               struct pp_reading traced, struct pp_reading radiance);
+
+#endif

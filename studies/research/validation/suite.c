@@ -1,0 +1,140 @@
+/* suite.c - the list of suites. */
+#include "studies/research/validation/suite.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "studies/research/validation/cie171.h"
+#include "studies/research/validation/closed_forms.h"
+#include "studies/research/validation/printed_tables.h"
+#include "studies/research/validation/worked_examples.h"
+
+static enum pp_status run_quick(struct pp_known_cases *cases,
+                                const struct pp_known_trace *how, struct pp_error *err)
+{
+    enum pp_status status = pp_closed_forms(cases, how, err);
+    return status == PP_OK ? pp_worked_examples(cases, err) : status;
+}
+
+static enum pp_status run_published(struct pp_known_cases *cases,
+                                    const struct pp_known_trace *how,
+                                    struct pp_error *err)
+{
+    enum pp_status status = pp_worked_examples(cases, err);
+    return status == PP_OK ? pp_printed_tables(cases, how, err) : status;
+}
+
+static enum pp_status run_cie171(struct pp_known_cases *cases,
+                                 const struct pp_known_trace *how, struct pp_error *err)
+{
+    return pp_cie171(cases, how, 3.0, err);
+}
+
+const struct pp_suite pp_suite_quick = {
+    .name = "quick",
+    .summary = "answers known on paper",
+    .limits =
+        "to the digits that the expected answers are known to, traced ones within "
+        "four of their standard errors",
+    .samples = 512,
+    .run = run_quick,
+};
+
+const struct pp_suite pp_suite_rooms = {
+    .name = "rooms",
+    .summary = "Each method against the simulation",
+    .limits =
+        "within the band of the atlas for rooms of that kind, wider by three standard "
+        "errors of what is traced; as the band holds 95 %, 1 in 20 may be outside",
+    .chance = 0.05,
+    .of_rooms = true,
+};
+
+const struct pp_suite pp_suite_radiance = {
+    .name = "radiance",
+    .summary = "The simulation against Radiance's rtrace",
+    .limits = "within three standard errors of the difference, or 1 % of what rtrace "
+              "finds; 1 in 100 may be outside",
+    .chance = 0.01,
+    .of_rooms = true,
+};
+
+const struct pp_suite pp_suite_engines = {
+    .name = "engines",
+    .summary = "What simulates, beside the path tracer",
+    .limits =
+        "within three standard errors of the difference; of the irradiance cache, "
+        "which is not without bias, and 2 %; 1 in 100 may be outside",
+    .chance = 0.01,
+    .of_rooms = true,
+};
+
+static const struct pp_suite analytic = {
+    .name = "analytic",
+    .summary = "closed forms, limits and configuration factors",
+    .limits =
+        "to the digits that the expected answers are known to, traced ones within "
+        "four of their standard errors",
+    .samples = 512,
+    .run = pp_closed_forms};
+
+static const struct pp_suite published = {
+    .name = "published",
+    .summary = "worked examples, and printed tables cell by cell",
+    .limits =
+        "to the last printed digit, and to what the makers of a table are known to "
+        "have been off by; traced ones within four of their standard errors more",
+    .samples = 512,
+    .run = run_published};
+
+static const struct pp_suite cie171 = {
+    .name = "cie171",
+    .summary = "the daylight cases of CIE 171:2006, 2592 values",
+    .limits =
+        "exact within 0.1 % (0.25 % where a mask cuts the opening) or 0.001 % "
+        "daylight factor of an independent integration, and within 1 % or 0.02 % of "
+        "what is printed soundly; traced within three standard errors of exact, but "
+        "for 1 in 100",
+    .samples = 64,
+    .chance = 0.01,
+    .run = run_cie171};
+
+static const struct pp_suite *const list[] = {
+    &analytic,       &published,         &cie171,
+    &pp_suite_rooms, &pp_suite_radiance, &pp_suite_engines};
+
+enum { COUNT = sizeof list / sizeof *list };
+
+const struct pp_suite *pp_suite_at(int index)
+{
+    return index < COUNT ? list[index] : NULL;
+}
+
+const struct pp_suite *pp_suite_find(const char *name)
+{
+    for (int i = 0; i < COUNT; i++)
+        if (strcmp(list[i]->name, name) == 0)
+            return list[i];
+    return NULL;
+}
+
+struct pp_suite_score pp_suite_score(const struct pp_suite *suite,
+                                     const struct pp_known_cases *cases)
+{
+    struct pp_suite_score score = {0};
+    for (int i = 0; i < cases->count; i++) {
+        bool traced = !isnan(cases->list[i].std_error);
+        bool wrong = !pp_known_case_is_right(&cases->list[i]);
+        if (!pp_known_case_is_judged(&cases->list[i])) {
+            score.unjudged++;
+            continue;
+        }
+        score.count += !traced;
+        score.wrong += !traced && wrong;
+        score.traced += traced;
+        score.traced_wrong += traced && wrong;
+    }
+    score.passes =
+        score.wrong == 0 && score.traced_wrong <= suite->chance * score.traced;
+    return score;
+}
