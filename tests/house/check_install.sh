@@ -140,7 +140,7 @@ cp -R "$prefix" "$moved"
 check "every command runs where the program is staged" runs "$prefix"
 check "it uninstalls" staged uninstall
 check "uninstalling leaves nothing behind" nothing \
-    "$(find "$root" ! -type d; find "$root" -name '*pepperpot*')"
+    "$(find "$root" ! -type d; cd "$prefix" && find . -name '*pepperpot*')"
 chmod -R a-w "$moved"
 check "every command runs in a tree that is moved and read-only" runs "$moved"
 chmod -R u+w "$moved"
