@@ -113,7 +113,7 @@ static void help_on_methods(FILE *out)
                          out);
 }
 
-/* By each engine that was asked for; the cache is kept. */
+/* Runs the selected engines; saves the cache file. */
 static enum pp_status simulate_df_room(struct pp_report *report, bool *by_clock,
                                        const struct pp_study_options *study,
                                        const struct pp_engine_choice *choice,

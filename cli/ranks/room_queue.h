@@ -1,6 +1,4 @@
-/* room_queue.h - the simulations of many rooms, by this process one after the other, or
- * by ranks.
- */
+/* room_queue.h - simulates many rooms, one after the other in this process, or by ranks. */
 #ifndef PP_CLI_RANKS_ROOM_QUEUE_H
 #define PP_CLI_RANKS_ROOM_QUEUE_H
 

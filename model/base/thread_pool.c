@@ -111,7 +111,7 @@ static void run_indices(struct pp_thread_pool *pool, int worker)
     }
 }
 
-static void *life(void *data)
+static void *worker_main(void *data)
 {
     const struct pool_worker *worker = data;
     struct pp_thread_pool *pool = worker->pool;
@@ -135,7 +135,7 @@ static void *life(void *data)
 }
 
 /* Starts workers until there are `wanted`. Signals are for the program's own thread. */
-static void start(struct pp_thread_pool *pool, int wanted)
+static void start_workers(struct pp_thread_pool *pool, int wanted)
 {
     sigset_t all, before;
     if (pool->started >= wanted)
@@ -145,14 +145,14 @@ static void start(struct pp_thread_pool *pool, int wanted)
     while (pool->started < wanted) {
         struct pool_worker *worker = &pool->workers[pool->started];
         *worker = (struct pool_worker){.pool = pool, .number = pool->started + 1};
-        if (pthread_create(&worker->thread, NULL, life, worker) != 0)
+        if (pthread_create(&worker->thread, NULL, worker_main, worker) != 0)
             break;
         pool->started++;
     }
     pthread_sigmask(SIG_SETMASK, &before, NULL);
 }
 
-static void call(struct pp_thread_pool *pool)
+static void wake_workers(struct pp_thread_pool *pool)
 {
     pthread_mutex_lock(&pool->mutex);
     pool->open = true;
@@ -185,8 +185,8 @@ static int run_range(struct pp_thread_pool *pool, int first, int end, int batch,
     atomic_store(&pool->stopped, false);
     int others = (count < pool->size ? count : pool->size) - 1;
     if (others > 0) {
-        start(pool, others);
-        call(pool);
+        start_workers(pool, others);
+        wake_workers(pool);
     }
     run_indices(pool, 0);
     if (others > 0)

@@ -31,7 +31,7 @@ void pp_work_results_work(const struct pp_work_queue *queue, int worker, int ind
 void pp_work_results_enter(struct pp_work_results *results, int index,
                            const struct pp_work_result *result);
 
-/* Nothing more is to be assigned: all is taken, something failed, or it was stopped. */
+/* True once all is collected, something failed, or the queue was stopped. */
 bool pp_work_results_is_over(const struct pp_work_results *results);
 
 /* Assigns up to `most` unassigned indices to `rank`, at the time `now_s`:

@@ -38,8 +38,9 @@ static inline uint32_t pp_plan_most(const struct pp_sampler *sampler, int estima
     return most > 0 ? most : PP_MOST_PATHS;
 }
 
-/* For a standard error of the last value of `wanted`. Has the pilot seen too little for a
- * plan, and may it grow? Then it is to have *grown, else the plan is *plan. */
+/* Allocates samples from a pilot run, for a standard error `wanted` of the last value.
+ * Returns true, with a larger pilot in *grown, if the pilot is too small and may_grow; else
+ * false, with the *plan. */
 bool pp_plan_grows(const struct pp_sampled *pilot, double wanted, bool may_grow,
                    struct pp_counts *grown, struct pp_plan *plan);
 

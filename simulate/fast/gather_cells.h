@@ -1,5 +1,5 @@
-/* gather_cells.h - the control variate of path.h, gathered from far by cells of the room's
- * surfaces.
+/* gather_cells.h - the control variate of path.h, integrated by area sampling of cells of the
+ * room's surfaces, combined with cosine sampling by the balance heuristic.
  *
  * What a receiver at x gathers of G is its mean over the cosine lobe, or the integral over the
  * room's surfaces of G(y) k(x, y), k = cos cos' / (pi r2). Rays of the lobe find by chance alone
@@ -9,8 +9,8 @@
  *
  *     (G - g) / (1 + c k A)                                                            (1)
  *
- * and the rest of G is left to the lobe's rays, as if c of them were weighed against a cell by
- * the balance heuristic of [VG95]. g is the least value of G: what is the same everywhere makes
+ * and the rest of G is left to the lobe's rays, by the balance heuristic of [VG95] as if with c
+ * rays per cell. g is the least value of G: what is the same everywhere makes
  * no noise in the lobe. The sum has no bias, whatever c and g. All cells of a net have their
  * point at the same place but mirrored from one to the next, which takes away what is linear
  * in it; G there serves all who gather.

@@ -1,4 +1,4 @@
-/* test_thread_pool.c - work dealt out to threads: each index once, whoever does it. */
+/* test_thread_pool.c - work of a pool of threads: each index once, by any worker. */
 #include "tests/lib/near.h"
 
 #include <stdatomic.h>
@@ -32,12 +32,12 @@ static bool note(void *data, int worker, int index)
 }
 
 /* Ways to run indices: one at a time, or by handfuls. */
-typedef int dealer(struct pp_thread_pool *pool, int first, int end,
+typedef int runner(struct pp_thread_pool *pool, int first, int end,
                    pp_thread_pool_work *work, void *data);
-static dealer *const dealers[] = {pp_thread_pool_run, pp_thread_pool_run_small};
+static runner *const runners[] = {pp_thread_pool_run, pp_thread_pool_run_small};
 
 /* One run by a pool of that size: where it ended. */
-static int run(struct done *done, dealer *deal, int size, int first, int end,
+static int run(struct done *done, runner *run_indices, int size, int first, int end,
                int stop_at)
 {
     struct pp_thread_pool *pool;
@@ -46,7 +46,7 @@ static int run(struct done *done, dealer *deal, int size, int first, int end,
     assert_int_equal(pp_thread_pool_size(pool), size);
     done->size = size;
     done->stop_at = stop_at;
-    int next = deal(pool, first, end, note, done);
+    int next = run_indices(pool, first, end, note, done);
     pp_thread_pool_destroy(pool);
     assert_int_equal(done->clashes, 0);
     return next;
@@ -62,7 +62,7 @@ static void every_index_is_done_once(void **state)
     for (int s = 0; s < 8; s++)
         for (int r = 0; r < 4; r++) {
             int first = ranges[r][0], end = ranges[r][1];
-            assert_int_equal(run(&done, dealers[s / 4], sizes[s % 4], first, end, -1),
+            assert_int_equal(run(&done, runners[s / 4], sizes[s % 4], first, end, -1),
                              end);
             for (int i = 0; i < MOST; i++)
                 assert_int_equal(done.times[i], i >= first && i < end);
@@ -74,9 +74,9 @@ static void of_no_indices_nothing_is_done(void **state)
     (void)state;
     static struct done done;
     for (int s = 0; s < 8; s++) {
-        assert_int_equal(run(&done, dealers[s / 4], sizes[s % 4], 0, 0, -1), 0);
-        assert_int_equal(run(&done, dealers[s / 4], sizes[s % 4], 7, 7, -1), 7);
-        assert_int_equal(run(&done, dealers[s / 4], sizes[s % 4], 7, 3, -1), 7);
+        assert_int_equal(run(&done, runners[s / 4], sizes[s % 4], 0, 0, -1), 0);
+        assert_int_equal(run(&done, runners[s / 4], sizes[s % 4], 7, 7, -1), 7);
+        assert_int_equal(run(&done, runners[s / 4], sizes[s % 4], 7, 3, -1), 7);
         for (int i = 0; i < MOST; i++)
             assert_int_equal(done.times[i], 0);
     }
@@ -89,7 +89,7 @@ static void work_that_stops_leaves_no_gap(void **state)
     static struct done done;
     for (int s = 0; s < 8; s++)
         for (int stop_at = 0; stop_at < 400; stop_at += 37) {
-            int next = run(&done, dealers[s / 4], sizes[s % 4], 0, MOST, stop_at);
+            int next = run(&done, runners[s / 4], sizes[s % 4], 0, MOST, stop_at);
             assert_true(next > stop_at);
             if (s == 0) /* one worker, one at a time */
                 assert_int_equal(next, stop_at + 1);
