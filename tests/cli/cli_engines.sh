@@ -38,7 +38,7 @@ check "paths have no discs" refuses 2 "--sensor needs --engine photons" \
     df -s --sensor 0.2 "$deep"
 check "a disc has a radius" refuses 2 "0.001 to 10 m" \
     df -s --engine photons --sensor 0 "$deep"
-check "an engine that there is not" refuses 2 "path, cache, photons or radiosity" \
+check "an engine that there is not" refuses 2 "path, cache, photons, radiosity or plain" \
     df -s --engine rays "$deep"
 
 # In a suite, room by room.

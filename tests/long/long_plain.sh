@@ -10,7 +10,7 @@ differences() {
     file=$1
     shift
     "$pepperpot" df -q -m exact --no-bands --simulate --engine path,plain --error 2% \
-        --format csv "$@" "$file" 2>/dev/null | tr -d '\r' | awk -F, -v file="$file $*" '
+        --format csv "$@" "$file" 2>/dev/null | sed 's/"[^"]*"/-/g; s/\r$//' | awk -F, -v file="$file $*" '
         $10 == "df" && ($11 == "traced" || $11 == "plain") {
             place = $2 " " $4 "," $5 "," $6 "," $7 "," $8 "," $9 " " $10
             if ($11 == "plain" && place in value) {
