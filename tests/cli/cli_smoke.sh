@@ -14,6 +14,7 @@ check "df by hand, with steps" gives df -m all --explain --points 1.4,1.5 "$deep
     check "df by all four engines, as JSON" gives df -s \
         --engine path,photons,radiosity,cache -ad 64 -as 16 --points 1.5,2 --error 5% --quiet \
         --format json "$deep"
+    check "df by the plain code" gives df -s --plain -m exact --points 1.5,2 --error 5% --quiet "$deep"
     check "assess, as CSV" gives assess --by-hand --quiet --format csv "$street"
     check "size" gives size --target 2% --by-hand --quiet "$deep"
     check "availability" gives availability -m exact+split-flux --latitude 51 --quiet "$deep"
