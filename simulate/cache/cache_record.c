@@ -110,8 +110,7 @@ static void find_horizon(const struct pp_cache_hemisphere *h,
     }
 }
 
-/* Within the radius a record's gradient is not to double its value or take all of it
- * away. */
+/* The radius, less where the gradient would double the value or take all of it away. */
 static double limit_by_gradient(double radius, double value, const double along[2],
                                 const double axis[2])
 {
@@ -187,10 +186,9 @@ void pp_cache_record_compute(const struct pp_cache_record_settings *settings,
     pp_cache_record_ellipse(relative, settings->error, settings->most_m, is->radii_m,
                             axes);
     for (int i = 0; i < 2; i++) {
+        double radius_m = limit_by_gradient(is->radii_m[i], value, luminance, axes[i]);
+        is->radii_m[i] = fmax(radius_m, settings->least_m);
         is->axes[i] = in_surface(&h.frame, axes[i]);
-        is->radii_m[i] =
-            fmax(limit_by_gradient(is->radii_m[i], value, luminance, axes[i]),
-                 settings->least_m);
     }
     limit_gradient(is, value, luminance, axes);
 }
