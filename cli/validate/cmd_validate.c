@@ -149,9 +149,9 @@ static bool engines_are_finished(const void *data)
     return true;
 }
 
-/* Runs every engine in every room, over ranks where there are some, and judges how far apart
- * they are. page: a file for the page, or NULL. PP_EXIT_INPUT where more lies outside than
- * may. */
+/* Runs every engine in every room, over ranks where there are some, and compares their
+ * results. page: a file for the page, or NULL. PP_EXIT_INPUT where more results than
+ * allowed are outside their limits. */
 static enum pp_exit validate_engines(const struct pp_rooms *rooms,
                                      const struct pp_room_options *options,
                                      enum pp_format format, const char *page)
