@@ -7,9 +7,9 @@
 #include "charts/drawing_board/waldram_chart.h"
 #include "charts/site/site_chart.h"
 #include "methods/waldram/waldram_sheet_fill.h"
+#include "model/results/sheets/site_sheet.h"
 #include "model/room/room_light.h"
 #include "studies/criteria/windows/vertical_sky.h"
-#include "studies/site/envelope_sheet.h"
 #include "studies/site/site_study.h"
 
 /* The rooms of the building as it stands, each resolved. */
@@ -49,6 +49,38 @@ static enum pp_status add_room(struct standing_rooms *rooms,
     return PP_OK;
 }
 
+/* Adds the cells of the envelope to the sheet of a building as pp_plot_envelope_find leaves
+ * it. They are drawn in place of the block of that name, which is taken off the sheet. */
+static enum pp_status add_envelope_cells(struct pp_site_sheet *sheet,
+                                         const struct pp_plot_envelope *envelope,
+                                         const char *block, struct pp_error *err)
+{
+    int kept = 0;
+    for (int i = 0; i < sheet->shape_count; i++) {
+        struct pp_site_shape *shape = &sheet->shapes[i];
+        if (shape->name && strcmp(shape->name, block) == 0)
+            pp_site_sheet_clear_shape(shape);
+        else
+            sheet->shapes[kept++] = *shape;
+    }
+    sheet->shape_count = kept;
+    sheet->cells = calloc((size_t)envelope->cells.count + 1, sizeof *sheet->cells);
+    if (!sheet->cells)
+        return pp_fail_memory(err);
+    for (int i = 0; i < envelope->cells.count; i++) {
+        const struct pp_building_cell *cell = &envelope->cells.list[i];
+        struct pp_site_cell *drawn = &sheet->cells[sheet->cell_count++];
+        drawn->height_m = cell->height_m;
+        for (int k = 0; k < 4; k++) {
+            struct pp_vec3 corner = pp_plot_cells_corner(cell, k);
+            drawn->corners[k][0] = corner.x;
+            drawn->corners[k][1] = corner.y;
+        }
+    }
+    sheet->cells_m3 = envelope->volume_m3;
+    return PP_OK;
+}
+
 static enum pp_status resolve_standing_rooms(struct standing_rooms *rooms,
                                              struct pp_building *building,
                                              const char *file, struct pp_error *err)
@@ -75,7 +107,7 @@ static enum pp_status draw_plot_plan(struct pp_canvas *canvas,
     struct pp_site_sheet sheet;
     enum pp_status status = pp_site_study_make(&sheet, &site, err);
     if (status == PP_OK)
-        status = pp_envelope_sheet_add(&sheet, found, task->block, err);
+        status = add_envelope_cells(&sheet, found, task->block, err);
     if (status == PP_OK)
         status = pp_site_chart_draw(canvas, &sheet, err);
     pp_site_sheet_clear(&sheet);

@@ -1,9 +1,13 @@
-/* command.c - runs any command: its options, its check, its work, its end. */
+/* command.c - runs any command: its options, its check, its work, its end. No file
+ * that is written may be another one of the command line. */
 #include "cli/command.h"
 
+#include <libgen.h>
+#include <limits.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
 
-#include "cli/command_files.h"
 #include "cli/message.h"
 
 static struct pp_command_line line_of(const struct pp_command *command, void *options)
@@ -21,6 +25,96 @@ void pp_command_help(const struct pp_command *command, FILE *out)
     const struct pp_command_line line = line_of(command, NULL);
     pp_options_help(&line, out);
 }
+
+/* ---- files of a command line ---- */
+
+enum { FILES_MOST = 16 };
+
+struct named_file {
+    const char *option; /* "--output"; without its dashes */
+    const char *path;
+    bool written;
+};
+
+/* The directory of a path, and the file's name in it. */
+static bool split_path(const char *path, struct stat *directory, char name[PATH_MAX])
+{
+    char copy[PATH_MAX];
+    if (strlen(path) >= sizeof copy)
+        return false;
+    strcpy(copy, path);
+    strcpy(name, basename(copy));
+    strcpy(copy, path);
+    return stat(dirname(copy), directory) == 0;
+}
+
+static bool is_same_place(const struct stat *a, const struct stat *b)
+{
+    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
+/* Do both name one file, or would they once it is written? Devices are no files here:
+ * what goes to /dev/null may go there twice. */
+static bool is_same_file(const char *a, const char *b)
+{
+    if (strcmp(a, "-") == 0 || strcmp(b, "-") == 0)
+        return false;
+    struct stat of_a, of_b;
+    bool is_a = stat(a, &of_a) == 0, is_b = stat(b, &of_b) == 0;
+    if (is_a && is_b)
+        return S_ISREG(of_a.st_mode) && is_same_place(&of_a, &of_b);
+    char name_a[PATH_MAX], name_b[PATH_MAX];
+    return !is_a && !is_b && split_path(a, &of_a, name_a)
+           && split_path(b, &of_b, name_b) && strcmp(name_a, name_b) == 0
+           && is_same_place(&of_a, &of_b);
+}
+
+/* The files that options name. */
+static int list_files(struct named_file *list, const struct pp_command_line *line)
+{
+    int count = 0;
+    for (const struct pp_option_group *group = line->groups; group->title; group++)
+        for (const struct pp_option *option = group->options; option->name; option++) {
+            bool written = option->read == pp_options_read_output
+                           || option->read == pp_options_read_updated;
+            if ((!written && option->read != pp_options_read_input)
+                || count == FILES_MOST)
+                continue;
+            const char *path =
+                *(const char **)((char *)line->values + group->offset + option->offset);
+            if (path)
+                list[count++] = (struct named_file){option->name, path, written};
+        }
+    return count;
+}
+
+/* PP_BAD_INPUT if a file that an option writes is another option's or one that is read,
+ * also by another name: files are compared by device and inode. files: those of the
+ * operands. pp_options_read_output and pp_options_read_updated are readers of options whose
+ * files are written; pp_options_read_input, of those that are read. */
+static enum pp_status check_files_apart(const struct pp_command_line *line,
+                                        char **files, int file_count,
+                                        struct pp_error *err)
+{
+    struct named_file list[FILES_MOST];
+    int count = list_files(list, line);
+    for (int i = 0; i < count; i++) {
+        for (int k = 0; k < count; k++)
+            if (k != i && list[i].written && is_same_file(list[i].path, list[k].path))
+                return pp_fail(err, PP_BAD_INPUT,
+                               "--%s and --%s are one file, \"%.200s\"; expected two",
+                               list[i].option, list[k].option, list[i].path);
+        for (int k = 0; k < file_count && list[i].written; k++)
+            if (is_same_file(list[i].path, files[k]))
+                return pp_fail(err, PP_BAD_INPUT,
+                               "--%s would write over \"%.200s\", which is read; "
+                               "expected another file",
+                               list[i].option, files[k]);
+    }
+    return PP_OK;
+}
+
+/* ---- a command ---- */
 
 static enum pp_exit run_with(const struct pp_command *command, void *options, int argc,
                              char **argv)
@@ -40,7 +134,7 @@ static enum pp_exit run_with(const struct pp_command *command, void *options, in
     if (status == PP_OK)
         status = command->check(options, argv, count, &err);
     if (status == PP_OK)
-        status = pp_command_files_apart(&line, argv + words, count - words, &err);
+        status = check_files_apart(&line, argv + words, count - words, &err);
     if (status == PP_SYSTEM)
         return pp_message_error(&err);
     return status == PP_OK ? command->run(options, argv, count)

@@ -4,13 +4,13 @@
 
 #include <math.h>
 #include <stdatomic.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "methods/component_steps.h"
 #include "methods/fast/beams.h"
 #include "methods/method_run.h"
-#include "methods/pair.h"
 #include "methods/reflected/light_bound.h"
 #include "methods/selection.h"
 #include "methods/default_methods.h"
@@ -237,6 +237,62 @@ static enum pp_status add_method(struct pp_report *report,
     return status;
 }
 
+/* ---- pairs: direct component by one method, reflected by another ---- */
+
+/* sc + erc + irc, or why there is no sum: the reason of the direct part comes first. */
+static struct pp_reading pair_of(struct pp_reading sc, struct pp_reading erc,
+                                 struct pp_reading irc)
+{
+    if (sc.why)
+        return sc;
+    return irc.why ? irc : pp_reading_of(sc.value + erc.value + irc.value);
+}
+
+/* Records the reading of a column at a point. */
+static void add_column_step(struct pp_steps *steps, const struct pp_column *column,
+                            int point)
+{
+    pp_steps_add_named(steps, PP_UNIT_DAYLIGHT_FACTOR, column->points[point].value,
+                       pp_component_steps_symbols[column->component], "%s by %s",
+                       pp_component_steps_names[column->component], column->name);
+}
+
+/* Adds the column "direct+internal" from the columns of these names, which are there,
+ * unless the report has it already. */
+static enum pp_status add_pair(struct pp_report *report, const char *direct,
+                               const char *internal, struct pp_error *err)
+{
+    char name[80];
+    snprintf(name, sizeof name, "%s+%s", direct, internal);
+    if (pp_report_find(report, PP_DF, name))
+        return PP_OK;
+    struct pp_column *df = pp_report_add(report, PP_DF, name, true);
+    if (!df)
+        return pp_fail_memory(err);
+    const struct pp_column *sc = pp_report_find(report, PP_SC, direct);
+    const struct pp_column *erc = pp_report_find(report, PP_ERC, direct);
+    const struct pp_column *irc = pp_report_find(report, PP_IRC, internal);
+    df->average = pair_of(sc->average, erc->average, irc->average);
+    for (int i = 0; i < report->receiver_count; i++) {
+        df->points[i] = pair_of(sc->points[i], erc->points[i], irc->points[i]);
+        if (!report->explain || df->points[i].why)
+            continue;
+        struct pp_steps *steps = pp_report_steps(report);
+        add_column_step(steps, sc, i);
+        add_column_step(steps, erc, i);
+        add_column_step(steps, irc, i);
+        pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR, df->points[i].value,
+                            pp_component_steps_symbols[PP_DF], "SC + ERC + IRC", "%s",
+                            pp_component_steps_names[PP_DF]);
+        if (!steps || steps->failed)
+            return pp_fail_memory(err);
+        df->points[i].steps = steps;
+    }
+    return PP_OK;
+}
+
+/* ---- a selection ---- */
+
 /* The columns of a method or pair, with a variant (NULL: as published) of one of them. */
 static enum pp_status add_choice(struct pp_report *report,
                                  const struct pp_choice *choice,
@@ -251,9 +307,9 @@ static enum pp_status add_choice(struct pp_report *report,
         return status;
     status = add_method(report, internal, of_internal ? variant : NULL, shared, err);
     return status == PP_OK
-               ? pp_pair_add(report,
-                             variant && !of_internal ? variant->name : method->name,
-                             of_internal ? variant->name : internal->name, err)
+               ? add_pair(report,
+                          variant && !of_internal ? variant->name : method->name,
+                          of_internal ? variant->name : internal->name, err)
                : status;
 }
 

@@ -4,7 +4,7 @@
  * A method gives the components of one opening (method.h). Here each method is run for
  * each receiver: method_run.h calls it for each opening, applies the corrections for
  * glass, frame and dirt that its figures lack (allowance.h), and adds the openings up.
- * Pairs of methods become daylight factors (pair.h):
+ * Pairs of methods become daylight factors:
  *
  *     df(A+B) = sc(A) + erc(A) + irc(B)
  *

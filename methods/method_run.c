@@ -8,7 +8,6 @@
 
 #include "methods/component_steps.h"
 #include "methods/fast/beams.h"
-#include "methods/average/opening_averages.h"
 #include "methods/average/plane_average.h"
 
 enum pp_status pp_method_run_init(struct pp_method_run *run,
@@ -208,6 +207,63 @@ static bool plane_sum_at(void *data, int opening, const struct pp_receiver *rece
     return true;
 }
 
+/* One opening after another, or several at once, by the method. */
+struct opening_averages {
+    struct pp_part *parts;
+    const struct pp_method *method;
+    struct pp_beams *beams;
+    const struct pp_outside_light *light;
+    const void *tools;
+    struct pp_thread_pool *pool;
+
+    /* The first opening without an average, and what became of it; by the lock. */
+    int first;
+    enum pp_status status;
+    struct pp_error err;
+};
+
+static bool average_one_opening(void *data, int worker, int i)
+{
+    (void)worker;
+    struct opening_averages *averages = data;
+    struct pp_error err = {0};
+    bool known = false;
+    enum pp_status status = averages->method->average(
+        averages->beams, averages->light, pp_beams_world(averages->beams)->openings + i,
+        averages->tools, averages->parts + i, &known, &err);
+    if (status == PP_OK && known)
+        return true;
+    pp_thread_pool_lock(averages->pool);
+    if (i < averages->first) {
+        averages->first = i;
+        averages->status = status;
+        averages->err = err;
+    }
+    pp_thread_pool_unlock(averages->pool);
+    return false;
+}
+
+/* The averages over the working plane that a method has for itself (pp_method.average).
+ * parts[i], zero before, is that of opening i of the beams' world, before the corrections
+ * for glass, frame and dirt. *known is false where the method has none for one of them; the
+ * parts are then not valid. The pool's workers share the openings. */
+static enum pp_status average_openings(struct pp_part *parts, bool *known,
+                                       const struct pp_method *method,
+                                       struct pp_beams *beams,
+                                       const struct pp_outside_light *light,
+                                       const void *tools, struct pp_thread_pool *pool,
+                                       struct pp_error *err)
+{
+    int count = pp_beams_world(beams)->opening_count;
+    struct opening_averages averages = {parts, method, beams,         light,
+                                        tools, pool,   .first = count};
+    pp_thread_pool_run(pool, 0, count, average_one_opening, &averages);
+    *known = averages.first == count;
+    return averages.status == PP_OK
+               ? PP_OK
+               : pp_fail(err, averages.status, "%s", averages.err.message);
+}
+
 /* The sum over the openings of their averages by the method itself; *known is false
  * where there is none for one of them. */
 static enum pp_status sum_averages(const struct pp_method_run *run,
@@ -221,8 +277,8 @@ static enum pp_status sum_averages(const struct pp_method_run *run,
     if (!parts)
         return pp_fail_memory(err);
     enum pp_status status =
-        pp_opening_averages(parts, known, run->method, run->shared.beams, run->light,
-                            run->tools, run->shared.pool, err);
+        average_openings(parts, known, run->method, run->shared.beams, run->light,
+                         run->tools, run->shared.pool, err);
     for (int i = 0; i < world->opening_count; i++)
         add_part(&answer->amounts, parts + i, run->factors[i]);
     free(parts);

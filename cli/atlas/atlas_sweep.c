@@ -1,8 +1,10 @@
 /* atlas_sweep.c - joins the rooms to the file they go to. */
 #include "cli/atlas/atlas_sweep.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "cli/atlas/atlas_file.h"
 #include "cli/interrupt.h"
@@ -11,6 +13,67 @@
 #include "model/base/work_queue.h"
 #include "studies/research/atlas/atlas_renewal.h"
 #include "studies/research/atlas/atlas_room.h"
+
+/* ---- head of an atlas: form, settings of rooms and tracing, names of columns ---- */
+
+static const char atlas_form[] =
+    "# pepperpot-atlas-1: daylight factors, per cent of the open "
+    "sky's horizontal illuminance\n";
+
+/* The head; the caller's to free, NULL when memory is out. */
+static char *atlas_head_text(const struct pp_atlas_making *making,
+                             const struct pp_atlas_columns *columns)
+{
+    char *head = NULL;
+    size_t length;
+    FILE *out = open_memstream(&head, &length);
+    if (!out)
+        return NULL;
+    fprintf(out, "%s# sky %s, error %g %%, seed %llu\n", atlas_form,
+            making->sky == PP_ATLAS_ISO ? "iso" : "overcast",
+            100.0 * making->trace.error, (unsigned long long)making->trace.seed);
+    pp_atlas_columns_print_names(columns, out);
+    if (fclose(out) == 0)
+        return head;
+    free(head);
+    return NULL;
+}
+
+/* The second line. */
+static bool read_making(struct pp_atlas_making *making, const char *line)
+{
+    char sky[16];
+    unsigned long long seed;
+    if (sscanf(line, "# sky %15[a-z], error %lf %%, seed %llu", sky,
+               &making->trace.error, &seed)
+        != 3)
+        return false;
+    making->trace.error *= 0.01;
+    making->trace.seed = seed;
+    making->sky = strcmp(sky, "iso") == 0 ? PP_ATLAS_ISO : PP_ATLAS_OVERCAST;
+    return strcmp(sky, "iso") == 0 || strcmp(sky, "overcast") == 0;
+}
+
+/* Reads how a file was made from its head; PP_BAD_INPUT says what is wrong with it. */
+static enum pp_status read_atlas_head(struct pp_atlas_making *making, const char *path,
+                                      struct pp_error *err)
+{
+    char first[sizeof atlas_form + 1], second[128];
+    FILE *in = fopen(path, "r");
+    if (!in)
+        return pp_fail(err, errno == ENOENT ? PP_BAD_INPUT : PP_SYSTEM,
+                       "%s can't be read: %s", path, strerror(errno));
+    bool is_one = fgets(first, sizeof first, in) && strcmp(first, atlas_form) == 0
+                  && fgets(second, sizeof second, in) && read_making(making, second);
+    fclose(in);
+    return is_one ? PP_OK
+                  : pp_fail(err, PP_BAD_INPUT,
+                            "%s:1: this is no atlas; expected a file that pepperpot "
+                            "atlas -o has written",
+                            path);
+}
+
+/* ---- rows ---- */
 
 /* Inputs of rows. */
 struct row_source {
@@ -114,7 +177,7 @@ static enum pp_status continue_sweep(struct pp_atlas_file *file,
                                      const struct pp_room_options *options,
                                      struct pp_error *err)
 {
-    char *head = pp_atlas_head_text(source->making, &source->columns);
+    char *head = atlas_head_text(source->making, &source->columns);
     if (!head)
         return pp_fail_memory(err);
     enum pp_status status = pp_atlas_file_open(file, options->output, head, err);
@@ -157,7 +220,7 @@ static enum pp_status print_anew(FILE *out, const struct row_source *source, int
                                  const struct pp_room_options *options, int *next,
                                  struct pp_error *err)
 {
-    char *head = pp_atlas_head_text(source->making, &source->columns);
+    char *head = atlas_head_text(source->making, &source->columns);
     if (!head)
         return pp_fail_memory(err);
     fputs(head, out);
@@ -198,7 +261,7 @@ enum pp_exit pp_atlas_sweep_anew(const char *path,
     struct pp_error err = {0};
     struct pp_atlas_making making;
     struct pp_atlas_table table;
-    enum pp_status status = pp_atlas_head_read(&making, path, &err);
+    enum pp_status status = read_atlas_head(&making, path, &err);
     if (status == PP_OK) {
         status = pp_atlas_table_read(&table, path, &err);
         if (status == PP_OK)

@@ -3,9 +3,16 @@
 #ifndef PP_CLI_ATLAS_ATLAS_SWEEP_H
 #define PP_CLI_ATLAS_ATLAS_SWEEP_H
 
-#include "cli/atlas/atlas_head.h"
 #include "cli/exit_status.h"
 #include "cli/room_options.h"
+#include "studies/research/atlas/atlas_columns.h"
+#include "studies/research/atlas/atlas_drawn.h"
+
+/* Settings, beside the methods, that determine the rows of a file. */
+struct pp_atlas_making {
+    enum pp_atlas_sky sky;
+    struct pp_atlas_trace trace;
+};
 
 /* Has the first `rooms` rooms in the output's file: goes on from those that are there. */
 enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,

@@ -4,15 +4,20 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "charts/atlas_chart.h"
+#include "charts/sheet/canvas.h"
 #include "cli/atlas/atlas_sweep.h"
-#include "cli/atlas/map_sheet.h"
-#include "cli/atlas/sweep_bands.h"
 #include "cli/chart/sheet_options.h"
 #include "cli/command.h"
+#include "cli/job.h"
 #include "cli/message.h"
 #include "cli/output.h"
 #include "cli/watch.h"
 #include "model/base/text.h"
+#include "reports/atlas/atlas_bands_csv.h"
+#include "reports/atlas/atlas_bands_text.h"
+#include "reports/atlas/band_pages.h"
+#include "studies/research/atlas/atlas_mapping.h"
 
 static const char about[] =
     "Traces the rooms of a designed sweep, and the worlds that hand methods have in "
@@ -24,6 +29,13 @@ static const char about[] =
     "was, and more rooms can be added to those there are. The same rooms give the same "
     "bytes, however many runs and threads they took.";
 
+/* A map of an atlas on a sheet of paper. */
+struct map_sheet {
+    enum pp_atlas_mapping_kind kind;
+    const char *method; /* not owned */
+    enum pp_paper paper;
+};
+
 struct atlas_options {
     struct pp_room_options room; /* error, seed, threads, output, quiet */
     long rooms;                  /* 0: not given */
@@ -31,7 +43,7 @@ struct atlas_options {
     enum pp_atlas_sky sky;
     bool by_hand, bands, try_bands, accuracy;
     bool map; /* by sheet.kind */
-    struct pp_map_sheet sheet;
+    struct map_sheet sheet;
 };
 
 /* ---- a room's file ---- */
@@ -49,6 +61,138 @@ static enum pp_exit print_atlas_room(const struct atlas_options *options)
         fputs(xml, output.stream);
     status = pp_output_close(&output, status, &err);
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
+}
+
+/* ---- a map ---- */
+
+static enum pp_status draw_atlas_map(const struct pp_atlas_map *map,
+                                     enum pp_paper paper, enum pp_chart_format format,
+                                     FILE *out, struct pp_error *err)
+{
+    char title[96];
+    snprintf(title, sizeof title, "Error of %.80s", map->column);
+    const struct pp_sheet sheet = {
+        .format = format,
+        .paper = paper,
+        .landscape = true,
+        .title = title,
+        .description =
+            "what the method says over what is true, over rooms of an atlas"};
+    struct pp_canvas *canvas;
+    enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
+    if (status != PP_OK)
+        return status;
+    status = pp_atlas_chart_draw(canvas, map, err);
+    if (status == PP_OK)
+        status = pp_canvas_write(canvas, pp_output_put, out, err);
+    pp_canvas_destroy(canvas);
+    return status;
+}
+
+/* Draws the map of the atlas to a PDF, SVG or PNG by the ending of `output`. */
+static enum pp_exit write_map(const struct map_sheet *sheet, const char *path,
+                              const char *output)
+{
+    enum pp_chart_format format;
+    struct pp_atlas_table table;
+    struct pp_atlas_map map;
+    struct pp_output file;
+    struct pp_error err = {0};
+    if (pp_canvas_format_of(&format, output, &err) != PP_OK)
+        return pp_message_usage("atlas", &err);
+    enum pp_status status = pp_atlas_table_read(&table, path, &err);
+    if (status == PP_OK)
+        status = pp_atlas_mapping_of(&map, &table, sheet->kind, sheet->method, &err);
+    if (status == PP_OK) {
+        status = pp_output_open(&file, output, &err);
+        if (status == PP_OK)
+            status = draw_atlas_map(&map, sheet->paper, format, file.stream, &err);
+        status = pp_output_close(&file, status, &err);
+    }
+    pp_atlas_table_clear(&table);
+    return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
+}
+
+/* ---- bands ---- */
+
+/* Bands of an atlas: the table that is compiled in, or a trial on rooms held out. */
+struct bands_run {
+    const char *path;
+    bool table;
+    struct pp_atlas_bands bands;
+};
+
+static enum pp_status compute_bands(void *data, struct pp_error *err)
+{
+    struct bands_run *run = data;
+    struct pp_atlas_table table;
+    enum pp_status status = pp_atlas_table_read(&table, run->path, err);
+    if (status == PP_OK)
+        status = pp_atlas_bands_fit(&run->bands, &table, err);
+    if (status == PP_OK && run->bands.column_count == 0)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "%s: %d rooms; expected enough for bands, %d of a method",
+                         run->path, run->bands.rooms, pp_band_tree_rules.rooms_least);
+    pp_atlas_table_clear(&table);
+    return status;
+}
+
+static enum pp_status print_bands(const void *data, FILE *out, struct pp_error *err)
+{
+    const struct bands_run *run = data;
+    (void)err;
+    if (run->table)
+        pp_atlas_bands_csv(&run->bands, out);
+    else
+        pp_atlas_bands_text(&run->bands, out);
+    return PP_OK;
+}
+
+/* Writes the bands of an atlas in the form of tables/atlas_bands.csv; output NULL is
+ * standard output. */
+static enum pp_exit write_bands(const char *path, const char *output)
+{
+    struct bands_run run = {.path = path, .table = true};
+    enum pp_exit result =
+        pp_job_run(&(struct pp_job){output, compute_bands, print_bands, NULL, &run});
+    pp_atlas_bands_clear(&run.bands);
+    return result;
+}
+
+/* Prints how bands from half of an atlas's rooms hold on its other rooms; PP_EXIT_INPUT
+ * where a regime is off by more than chance. */
+static enum pp_exit try_bands(const char *path, const char *output)
+{
+    struct bands_run run = {.path = path};
+    enum pp_exit result =
+        pp_job_run(&(struct pp_job){output, compute_bands, print_bands, NULL, &run});
+    int outside = pp_atlas_bands_outside(&run.bands);
+    if (result == PP_EXIT_DONE && outside > 0) {
+        pp_message("%d regimes are farther from 95 %% than chance has it", outside);
+        result = PP_EXIT_INPUT;
+    }
+    pp_atlas_bands_clear(&run.bands);
+    return result;
+}
+
+static enum pp_status compute_nothing(void *data, struct pp_error *err)
+{
+    (void)data, (void)err;
+    return PP_OK;
+}
+
+static enum pp_status print_pages(const void *data, FILE *out, struct pp_error *err)
+{
+    (void)data, (void)err;
+    pp_band_pages(out);
+    return PP_OK;
+}
+
+/* Prints the pages of docs/accuracy.md, from the bands compiled in. */
+static enum pp_exit write_accuracy_pages(const char *output)
+{
+    return pp_job_run(
+        &(struct pp_job){output, compute_nothing, print_pages, NULL, NULL});
 }
 
 /* ---- the command line ---- */
@@ -210,13 +354,13 @@ static enum pp_exit run_atlas(void *values, char **operands, int count)
     if (options->number)
         return print_atlas_room(options);
     if (options->bands)
-        return pp_sweep_bands(operands[0], options->room.output);
+        return write_bands(operands[0], options->room.output);
     if (options->try_bands)
-        return pp_sweep_bands_try(operands[0], options->room.output);
+        return try_bands(operands[0], options->room.output);
     if (options->accuracy)
-        return pp_sweep_bands_accuracy(options->room.output);
+        return write_accuracy_pages(options->room.output);
     if (options->map)
-        return pp_map_sheet_write(&options->sheet, operands[0], options->room.output);
+        return write_map(&options->sheet, operands[0], options->room.output);
     if (options->by_hand)
         return pp_atlas_sweep_anew(operands[0], &options->room);
     return pp_atlas_sweep_on(

@@ -10,8 +10,6 @@
 #include "cli/availability/availability_options.h"
 #include "cli/chart/board_options.h"
 #include "cli/chart/chart_run.h"
-#include "cli/chart/model_options.h"
-#include "cli/chart/overlay_options.h"
 #include "cli/chart/sheet_options.h"
 #include "cli/message.h"
 #include "methods/evaluate.h"
@@ -133,6 +131,117 @@ static const struct pp_option board_options[] = {
     {0},
 };
 
+/* ---- options of scale models ---- */
+
+static enum pp_status read_scale(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_model_options *options = place;
+    double scale;
+    if (!pp_text_parse_number(text, &scale) || !(scale >= 2.0 && scale <= 500.0))
+        return pp_fail(err, PP_BAD_INPUT, "a number from 2 to 500: 20 for 1:20");
+    options->scale = scale;
+    options->typed = "--scale";
+    return PP_OK;
+}
+
+static enum pp_status read_mirror_box(const char *text, void *place,
+                                      struct pp_error *err)
+{
+    struct pp_model_options *options = place;
+    const char *comma = strchr(text, ',');
+    char first[32] = "";
+    double rho = -1.0, height = -1.0;
+    if (comma && (size_t)(comma - text) < sizeof first)
+        memcpy(first, text, (size_t)(comma - text));
+    if (!pp_text_parse_number(first, &rho) || !(rho > 0.0 && rho <= 1.0)
+        || !pp_text_parse_number(comma + 1, &height)
+        || !(height >= 0.01 && height <= 10.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the mirrors' reflectance, above 0 to 1, and the box's height "
+                       "over its width, 0.01 to 10: 0.85,0.5");
+    options->box = (struct pp_mirror_box){rho, height};
+    options->has_box = true;
+    options->typed = "--mirror-box";
+    return PP_OK;
+}
+
+static const struct pp_option model_options[] = {
+    {"scale", 0, "N", "1:N, from 2 to 500 (default 20).", read_scale, 0},
+    {"mirror-box", 0, "RHO,K",
+     "Of the artificial sky that it is for: the mirrors' reflectance, and the box's "
+     "height over its width (default 0.85,0.5).",
+     read_mirror_box, 0},
+    {0},
+};
+
+/* ---- options of overlays ---- */
+
+static enum pp_status read_lens(const char *text, void *place, struct pp_error *err)
+{
+    static const char *const names[PP_LENS_COUNT] = {
+        [PP_LENS_EQUIDISTANT] = "equidistant",
+        [PP_LENS_EQUISOLID] = "equisolid",
+        [PP_LENS_STEREOGRAPHIC] = "stereographic",
+        [PP_LENS_ORTHOGRAPHIC] = "orthographic",
+    };
+    struct pp_overlay_options *overlay = place;
+    for (int i = 0; i < PP_LENS_COUNT; i++)
+        if (strcmp(text, names[i]) == 0) {
+            overlay->lens = (enum pp_lens)i;
+            overlay->typed = "--lens";
+            return PP_OK;
+        }
+    return pp_fail(err, PP_BAD_INPUT,
+                   "equidistant, equisolid, stereographic or orthographic");
+}
+
+static enum pp_status read_diameter(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_overlay_options *overlay = place;
+    double mm;
+    if (!pp_text_parse_number(text, &mm) || !(mm >= 20.0 && mm <= 400.0))
+        return pp_fail(err, PP_BAD_INPUT, "a number of millimetres from 20 to 400");
+    overlay->diameter_mm = mm;
+    overlay->typed = "--diameter";
+    return PP_OK;
+}
+
+static enum pp_status read_show(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_overlay_options *overlay = place;
+    overlay->said = true;
+    overlay->typed = "--show";
+    for (const char *at = text;; at++) {
+        size_t length = strcspn(at, ",");
+        bool *shown = length == 4 && strncmp(at, "dots", 4) == 0    ? &overlay->dots
+                      : length == 5 && strncmp(at, "cells", 5) == 0 ? &overlay->cells
+                      : length == 3 && strncmp(at, "sun", 3) == 0   ? &overlay->sun
+                                                                    : NULL;
+        if (!shown)
+            return pp_fail(err, PP_BAD_INPUT,
+                           "dots, cells, sun, or several with commas between");
+        *shown = true;
+        at += length;
+        if (!*at)
+            return PP_OK;
+    }
+}
+
+static const struct pp_option overlay_options[] = {
+    {"lens", 0, "NAME",
+     "equidistant (default), equisolid, stereographic or orthographic.", read_lens, 0},
+    {"diameter", 0, "MM",
+     "of the horizon's circle, 20 to 400 mm (default: as the paper holds).",
+     read_diameter, 0},
+    {"show", 0, "WHAT,...",
+     "dots of 0.1 %, cells of 0.5 %, sun (default: dots, and with --latitude "
+     "sun).",
+     read_show, 0},
+    {0},
+};
+
+/* ---- kinds ---- */
+
 static const char about[] =
     "Draws a chart of a room to -o FILE.pdf, FILE.svg or FILE.png. The rooms of a "
     "building, or of several files, get a page each of a PDF, and a file each of the "
@@ -208,8 +317,8 @@ static const struct pp_option_group groups[] = {
     {"The sheet", sheet_options, PLACE(chart)},
     {"The sheet", pp_room_french_option, PLACE(chart.choice.site.french_m)},
     {"Diagrams of the drawing board", board_options, PLACE(chart)},
-    {"Overlay", pp_overlay_options, PLACE(chart.choice.board.overlay)},
-    {"Scale model", pp_model_options, PLACE(chart.choice.model)},
+    {"Overlay", overlay_options, PLACE(chart.choice.board.overlay)},
+    {"Scale model", model_options, PLACE(chart.choice.model)},
     {"Availability", pp_light_options, PLACE(chart.choice.availability)},
     {"Availability", pp_illuminance_options, PLACE(chart.choice.availability)},
     PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),

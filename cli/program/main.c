@@ -1,5 +1,18 @@
-/* main.c - pepperpot, daylight factors by hand and by ray: the list of commands. */
-#include "cli/program/program.h"
+/* main.c - pepperpot, daylight factors by hand and by ray: the list of commands, the
+ * program's own options, and its work before and after a command. */
+#include "config.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <locale.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/command.h"
+#include "cli/message.h"
+#include "cli/ranks/mpirun.h"
+#include "model/base/text.h"
 
 static const struct pp_command *const commands[] = {
     &pp_command_df,
@@ -17,7 +30,89 @@ static const struct pp_command *const commands[] = {
     NULL,
 };
 
+enum { COMMAND_COUNT = sizeof commands / sizeof *commands - 1 };
+
+static void print_help(void)
+{
+    puts("Usage: pepperpot COMMAND [OPTIONS] [FILE...]\n\n"
+         "Daylight factors of rooms by the classic hand methods, the charts they are\n"
+         "worked on, and a simulation of the same room to set beside them.\n\n"
+         "Commands:");
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        printf("  %-12s %s\n", commands[i]->name, commands[i]->summary);
+    puts("\nOptions:\n"
+         "  -h, --help     Print this help and stop; after a command: its own.\n"
+         "      --version  Print the version and stop.\n\n"
+         "Exit status: 0 done, 1 the input is wrong, 2 the command line is wrong,\n"
+         "3 the machine failed, 130 interrupted.");
+}
+
+static void list_commands(const char *names[COMMAND_COUNT])
+{
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        names[i] = commands[i]->name;
+}
+
+static enum pp_exit fail_unknown_command(const char *word)
+{
+    const char *names[COMMAND_COUNT];
+    list_commands(names);
+    char question[128];
+    pp_text_did_you_mean(question, sizeof question, "",
+                         pp_text_nearest(word, names, COMMAND_COUNT), "");
+    pp_message("there is no %s \"%s\"%s%s", word[0] == '-' ? "option" : "command", word,
+               question[0] ? "; " : "", question);
+    fputs("Try: pepperpot --help\n", stderr);
+    return PP_EXIT_USAGE;
+}
+
+static enum pp_exit run_program(int argc, char **argv, const struct pp_ranks *ranks)
+{
+    const char *word = argc > 1 ? argv[1] : NULL;
+    if (!word) {
+        const char *names[COMMAND_COUNT];
+        char known[256];
+        list_commands(names);
+        pp_message("expected a command: %s",
+                   pp_text_list_names(known, sizeof known, names, COMMAND_COUNT));
+        fputs("Try: pepperpot --help\n", stderr);
+        return PP_EXIT_USAGE;
+    }
+    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
+        print_help();
+        return PP_EXIT_DONE;
+    }
+    if (strcmp(word, "--version") == 0) {
+        puts(PACKAGE_NAME " " PACKAGE_VERSION);
+        return PP_EXIT_DONE;
+    }
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        if (strcmp(word, commands[i]->name) == 0)
+            return pp_command_run(commands[i], argc - 1, argv + 1, ranks);
+    return fail_unknown_command(word);
+}
+
+/* A standard stream that was closed would lend its number to the next file opened,
+ * which would then get our messages. What stands in for it refuses to be used. */
+static void occupy_standard_streams(void)
+{
+    for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++)
+        if (fcntl(file, F_GETFD) < 0)
+            open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 int main(int argc, char **argv)
 {
-    return pp_program(argc, argv, commands);
+    occupy_standard_streams();
+    setlocale(LC_CTYPE, ""); /* the terminal's characters; numbers keep their point */
+
+    struct pp_mpirun mpirun;
+    enum pp_exit status = pp_mpirun_begin(&mpirun);
+    if (status == PP_EXIT_DONE)
+        status = run_program(argc, argv, mpirun.ranks.count > 1 ? &mpirun.ranks : NULL);
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        pp_message("standard output can't be written: %s", strerror(errno));
+        status = PP_EXIT_MACHINE;
+    }
+    return pp_mpirun_end(&mpirun, status);
 }

@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include "cli/message.h"
-#include "cli/ranks/mpirun_module.h"
 #include "model/base/work_ranks.h"
 
 #define MODULE "pepperpot-mpi.so"

@@ -18,4 +18,11 @@ enum pp_exit pp_mpirun_begin(struct pp_mpirun *mpirun);
  * done what it could. */
 enum pp_exit pp_mpirun_end(struct pp_mpirun *mpirun, enum pp_exit status);
 
+/* The function of the module that sends messages by MPI; mpirun.c loads the module where
+ * there are ranks, so that a plain run does not load MPI's libraries. *ranks is good until
+ * `end`, its count 1 where this process is alone. What `end` (NULL where beginning failed)
+ * does has to be done before the process ends. 0, or MPI's code of an error. */
+typedef int pp_mpirun_module_begin(struct pp_ranks *ranks, void (**end)(void *data));
+extern pp_mpirun_module_begin pp_mpirun_module;
+
 #endif

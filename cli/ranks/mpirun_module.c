@@ -5,7 +5,7 @@
  * (--enable-recovery): what is sent to the dead does not arrive, and MPI_Finalize does
  * not wait for them. Hence nothing here waits for another rank.
  */
-#include "cli/ranks/mpirun_module.h"
+#include "cli/ranks/mpirun.h"
 
 #include <limits.h>
 #include <mpi.h>

@@ -1,18 +1,17 @@
 /* cmd_report.c - the command report: rooms, their drawings, figures and verdicts as one
  * page of HTML, or as sheets of a PDF. */
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include "config.h"
-
 #include "api/cited_works.h"
 #include "charts/document/document_sheets.h"
 #include "cli/assess/assess_run.h"
 #include "cli/command.h"
 #include "cli/output.h"
-#include "cli/report/made_words.h"
 #include "cli/report/report_pictures.h"
 #include "reports/page/document_html.h"
 #include "reports/page/site_report.h"
@@ -60,6 +59,100 @@ static bool is_pdf(const struct pp_assess_words *words)
     return words->report_format ? strcmp(words->report_format, "pdf") == 0
                                 : ending && strcasecmp(ending, ".pdf") == 0;
 }
+
+/* ---- the command line that makes a report again ---- */
+
+static bool is_safe(const char *word)
+{
+    return *word
+           && word[strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                "0123456789_+-./,:%@=")]
+                  == '\0';
+}
+
+/* Behind a space; in quotes where a shell would take it otherwise. */
+static void put_word(const char *word, FILE *out)
+{
+    fputc(' ', out);
+    if (is_safe(word)) {
+        fputs(word, out);
+        return;
+    }
+    fputc('\'', out);
+    for (; *word; word++)
+        fputs(*word == '\'' ? "'\\''" : (const char[]){*word, '\0'}, out);
+    fputc('\'', out);
+}
+
+/* An option and its word, where that was given. */
+static void put_option(const char *option, const char *word, FILE *out)
+{
+    if (!word)
+        return;
+    fprintf(out, " %s", option);
+    put_word(word, out);
+}
+
+static void put_choice(const struct pp_assess_words *words, FILE *out)
+{
+    static const char *const states[] = {[PP_STATE_BOTH] = NULL,
+                                         [PP_STATE_EXISTING] = "existing",
+                                         [PP_STATE_PROPOSED] = "proposed"};
+    put_option("--criteria", words->criteria, out);
+    put_option("--for", words->profile_name, out);
+    put_option("--before", words->before, out);
+    if (words->mirror_image.given)
+        fprintf(out, " --mirror-image %.10g,%.10g,%.10g,%.10g",
+                words->mirror_image.line.from[0], words->mirror_image.line.from[1],
+                words->mirror_image.line.to[0], words->mirror_image.line.to[1]);
+    put_option("--place", words->place, out);
+    if (words->median_lux > 0.0 && !words->weather)
+        fprintf(out, " --median-diffuse %.10g", words->median_lux);
+    put_option("--weather", words->weather, out);
+    if (words->french_m > 0.0)
+        fprintf(out, " --vsc-point-french %.10g", words->french_m);
+    put_option("--format", words->report_format, out);
+    put_option("--room", words->room.room, out);
+    put_option("--state", states[words->room.state], out);
+}
+
+static void put_simulation(const struct pp_study_options *study, FILE *out)
+{
+    if (!study->simulate) {
+        fputs(" --by-hand", out);
+        return;
+    }
+    if (study->samples > 0)
+        fprintf(out, " --samples %ld", study->samples);
+    if (study->error > 0.0)
+        fprintf(out, " --error %.10g%%", 100.0 * study->error);
+    if (study->seconds > 0.0)
+        fprintf(out, " --time %.10gs", study->seconds);
+    fprintf(out, " --seed %llu", (unsigned long long)study->seed);
+}
+
+/* All that bears on the figures: what is judged, of which files and rooms, how it is
+ * simulated; as a shell takes it. To be freed; NULL when memory is out. */
+static char *made_words(const struct pp_assess_run *run)
+{
+    char *text = NULL;
+    size_t length;
+    FILE *out = open_memstream(&text, &length);
+    if (!out)
+        return NULL;
+    fputs("pepperpot report", out);
+    put_choice(run->words, out);
+    put_simulation(&run->words->room.study, out);
+    const char *last = "";
+    for (int i = 0; i < run->rooms->count; i++) {
+        if (strcmp(run->rooms->list[i].file, last) != 0)
+            put_word(run->rooms->list[i].file, out);
+        last = run->rooms->list[i].file;
+    }
+    return fclose(out) == 0 ? text : NULL;
+}
+
+/* ---- the report ---- */
 
 static enum pp_status print_html(const struct pp_document *document, const char *title,
                                  const struct pp_report_pictures *pictures, FILE *out,
@@ -110,7 +203,7 @@ static enum pp_status print_site_report(const void *data, FILE *out,
 {
     const struct pp_assess_run *run = data;
     const char *title = title_of(&run->rooms->list[0]);
-    char *made_by = pp_made_words(run);
+    char *made_by = made_words(run);
     bool pdf = is_pdf(run->words);
     struct pp_report_pictures pictures;
     struct pp_document document = {0};

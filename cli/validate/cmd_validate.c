@@ -1,8 +1,11 @@
 /* cmd_validate.c - the command validate: formulae against simulation, and the
  * program against analytic answers. */
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "cli/interrupt.h"
+#include "cli/ranks/room_queue.h"
 #include "cli/terminal.h"
 #include "cli/validate/against_radiance.h"
 #include "cli/validate/run_suite.h"
@@ -10,12 +13,16 @@
 #include "cli/watch.h"
 #include "cli/format_option.h"
 #include "cli/df/formula_option.h"
-#include "cli/validate/validate_engines.h"
 #include "cli/validate/validate_rooms.h"
 #include "cli/rooms.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
 #include "model/base/text.h"
+#include "reports/df_result.h"
+#include "reports/parts/format.h"
+#include "simulate/cache/irradiance_cache.h"
+#include "studies/research/validation/room_cases.h"
+#include "studies/study_report.h"
 
 static const char about[] =
     "Without FILE: the program's answers beside those that are known on paper (open "
@@ -69,6 +76,99 @@ static const struct pp_option page_option[] = {
     {0},
 };
 
+/* ---- the suite engines: a report a room, to which each engine adds its columns ---- */
+
+struct engines_run {
+    const struct pp_room_options *options;
+    const struct pp_rooms *rooms;
+    struct pp_result *results; /* one a room */
+    int count;
+};
+
+static struct pp_room_figures engine_room_figures(void *data, int index)
+{
+    struct pp_result *result = &((struct engines_run *)data)->results[index];
+    return (struct pp_room_figures){&result->report, &result->by_clock};
+}
+
+/* Divides the room's time among the engines. */
+static enum pp_status simulate_by_engines(const void *data, int index,
+                                          struct pp_report *report, bool *by_clock,
+                                          struct pp_error *err)
+{
+    const struct engines_run *run = data;
+    const struct pp_engine_options cached = {.cache = pp_irradiance_cache_defaults()};
+    struct pp_study_options study = run->options->study;
+    enum pp_status status = PP_OK;
+    int engines = 0;
+    (void)index;
+    while (pp_engine_at(engines))
+        engines++;
+    study.seconds /= engines;
+    for (int i = 0; i < engines && status == PP_OK; i++) {
+        if (pp_interrupt_came())
+            report->finished = false;
+        else
+            status = pp_study_report_simulate(report, pp_engine_at(i), cached, &study,
+                                              by_clock, NULL, err);
+    }
+    return status;
+}
+
+static enum pp_status find_engine_cases(void *data, struct pp_known_cases *cases,
+                                        struct pp_error *err)
+{
+    struct engines_run *run = data;
+    enum pp_status status = PP_OK;
+    run->results = calloc((size_t)run->rooms->count + 1, sizeof *run->results);
+    if (!run->results)
+        return pp_fail_memory(err);
+    for (int i = 0; i < run->rooms->count && status == PP_OK; i++) {
+        struct pp_result *result = &run->results[run->count++];
+        result->file = run->rooms->list[i].file;
+        status = pp_study_report_methods(&result->report, &run->rooms->list[i],
+                                         &run->options->study, err);
+    }
+    pp_interrupt_watch();
+    if (status == PP_OK)
+        status = pp_room_queue_run(
+            &(struct pp_room_queue){run->count, run->options->ranks,
+                                    engine_room_figures, simulate_by_engines, run},
+            err);
+    for (int i = 0; i < run->count && status == PP_OK; i++)
+        pp_room_cases_of_engines(cases, run->results[i].file, &run->results[i].report);
+    return status;
+}
+
+static bool engines_are_finished(const void *data)
+{
+    const struct engines_run *run = data;
+    for (int i = 0; i < run->count; i++)
+        if (!run->results[i].report.finished)
+            return false;
+    return true;
+}
+
+/* Runs every engine in every room, over ranks where there are some, and compares their
+ * results. page: a file for the page, or NULL. PP_EXIT_INPUT where more results than
+ * allowed are outside their limits. */
+static enum pp_exit validate_engines(const struct pp_rooms *rooms,
+                                     const struct pp_room_options *options,
+                                     enum pp_format format, const char *page)
+{
+    struct engines_run run = {.options = options, .rooms = rooms};
+    enum pp_exit exit_status =
+        pp_run_suite(&(struct pp_suite_source){&pp_suite_engines, find_engine_cases,
+                                               engines_are_finished, &run},
+                     options, format, page);
+    for (int i = 0; i < run.count; i++)
+        pp_report_clear(&run.results[i].report);
+    free(run.results);
+    return exit_status;
+}
+
+/* ---- rooms ---- */
+
 /* Loads the rooms and compares them with what they are to be compared with. */
 static enum pp_exit compare_loaded_rooms(struct validate_options *options, char **files,
                                          int file_count)
@@ -86,7 +186,7 @@ static enum pp_exit compare_loaded_rooms(struct validate_options *options, char 
             pp_against_radiance_suite(&rooms, of_rooms, options->format, options->page);
     else if (options->suite == &pp_suite_engines)
         exit_status =
-            pp_validate_engines(&rooms, of_rooms, options->format, options->page);
+            validate_engines(&rooms, of_rooms, options->format, options->page);
     else if (options->against)
         exit_status = pp_against_radiance(&rooms, of_rooms, options->format);
     else if (options->suite)

@@ -5,8 +5,319 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "formats/epw/epw_records.h"
+#include "formats/epw/epw_header.h"
+#include "model/base/array.h"
 #include "model/base/read_file.h"
+#include "model/base/text.h"
+
+/* ---- records, in their order ---- */
+
+/* Position in the records, and the record due next. */
+struct record_reader {
+    struct pp_epw *epw;
+    const struct pp_epw_header *header;
+    struct pp_mistakes *mistakes;
+    int line;
+    char *fields[PP_EPW_FIELDS_MOST];
+
+    int period; /* index; period_count: after the last */
+    bool begun; /* has any record of it been read? */
+    int years_left;
+    struct pp_month_day date; /* of the record that is due */
+    int weekday;
+    int hour;          /* 1 to 24 */
+    int sub;           /* of the hour, from 0 */
+    int minute;        /* of the record before in this hour; -1: none */
+    int space;         /* records that there is memory for */
+    bool out_of_order; /* the records that follow can't be judged */
+};
+
+static void start_period(struct record_reader *r)
+{
+    r->begun = false;
+    r->hour = 1;
+    r->sub = 0;
+    r->minute = -1;
+    if (r->period == r->header->period_count)
+        return;
+    const struct pp_epw_period *period = &r->header->periods[r->period];
+    r->years_left = period->years;
+    r->date = period->from;
+    r->weekday = period->weekday;
+}
+
+/* The day after, 29 February after the 28th. */
+static struct pp_month_day day_after(struct pp_month_day date)
+{
+    if (date.day < pp_month_day_days_of_month(date.month))
+        return (struct pp_month_day){date.month, date.day + 1};
+    return (struct pp_month_day){date.month % 12 + 1, 1};
+}
+
+/* Goes on to the record after the one just read. */
+static void step_on(struct record_reader *r)
+{
+    r->begun = true;
+    if (++r->sub < r->header->records_an_hour)
+        return;
+    r->sub = 0;
+    r->minute = -1;
+    if (++r->hour <= 24)
+        return;
+    r->hour = 1;
+    bool ends = pp_month_day_same(r->date, r->header->periods[r->period].to);
+    if (ends && r->years_left-- == 0) {
+        r->period++;
+        start_period(r);
+        return;
+    }
+    r->date = day_after(r->date);
+    if (r->weekday != PP_WEEKDAY_UNKNOWN)
+        r->weekday = (r->weekday + 1) % 7;
+}
+
+static bool is_leap(int year)
+{
+    return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+}
+
+/* A whole number within low ... high. */
+static bool read_whole(struct record_reader *r, int index, const char *name, int low,
+                       int high, int *whole)
+{
+    double value;
+    char shown[64];
+    if (pp_text_parse_number(r->fields[index], &value) && value == floor(value)
+        && value >= low && value <= high) {
+        *whole = (int)value;
+        return true;
+    }
+    pp_mistakes_add(r->mistakes, r->line, "%s (field %d) is \"%s\"; expected %d to %d",
+                    name, index + 1,
+                    pp_text_excerpt(shown, sizeof shown, r->fields[index]), low, high);
+    return false;
+}
+
+/* Notes which record stands where another is due, and gives up. */
+static bool fail_order(struct record_reader *r, struct pp_month_day date, int hour)
+{
+    char found[32], wanted[32];
+    r->out_of_order = true;
+    pp_mistakes_add(
+        r->mistakes, r->line,
+        "a record of %s, hour %d; expected %s, hour %d: records are missing or "
+        "out of order",
+        pp_month_day_words(found, sizeof found, date), hour,
+        pp_month_day_words(wanted, sizeof wanted, r->date), r->hour);
+    return false;
+}
+
+/* Notes a record behind the last data period, and gives up. */
+static bool is_after_last(struct record_reader *r)
+{
+    if (r->period < r->header->period_count)
+        return false;
+    pp_mistakes_add(r->mistakes, r->line,
+                    "a record after the last data period of line %d",
+                    r->header->periods_line);
+    r->out_of_order = true;
+    return true;
+}
+
+/* Where 29 February is due: leap years have its records, and so have files that say so
+ * (by their header). Where the file has none, 1 March is due instead. */
+static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
+                            int year)
+{
+    enum pp_epw_leap leap = r->header->leap;
+    bool due = pp_month_day_same(r->date, (struct pp_month_day){2, 29});
+    bool there = pp_month_day_same(found, (struct pp_month_day){2, 29});
+    if (!due || r->hour != 1 || r->sub != 0)
+        return true;
+    if (there && leap == PP_LEAP_NO && !is_leap(year)) {
+        pp_mistakes_add(
+            r->mistakes, r->line,
+            "a record of 29 February %d; but %d is no leap year, and line %d says "
+            "that there is none",
+            year, year, r->header->leap_line);
+        r->out_of_order = true;
+        return false;
+    }
+    if (!there && leap == PP_LEAP_YES) {
+        pp_mistakes_add(
+            r->mistakes, r->line,
+            "no record of 29 February before this one; but line %d says that the "
+            "year is a leap year",
+            r->header->leap_line);
+        r->out_of_order = true;
+        return false;
+    }
+    if (there)
+        return true;
+    r->date = (struct pp_month_day){3, 1};
+    bool ends = r->begun && r->years_left == 0
+                && pp_month_day_same(r->header->periods[r->period].to,
+                                     (struct pp_month_day){2, 29});
+    if (!ends)
+        return true;
+    r->period++;
+    start_period(r);
+    return !is_after_last(r);
+}
+
+/* Minutes rise within an hour; 0 at its end stands for 60. */
+static bool check_minute(struct record_reader *r, int minute)
+{
+    bool last = r->sub == r->header->records_an_hour - 1;
+    if (minute == 0 && last && r->sub > 0)
+        minute = 60;
+    if (minute > r->minute) {
+        r->minute = minute;
+        return true;
+    }
+    pp_mistakes_add(r->mistakes, r->line,
+                    "minute %d (field 5) after minute %d of the same hour; expected %d "
+                    "records an hour in order",
+                    minute, r->minute, r->header->records_an_hour);
+    r->out_of_order = true;
+    return false;
+}
+
+/* Is it the record that is due? */
+static bool read_time(struct record_reader *r, struct pp_epw_record *record)
+{
+    int month, day, hour, minute;
+    if (!read_whole(r, 0, "the year", 1800, 2200, &record->year)
+        || !read_whole(r, 1, "the month", 1, 12, &month)
+        || !read_whole(r, 2, "the day", 1, pp_month_day_days_of_month(month), &day)
+        || !read_whole(r, 3, "the hour", 1, 24, &hour)
+        || !read_whole(r, 4, "the minute", 0, 60, &minute)) {
+        r->out_of_order = true;
+        return false;
+    }
+    record->date = (struct pp_month_day){month, day};
+    if (!settle_leap_day(r, record->date, record->year))
+        return false;
+    if (!pp_month_day_same(record->date, r->date) || hour != r->hour)
+        return fail_order(r, record->date, hour);
+    record->weekday = r->weekday;
+    record->start_h = r->hour - 1 + r->sub * r->epw->record_h;
+    return check_minute(r, minute);
+}
+
+/* A measured value; NAN where it is missing. */
+static double read_value(struct record_reader *r, int index, const char *name,
+                         double low, double high, double missing)
+{
+    double value;
+    char shown[64];
+    const char *text = r->fields[index];
+    if (!*text)
+        return NAN;
+    if (pp_text_parse_number(text, &value)) {
+        if (value >= missing)
+            return NAN;
+        if (value >= low && value <= high)
+            return value;
+    }
+    pp_mistakes_add(
+        r->mistakes, r->line,
+        "%s (field %d) is \"%s\"; expected %g to %g, or %g where it is missing", name,
+        index + 1, pp_text_excerpt(shown, sizeof shown, text), low, high, missing);
+    return NAN;
+}
+
+static void read_values(struct record_reader *r, struct pp_epw_record *record)
+{
+    record->dew_point_c = read_value(r, 7, "the dew point", -90.0, 70.0, 99.9);
+    record->global_w_m2 =
+        read_value(r, 13, "global horizontal irradiance", 0.0, 2000.0, 9999.0);
+    record->direct_w_m2 =
+        read_value(r, 14, "direct normal irradiance", 0.0, 2000.0, 9999.0);
+    record->diffuse_w_m2 =
+        read_value(r, 15, "diffuse horizontal irradiance", 0.0, 2000.0, 9999.0);
+    record->diffuse_lx =
+        read_value(r, 18, "diffuse horizontal illuminance", 0.0, 250000.0, 999900.0);
+}
+
+/* Adds the record of a line; false when memory is out. */
+static bool read_record(struct record_reader *r, char *text)
+{
+    enum { FIELDS_NEEDED = 19 };
+    int count = pp_epw_lines_split(text, r->fields, PP_EPW_FIELDS_MOST);
+    if (count < FIELDS_NEEDED) {
+        pp_mistakes_add(
+            r->mistakes, r->line,
+            "a record of %d field%s; expected 35, at least %d, up to diffuse "
+            "illuminance",
+            count, count == 1 ? "" : "s", FIELDS_NEEDED);
+        r->out_of_order = true;
+        return true;
+    }
+    if (is_after_last(r))
+        return true;
+    struct pp_epw *epw = r->epw;
+    if (pp_array_reserve(&epw->records, &r->space, epw->record_count + 1,
+                         sizeof *epw->records, NULL)
+        != PP_OK)
+        return false;
+    struct pp_epw_record *record = &epw->records[epw->record_count];
+    if (!read_time(r, record))
+        return true;
+    read_values(r, record);
+    epw->record_count++;
+    step_on(r);
+    return true;
+}
+
+/* Did the file end where its last data period does? */
+static void check_end(struct record_reader *r)
+{
+    char wanted[32];
+    struct pp_month_day leap_day = {2, 29};
+    if (r->period == r->header->period_count)
+        return;
+    /* A period up to 29 February may do without it. */
+    bool leap_end = pp_month_day_same(r->date, leap_day) && r->hour == 1 && r->sub == 0
+                    && pp_month_day_same(r->header->periods[r->period].to, leap_day)
+                    && r->header->leap != PP_LEAP_YES;
+    if (leap_end && r->begun && r->period == r->header->period_count - 1
+        && r->years_left == 0)
+        return;
+    pp_mistakes_add(
+        r->mistakes, r->line,
+        "the file ends here; expected a record of %s, hour %d: it is cut off, or "
+        "data period %d of line %d ends sooner than that line says",
+        pp_month_day_words(wanted, sizeof wanted, r->date), r->hour, r->period + 1,
+        r->header->periods_line);
+}
+
+/* Reads the records into epw, from `record` on. PP_OK also where there are mistakes. */
+static enum pp_status read_epw_records(struct pp_epw *epw,
+                                       const struct pp_epw_header *header,
+                                       struct pp_epw_lines *lines, char *record,
+                                       struct pp_mistakes *mistakes,
+                                       struct pp_error *err)
+{
+    struct record_reader r = {.epw = epw, .header = header, .mistakes = mistakes};
+    int before = mistakes->count;
+    epw->record_h = 1.0 / header->records_an_hour;
+    start_period(&r);
+    for (; record; record = pp_epw_lines_next(lines)) {
+        r.line = lines->line;
+        if (!read_record(&r, record))
+            return pp_fail_memory(err);
+        mistakes->truncated |= mistakes->count - before >= PP_EPW_MISTAKES_MOST;
+        if (r.out_of_order || mistakes->truncated)
+            return PP_OK;
+    }
+    r.line = lines->line;
+    if (mistakes->count == before)
+        check_end(&r);
+    return PP_OK;
+}
+
+/* ---- a file ---- */
 
 /* Reads header and records from a copy of the file's bytes, with a NUL behind. */
 static enum pp_status read_epw_copy(struct pp_epw *epw, char *bytes, size_t length,
@@ -22,7 +333,7 @@ static enum pp_status read_epw_copy(struct pp_epw *epw, char *bytes, size_t leng
     struct pp_error memory = {PP_OK, ""};
     enum pp_status status = PP_OK;
     if (pp_epw_header_read(epw, header, &lines, &record, mistakes, &memory))
-        status = pp_epw_records_read(epw, header, &lines, record, mistakes, err);
+        status = read_epw_records(epw, header, &lines, record, mistakes, err);
     else if (memory.status != PP_OK)
         status = pp_fail_memory(err);
     free(header);

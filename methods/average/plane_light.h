@@ -1,6 +1,6 @@
 /* plane_light.h - the mean over the working plane of the light through an opening.
  *
- * Plainly it is an integral over points of the plane (point_average.h). By beams it is an
+ * Plainly it is an integral over points of the plane. By beams it is an
  * integral over directions (beam_average.h), which is sooner. pp_beams_create says which.
  */
 #ifndef PP_METHODS_AVERAGE_PLANE_LIGHT_H

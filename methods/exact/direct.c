@@ -2,11 +2,13 @@
  * up. */
 #include "methods/exact/direct.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "methods/exact/direct_steps.h"
 #include "methods/exact/pane_luminance.h"
+#include "methods/part_steps.h"
 
 /* ---- closed forms ---- */
 
@@ -52,6 +54,131 @@ enum pp_status pp_direct_moments(struct pp_moments *moments,
             free(corners);
     }
     return PP_OK;
+}
+
+/* ---- steps of a patch ----
+ *
+ * For a sky with a closed form, the steps give the moments of the patch, the sky
+ * component without glass by these (solid_angle.h), and the mean transmittance of the
+ * glass. For any other sky the steps give the value of the integral.
+ */
+
+/* The results for one patch, over Eh. */
+struct patch_figures {
+    bool hidden;
+    struct pp_moments moments; /* of the part above the horizon */
+    bool closed_form; /* the sky's luminance has a closed form by the moments */
+    bool glazed;
+    double above;  /* by visible or hidden sky, through the glass */
+    double below;  /* by ground with a reflectance of 1; for an obstruction, by its part
+                    * below the horizon at the luminance of the horizon */
+    double own;    /* by the exitance of the obstruction */
+    double factor; /* luminance factor of the obstruction, reflectance of the ground */
+};
+
+struct sum_text {
+    char text[80];
+};
+
+/* The formula of the sky component without glass: pi L(0)/Eh = 3/(3 + 2b). */
+static struct sum_text closed_form(const struct pp_sky *sky)
+{
+    double b = sky->gradation;
+    struct sum_text sum = {"100 E_0# / 3.141592653590"};
+    if (b != 0.0)
+        snprintf(sum.text, sizeof sum.text,
+                 "300 (E_0# + %g E_1#) / (%g * 3.141592653590)", b, 3.0 + 2.0 * b);
+    return sum;
+}
+
+/* Records the terms of the sky component; returns its formula, "" for an integral. */
+static struct sum_text add_sky_terms(struct pp_part_steps *terms,
+                                     const struct patch_figures *figures,
+                                     const struct pp_sky *sky)
+{
+    const struct pp_moments *moments = &figures->moments;
+    pp_part_steps_read(terms, PP_UNIT_NUMBER, moments->omega, "omega",
+                       figures->hidden ? "solid angle of the sky that is hidden, sr"
+                                       : "solid angle of the sky that is seen, sr");
+    if (!figures->closed_form)
+        return (struct sum_text){""};
+    pp_part_steps_read(terms, PP_UNIT_NUMBER, moments->cosine, "E_0",
+                       "its integral of the cosine at the receiver");
+    if (sky->gradation != 0.0)
+        pp_part_steps_read(terms, PP_UNIT_NUMBER, moments->cosine_sine, "E_1",
+                           "the same, times the sine of the altitude");
+    double bare = pp_solid_angle_sky_component(moments, sky);
+    struct sum_text sum = closed_form(sky);
+    if (!figures->glazed || !(bare > 0.0))
+        return sum;
+    pp_part_steps_figure(terms, PP_UNIT_DAYLIGHT_FACTOR, bare, "s", sum.text,
+                         "that sky without glass, in closed form");
+    pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->above / bare, "t",
+                       "mean transmittance over it, by quadrature");
+    return (struct sum_text){"s# t#"};
+}
+
+/* Steps of a patch that shows sky and ground. */
+static void add_sky_steps(struct pp_part_steps *terms,
+                          const struct patch_figures *figures, const struct pp_sky *sky)
+{
+    struct sum_text formula = add_sky_terms(terms, figures, sky);
+    pp_part_steps_component(terms, false, figures->above, formula.text,
+                            formula.text[0]
+                                ? "sky component"
+                                : "sky component, an integral, by quadrature");
+    if (figures->below == 0.0)
+        return;
+    pp_part_steps_read(terms, PP_UNIT_DAYLIGHT_FACTOR, figures->below, "c",
+                       "ground that is seen, for a reflectance of 1");
+    pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->factor, "rho_g",
+                       "reflectance of the ground");
+    pp_part_steps_component(terms, true, figures->factor * figures->below, "rho_g# c#",
+                            "externally reflected component");
+}
+
+/* Steps of a patch that shows an obstruction. */
+static void add_hidden_steps(struct pp_part_steps *terms,
+                             const struct patch_figures *figures,
+                             const struct pp_sky *sky)
+{
+    struct sum_text formula = add_sky_terms(terms, figures, sky);
+    pp_part_steps_figure(
+        terms, PP_UNIT_DAYLIGHT_FACTOR, figures->above, "e", formula.text,
+        formula.text[0] ? "equivalent sky component of the obstruction"
+                        : "its equivalent sky component, by quadrature");
+    bool below = figures->below != 0.0, own = figures->own != 0.0;
+    if (below)
+        pp_part_steps_read(terms, PP_UNIT_DAYLIGHT_FACTOR, figures->below, "b",
+                           "hidden below the horizon, as bright as that");
+    pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->factor, "f",
+                       "luminance factor of the obstruction");
+    if (own)
+        pp_part_steps_read(terms, PP_UNIT_DAYLIGHT_FACTOR, figures->own, "g",
+                           "what it gives off by itself");
+    pp_part_steps_component(
+        terms, true, figures->factor * (figures->above + figures->below) + figures->own,
+        below && own ? "f# (e# + b#) + g#"
+        : below      ? "f# (e# + b#)"
+        : own        ? "f# e# + g#"
+                     : "f# e#",
+        "externally reflected component");
+}
+
+/* Records the steps of a patch as the next part; none for a patch of no size. */
+static void add_patch_steps(struct pp_part_steps *terms,
+                            const struct patch_figures *figures,
+                            const struct pp_sky *sky)
+{
+    bool nothing = !(figures->moments.omega > 1e-9) && figures->below == 0.0
+                   && figures->own == 0.0;
+    if (nothing)
+        return;
+    pp_part_steps_next(terms);
+    if (figures->hidden)
+        add_hidden_steps(terms, figures, sky);
+    else
+        add_sky_steps(terms, figures, sky);
 }
 
 /* ---- a patch ---- */
@@ -178,7 +305,7 @@ static enum pp_status from_below(double *value, const struct task *task,
 
 /* Records the steps of a patch. */
 static enum pp_status add_steps(struct pp_part_steps *terms, const struct task *task,
-                                struct pp_patch_figures *figures, struct pp_error *err)
+                                struct patch_figures *figures, struct pp_error *err)
 {
     const struct pp_sky *sky = task->lights.sky;
     struct pp_vec3 limits[2];
@@ -190,7 +317,7 @@ static enum pp_status add_steps(struct pp_part_steps *terms, const struct task *
         pp_direct_moments(&figures->moments, task->visible, task->patch, task->normal,
                           limits, count, err);
     if (status == PP_OK)
-        pp_direct_steps_add(terms, figures, sky);
+        add_patch_steps(terms, figures, sky);
     return status;
 }
 
@@ -198,7 +325,7 @@ static enum pp_status add_patch(const struct task *task, double ground_reflectan
                                 struct pp_part_steps *terms, struct pp_error *err)
 {
     const struct pp_visible_patch *patch = task->patch;
-    struct pp_patch_figures figures = {0};
+    struct patch_figures figures = {0};
     double all = 0.0;
     bool faces_up =
         task->normal.x == 0.0 && task->normal.y == 0.0 && task->normal.z > 0.0;

@@ -7,7 +7,6 @@
 #include "methods/view/block_bounds.h"
 #include "methods/view/elevation_cover.h"
 #include "methods/view/elevation_strips.h"
-#include "methods/view/hole_bands.h"
 #include "methods/view/visible.h"
 #include "model/base/array.h"
 #include "model/geometry/area_moments.h"
@@ -305,6 +304,35 @@ static enum pp_status add_surfaces(struct opening_drawing *drawing,
     return status;
 }
 
+/* Adds the bands that the opening's own facade hides of it: upright rectangles to the left,
+ * to the right, above and below its hole, without end. */
+static enum pp_status add_hole_bands(struct opening_drawing *drawing,
+                                     double reflectance, struct pp_error *err)
+{
+    const struct pp_opening *opening = drawing->opening;
+    if (!(opening->recess_m > 0.0))
+        return PP_OK;
+    double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < opening->outer.count; i++) {
+        struct pp_vec3 p = in_frame(&drawing->frame, opening->outer.vertices[i]);
+        double y = p.y + opening->recess_m;
+        left = fmin(left, p.x / y);
+        right = fmax(right, p.x / y);
+        low = fmin(low, p.z / y);
+        high = fmax(high, p.z / y);
+    }
+    double all = INFINITY;
+    const struct pp_elevation_part bands[4] = {{-all, left, -all, all, reflectance},
+                                               {right, all, -all, all, reflectance},
+                                               {left, right, high, all, reflectance},
+                                               {left, right, -all, low, reflectance}};
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < 4 && status == PP_OK; i++)
+        status = add_obstruction(
+            drawing, (struct pp_elevation_obstruction){.outline = bands[i]}, err);
+    return status;
+}
+
 /* Adds a facade: the opening's own round its hole, another as if it had none. */
 static enum pp_status add_facade(struct opening_drawing *drawing, int index,
                                  struct pp_error *err)
@@ -312,18 +340,10 @@ static enum pp_status add_facade(struct opening_drawing *drawing, int index,
     struct pp_facade *of = &drawing->world->facades[index];
     struct pp_polygon sheet = {.count = 4, .vertices = of->corners};
     struct silhouette solid = no_silhouette();
-    struct pp_elevation_part bands[4];
-    enum pp_status status = PP_OK;
-    if (index != drawing->opening->facade) {
-        status = add_to_silhouette(&solid, drawing, &sheet, err);
-        return status ? status : add_silhouette(drawing, &solid, of->reflectance, err);
-    }
-    int count = pp_hole_bands(bands, drawing->world, drawing->opening,
-                              drawing->frame.point, &drawing->frame.axes);
-    for (int i = 0; i < count && status == PP_OK; i++)
-        status = add_obstruction(
-            drawing, (struct pp_elevation_obstruction){.outline = bands[i]}, err);
-    return status;
+    if (index == drawing->opening->facade)
+        return add_hole_bands(drawing, of->reflectance, err);
+    enum pp_status status = add_to_silhouette(&solid, drawing, &sheet, err);
+    return status ? status : add_silhouette(drawing, &solid, of->reflectance, err);
 }
 
 /* Adds a block, by its sides that face the point. */

@@ -1,4 +1,5 @@
-/* world.c - see world.h: from a room to its world, step by step (build/). */
+/* world.c - see world.h: from a room to its world, step by step. Large steps are
+ * files of build/ and outside/; small ones are here. */
 #include "model/room/world.h"
 
 #include <math.h>
@@ -6,26 +7,24 @@
 #include <string.h>
 
 #include "model/geometry/convex_parts.h"
-#include "model/room/outside/blocks.h"
 #include "model/room/build/corners.h"
 #include "model/room/build/covers.h"
 #include "model/room/build/envelope.h"
-#include "model/room/outside/facades.h"
 #include "model/room/build/fittings.h"
 #include "model/room/build/free_surfaces.h"
-#include "model/room/outside/gardens.h"
-#include "model/room/build/inner_walls.h"
+#include "model/room/build/outline.h"
 #include "model/room/build/place_openings.h"
 #include "model/room/build/receivers.h"
 #include "model/room/build/resolve.h"
+#include "model/room/build/reveals.h"
+#include "model/room/build/watertight.h"
+#include "model/room/corrections.h"
+#include "model/room/outside/blocks.h"
+#include "model/room/outside/facades.h"
 #include "model/room/outside/meshes.h"
 #include "model/room/outside/shades.h"
-#include "model/room/build/reveals.h"
-#include "model/room/build/self_occlusion.h"
 #include "model/room/outside/skylines.h"
-#include "model/room/build/watertight.h"
-#include "model/room/build/working_plane.h"
-#include "model/room/corrections.h"
+#include "model/room/section.h"
 
 void pp_world_destroy(struct pp_world *world)
 {
@@ -128,6 +127,168 @@ static enum pp_status find_triangles(struct pp_resolver *r, struct pp_error *err
     return status;
 }
 
+/* ---- inner walls ---- */
+
+/* Thickest wall between two rooms; chosen, not measured. */
+static const double inner_wall_most_m = 0.6;
+
+/* Walls that the file states to be inner ones. */
+static void mark_stated_inner_walls(struct pp_resolver *r)
+{
+    for (int i = 0; i < r->room->wall_kind_count; i++) {
+        const struct pp_wall_part *part = &r->room->wall_kinds[i];
+        int face = pp_resolve_wall(r, part->name, "wall", part->line);
+        if (face < 0 || !part->is_inner)
+            continue;
+        r->world->surfaces[face].is_inner = true;
+        for (int k = 0; k < r->world->opening_count; k++) {
+            if (r->world->openings[k].face != face)
+                continue;
+            pp_mistakes_add(r->mistakes, part->line,
+                            "wall: is said to be no outside wall, but has the opening "
+                            "of line %d; expected none in it, or kind \"outer\"",
+                            r->world->openings[k].line);
+            break;
+        }
+    }
+}
+
+/* Is the other room's face turned to the wall, close behind its middle? */
+static bool is_behind(const struct pp_polygon *wall, const struct pp_polygon *other)
+{
+    return pp_vec_dot(wall->normal, other->normal) < -0.5
+           && pp_polygon_distance(other, pp_polygon_middle(wall)) <= inner_wall_most_m;
+}
+
+/* Marks inner walls: those stated in the file, and those with another placed room right
+ * behind them. Notes stated ones that have openings. */
+static enum pp_status mark_inner_walls(struct pp_resolver *r, struct pp_error *err)
+{
+    struct pp_world *world = r->world;
+    mark_stated_inner_walls(r);
+    for (int i = 0; i < r->room->surface_count; i++) {
+        const struct pp_surface_part *part = &r->room->surfaces[i];
+        struct pp_polygon other;
+        if (!part->is_room_outside)
+            continue;
+        if (pp_polygon_of(&other, part->vertices.list, part->vertices.count, err)
+            != PP_OK)
+            return PP_SYSTEM;
+        for (int k = 0; k < world->face_count; k++) {
+            struct pp_surface *wall = &world->surfaces[k];
+            wall->is_inner |=
+                wall->role == PP_WALL && is_behind(&wall->outline, &other);
+        }
+        pp_polygon_clear(&other);
+    }
+    return PP_OK;
+}
+
+/* ---- gardens: pieces of ground that the sun has to reach ---- */
+
+/* Adds a garden at ground level, its normal up. */
+static enum pp_status add_garden(struct pp_resolver *r,
+                                 const struct pp_garden_part *part,
+                                 struct pp_error *err)
+{
+    struct pp_world *world = r->world;
+    struct pp_garden *garden = &world->gardens[world->garden_count];
+    *garden = (struct pp_garden){.line = part->line};
+    enum pp_status status =
+        pp_polygon_of(&garden->outline, part->vertices.list, part->vertices.count, err);
+    if (status != PP_OK)
+        return status;
+    world->garden_count++;
+    for (int i = 0; i < garden->outline.count; i++)
+        garden->outline.vertices[i].z = world->ground_level_m;
+    if (garden->outline.normal.z < 0.0)
+        for (int i = 0, k = garden->outline.count - 1; i < k; i++, k--) {
+            struct pp_vec3 kept = garden->outline.vertices[i];
+            garden->outline.vertices[i] = garden->outline.vertices[k];
+            garden->outline.vertices[k] = kept;
+        }
+    pp_polygon_measure(&garden->outline);
+    garden->name = part->name ? strdup(part->name) : NULL;
+    return part->name && !garden->name ? pp_fail_memory(err) : PP_OK;
+}
+
+static enum pp_status resolve_gardens(struct pp_resolver *r, struct pp_error *err)
+{
+    const struct pp_room *room = r->room;
+    r->world->gardens =
+        calloc((size_t)room->garden_count + 1, sizeof(struct pp_garden));
+    if (!r->world->gardens)
+        return pp_fail_memory(err);
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < room->garden_count && status == PP_OK; i++) {
+        const struct pp_garden_part *part = &room->gardens[i];
+        if (pp_build_outline_is_good(r, "garden", part->line, &part->vertices))
+            status = add_garden(r, part, err);
+    }
+    return status;
+}
+
+/* ---- working plane ---- */
+
+/* Sets the working plane and the room's section at its height. */
+static enum pp_status resolve_working_plane(struct pp_resolver *r, struct pp_error *err)
+{
+    struct pp_world *world = r->world;
+    double z = r->room->working_plane_m;
+    world->working_plane_m = z;
+    if (!r->watertight || !isfinite(z))
+        return PP_OK;
+
+    double low = INFINITY;
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++)
+            low = fmin(low, world->surfaces[i].outline.vertices[k].z);
+    if (!(z >= low) || !(z < world->height_m)) {
+        int line = r->room->working_plane_line;
+        pp_mistakes_add(
+            r->mistakes, line ? line : r->room->line,
+            "working-plane: its height is %g m%s; expected it from the room's "
+            "floor at %g m up to below its top at %g m",
+            z, line ? "" : ", since none is given", low, world->height_m);
+        return PP_OK;
+    }
+
+    return pp_section_cut(&world->plane, world, r->corners, z, err);
+}
+
+/* ---- self-occlusion ---- */
+
+/* Compares the corners of the opening with the planes of faces, and the corners of faces
+ * with the plane of its glass. */
+static void find_self_occlusion(struct pp_opening *opening,
+                                const struct pp_world *world)
+{
+    opening->faces_open_in = opening->faces_open_out = true;
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_polygon *face = &world->surfaces[i].outline;
+        opening->faces_open_in &= pp_polygon_is_before(&opening->inner, face);
+        opening->faces_open_out &= pp_polygon_is_before(face, &opening->outer);
+    }
+}
+
+/* Finds whether faces can hide each opening, on its inner and on its outer side, and
+ * whether surfaces stand in the room. */
+static enum pp_status resolve_self_occlusion(struct pp_resolver *r,
+                                             struct pp_error *err)
+{
+    (void)err;
+    struct pp_world *world = r->world;
+    for (int i = 0; i < world->opening_count; i++)
+        find_self_occlusion(&world->openings[i], world);
+    world->is_empty = true;
+    for (int i = 0; i < world->surface_count; i++)
+        world->is_empty &=
+            !(world->surfaces[i].inside && world->surfaces[i].role == PP_FREE_SURFACE);
+    return PP_OK;
+}
+
+/* ---- all steps ---- */
+
 static enum pp_status resolve_world(struct pp_resolver *r, struct pp_error *err)
 {
     if (!check_comparable(r))
@@ -137,9 +298,9 @@ static enum pp_status resolve_world(struct pp_resolver *r, struct pp_error *err)
         pp_build_watertight,    pp_build_place_openings, pp_build_reveals,
         pp_build_facades,       pp_build_blocks,         pp_build_skylines,
         pp_build_free_surfaces, pp_build_fittings,       pp_build_covers,
-        pp_build_inner_walls,   pp_build_shades,         pp_build_gardens,
-        pp_build_working_plane, pp_build_receivers,      find_triangles,
-        pp_build_meshes,        pp_build_self_occlusion};
+        mark_inner_walls,       pp_build_shades,         resolve_gardens,
+        resolve_working_plane,  pp_build_receivers,      find_triangles,
+        pp_build_meshes,        resolve_self_occlusion};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);

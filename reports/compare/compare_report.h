@@ -5,7 +5,23 @@
 
 #include <stdio.h>
 
-#include "reports/compare/compare_result.h"
+#include "studies/research/compare/compare.h"
+
+/* What compare found. */
+struct pp_compare_result {
+    const struct pp_compare_subject *subject; /* not owned */
+    const char *other;   /* the other program's file; NULL: ours alone, as if */
+    const char *variant; /* words; NULL: none */
+    int given;           /* how many points the file has */
+    const double
+        *plain; /* ours as they are, with variant and without a file; not owned */
+    const struct pp_cause *const *causes;
+    int cause_count;
+    struct pp_compared compared; /* without a file: ours, errors and count alone */
+};
+
+/* Noise (logarithm) of what is left from which something is to be done about it. */
+#define PP_COMPARE_NOISY 0.015
 
 void pp_compare_report(const struct pp_compare_result *result, int width, FILE *out);
 

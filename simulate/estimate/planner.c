@@ -3,12 +3,12 @@
  * A stage goes by passes: every randomisation that is not done gets a step, in any
  * order and by any thread. Its sums are its own, and values are added up in index
  * order. */
-#include "simulate/estimate/planner_parts.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/error.h"
+#include "simulate/estimate/planner_parts.h"
 #include "model/base/array.h"
 #include "model/base/clock.h"
 #include "simulate/sampling/hash.h"
@@ -71,13 +71,32 @@ static void *state_of(const struct pp_planner *planner, int worker)
     return planner->states + (size_t)worker * planner->state_step;
 }
 
+/* PP_BAD_INPUT where an option is out of range. */
+static enum pp_status check_planner_options(const struct pp_planner_options *options,
+                                            struct pp_error *err)
+{
+    if (!(options->error >= 0.0 && options->error <= 1.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a standard error of %g cannot be aimed at; expected a fraction "
+                       "from 0 to 1",
+                       options->error);
+    if (options->samples < 0 || options->samples > PP_MOST_PATHS)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%ld samples a point are not possible; expected up to %d",
+                       options->samples, (int)PP_MOST_PATHS);
+    if (options->threads < 0)
+        return pp_fail(err, PP_BAD_INPUT, "%d threads are not possible",
+                       options->threads);
+    return PP_OK;
+}
+
 enum pp_status pp_planner_create(struct pp_planner **result,
                                  const struct pp_sampler *sampler, const void *client,
                                  int points, const struct pp_planner_options *options,
                                  struct pp_error *err)
 {
     *result = NULL;
-    enum pp_status status = pp_planner_options_check(options, err);
+    enum pp_status status = check_planner_options(options, err);
     if (status != PP_OK)
         return status;
     struct pp_planner *planner = calloc(1, sizeof *planner);

@@ -17,7 +17,18 @@
 
 #include "model/base/thread_pool.h"
 #include "simulate/estimate/plan.h"
-#include "simulate/estimate/planner_options.h"
+
+/* How far a sampler's work is to go. */
+struct pp_planner_options {
+    double error; /* wanted standard error over the last value. 0: go by samples or the
+                   * caller's clock alone */
+    double least_error; /* no smaller error is wanted */
+    double least_share; /* nor one for less than this share of the greatest of all
+                         * points' values */
+    long samples;       /* paths of each estimator in a randomisation; 0: not set */
+    int randomisations; /* by samples; 0: PP_RANDOMISATIONS */
+    int threads;        /* 0: as many as there are processors */
+};
 
 struct pp_planner;
 

@@ -148,32 +148,33 @@ static enum pp_status take_alias(struct pp_rad_reader *reader,
                                primitive->name.length, meaning, err);
 }
 
+/* A primitive by the first reader that knows its type. */
 static enum pp_status take_rad_primitive(struct pp_rad_reader *reader,
                                          struct pp_rad_primitive *primitive,
                                          const struct pp_rad_context *context,
                                          struct pp_error *err)
 {
+    static enum pp_status (*const readers[])(
+        struct pp_rad_reader *, const struct pp_rad_primitive *,
+        const struct pp_rad_context *, bool *,
+        struct pp_error *) = {pp_rad_shapes_read, pp_rad_functions_read,
+                              pp_rad_sky_read, pp_rad_materials_read};
     enum pp_status status = read_strings(reader, primitive, err);
     if (status == PP_OK)
         status = read_numbers(reader, primitive, err);
     bool taken = false;
-    if (status == PP_OK)
-        status = pp_rad_shapes_read(reader, primitive, context, &taken, err);
-    if (status == PP_OK && !taken)
-        status = pp_rad_functions_read(reader, primitive, context, &taken, err);
-    if (status == PP_OK && !taken)
-        status = pp_rad_sky_read(reader, primitive, context, &taken, err);
-    if (status == PP_OK && !taken)
-        status = pp_rad_materials_read(reader, primitive, context, &taken, err);
-    if (status == PP_OK && !taken)
-        status = pp_rad_words_fail(
-            primitive->words, primitive->line, err,
-            "the type \"%.*s\" is not understood; expected a shape (polygon, sphere, "
-            "bubble, cone, cup, cylinder, tube, ring, source), a material (plastic, "
-            "metal, trans, plastic2, metal2, trans2, glass, light, glow, illum, "
-            "mirror), alias, the brightfunc of gensky, a mixfunc of two sides",
-            pp_rad_words_shown(primitive->type), primitive->type.text);
-    return status;
+    for (size_t i = 0;
+         i < sizeof readers / sizeof *readers && status == PP_OK && !taken; i++)
+        status = readers[i](reader, primitive, context, &taken, err);
+    if (status != PP_OK || taken)
+        return status;
+    return pp_rad_words_fail(
+        primitive->words, primitive->line, err,
+        "the type \"%.*s\" is not understood; expected a shape (polygon, sphere, "
+        "bubble, cone, cup, cylinder, tube, ring, source), a material (plastic, "
+        "metal, trans, plastic2, metal2, trans2, glass, light, glow, illum, "
+        "mirror), alias, the brightfunc of gensky, a mixfunc of two sides",
+        pp_rad_words_shown(primitive->type), primitive->type.text);
 }
 
 enum pp_status pp_rad_primitive_read(struct pp_rad_reader *reader,

@@ -6,8 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "formats/radiance/write/rad_ground.h"
+#include "model/geometry/bounds.h"
+#include "model/geometry/clipper.h"
+#include "model/geometry/tolerance.h"
+#include "model/room/ground.h"
 #include "model/room/keyhole.h"
+#include "model/room/position.h"
+#include "model/room/section.h"
 #include "model/room/surface_materials.h"
 
 struct rad_room_builder {
@@ -193,6 +198,160 @@ static enum pp_status add_sky(struct rad_room_builder *b)
     return status == PP_OK ? add_half(b, name, ground, -1.0) : status;
 }
 
+/* ---- the ground outside as a disc ----
+ *
+ * It is diffuse and lies at the level of ground.h, about the middle of the room, a fifth
+ * of a millimetre lower, so that floors and surfaces on the ground stand out. Its radius
+ * is 100 times the distance of the farthest thing outside: what lies beyond is seen within
+ * 0.6 degrees below the horizon, and less than a thousandth of its sky is hidden. Where the
+ * room reaches below it, it has a hole of the room's section.
+ */
+
+/* Radius of the disc over the distance of the farthest thing. */
+static const double WIDE = 100.0;
+/* From a hole to the inner edge of the disc, at least. */
+static const double MARGIN_M = 1.0;
+
+struct rad_ground_builder {
+    struct pp_scene_description *scene;
+    int material;
+    struct pp_vec3 middle; /* of the ground below the room */
+    double reach_m;        /* from there to what is farthest */
+    struct pp_error *err;
+};
+
+static void measure_ground(struct rad_ground_builder *b, const struct pp_world *world)
+{
+    struct pp_bounds3 room = pp_position_bounds(world);
+    double level = pp_ground_level(world) - 2.0 * PP_SET_OFF_M;
+    b->middle = pp_bounds3_middle(&room);
+    b->middle.z = level;
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        /* The wall of a skyline is as long as half the disc is wide. */
+        if (surface->role == PP_SKYLINE)
+            b->reach_m = fmax(b->reach_m, world->skylines[surface->owner].distance_m);
+        else
+            for (int k = 0; k < surface->outline.count; k++)
+                b->reach_m = fmax(
+                    b->reach_m,
+                    pp_vec_length(pp_vec_sub(surface->outline.vertices[k], b->middle)));
+    }
+}
+
+static enum pp_status add_disc(struct rad_ground_builder *b, double hole_m)
+{
+    const struct pp_shape disc = {
+        .kind = PP_SHAPE_RING,
+        .material = b->material,
+        .back_material = -1,
+        .is.ring = {b->middle, pp_vec(0.0, 0.0, 1.0), {hole_m, WIDE * b->reach_m}}};
+    return pp_scene_description_add_shape(b->scene, &disc, NULL, b->err);
+}
+
+/* A triangle of the ground round a room that reaches below it. */
+static enum pp_status add_ground_triangle(struct rad_ground_builder *b, double xy[3][2])
+{
+    struct pp_vec3 corners[3];
+    if (!(pp_region_turn(xy[0], xy[1], xy[2]) > PP_SAME_M * PP_SAME_M))
+        return PP_OK;
+    for (int i = 0; i < 3; i++)
+        corners[i] = pp_vec(xy[i][0], xy[i][1], b->middle.z);
+    return pp_scene_description_add_polygon(b->scene, corners, 3, b->material, NULL,
+                                            b->err);
+}
+
+/* A square less the room, as triangles. */
+static enum pp_status add_square(struct rad_ground_builder *b, double half_m,
+                                 const struct pp_region *room)
+{
+    double x = b->middle.x, y = b->middle.y;
+    const double corners[4][2] = {{x - half_m, y - half_m},
+                                  {x + half_m, y - half_m},
+                                  {x + half_m, y + half_m},
+                                  {x - half_m, y + half_m}};
+    struct pp_region square = {0}, left = {0};
+    struct pp_clipper *clipper = NULL;
+    double(*triangles)[3][2] = NULL;
+    int count = 0;
+    enum pp_status status = pp_clipper_create(&clipper, b->err);
+    if (status == PP_OK)
+        status = pp_clipper_of_ring(clipper, &square, corners, 4, b->err);
+    if (status == PP_OK)
+        status = pp_clipper_difference(clipper, &left, &square, room, b->err);
+    if (status == PP_OK)
+        status = pp_clipper_triangulate(clipper, &triangles, &count, &left, b->err);
+    for (int i = 0; i < count && status == PP_OK; i++)
+        status = add_ground_triangle(b, triangles[i]);
+    free(triangles);
+    pp_region_clear(&left);
+    pp_region_clear(&square);
+    pp_clipper_destroy(clipper);
+    return status;
+}
+
+/* The disc begins at the circle within the square: where both are they are one. */
+static enum pp_status add_round(struct rad_ground_builder *b,
+                                const struct pp_region *room)
+{
+    double half_m = 0.0;
+    for (int i = 0; i < room->count; i++)
+        for (int k = 0; k < room->rings[i].count; k++)
+            half_m = fmax(half_m, hypot(room->rings[i].xy[k][0] - b->middle.x,
+                                        room->rings[i].xy[k][1] - b->middle.y));
+    half_m += MARGIN_M;
+    enum pp_status status = add_square(b, half_m, room);
+    return status == PP_OK ? add_disc(b, half_m) : status;
+}
+
+static enum pp_status add_rad_ground(struct rad_room_builder *room)
+{
+    struct rad_ground_builder b = {.scene = room->scene, .err = room->err};
+    struct pp_material ground =
+        pp_material_diffuse(pp_rgb_grey(room->light->ground_reflectance));
+    snprintf(ground.name, sizeof ground.name, "ground");
+    struct pp_region section = {0};
+    measure_ground(&b, room->world);
+    enum pp_status status =
+        pp_scene_description_add_material(b.scene, &ground, &b.material, b.err);
+    if (status == PP_OK)
+        status = pp_section_at(&section, room->world, b.middle.z, b.err);
+    if (status == PP_OK)
+        status = section.count > 0 ? add_round(&b, &section) : add_disc(&b, 0.0);
+    pp_region_clear(&section);
+    return status;
+}
+
+/* ---- the room ---- */
+
+static enum pp_status add_inside(struct rad_room_builder *b)
+{
+    return add_surfaces(b, true);
+}
+
+static enum pp_status add_outside(struct rad_room_builder *b)
+{
+    enum pp_status status = add_surfaces(b, false);
+    return status != PP_OK || b->world->ground_is_open ? status : add_rad_ground(b);
+}
+
+/* Adds all shapes, group after group. */
+static enum pp_status add_groups(struct rad_room_builder *b, int first[])
+{
+    static enum pp_status (*const add[PP_RAD_GROUPS])(struct rad_room_builder *) = {
+        [PP_RAD_ROOM] = add_inside,
+        [PP_RAD_GLAZING] = add_panes,
+        [PP_RAD_OUTSIDE] = add_outside,
+        [PP_RAD_SKY] = add_sky};
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < PP_RAD_GROUPS && status == PP_OK; i++) {
+        first[i] = b->scene->shape_count;
+        status = add[i](b);
+    }
+    first[PP_RAD_GROUPS] = b->scene->shape_count;
+    return status;
+}
+
 enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world *world,
                                 const struct pp_outside_light *light, double horizontal,
                                 bool gloss, struct pp_error *err)
@@ -205,25 +364,17 @@ enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world 
                                  .horizontal = horizontal,
                                  .err = err};
     enum pp_status status = pp_surface_materials_init(&b.materials, world, !gloss, err);
+    if (status != PP_OK)
+        goto done;
     b.described = malloc(((size_t)b.materials.count + 1) * sizeof *b.described);
-    if (status == PP_OK && !b.described)
+    if (!b.described) {
         status = pp_fail_memory(err);
-    for (int i = 0; status == PP_OK && i < b.materials.count; i++)
+        goto done;
+    }
+    for (int i = 0; i < b.materials.count; i++)
         b.described[i] = -1;
-    if (status == PP_OK)
-        status = add_surfaces(&b, true);
-    room->first[PP_RAD_GLAZING] = room->scene.shape_count;
-    if (status == PP_OK)
-        status = add_panes(&b);
-    room->first[PP_RAD_OUTSIDE] = room->scene.shape_count;
-    if (status == PP_OK)
-        status = add_surfaces(&b, false);
-    if (status == PP_OK && !world->ground_is_open)
-        status = pp_rad_ground_add(&room->scene, world, light->ground_reflectance, err);
-    room->first[PP_RAD_SKY] = room->scene.shape_count;
-    if (status == PP_OK)
-        status = add_sky(&b);
-    room->first[PP_RAD_GROUPS] = room->scene.shape_count;
+    status = add_groups(&b, room->first);
+done:
     pp_surface_materials_clear(&b.materials);
     free(b.described);
     if (status != PP_OK)

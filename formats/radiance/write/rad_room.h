@@ -4,7 +4,7 @@
  * are, each of two materials where its sides differ. The sky is a distant glow, in units
  * of which `horizontal` falls on the open level ground, and another below the horizon is
  * the ground, or, where that lies in shadow, what there is of it beyond a disc
- * (rad_ground.h). Skylines without a distance are part of the sky's pattern; those with
+ * (rad_room.c). Skylines without a distance are part of the sky's pattern; those with
  * one are walls among the surfaces.
  *
  * Finishes are matt and grey, as the daylight factors of rooms are worked out, or with

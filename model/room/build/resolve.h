@@ -1,10 +1,10 @@
 /* resolve.h - the state that the steps share from the room as its file describes it to
  * the world. Inside model/room/ only.
  *
- * A step is a file of build/; world.c has their order. Every step notes mistakes and
- * goes on with the parts that are good; a step fails only where the machine does. A
- * part with NAN in it has had its mistake noted by the reader and is passed over in
- * silence, and so is whatever depends on it.
+ * A step is a file of build/ or outside/, a small one a function of world.c, which has
+ * their order. Every step notes mistakes and goes on with the parts that are good; a step
+ * fails only where the machine does. A part with NAN in it has had its mistake noted by the
+ * reader and is passed over in silence, and so is whatever depends on it.
  */
 #ifndef PP_MODEL_ROOM_BUILD_RESOLVE_H
 #define PP_MODEL_ROOM_BUILD_RESOLVE_H

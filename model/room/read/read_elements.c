@@ -6,9 +6,7 @@
 
 #include "model/base/text.h"
 #include "model/room/read/element_form.h"
-#include "model/room/read/read_cover.h"
 #include "model/room/read/read_fitting.h"
-#include "model/room/read/read_mesh.h"
 #include "model/room/read/read_opening.h"
 #include "model/room/read/read_outside.h"
 #include "model/room/read/read_shape.h"
@@ -181,6 +179,39 @@ static void read_receiver(struct pp_reader *r, struct pp_room *room,
         room->receivers[room->receiver_count++] = part;
 }
 
+/* Adds a door or a dado. */
+static void add_cover(struct pp_reader *r, struct pp_room *room,
+                      enum pp_cover_kind kind, const struct pp_element_rule *rule,
+                      const struct pp_xml_element *e)
+{
+    struct pp_cover_form form = {0};
+    if (!pp_reader_fill_form(r, &form, rule, e)
+        || !PP_READER_RESERVE(r, room->covers, room->cover_count))
+        return;
+    room->covers[room->cover_count++] =
+        (struct pp_cover_part){.kind = kind,
+                               .name = pp_reader_copy_text(r, form.name),
+                               .wall = pp_reader_copy_text(r, form.wall),
+                               .left_m = form.left_m,
+                               .width_m = form.width_m,
+                               .height_m = form.height_m,
+                               .reflectance = form.finish.reflectance,
+                               .finish = form.finish.finish,
+                               .line = e->line};
+}
+
+static void read_door(struct pp_reader *r, struct pp_room *room,
+                      const struct pp_xml_element *e)
+{
+    add_cover(r, room, PP_DOOR, &pp_rule_door, e);
+}
+
+static void read_dado(struct pp_reader *r, struct pp_room *room,
+                      const struct pp_xml_element *e)
+{
+    add_cover(r, room, PP_DADO, &pp_rule_dado, e);
+}
+
 /* One child of a room, which its rule names. */
 static void read_child(struct pp_reader *r, struct pp_room *room,
                        const struct pp_xml_element *e)
@@ -199,13 +230,13 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
         {&pp_rule_facade, pp_read_outside_facade},
         {&pp_rule_block, pp_read_outside_block},
         {&pp_rule_surface, pp_read_outside_surface},
-        {&pp_rule_mesh, pp_read_mesh},
+        {&pp_rule_mesh, pp_read_outside_mesh},
         {&pp_rule_garden, pp_read_outside_garden},
         {&pp_rule_furniture, pp_read_fitting_furniture},
         {&pp_rule_column, pp_read_fitting_column},
         {&pp_rule_partition, pp_read_fitting_partition},
-        {&pp_rule_door, pp_read_cover_door},
-        {&pp_rule_dado, pp_read_cover_dado},
+        {&pp_rule_door, read_door},
+        {&pp_rule_dado, read_dado},
         {&pp_rule_working_plane, read_working_plane},
     };
     for (size_t i = 0; i < sizeof plain / sizeof *plain; i++)

@@ -19,6 +19,11 @@ void pp_read_outside_block(struct pp_reader *r, struct pp_room *room,
 void pp_read_outside_surface(struct pp_reader *r, struct pp_room *room,
                              const struct pp_xml_element *e);
 
+/* Reads the mesh file, too. Its mistakes are reported on the element's line, with the line
+ * of that file. */
+void pp_read_outside_mesh(struct pp_reader *r, struct pp_room *room,
+                          const struct pp_xml_element *e);
+
 /* Puts what waits for it on the ground, whose level is known. */
 void pp_read_outside_stand_on_ground(struct pp_room *room);
 

@@ -283,15 +283,11 @@ enum pp_status pp_closed_forms(struct pp_known_cases *cases,
     enum pp_status status = check_rectangles(cases, err);
     if (status == PP_OK)
         status = check_glass(cases, err);
-    if (status == PP_OK)
-        status = check_open_sky(cases, how, err);
-    if (status == PP_OK)
-        status = check_closed_cube(cases, how, err);
-    if (status == PP_OK)
-        status = check_configuration_factors(cases, how, err);
-    if (status == PP_OK)
-        status = check_windows(cases, how, err);
-    if (status == PP_OK)
-        status = check_traced_and_exact(cases, how, err);
+    static enum pp_status (*const traced[])(
+        struct pp_known_cases *, const struct pp_known_trace *, struct pp_error *) = {
+        check_open_sky, check_closed_cube, check_configuration_factors, check_windows,
+        check_traced_and_exact};
+    for (size_t i = 0; i < sizeof traced / sizeof *traced && status == PP_OK; i++)
+        status = traced[i](cases, how, err);
     return status;
 }
