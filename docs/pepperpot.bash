@@ -8,6 +8,8 @@ _pepperpot()
         local commands
         commands=$("$program" --help 2>/dev/null | sed -n 's/^  \([a-z][a-z]*\) .*/\1/p')
         mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$word")
+    elif [ "$COMP_CWORD" -eq 2 ] && [ "$command" = new ]; then
+        mapfile -t COMPREPLY < <(compgen -W 'office flat classroom attic' -- "$word")
     elif [ "$previous" = --format ] || [ "$previous" = -f ]; then
         local formats='text json csv'
         [[ $command != size && $command != compare ]] || formats='text json'

@@ -5,8 +5,10 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <locale.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 
 #include "cli/command.h"
@@ -15,33 +17,29 @@
 #include "model/base/text.h"
 
 static const struct pp_command *const commands[] = {
-    &pp_command_df,
-    &pp_command_chart,
-    &pp_command_render,
-    &pp_command_assess,
-    &pp_command_report,
-    &pp_command_size,
-    &pp_command_availability,
-    &pp_command_validate,
-    &pp_command_compare,
-    &pp_command_atlas,
-    &pp_command_export,
-    &pp_command_import,
-    NULL,
+    &pp_command_new,      &pp_command_df,
+    &pp_command_chart,    &pp_command_render,
+    &pp_command_assess,   &pp_command_report,
+    &pp_command_size,     &pp_command_availability,
+    &pp_command_validate, &pp_command_compare,
+    &pp_command_atlas,    &pp_command_export,
+    &pp_command_import,   NULL,
 };
 
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands - 1 };
 
 static void print_help(void)
 {
-    puts("Usage: pepperpot COMMAND [OPTIONS] [FILE...]\n\n"
+    puts("Usage: pepperpot COMMAND [OPTIONS] [FILE...]\n"
+         "       pepperpot FILE.xml [OPTIONS]   as pepperpot df\n\n"
          "Daylight factors of rooms by the classic hand methods, the charts they are\n"
          "worked on, and a simulation of the same room to set beside them.\n\n"
          "Commands:");
     for (int i = 0; i < COMMAND_COUNT; i++)
         printf("  %-12s %s\n", commands[i]->name, commands[i]->summary);
     puts("\nOptions:\n"
-         "  -h, --help     Print this help and stop; after a command: its own.\n"
+         "  -h, --help     Print this help and stop; after a command: its own, as\n"
+         "                 pepperpot help COMMAND does.\n"
          "      --version  Print the version and stop.\n\n"
          "Exit status: 0 done, 1 the input is wrong, 2 the command line is wrong,\n"
          "3 the machine failed, 130 interrupted.");
@@ -66,6 +64,39 @@ static enum pp_exit fail_unknown_command(const char *word)
     return PP_EXIT_USAGE;
 }
 
+/* NULL: there is none of that name. */
+static const struct pp_command *find_command(const char *name)
+{
+    for (int i = 0; i < COMMAND_COUNT; i++)
+        if (strcmp(name, commands[i]->name) == 0)
+            return commands[i];
+    return NULL;
+}
+
+/* Prints the program's help, or that of the command named. */
+static enum pp_exit run_help(int argc, char **argv)
+{
+    const struct pp_command *command = argc > 0 ? find_command(argv[0]) : NULL;
+    if (argc > 1) {
+        pp_message("help is of one command, and there are %d words; expected one",
+                   argc);
+        return PP_EXIT_USAGE;
+    }
+    if (argc > 0 && !command)
+        return fail_unknown_command(argv[0]);
+    if (command)
+        pp_command_help(command, stdout);
+    else
+        print_help();
+    return PP_EXIT_DONE;
+}
+
+static bool names_room_file(const char *word)
+{
+    const char *ending = strrchr(word, '.');
+    return word[0] != '-' && ending && strcasecmp(ending, ".xml") == 0;
+}
+
 static enum pp_exit run_program(int argc, char **argv, const struct pp_ranks *ranks)
 {
     const char *word = argc > 1 ? argv[1] : NULL;
@@ -86,9 +117,13 @@ static enum pp_exit run_program(int argc, char **argv, const struct pp_ranks *ra
         puts(PACKAGE_NAME " " PACKAGE_VERSION);
         return PP_EXIT_DONE;
     }
-    for (int i = 0; i < COMMAND_COUNT; i++)
-        if (strcmp(word, commands[i]->name) == 0)
-            return pp_command_run(commands[i], argc - 1, argv + 1, ranks);
+    if (strcmp(word, "help") == 0)
+        return run_help(argc - 2, argv + 2);
+    const struct pp_command *command = find_command(word);
+    if (command)
+        return pp_command_run(command, argc - 1, argv + 1, ranks);
+    if (names_room_file(word)) /* argv[0] stands for the command's name */
+        return pp_command_run(&pp_command_df, argc, argv, ranks);
     return fail_unknown_command(word);
 }
 

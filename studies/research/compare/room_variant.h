@@ -24,7 +24,6 @@
 #define PP_STUDIES_RESEARCH_COMPARE_ROOM_VARIANT_H
 
 #include <stdbool.h>
-#include <stdint.h>
 
 #include "model/base/error.h"
 
@@ -69,14 +68,5 @@ struct pp_room_variant_preset {
 };
 const struct pp_room_variant_preset *pp_room_variant_preset_at(
     int index); /* NULL behind the last */
-
-/* How values of a variant are traced, and the caller's check on the way. */
-struct pp_variant_tracing {
-    double error; /* wanted standard error over value, above 0 */
-    uint64_t seed;
-    int threads;                           /* 0: as many as there are processors */
-    bool (*look)(void *data, double done); /* go on? done: 0 to 1; NULL: nobody asks */
-    void *data;
-};
 
 #endif
