@@ -131,7 +131,7 @@ extern const struct pp_chart_kind pp_draw_section, pp_draw_plan, pp_draw_site_pl
     pp_draw_vertical_sky, pp_draw_skylight_indicator, pp_draw_overlay, pp_draw_sun_path,
     pp_draw_model_net, pp_draw_availability;
 
-/* In order; NULL at the end of the list, one past the last. */
+/* Chart kinds in list order; NULL for the index just past the end of the list. */
 const struct pp_chart_kind *pp_chart_kind_at(int index);
 
 /* The kind of that name, or NULL. */

@@ -19,7 +19,7 @@ struct atlas_plot {
 
 /* ---- edges of classes ---- */
 
-/* Where class k of a scale begins, 0 to 1 along it: classes are drawn alike in width. */
+/* Start of class k on the scale, 0 to 1; all classes are drawn equally wide. */
 static double edge_at(const struct pp_atlas_scale *scale, int k)
 {
     return (double)k / scale->count;
@@ -167,7 +167,7 @@ static bool has_own(const struct pp_atlas_map *map)
     return false;
 }
 
-/* At the right above the field. */
+/* Draws the keys above the field, at its right. */
 static void draw_keys(struct atlas_plot *plot)
 {
     const struct pp_style *style = &plot->style;

@@ -65,7 +65,8 @@ static double top_lx(const struct pp_availability_sheet *sheet)
 
 /* ---- words ---- */
 
-/* To three figures, as illuminances are read off a curve. */
+/* Rounds to three significant figures, the precision of reading illuminances off a
+ * curve. */
 static double three_figures(double lx)
 {
     double unit = pow(10.0, fmax(0.0, floor(log10(lx)) - 2.0));
@@ -337,7 +338,7 @@ static void draw_availability_sheet(struct availability_plot *plot,
                                  plot->foot};
     struct pp_box body = pp_page_draw(canvas, style, &page);
 
-    /* Not much higher than wide, whatever the sheet. */
+    /* The field is never much higher than wide, whatever the sheet. */
     double left = 10.0 * style->scale, right = 5.0 * style->scale;
     double above = 9.5 * style->scale;
     double below = (has_inside_scale(plot) ? 24.0 : 11.0) * style->scale;

@@ -14,7 +14,7 @@ struct pp_lumen_files {
     int count;
 };
 
-/* For struct pp_option_group, with a struct pp_lumen_files as values. */
+/* Option for struct pp_option_group; its values are a struct pp_lumen_files. */
 extern const struct pp_option pp_lumen_option[];
 
 /* The program's tables with those of the files in their places, for the caller to

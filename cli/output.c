@@ -149,7 +149,8 @@ static int fill_and_rename(int file, const char *temporary,
     return failed;
 }
 
-/* By a new file beside it. Signals wait, so that none can leave that one behind. */
+/* Replaces the file by a new file written beside it. Signals are blocked, so that the
+ * new file is never left behind. */
 static int replace(const struct pp_output *output)
 {
     char *temporary = beside(output->path, ".pepperpot-XXXXXX");

@@ -37,7 +37,7 @@ static enum pp_exit add_world(struct loading *loading, const char *file,
     return PP_EXIT_DONE;
 }
 
-/* One room of a file; what does not make sense in it goes to mistakes. */
+/* Resolves one room of a file; adds its errors to `mistakes`. */
 static enum pp_exit resolve_room(struct loading *loading, const char *file,
                                  struct pp_building *building, int index,
                                  struct pp_mistakes *mistakes)
@@ -235,7 +235,7 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
     return result;
 }
 
-/* As it is, or with its mirror image at the line. */
+/* Uses the building as it is, or adds its mirror image at the line. */
 static enum pp_status settle_mirror_image(struct pp_building *building,
                                           const struct pp_mirror_line *line,
                                           struct pp_error *err)
@@ -248,7 +248,7 @@ static enum pp_status settle_mirror_image(struct pp_building *building,
                            : pp_fail(err, status, "--mirror-image: %s", why.message);
 }
 
-/* One building of those rooms again, from its text. */
+/* Parses the proposed building again, from its text. */
 static enum pp_exit load_again(struct loading *loading, const char *file,
                                const struct pp_building *proposed,
                                const struct pp_mirror_line *line)

@@ -98,7 +98,8 @@ static double level_between(const struct pp_field *field, double low, double hig
     double power = pow(10.0, floor(log10(fmax(low, 1e-6 * high))));
     for (; power < high; power *= 10.0)
         for (int i = 0; i < STEPS; i++) {
-            /* By way of the printed digits: 0.015, not its neighbour. */
+            /* Converts through the printed digits: 0.015, not its neighbouring
+             * double. */
             char digits[32];
             snprintf(digits, sizeof digits, "%.6g", steps[i] * power);
             double level = strtod(digits, NULL);

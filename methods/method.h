@@ -137,17 +137,17 @@ struct pp_method {
 
     /* ---- short cuts to the same figures; --plain leaves them out, and all may be NULL ---- */
 
-    /* As prepare, for a method whose tools only save time. */
+    /* Replaces prepare, for a method whose tools only save time. */
     enum pp_status (*prepare_fast)(void **tools, const struct pp_world *world,
                                    const struct pp_outside_light *light,
                                    struct pp_error *err);
-    /* In place of both, for very many points of the working plane, facing up, by
-     * evaluate_roughly: may take some milliseconds more. */
+    /* Replaces both for very many points of the working plane, facing up, evaluated by
+     * evaluate_roughly; may take some milliseconds more. */
     enum pp_status (*prepare_for_plane)(void **tools, const struct pp_world *world,
                                         const struct pp_outside_light *light,
                                         struct pp_error *err);
-    /* As evaluate, but faster: to 1e-6 of the open sky or a relative error of about 1e-4.
-     * */
+    /* Replaces evaluate, faster: accurate to 1e-6 of the open sky or to a relative
+     * error of about 1e-4. */
     enum pp_status (*evaluate_roughly)(const struct pp_world *world,
                                        const struct pp_outside_light *light,
                                        const struct pp_opening *opening,

@@ -11,13 +11,14 @@
 
 #include "methods/method.h"
 
-/* One method, or a pair: direct component by one, internally reflected by another. */
+/* One method, or a pair: one for the direct, another for the internally reflected
+ * component. */
 struct pp_choice {
     const struct pp_method *method;
     const struct pp_method *internal; /* of a pair, else NULL */
 };
 
-/* In the order of the list, each once. */
+/* Selected methods in list order, each once. */
 struct pp_selection {
     int count;
     struct pp_choice *choices;

@@ -9,7 +9,7 @@
 #include "model/results/report.h"
 #include "studies/study_options.h"
 
-/* One room's sheet. */
+/* Sheet of one room. */
 struct pp_availability_result {
     struct pp_report report;
     struct pp_availability_sheet sheet;

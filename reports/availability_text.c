@@ -30,7 +30,7 @@ static void put_share(char cell[PP_CELL_BYTES], double share)
                  per_cent);
 }
 
-/* To three figures: "14300". */
+/* Writes an illuminance to three significant figures: "14300". */
 static void put_lux(char cell[PP_CELL_BYTES], double lx)
 {
     double unit = lx > 0.0 ? pow(10.0, fmax(0.0, floor(log10(lx)) - 2.0)) : 1.0;

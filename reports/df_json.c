@@ -17,7 +17,7 @@
 #include "model/light/sky.h"
 #include "studies/engines/engine.h"
 
-/* As numbers and units are written outside: per cent and degrees. */
+/* Adds a step in the units of the output: per cent and degrees. */
 static bool add_step(struct json_object *object, const struct pp_calculation_step *step)
 {
     static const char *const units[] = {

@@ -10,7 +10,7 @@
 #include "studies/bands/advice.h"
 #include "studies/study_options.h"
 
-/* One room's report. */
+/* Report of one room. */
 struct pp_result {
     struct pp_report report;
     const char *file; /* as typed; not owned */

@@ -10,7 +10,7 @@
 
 #include "studies/sizing/gains.h"
 
-/* As text `width` columns wide (60 or more). */
+/* Writes text `width` columns wide (60 or more). */
 void pp_gains_report(const struct pp_gains *gains, int width, FILE *out);
 
 /* Adds "gains": { "method", "average", "darkest", "holds_back", "changes": [] }, values

@@ -29,7 +29,7 @@ static void append_per_cent(char text[TEXT_BYTES], double share)
                    value);
 }
 
-/* With its standard error, where it has one. */
+/* Appends a reading, with its standard error if it has one. */
 static void append_reading(char text[TEXT_BYTES], const struct pp_reading *reading,
                            bool utf8)
 {

@@ -10,7 +10,7 @@
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/fast/tracer.h"
 
-/* Between two looks at the clock and by the watch. */
+/* Time (s) between two readings of the clock and by the watch. */
 static const double slice_s = 0.1;
 
 struct pp_simulation {
@@ -23,8 +23,8 @@ struct pp_simulation {
     double error; /* wanted; 0: by samples, time */
 };
 
-/* Beyond so many times what is wanted a standard error is said to miss it: those that are
- * planned are estimates, too. */
+/* Ratio of standard error to target from which the target counts as missed; planned
+ * standard errors are estimates too. */
 static const double MISSED = 1.5;
 
 enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,

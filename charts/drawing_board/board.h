@@ -9,7 +9,7 @@
 #include "charts/sheet/lettering.h"
 #include "model/results/board_sheets.h"
 
-/* From a diagram's own coordinates to paper: x0 + mm x, y0 - mm y. */
+/* Map from a diagram's own coordinates to paper: x0 + mm x, y0 - mm y. */
 struct pp_board_map {
     double x0, y0, mm;
 };

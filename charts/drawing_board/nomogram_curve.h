@@ -6,7 +6,7 @@
 #include "charts/sheet/style.h"
 #include "model/results/nomogram_sheet.h"
 
-/* Where the scales stand on paper: x from the left, y down, in mm. */
+/* Positions of the scales on paper: x from the left, y down, in mm. */
 struct pp_nomogram_curve_frame {
     cairo_t *cr;
     struct pp_style style;

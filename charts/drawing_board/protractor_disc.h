@@ -27,8 +27,8 @@ double pp_protractor_disc_border(const struct pp_style *style);
 /* Radius of the primary scale's arc, and of the outermost semicircle. */
 double pp_protractor_disc_arc(const struct pp_style *style, double radius);
 
-/* On paper, at that distance from the centre under that angle of the section, or of the
- * plan. */
+/* Position on paper of a point at this distance from the centre, at this angle of the
+ * section or of the plan. */
 void pp_protractor_disc_section(const struct pp_protractor_disc *disc, double angle_rad,
                                 double distance, double xy[2]);
 void pp_protractor_disc_plan(const struct pp_protractor_disc *disc, double angle_rad,

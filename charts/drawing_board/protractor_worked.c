@@ -146,7 +146,8 @@ static void note_edges(struct sight_lines *sights,
     }
 }
 
-/* With scale not NULL nothing is drawn: only what the section's would be is found. */
+/* If scale is not NULL nothing is drawn; only the largest scale of the section is
+ * calculated. */
 static enum pp_status draw_section(const struct protractor_drawing *drawing,
                                    struct pp_box box, double *height, double *scale,
                                    struct pp_error *err)

@@ -179,7 +179,7 @@ static void say_indicator_foot(char *foot, size_t room,
               "window's middle.");
 }
 
-/* At which scales of a plan the drawing is true for which heights. */
+/* Writes the heights for which the drawing is correct on plans of several scales. */
 static void plan_words(const struct indicator_drawing *drawing, char *words,
                        size_t room)
 {

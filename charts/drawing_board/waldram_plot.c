@@ -18,7 +18,7 @@ enum { HALF_COLUMNS = 18 };
  * have. */
 enum { ACROSS_DASH = 1 };
 
-/* One panel on paper; its map's mm is the side of a square. */
+/* One panel on paper; map.mm is the side of a square. */
 struct waldram_plot {
     const struct pp_waldram_panel *panel;
     struct pp_board_map map;
@@ -222,7 +222,8 @@ static void draw_azimuths(const struct pp_waldram_drawing *drawing,
     double last = -INFINITY, width = 1.25 * label_width(drawing);
     for (int degree = -end; degree <= end; degree += step) {
         double x = azimuth_place(plot, degree);
-        /* With glass the scale crowds towards its ends, whose labels stay. */
+        /* Glass makes the scale crowd towards its ends; the labels of the ends are
+         * kept. */
         bool crowds = abs(degree) != end
                       && (fabs(x - azimuth_place(plot, end)) < width || x - last < width
                           || fabs(x - azimuth_place(plot, -end)) < width);

@@ -14,7 +14,7 @@ struct pp_model_net {
     struct pp_mirror_box box; /* whose corrections are told */
 };
 
-/* On as many sheets as it takes; PP_BAD_INPUT where the format has one only. */
+/* Draws on as many sheets as needed; PP_BAD_INPUT if the format has a single sheet. */
 enum pp_status pp_net_chart_draw(struct pp_canvas *canvas,
                                  const struct pp_model_net *net, struct pp_error *err);
 

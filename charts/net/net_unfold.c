@@ -223,7 +223,8 @@ static bool is_served(const struct pp_net_panels *panels, int number, int other_
     return false;
 }
 
-/* One side of each glued edge has a tab; walls rather than floors, which come last. */
+/* Puts a tab on one side of each glued edge: on walls in preference to floors, which
+ * come last. */
 static void put_tabs(struct unfolding *unfolding)
 {
     struct pp_net_panels *panels = &unfolding->net->panels;
@@ -279,7 +280,7 @@ static int tallest(const struct pp_net *net)
     return found;
 }
 
-/* In rows from the top of the area down, the tallest first. */
+/* Places pieces in rows from the top of the area down, the tallest first. */
 static void lay_on_sheets(struct pp_net *net, const double area[2])
 {
     double x = 0.0, top = area[1], row = 0.0;

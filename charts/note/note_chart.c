@@ -178,7 +178,7 @@ static void put_rule(struct note_drawing *drawing)
     drawing->y += 0.6 * drawing->style.scale;
 }
 
-/* With that much below it on the same sheet. */
+/* Writes a heading and keeps at least `below` of space below it on the same sheet. */
 static void put_heading(struct note_drawing *drawing, const char *words, double below)
 {
     const struct note_line line = {{.size = PP_TEXT_HEAD, .bold = true}, 0.0, 0.0};

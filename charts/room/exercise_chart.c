@@ -48,7 +48,7 @@ static double caption_mm(const struct pp_style *style)
     return 1.8 * style->text[PP_TEXT_SMALL];
 }
 
-/* Under a drawing, about x. */
+/* Writes a caption below a drawing, centred on x. */
 static void write_caption(const struct exercise_drawing *drawing, double x, double y,
                           double width, const char *words)
 {
@@ -120,7 +120,8 @@ static double elevations_scale(const struct exercise_drawing *drawing,
     return pp_room_plan_usual_scale(1000.0 / most);
 }
 
-/* One scale for section and plan, and for elevations where a diagram asks for none. */
+/* One scale for section and plan, and for elevations unless a diagram sets their
+ * scale. */
 static void choose_scale(struct exercise_drawing *drawing, struct pp_box section,
                          struct pp_box plan, struct pp_box elevations)
 {

@@ -147,7 +147,8 @@ static void draw_facades(cairo_t *cr, const struct pp_style *style,
     cairo_restore(cr);
 }
 
-/* On paper: the ends of a window or a door in the wall, and the direction out of the room. */
+/* Ends of a window or door in its wall, and the direction out of the room, all on
+ * paper. */
 static void ends_of(const struct pp_room_plan *plan, const struct pp_polygon *outline,
                     double ends[2][2], double out[2])
 {

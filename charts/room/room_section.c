@@ -258,7 +258,7 @@ static void draw_openings_cut(const struct section_drawing *drawing)
     }
 }
 
-/* On paper, how far the facade of a cut face is outside it; 0: it has none. */
+/* Distance on paper (mm) of a facade outside a cut face; 0: the face has none. */
 static double facade_mm(const struct section_drawing *drawing, int face)
 {
     const struct pp_world *world = drawing->section->world;
@@ -368,7 +368,7 @@ static void draw_sight(const struct section_drawing *drawing, bool near)
     double out = near ? -1.0 : 1.0;
     double x = at_s(drawing, sight.s), y = at_z(drawing, sight.z);
     double reach = (near ? section->left_mm : section->right_mm) - 1.0;
-    /* As far as the strip and the section's top allow. */
+    /* Extends as high as the strip and the top of the section allow. */
     double top = fmax(y - section->y + 0.8 * section->head_mm, 1.0);
     double run = fmin(reach, top / tan(sight.angle_rad));
     run =
@@ -435,7 +435,7 @@ static void write_caption(const struct section_drawing *drawing, int behind)
         left = fmin(left,
                     fmax(section->most_x - set.width, section->x - section->left_mm));
     set.lines = 2;
-    /* On white, as a facade and the ground may be drawn on below the floor. */
+    /* Draws on white, since a facade and the ground may continue below the floor. */
     pp_lettering_draw_on_white(
         drawing->cr, drawing->style, &set, left,
         at_z(drawing, drawing->low) + 1.4 * drawing->style->scale, text);

@@ -9,7 +9,7 @@
 #include "charts/room/section_cut.h"
 #include "model/results/report.h"
 
-/* One column of the report on the chart. */
+/* One column of the report, drawn as one series of the chart. */
 struct pp_series {
     const struct pp_column *column;
     enum { PP_CURVE, PP_SAMPLED, PP_LEVEL } kind;

@@ -7,7 +7,7 @@
 
 #include "charts/room/section_cut.h"
 
-/* As seen from the window's middle in the section plane. */
+/* Line of sight from the middle of the window, in the plane of the section. */
 struct pp_section_sight {
     double angle_rad; /* above the horizontal; 0: nothing obstructs */
     double s, z;      /* the window's middle */

@@ -113,7 +113,7 @@ static uint32_t hash_drawing(struct svg_span drawing, const char *title)
     return hash;
 }
 
-/* Where an id begins next, at or after `from`; NULL: nowhere. */
+/* Start of the next id at or after `from`; NULL: none. */
 static const char *next_id(const char *from, const char *end)
 {
     static const char *const openings[] = {" id=\"", "href=\"#", "url(#"};

@@ -47,9 +47,9 @@ cairo_t *pp_canvas_cairo(struct pp_canvas *canvas);
 double pp_canvas_width_mm(const struct pp_canvas *canvas);
 double pp_canvas_height_mm(const struct pp_canvas *canvas);
 
-/* For what draws on a canvas's context and has no memory for a part: pp_canvas_finish will
- * fail, as with errors of cairo's, so that no drawing is taken for whole. A context of no
- * canvas is left as it is. */
+/* Reports lack of memory for a part of a drawing on this context. pp_canvas_finish then
+ * fails, as with cairo's own errors, so that no incomplete drawing is kept. Does
+ * nothing for a context without a canvas. */
 void pp_canvas_lacks_memory(cairo_t *cr);
 
 /* Sets the small print at the foot of sheets from now on: the drawing's source; copied,

@@ -123,7 +123,7 @@ bool pp_labels_find(const struct pp_labels *labels, const struct pp_style *style
         if (p->owner != owner || seen++ % stride)
             continue;
         double at[2] = {p->x, p->y};
-        /* Where lines run close together, a label does not tell which of them it means. */
+        /* Among close lines the owner of a label is ambiguous. */
         double apart = clearance(labels, at, at, owner);
         double doubt = 4.0 * fmax(0.0, 2.5 - apart / unit);
         for (int ring = 0; ring < 5; ring++)

@@ -112,7 +112,7 @@ static struct pp_box draw_lettering(cairo_t *cr, const struct pp_style *style,
         cairo_fill(cr);
     }
     pp_style_grey(cr, text->grey);
-    /* In a layout of a set width, aligned lines stand off its left edge. */
+    /* Aligned lines in a layout of fixed width start away from its left edge. */
     double scale = enlargement(style, text);
     cairo_scale(cr, scale, scale);
     cairo_move_to(cr, -(double)logical.x / PANGO_SCALE, 0.0);

@@ -41,7 +41,7 @@ struct pp_box pp_lettering_draw(cairo_t *cr, const struct pp_style *style,
                                 const struct pp_lettering *text, double x, double y,
                                 const char *words);
 
-/* As pp_lettering_draw, on a white ground a little larger than the text. */
+/* Draws like pp_lettering_draw, on a white ground a little larger than the text. */
 struct pp_box pp_lettering_draw_on_white(cairo_t *cr, const struct pp_style *style,
                                          const struct pp_lettering *text, double x,
                                          double y, const char *words);

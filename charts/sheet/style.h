@@ -23,7 +23,7 @@ struct pp_style {
     double margin;                    /* round the sheet */
 };
 
-/* For a sheet whose shorter side is short_mm. */
+/* Style for a sheet whose shorter side is short_mm. */
 struct pp_style pp_style_for(double short_mm);
 
 /* Greys, as the share of white: text of the second rank, lines that stand back, fills.

@@ -61,7 +61,7 @@ static void trace_region(cairo_t *cr, const struct pp_room_plan *frame,
     }
 }
 
-/* From the most sky to the least, each over what has more. */
+/* Fills bands from the most sky to the least, each drawn over those with more sky. */
 static void fill_wall(struct elevation_drawing *drawing,
                       const struct pp_room_plan *frame,
                       const struct pp_elevation_wall *wall)

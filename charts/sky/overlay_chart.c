@@ -176,7 +176,7 @@ static void overlay_titles(const struct pp_overlay *overlay, char *title,
     subtitle[0] = (char)(subtitle[0] == 'u' ? 'U' : subtitle[0]);
 }
 
-/* In the lower left corner, which the circle leaves free. */
+/* Writes the radius in the lower left corner, which the circle leaves free. */
 static void state_radius(const struct pp_overlay_plot *plot, struct pp_box body)
 {
     const struct pp_lettering set = {.size = PP_TEXT_SMALL, .down = 1.0};

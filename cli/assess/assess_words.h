@@ -38,7 +38,7 @@ struct pp_assess_words {
 extern const struct pp_option pp_assess_words_choice[]; /* what is judged */
 extern const struct pp_option pp_assess_words_table[];  /* table */
 
-/* For struct pp_command. */
+/* Initialises the options, for struct pp_command. */
 void pp_assess_words_init(void *words);
 void pp_assess_words_clear(void *words);
 enum pp_status pp_assess_words_check(void *words, char **files, int file_count,

@@ -10,8 +10,8 @@
 #include "studies/climate/year_light.h"
 #include "model/room/world.h"
 
-/* For struct pp_option_group, with a struct pp_year_options as values: the
- * light outside and the hours; and the illuminances wanted. */
+/* Options of the light outside, the hours and the target illuminances, for struct
+ * pp_option_group; their values are a struct pp_year_options. */
 extern const struct pp_option pp_light_options[];
 extern const struct pp_option pp_illuminance_options[];
 

@@ -13,7 +13,7 @@
 #include "cli/rooms.h"
 #include "studies/criteria/room_before.h"
 
-/* By --format, or by the file's ending. */
+/* Chooses the format by --format, or else by the ending of the file's name. */
 static enum pp_status choose_format(enum pp_chart_format *format,
                                     const struct pp_room_options *room_options,
                                     const struct pp_chart_words *options,

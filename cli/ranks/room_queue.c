@@ -26,7 +26,8 @@ static enum pp_status pack(const struct pp_report *report, bool by_clock, char *
     return *bytes ? PP_OK : pp_fail_memory(err);
 }
 
-/* In a report of its own, as another rank's figures of the room may come meanwhile. */
+/* Uses a report of its own, since another rank's results for the room may arrive
+ * meanwhile. */
 static enum pp_status simulate_queued_room(void *data, int worker, int room,
                                            char **bytes, size_t *length,
                                            struct pp_error *err)

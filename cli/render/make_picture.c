@@ -116,7 +116,8 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
     return PP_OK;
 }
 
-/* As many as a standard error wants, or as there are paths; 0: none is wanted. */
+/* Number of randomisations: enough for a standard error, at most the number of paths;
+ * 0: no standard error requested. */
 static int randomisations(const struct pp_render_choice *choice)
 {
     if (!choice->errors)

@@ -102,7 +102,8 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                                       const struct pp_room_options *options,
                                       int file_count, struct pp_error *err);
 
-/* By --format, or by the ending of the output's name (NULL: standard output). */
+/* Chooses the format by --format, or else by the ending of the output's name (NULL:
+ * standard output). */
 enum pp_status pp_render_choice_format(struct pp_picture_format *format,
                                        const struct pp_render_choice *choice,
                                        const char *path, struct pp_error *err);

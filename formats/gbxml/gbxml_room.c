@@ -13,7 +13,7 @@
 /* Greatest distance of an opening from the plane of its face. */
 static const double reveal_m = 0.6;
 
-/* Two lengths are the same. */
+/* Tolerance (m) within which two lengths are equal. */
 static const double same_m = 2e-3;
 
 void pp_gbxml_room_clear(struct pp_gbxml_room *room)
@@ -62,7 +62,7 @@ static struct pp_vec3 unit_normal(const struct pp_gbxml_room *room, int face)
                         : (struct pp_vec3){0.0, 0.0, 1.0};
 }
 
-/* By the way it looks outside, in the building's axes: "south-east". */
+/* Name of a wall by its outward direction in the building's axes: "south-east". */
 static const char *wall_name(struct pp_vec3 inward)
 {
     static const char *const names[] = {"north", "north-east", "east", "south-east",

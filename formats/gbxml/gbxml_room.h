@@ -22,7 +22,7 @@ struct pp_gbxml_room_opening {
     int count;
 };
 
-/* In the axes of the building but where said otherwise. */
+/* Room in the axes of the building, unless a member says otherwise. */
 struct pp_gbxml_room {
     struct pp_gbxml_shell shell;
     struct pp_gbxml_room_face *faces; /* of the shell */
@@ -43,7 +43,7 @@ enum pp_status pp_gbxml_room_make(struct pp_gbxml_room *room, const char **why,
                                   struct pp_mistakes *notes, struct pp_error *err);
 void pp_gbxml_room_clear(struct pp_gbxml_room *room);
 
-/* In the room's own axes. */
+/* Converts a position to the room's own axes. */
 struct pp_vec3 pp_gbxml_room_own(const struct pp_gbxml_room *room, struct pp_vec3 at);
 
 /* Is the surface one of the space's, that is no column or shade? */

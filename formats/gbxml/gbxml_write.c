@@ -254,7 +254,8 @@ static void write_inner_walls(struct pp_gbxml_writing *w,
         }
 }
 
-/* By words in gbXML's names of what spaces are for; NULL: none that criteria know. */
+/* Use of a space, found by words in gbXML's names of space types; NULL: no use that the
+ * criteria define. */
 static const char *use_of(const char *type)
 {
     static const char *const uses[][2] = {{"Bedroom", "bedroom"},

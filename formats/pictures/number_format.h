@@ -24,7 +24,8 @@ struct pp_number_format {
                             const struct pp_hdr_notes *notes, struct pp_error *err);
 };
 
-/* In order; NULL behind the last. index is at most one past it. */
+/* Number formats in list order; NULL for the index just past the end, the largest
+ * allowed. */
 const struct pp_number_format *pp_number_format_at(int index);
 
 /* The format of that ending, in either case ("hdr", "PIC"), or NULL. */

@@ -59,7 +59,8 @@ static int run_at(const unsigned char *row, int at, int width)
     return run;
 }
 
-/* One channel of a row: runs of equal bytes, and the bytes between them as they are. */
+/* Writes one channel of a row: runs of equal bytes, and the bytes between runs
+ * unchanged. */
 static void write_channel(FILE *out, const unsigned char *row, int width)
 {
     for (int at = 0; at < width;) {

@@ -9,7 +9,7 @@
  * components together; at each point the view is integrated to PP_QUADRATURE_GLAZED. */
 #define PP_POINT_AVERAGE_ERROR 1e-3
 
-/* As pp_plane_light_average. */
+/* Average over points; parameters as for pp_plane_light_average. */
 enum pp_status pp_point_average(double mean[2], const struct pp_world *world,
                                 const struct pp_opening *opening,
                                 const struct pp_plane_light *light,

@@ -29,9 +29,9 @@ struct pp_brs_cells {
 /* A fraction; 0 unless both are above 0. */
 double pp_brs_edges_read(const struct pp_brs_cells *table, double up, double aside);
 
-/* Where that reading is taken, both above 0: rows from 0 (infinity), and one more than there
- * are where the table ends in zero; columns from 0, -1 likewise; the values between are
- * linear in these. */
+/* Position of that reading in the table; up and aside are above 0. Rows count from 0
+ * (infinity), with one extra row where the table ends in zero. Columns count from 0;
+ * column -1 is likewise zero. Values between rows or columns are linear in these. */
 void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double aside,
                         double *row, double *column);
 

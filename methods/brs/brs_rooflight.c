@@ -126,7 +126,7 @@ static enum pp_status read_rooflight(const struct pp_world *world,
     return PP_OK;
 }
 
-/* Where nothing slopes it is the table of windows. */
+/* Without sloping openings this is the table of windows. */
 static const struct pp_method *same_as(const struct pp_world *world)
 {
     for (int i = 0; i < world->opening_count; i++)

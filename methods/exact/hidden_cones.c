@@ -53,7 +53,7 @@ static void add_cap(struct pp_hidden_cones *cones, struct pp_vec3 eye,
     struct pp_vec3 sum = {0};
     for (int i = 0; i < count; i++)
         sum = pp_vec_add(sum, pp_vec_unit(pp_vec_sub(corner(polygon, of, i), eye)));
-    /* No length to speak of, or none that is a number: the eye is a corner. */
+    /* A sum that is too short or NaN means that the eye is at a corner. */
     if (!(pp_vec_length(sum) > 0.5))
         return;
     struct pp_vec3 axis = pp_vec_unit(sum);

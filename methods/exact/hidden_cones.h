@@ -34,8 +34,9 @@ struct pp_hidden_cones {
     int count, capacity;
 };
 
-/* Where the open air is looked at from: a point in the plane of a wall's outside or, as
- * `opening` is not NULL, of its inside, where the sides of that opening hide as well. */
+/* Viewpoint of the open air: a point in the outer plane of a wall. If `opening` is not
+ * NULL it is in the inner plane, where the sides of that opening hide the sky as
+ * well. */
 struct pp_hidden_view {
     struct pp_vec3 eye;
     struct pp_vec3 out; /* unit, square to the plane; what lies behind it is hidden */

@@ -274,7 +274,7 @@ static int count_meeting(const struct hidden_spans *spans,
     return count;
 }
 
-/* Where one span becomes several or several one, a piece leads from each to each. */
+/* If one span becomes several, or several become one, a piece connects each to each. */
 static enum pp_status bridge(struct pp_sky_mask *mask, const struct sky_column *a,
                              const struct sky_column *b, const struct hidden_span *to,
                              struct pp_error *err)

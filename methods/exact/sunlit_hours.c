@@ -16,7 +16,7 @@ struct path {
     double cos_apart, sin_apart;
 };
 
-/* From east, north, up to the world's axes. */
+/* Converts a vector (east, north, up) to the world's axes. */
 static struct pp_vec3 in_world(struct pp_vec3 v, double north)
 {
     return pp_vec(v.x * cos(north) - v.y * sin(north),

@@ -15,8 +15,8 @@
 
 #include "methods/exact/hidden_cones.h"
 
-/* Where on the earth: radians; north as pp_world has it. Days are those of the place: its
- * midnight is longitude_rad, east positive, before that of Greenwich. NAN: not known, as
+/* Position on the earth (radians); north_rad as in pp_world. Days are local: midnight
+ * is longitude_rad, east positive, before that of Greenwich. NAN: unknown, treated as
  * Greenwich. */
 struct pp_sunlit_place {
     double latitude_rad, north_rad, longitude_rad;

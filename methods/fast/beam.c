@@ -189,7 +189,7 @@ static enum pp_status make_room_for_rings(struct pp_beam_space *space,
     return space->rings && space->lights && space->xy ? PP_OK : pp_fail_memory(err);
 }
 
-/* One direction, and what is open along it. */
+/* One direction, and the extent that is open along it. */
 struct beam_look {
     const struct pp_beam *beam;
     int at;                /* the next node to be looked at */

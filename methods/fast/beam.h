@@ -48,7 +48,7 @@ enum pp_status pp_beam_create(struct pp_beam **beam, const struct pp_world *worl
                               struct pp_error *err);
 void pp_beam_destroy(struct pp_beam *beam); /* NULL is allowed */
 
-/* For the direction u, a unit vector from the plane to the light: upwards and out
+/* Areas for the direction u, a unit vector from the plane to the light: upwards and out
  * through the opening. Several threads may use one beam. */
 enum pp_status pp_beam_areas(struct pp_beam_areas *areas, const struct pp_beam *beam,
                              struct pp_beam_space *space, struct pp_vec3 u,

@@ -21,8 +21,8 @@ void pp_beams_destroy(struct pp_beams *beams); /* NULL is allowed */
 const struct pp_world *pp_beams_world(const struct pp_beams *beams);
 bool pp_beams_plain(const struct pp_beams *beams);
 
-/* One beam (beam.h), with what is known of it. Several threads may ask for those of
- * different openings. */
+/* One beam (beam.h) with its stored results. Several threads may use beams of different
+ * openings. */
 struct pp_kept_beam;
 enum pp_status pp_beams_of(struct pp_kept_beam **kept, struct pp_beams *beams,
                            const struct pp_opening *opening, bool with_outside,

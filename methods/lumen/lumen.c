@@ -150,7 +150,7 @@ struct reading {
     double well, E_h, cu_top; /* of rooflights */
 };
 
-/* One for each opening. */
+/* One reading for each opening. */
 struct tools {
     struct reading readings[1];
 };

@@ -46,7 +46,7 @@ static void place_azimuths(struct pp_pepper_pot *pot)
         }
 }
 
-/* One altitude: left[i] is the light from the left of azimuth i. */
+/* Fills one altitude: left[i] is the light from the left of azimuth i. */
 static void fill_ring(double left[AZIMUTHS + 1], const struct pp_pepper_pot *pot,
                       double gamma)
 {

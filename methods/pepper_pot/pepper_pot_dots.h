@@ -44,7 +44,7 @@ struct pp_pepper_pot {
     struct pp_glass_curve losses;           /* of the glass */
     double below[PP_PEPPER_POT_PANELS + 1]; /* what comes from below even altitudes */
     double low_rad, high_rad; /* azimuths from which light reaches the receiver */
-    /* At the nodes between them: the cosine, and what the node weighs. */
+    /* Cosine and weight at the quadrature nodes between the azimuths. */
     double ahead[PP_PEPPER_POT_AZIMUTHS][PP_PEPPER_POT_NODES];
     double weight[PP_PEPPER_POT_AZIMUTHS][PP_PEPPER_POT_NODES];
     int count;

@@ -51,9 +51,9 @@ struct pp_protractor {
     enum pp_protractor_receiver receiver;
 };
 
-/* One of the ten that were published: 1 to 8 with clear single glass (vertical,
- * horizontal, 30 and 60 degrees), 9 and 10 without; odd numbers for the uniform sky,
- * even ones for the overcast. Fails on any other number. */
+/* Scale of one of the ten published protractors. 1 to 8 have clear single glass
+ * (vertical, horizontal, 30 and 60 degrees), 9 and 10 none. Odd numbers are for the
+ * uniform sky, even ones for the overcast sky. Fails on any other number. */
 enum pp_status pp_protractor_scale_published(struct pp_protractor *protractor,
                                              int number, struct pp_error *err);
 

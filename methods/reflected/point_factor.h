@@ -9,9 +9,9 @@
 #include "model/geometry/vec.h"
 #include "model/light/sky.h"
 
-/* From a surface at `from`, which sends its light by the cosine about `normal` (unit), the
- * share that falls on the region in the level plane at the height z, 0 to 1: its
- * configuration factor [HSM16]. What lies behind the surface counts for nothing. */
+/* Configuration factor [HSM16]: the share (0 to 1) of light that falls on the region in
+ * the level plane at height z. The light leaves a surface at `from`, by the cosine
+ * about `normal` (unit). The part of the region behind the surface is not counted. */
 double pp_point_factor(struct pp_vec3 from, struct pp_vec3 normal,
                        const struct pp_region *region, double z);
 

@@ -8,8 +8,8 @@
 
 #include "model/base/array.h"
 
-/* One strip and what crosses it. Obstructions are known by their place in the list, the
- * nearest first. */
+/* One strip and the parts that cross it. Obstructions are identified by their index in
+ * the list, the nearest first. */
 struct strip_sweep {
     const struct pp_elevation_part *seen;
     const struct pp_elevation_obstruction *list;
@@ -233,7 +233,7 @@ static enum pp_status add_strips(struct pp_elevation *elevation,
     return status;
 }
 
-/* With nothing before it, the opening is one part. */
+/* Adds an opening without obstructions as one part. */
 static enum pp_status add_whole_opening(struct pp_elevation *elevation,
                                         const struct pp_elevation_part *seen,
                                         struct pp_error *err)

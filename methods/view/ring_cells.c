@@ -59,7 +59,8 @@ static enum pp_status in_cells(const struct ring_cells *cells,
                                struct pp_fragments *open, const int *rings, int count,
                                int depth, struct pp_error *err);
 
-/* One half: its fragments, cut out of all, and the rings that reach into it. */
+/* Processes one half: its fragments, clipped from all, and the rings that reach into
+ * it. */
 static enum pp_status in_half(const struct ring_cells *cells, struct pp_fragments *left,
                               const struct pp_fragments *open,
                               const struct extent *half, const int *rings, int count,

@@ -144,7 +144,7 @@ static const struct pp_formula_quantity of_hidden[] = {
     {0},
 };
 
-/* No variants: an average is an integral in the place of many counts. */
+/* No variants: an average is an integral instead of many counts. */
 const struct pp_formula pp_window_drawing_sc = {.symbol = "sc",
                                                 .sum = "n w",
                                                 .unit = PP_UNIT_DAYLIGHT_FACTOR,

@@ -108,7 +108,7 @@ static enum pp_status add_rings(struct pp_region *region, struct pp_region *outl
     return status;
 }
 
-/* On the plan ahead is y, against which the view's `up` runs. */
+/* On the plan, y points ahead, opposite to the view's `up`. */
 static enum pp_status plan_outline(struct pp_region *outline,
                                    const struct pp_region *region, struct pp_error *err)
 {
@@ -119,7 +119,7 @@ static enum pp_status plan_outline(struct pp_region *outline,
     return status;
 }
 
-/* Where a site is drawn; waldram is NULL for the plan. */
+/* Paper on which a site is drawn; waldram is NULL for the plan. */
 struct site_paper {
     const struct pp_waldram *waldram;
     struct pp_clipper *clipper;

@@ -16,17 +16,19 @@ struct pp_waldram_site {
     struct pp_region sky, hidden; /* outlines, cut at azimuth 0 until they are joined */
 };
 
-/* On an upright diagram, in X and Y, for a position on the outside of the surface
- * `face`, which hides nothing. To be cleared by the caller; empty on failure. */
+/* Projects the site on a diagram for vertical planes, in X and Y. The position is on
+ * the outside of the surface `face`, which hides nothing. The caller clears the site;
+ * empty on failure. */
 enum pp_status pp_waldram_site_init(struct pp_waldram_site *site,
                                     const struct pp_waldram *waldram,
                                     const struct pp_world *world,
                                     struct pp_vec3 position, int face,
                                     struct pp_error *err);
 
-/* On the plan one unit above the position: what is seen in direction (x, y, z), x to the
- * right and y ahead, stands at (x/z, y/z), so that the edge of a building lies at its
- * distance over its height; |x/z| and y/z up to `reach`. sky_component is not set. */
+/* Projects the site on the plan one unit above the position. Direction (x, y, z), x to
+ * the right and y ahead, is drawn at (x/z, y/z): the edge of a building is at its
+ * distance divided by its height. |x/z| and y/z are at most `reach`. sky_component is
+ * not set. */
 enum pp_status pp_waldram_site_init_plan(struct pp_waldram_site *site,
                                          const struct pp_world *world,
                                          struct pp_vec3 position, struct pp_vec3 facing,

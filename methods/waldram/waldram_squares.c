@@ -12,11 +12,12 @@
 
 enum { DEEPEST = 12 }; /* halvings of one straight edge */
 
-/* In squares, how far the middle of a chord may be from that of its edge before the triangle
- * is added; a quarter of it changes the sums of overlays by 1e-4 of themselves at most. */
+/* Largest distance, in squares, from the middle of a chord to the middle of its edge
+ * before a triangle is added. A quarter of it changes the sums of overlays by at most
+ * 1e-4, relative. */
 static const double NEAR = 0.008;
 
-/* In widths of a square. */
+/* Tolerance, in widths of a square. */
 static const double PLUMB = 1e-9;
 
 void pp_waldram_squares_size(const struct pp_waldram *waldram, double *width,

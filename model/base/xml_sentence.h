@@ -2,8 +2,8 @@
 #ifndef PP_MODEL_BASE_XML_SENTENCE_H
 #define PP_MODEL_BASE_XML_SENTENCE_H
 
-/* Where the cause of a mistake lies: at the first byte that the parser has not read, at
- * the tag before it, or at the quotation mark before it. */
+/* Position of the cause of a mistake: the first byte not yet parsed, the tag before it,
+ * or the quotation mark before it. */
 enum pp_xml_cause { PP_XML_HERE, PP_XML_TAG, PP_XML_QUOTE };
 
 struct pp_xml_sentence {

@@ -33,7 +33,7 @@ static inline struct pp_vec3 pp_projection_direction(const struct pp_projection 
                   pp_vec_dot(v, view->toward));
 }
 
-/* From the view's axes to the room's: the vector from the eye. */
+/* Converts a vector from the eye from the view's axes to the room's. */
 static inline struct pp_vec3 pp_projection_to_room(const struct pp_projection *view,
                                                    struct pp_vec3 own)
 {

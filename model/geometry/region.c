@@ -7,8 +7,8 @@
 
 double pp_region_ring_area(const double (*xy)[2], int count)
 {
-    /* From the first point, so that a small ring far from the origin keeps its
-     * digits. */
+    /* Coordinates are relative to the first point, so that a small ring far from the
+     * origin keeps its digits. */
     double twice = 0.0;
     for (int i = 1; i + 1 < count; i++)
         twice += (xy[i][0] - xy[0][0]) * (xy[i + 1][1] - xy[0][1])

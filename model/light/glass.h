@@ -39,21 +39,21 @@ struct pp_glass pp_glass_panes(int panes, double n, double kl);
  * diffusing panes. */
 struct pp_glass pp_glass_scaled(struct pp_glass glass, double normal);
 
-/* As pp_glass_panes, but with the normal transmittance `normal`, in (0, 1]. */
+/* Panes as of pp_glass_panes, with the normal transmittance `normal`, in (0, 1]. */
 struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal);
 
 /* Hemispherical transmittance in (0, 1]. */
 struct pp_glass pp_glass_diffusing(double transmittance);
 
-/* At the cosine of the angle of incidence, 0 to 1. A diffusing pane answers with its
- * hemispherical transmittance. */
+/* Transmittance at the cosine of the angle of incidence, 0 to 1. For a diffusing pane,
+ * its hemispherical transmittance. */
 double pp_glass_transmittance(const struct pp_glass *glass, double cos_incidence);
 
 /* Specular reflectance, the same from both sides; at most 1 - transmittance.
  * A diffusing pane answers with 0.1, of a diffuse kind. */
 double pp_glass_reflectance(const struct pp_glass *glass, double cos_incidence);
 
-/* Both at once. */
+/* Calculates both at once. */
 void pp_glass_optics(const struct pp_glass *glass, double cos_incidence,
                      double *transmittance, double *reflectance);
 

@@ -19,7 +19,8 @@ struct pp_glass_curve {
 /* Makes the curve of glass that is not diffusing. Errors are up to 1e-8. */
 void pp_glass_curve_init(struct pp_glass_curve *curve, const struct pp_glass *glass);
 
-/* As pp_glass_transmittance and pp_glass_reflectance, at a cosine of 0 to 1. */
+/* Equivalents of pp_glass_transmittance and pp_glass_reflectance, at a cosine of 0 to
+ * 1. */
 double pp_glass_curve_transmittance(const struct pp_glass_curve *curve, double cosine);
 double pp_glass_curve_reflectance(const struct pp_glass_curve *curve, double cosine);
 

@@ -109,7 +109,7 @@ struct pp_material pp_material_pane(struct pp_rgb transmissivity, double n);
 struct pp_material pp_material_light(struct pp_rgb radiance);
 struct pp_material pp_material_glow(struct pp_rgb radiance);
 
-/* One through which rays pass. */
+/* Material through which rays pass. */
 struct pp_material pp_material_air(void);
 
 /* The reflectance that hand methods use: diffuse and gloss together, weighted as the

@@ -98,7 +98,7 @@ enum pp_status pp_dxf_shapes_face(const struct pp_dxf_entity *e, struct pp_error
 
 /* ---- Outlines that are raised ---- */
 
-/* In the entity's own axes, at its elevation. */
+/* Outline in the entity's own axes, at its elevation. */
 struct outline {
     struct pp_vec3 *list;
     int count, space;

@@ -47,8 +47,8 @@ enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
 bool pp_camera_ray(const struct pp_camera *camera, double x, double y,
                    struct pp_vec3 *from, struct pp_vec3 *to);
 
-/* Where in the picture a point is seen (x or y may lie outside 0 to 1), and how far
- * along its ray; false where it is behind the view or has no place. */
+/* Position of a point in the picture (x or y may lie outside 0 to 1), and its distance
+ * along its ray. False if it is behind the view or cannot be projected. */
 bool pp_camera_project(const struct pp_camera *camera, struct pp_vec3 point, double *x,
                        double *y, double *distance_m);
 

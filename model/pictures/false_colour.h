@@ -33,7 +33,7 @@ enum { PP_FALSE_COLOUR_LEVELS_MOST = 40 };
 int pp_false_colour_scale_levels(const struct pp_false_colour_scale *scale,
                                  double levels[PP_FALSE_COLOUR_LEVELS_MOST]);
 
-/* Where on the scale a value is, 0 to 1; values off the scale are at its end. */
+/* Position of a value on the scale, 0 to 1; values off the scale are at its end. */
 double pp_false_colour_scale_at(const struct pp_false_colour_scale *scale,
                                 double value);
 

@@ -67,7 +67,7 @@ void pp_board_sheets_windows_destroy(struct pp_board_window *windows, int count)
  * (methods/waldram/waldram_sheet_fill.h); a chart draws it
  * (charts/drawing_board/waldram_chart.h). */
 
-/* One diagram, with the windows that face one way. */
+/* One diagram with the windows that face one direction. */
 struct pp_waldram_panel {
     struct pp_board_face face;
     bool glazed;                   /* with the losses of clear single vertical glass */
@@ -113,7 +113,7 @@ struct pp_pepper_pot_dot {
     bool counted; /* in a window */
 };
 
-/* One diagram, with the windows that face one way. */
+/* One diagram with the windows that face one direction. */
 struct pp_pepper_pot_panel {
     struct pp_board_face face;
     bool glazed;    /* with the losses of clear single glass */

@@ -41,8 +41,7 @@ static enum pp_status parse(struct pp_building **building, const char *bytes,
     pp_xml_clear(&xml);
     pp_mistakes_sort(mistakes);
 
-    /* No room of a file that breaks off can be judged: its missing parts may have
-     * followed. */
+    /* A truncated file gives no valid room: missing parts may have followed. */
     if (whole)
         *building = made;
     else

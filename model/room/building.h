@@ -10,7 +10,7 @@
 #include "model/base/mistakes.h"
 #include "model/room/world.h"
 
-/* One room as the file describes it: names, lengths and lines, nothing resolved. */
+/* One room as described in the file: names, lengths and lines, unresolved. */
 struct pp_room;
 
 /* A line in plan. */
@@ -46,7 +46,7 @@ const char *pp_building_name(
 int pp_building_room_count(const struct pp_building *building);
 struct pp_room *pp_building_room(struct pp_building *building, int index);
 
-/* Where that room stands among all of the file, of any state, from 0. */
+/* Index of that room among all rooms of the file, of any state, from 0. */
 int pp_building_place(const struct pp_building *building, int index);
 
 /* Number of windows, rooflights and openings before those of that room in the file, in
@@ -102,8 +102,8 @@ enum pp_status pp_building_divide_block(struct pp_building *building, const char
                                         const struct pp_building_cell *cells, int count,
                                         struct pp_error *err);
 
-/* Up to `most` names of blocks, the building's or a lone room's; not owned. Returns how
- * many. */
+/* Gives up to `most` names of blocks, the building's or a lone room's; not owned.
+ * Returns their number. */
 int pp_building_block_names(const struct pp_building *building, const char **names,
                             int most);
 

@@ -17,7 +17,8 @@ typedef double point[2];
 static struct pp_face_axes axes_of(const struct pp_polygon *face)
 {
     struct pp_face_axes axes = {.origin = face->vertices[0]};
-    /* Along the first edge: upright walls then have upright coordinates. */
+    /* The first axis runs along the first edge: vertical walls then have vertical
+     * coordinates. */
     axes.a = pp_vec_unit(pp_vec_sub(face->vertices[1], face->vertices[0]));
     axes.b = pp_vec_cross(face->normal, axes.a);
     return axes;

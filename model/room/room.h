@@ -20,7 +20,7 @@ int pp_room_opening_count(const struct pp_room *room);
 
 enum pp_opening_kind { PP_WINDOW, PP_ROOFLIGHT, PP_OPENING };
 
-/* Where a rectangular opening lies, in metres. */
+/* Place of a rectangular opening (m). */
 struct pp_opening_place {
     double left_m, width_m;  /* of a window, as its file has them; of a rooflight x */
     double sill_m, height_m; /* of a window; of a rooflight y and its depth */
@@ -39,7 +39,7 @@ struct pp_room_opening pp_room_opening_at(const struct pp_room *room, int index)
 /* Moves and resizes a window or a rooflight. */
 void pp_room_set_place(struct pp_room *room, int index, struct pp_opening_place place);
 
-/* One more opening like the one at index, behind all others. */
+/* Appends a copy of the opening at index, with another place. */
 enum pp_status pp_room_repeat_opening(struct pp_room *room, int index,
                                       struct pp_opening_place place,
                                       struct pp_error *err);

@@ -14,8 +14,8 @@ enum pp_text_edit_kind {
     PP_TEXT_REMOVE /* the opening is left out */
 };
 
-/* One edit of the opening-th window, rooflight or opening of the file, from 0, whatever
- * room of a building it is in; of windows and rooflights only. */
+/* One edit of the opening-th window, rooflight or opening of the file, from 0, over all
+ * rooms of a building. Edits apply to windows and rooflights only. */
 struct pp_text_edit {
     enum pp_text_edit_kind kind;
     int opening;

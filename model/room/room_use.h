@@ -24,8 +24,8 @@ enum pp_room_use {
     PP_USE_COUNT
 };
 
-/* As room files write them, by enum pp_room_use, that of PP_USE_UNKNOWN being
- * "unknown"; ends with NULL. */
+/* Words of room files by enum pp_room_use; PP_USE_UNKNOWN is "unknown"; ends with
+ * NULL. */
 extern const char *const pp_room_use_words[];
 
 #endif

@@ -14,7 +14,7 @@
 #include "model/geometry/clipper.h"
 #include "model/geometry/tolerance.h"
 
-/* One edge of one face that goes through the plane. */
+/* One edge of a face that crosses the plane. */
 struct plane_crossing {
     int low, high;   /* numbers of the edge's corners, below and above the plane */
     bool upward;     /* does the face run up it? */

@@ -97,9 +97,9 @@ struct pp_opening {
     bool faces_open_out; /* has no face a part beyond its glass? */
 };
 
-/* One endless obstruction parallel to a wall, from the ground up. With a distance it is a
- * wall, which stands among the surfaces too: as long as it takes to be endless for what the
- * room sees of it (skylines.c). Without one it hides directions. */
+/* One endless obstruction parallel to a wall, from the ground up. If it has a distance
+ * it is also a wall among the surfaces, long enough to appear endless from the room
+ * (skylines.c). Otherwise it hides directions. */
 struct pp_skyline {
     int face;          /* its wall; outline.normal points away from the skyline */
     double angle_rad;  /* above the horizontal from the middle of the wall's openings */
@@ -176,7 +176,7 @@ struct pp_garden {
     int line;
 };
 
-/* Where light is measured. */
+/* Point at which light is calculated. */
 struct pp_receiver {
     struct pp_vec3 position;
     struct pp_vec3 normal; /* unit */
@@ -185,7 +185,7 @@ struct pp_receiver {
 
 enum pp_surroundings { PP_RURAL, PP_URBAN, PP_INDUSTRIAL };
 enum pp_work { PP_CLEAN, PP_DIRTY }; /* that is done in the room */
-/* Whose figures of dirt on glass: of smoky towns, or of cleaner air. */
+/* Edition of the figures for dirt on glass: of smoky towns, or of cleaner air. */
 enum pp_dirt { PP_DIRT_BRE309, PP_DIRT_BS8206 };
 
 struct pp_world {

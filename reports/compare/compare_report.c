@@ -50,7 +50,7 @@ static const char *level(const struct pp_compared *compared, int cause)
                                                         : "perhaps";
 }
 
-/* By how much, of a difference of logarithms; per cent. */
+/* Converts a difference of logarithms to per cent. */
 static double per_cent(double logarithm)
 {
     return 100.0 * (exp(logarithm) - 1.0);

@@ -10,7 +10,7 @@
 /* The names of components in JSON and CSV: "sc", "erc", "irc", "df". */
 extern const char *const pp_component_names[PP_COMPONENT_COUNT];
 
-/* For people: "sky component". */
+/* Titles for readers: "sky component". */
 extern const char *const pp_component_titles[PP_COMPONENT_COUNT];
 
 /* A number by a format of printf to the right of so many columns, or a dash where there

@@ -24,7 +24,7 @@ bool pp_json_number(struct json_object *object, const char *key, double number);
 /* The object if all of it is there; otherwise it is freed, and NULL. */
 struct json_object *pp_json_whole(struct json_object *object, bool good);
 
-/* To the end of an array; `value` is handed over as above. */
+/* Appends `value` to an array and takes ownership of it, as above. */
 bool pp_json_append(struct json_object *array, struct json_object *value);
 
 /* An array of numbers, each as above, on one line. */

@@ -190,8 +190,7 @@ static bool says_something(const struct pp_report *report)
     return false;
 }
 
-/* Where no method that was asked for answers, one that answers for any sky and any
- * opening. */
+/* If no selected method gives a value, suggests one for any sky and any opening. */
 static void print_hint(const struct pp_report *report, int width, FILE *out)
 {
     bool any_df = false;

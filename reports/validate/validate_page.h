@@ -8,8 +8,8 @@
 
 #include "reports/validate/validate_known.h"
 
-/* In UTF-8. Every group has a histogram of its differences over their limits, and every
- * case a row. */
+/* Writes a page in UTF-8: for each group a histogram of differences over their limits,
+ * for each case a row. */
 void pp_validate_page(const struct pp_known_result *result, FILE *out);
 
 #endif

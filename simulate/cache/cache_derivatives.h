@@ -35,13 +35,13 @@
 
 #include "simulate/cache/cache_hemisphere.h"
 
-/* In the frame (a, b) of the hemisphere. */
+/* Derivatives in the frame (a, b) of the hemisphere. */
 struct pp_irradiance_change {
     double along[3][2];  /* of red, green, blue: gradient with the place, 1/m */
     double turned[3][2]; /* with the normal, 1/rad */
     double curvature[3]; /* luminance's second derivatives aa, ab, bb, 1/m2 */
-    /* Where cells are noisy, each by itself: the noise of the gradient, on either axis,
-     * over that of the irradiance, 1/m, and that of the curvature, 1/m2. */
+    /* Noise, if the noise of cells is independent: that of the gradient on either axis
+     * over that of the irradiance (1/m), and that of the curvature (1/m2). */
     double along_noise, curvature_noise;
 };
 

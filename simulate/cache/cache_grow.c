@@ -23,16 +23,16 @@ enum {
     LOOK = 1 << 10,       /* open requests that are looked at before a batch is taken */
     RAY_CHUNK = 1 << 12,  /* rays that are followed before their requests are kept */
     MOST_AHEAD = 1 << 20, /* requests that have room before their rays are followed */
-    /* At most, that look for the surfaces which light the requests; surfaces that they
-     * miss have their light by paths. */
+    /* Most rays that search for the surfaces that light the requests. Surfaces that
+     * they miss are lit by paths. */
     EXPANSION_RAYS = 8192,
     /* Surfaces that one ray of a picture may ask for: at a pane its frame, on either
      * side, what the glass mirrors, and what stands behind. */
     RAY_REQUESTS = 6,
 };
 
-/* Two members of a batch stand no nearer than this share of the radius expected there.
- * Chosen by trial. */
+/* Least distance between two members of a batch, over the radius expected there. Chosen
+ * by trial. */
 static const double APART = 0.7;
 /* The radius expected where there is no record yet, over the scene's size. Chosen by
  * trial. */
@@ -241,8 +241,8 @@ enum pp_status pp_cache_grow_request_hemisphere(struct pp_irradiance_cache *cach
     return request_along(cache, ray_about, &over, RAYS, 1, err);
 }
 
-/* For the new requests of depth 0, requests of depth 1 of the surfaces that light
- * them. */
+/* Creates requests of depth 1 on the surfaces that light the new requests of depth
+ * 0. */
 static enum pp_status expand(struct pp_irradiance_cache *cache, struct pp_error *err)
 {
     const struct pp_cache_layer *seen = &cache->layers[0];
@@ -398,7 +398,7 @@ static bool compute_one(void *data, int worker, int i)
     return true;
 }
 
-/* One batch of the open requests. */
+/* Adds one batch of the open requests. */
 static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
                             struct pp_error *err)
 {

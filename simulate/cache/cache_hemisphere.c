@@ -28,7 +28,7 @@ struct pp_vec3 *pp_cache_hemisphere_corners(int side)
     return corners;
 }
 
-/* One ray more into cell k, as path `index`. */
+/* Sends one more ray into cell k, as path `index`. */
 static void send(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
                  const struct pp_cache_place *place, int k, uint32_t index)
 {
@@ -127,11 +127,11 @@ static int passes_by(const struct pp_cache_hemisphere *h, int first)
     return (int)fmax(fmin(more * more, PASSES_MOST), 1.0);
 }
 
-/* Where few of the rays bring most of the light, as far from a window, more are sent
- * into all cells. The passes over even rows are decided by the odd ones, and the other
- * way round: if a row's own rays had a say, it would have more of them where they
- * happen to differ much, which is where they are bright, and the mean would be drawn
- * down (by 1.0 % in a dark corner of the deep office, with 256 cells). */
+/* Sends more rays into all cells if a few rays carry most of the light, as they do far
+ * from a window. The odd rows decide the passes over the even ones, and vice versa. If
+ * a row's own rays decided, it would have more of them where they happen to vary much,
+ * and so are bright. That would bias the mean low (by 1.0 % in a dark corner of the
+ * deep office, with 256 cells). */
 static void add_passes(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
                        const struct pp_cache_place *place, const int passes[2],
                        uint32_t index)

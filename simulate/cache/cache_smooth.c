@@ -11,8 +11,8 @@ static const double NEAR = 2.0;
  * both sees something else: an outlier. */
 static const double OUTLIER = 4.0;
 
-/* Where light may depart from its tangent by this many times the noise, a neighbour has
- * no weight. */
+/* A neighbour has no weight where light may depart from its tangent by this many times
+ * the noise. */
 static const double MOST_DEPARTURE = 10.0;
 
 /* The noise of a gradient over the radius, over that of the value, is taken for no less

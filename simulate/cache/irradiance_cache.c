@@ -100,7 +100,7 @@ bool pp_irradiance_cache_value(const struct pp_irradiance_cache *cache,
         *value = pp_rgb_scale(cache->options.constant, PP_PI);
         return true;
     }
-    /* With a limit of bounces each depth has light of its own. */
+    /* With a limit of bounces the light differs by depth. */
     if (bounces >= 0 && depth >= PP_CACHE_DEPTHS)
         return false;
     int layer = depth < PP_CACHE_DEPTHS ? depth : PP_CACHE_DEPTHS - 1;

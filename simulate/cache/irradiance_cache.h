@@ -27,8 +27,8 @@
 #include "model/base/error.h"
 #include "simulate/transport/radiance.h"
 
-/* By their usual names; in Radiance's letters -aa, -ar, -ad, -as, -ab, -av,
- * -ai and -ae. */
+/* Options by their usual names; in Radiance -aa, -ar, -ad, -as, -ab, -av, -ai and
+ * -ae. */
 struct pp_cache_options {
     double accuracy;  /* -aa: the smaller, the nearer records stand; above 0 to 1 */
     int resolution;   /* -ar: records come no nearer to each other than the scene's
@@ -71,8 +71,8 @@ enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **cache,
 void pp_irradiance_cache_destroy(
     struct pp_irradiance_cache *cache); /* NULL is allowed */
 
-/* For struct pp_radiance_state, with `bounces` -1 there: the cache ends the paths.
- * While it is read it must not grow. Belongs to the cache. */
+/* Ambient light for struct pp_radiance_state, whose `bounces` must be -1: the cache
+ * ends the paths. The cache owns it and must not grow while it is read. */
 const struct pp_ambient *pp_irradiance_cache_ambient(struct pp_irradiance_cache *cache);
 
 /* The irradiance at a place; false where no record covers it. `depth` as in struct
@@ -81,7 +81,7 @@ bool pp_irradiance_cache_value(const struct pp_irradiance_cache *cache,
                                struct pp_vec3 point, struct pp_vec3 normal,
                                enum pp_space space, int depth, struct pp_rgb *value);
 
-/* One of the records, for markers and checks. */
+/* One record, for markers and checks. */
 struct pp_cache_record {
     struct pp_vec3 point, normal; /* normal: unit */
     enum pp_space space;

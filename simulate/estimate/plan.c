@@ -163,7 +163,8 @@ static bool is_limited(const struct outlook *outlook)
     return false;
 }
 
-/* From the outlook on, the cheapest paths and randomisations for the variance alone. */
+/* Searches, from the outlook on, for the cheapest paths and randomisations that reach
+ * the variance alone. */
 static struct outlook reach_variance(struct outlook at, double allowed,
                                      int *randomisations)
 {

@@ -19,7 +19,8 @@ enum {
     APART = 64   /* bytes between what two threads write to, for their caches */
 };
 
-/* By the clock, each round is planned for this share of the error of the last. */
+/* Share of the last round's error for which each round is planned, if run by the
+ * clock. */
 static const double ROUND_SHARE = 0.7;
 
 /* ---- making ---- */
@@ -140,8 +141,8 @@ static double pilot_value(const struct pp_planner *planner, int index)
     return fabs(pp_spread_of_value(&pilot, planner->sampler->values - 1).mean);
 }
 
-/* By error, what the options want for what the pilot has found; by the clock, a share
- * of the pilot's own. */
+/* Target standard error. If run by error it follows from the options and the pilot's
+ * value; if run by the clock it is a share of the pilot's error. */
 static double wanted_error(const struct pp_planner *planner, int index)
 {
     const struct pp_planner_options *options = &planner->options;

@@ -28,9 +28,9 @@ struct pp_sampled {
     int count;
 };
 
-/* Over the randomisations that have paths of all estimators: the value, the variance and
- * third central moment of one, how many there are, and the standard error without b (NAN
- * for fewer than four). */
+/* Statistics over the randomisations that have paths of all estimators: the value, the
+ * variance and third central moment of one, their number, and the standard error
+ * without b (NAN for fewer than four). */
 struct pp_spread {
     double mean, variance, third, std_error;
     int count;

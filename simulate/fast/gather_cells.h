@@ -26,8 +26,8 @@
 
 struct pp_gather_cells;
 
-/* For the convex room of a scene of which G is known; both must live as long. On success
- * *cells is the caller's. */
+/* Makes cells for the convex room of a scene with a known G; both must outlive *cells.
+ * On success *cells is the caller's. */
 enum pp_status pp_gather_cells_create(struct pp_gather_cells **cells,
                                       const struct pp_light_scene *scene,
                                       const struct pp_control_variate *variate,

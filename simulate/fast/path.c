@@ -137,7 +137,8 @@ static void add_glass(struct pp_path_state *state, const struct pp_start *start,
     light->part[PP_IRC] += e.rest.g;
 }
 
-/* Where there is no room: by the sky's and the ground's own directions. */
+/* Adds the direct light in the open, without a room, from directions of the sky and the
+ * ground. */
 static void add_open_direct(struct pp_path_state *state, const struct pp_start *start,
                             struct pp_light *light)
 {
@@ -154,7 +155,7 @@ void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
     for (; !scene->has_room && state->light.index < end; state->light.index++)
         add_open_direct(state, start, light);
     while (state->light.index < end) {
-        /* One sample of images outside goes with each call. */
+        /* Each call includes one sample of images outside. */
         bool runs = !start->anywhere && scene->window_image_count == 0;
         int paths = runs ? pp_path_run_from(state->light.index, end, PP_RUN_MOST) : 1;
         double u[2];

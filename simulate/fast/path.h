@@ -76,12 +76,12 @@ struct pp_path_state {
     struct pp_glass_view view; /* of these, from the last point */
 };
 
-/* For paths in that scene and light; the sequence is still to be set. */
+/* State for paths in that scene and light; the caller still sets the sequence. */
 struct pp_path_state pp_path_state(const struct pp_light_scene *scene,
                                    const struct pp_environment *environment,
                                    const struct pp_control_variate *variate);
 
-/* Where paths start: at a point, or anywhere on the working plane. */
+/* Start of paths: a point, or anywhere on the working plane. */
 struct pp_start {
     bool anywhere;
     struct pp_vec3 position; /* in the scene's coordinates */
@@ -114,8 +114,8 @@ void pp_path_correction(struct pp_path_state *state, const struct pp_start *star
 double pp_path_gather_cells(const struct pp_path_state *state,
                             const struct pp_start *start);
 
-/* By one of the points that receivers share; where state->shared is not NULL the mean of
- * these is a part of the correction. */
+/* Estimate by one of the shared points; if state->shared is not NULL their mean is a
+ * part of the correction. */
 double pp_path_shared(const struct pp_path_state *state, const struct pp_start *start,
                       const struct pp_shared_light *shared);
 

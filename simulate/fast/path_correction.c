@@ -118,9 +118,9 @@ static bool to_surface(struct pp_path_state *state, struct path_arm *arm,
     return there;
 }
 
-/* One of the arms, drawn by u in (0, 1), goes on for all of them. The noise that a path
- * finds at a surface grows with the light there: so an arm is drawn in proportion to what
- * it brings by G, and whichever goes on brings about as much noise. */
+/* Chooses one arm by u in (0, 1), which continues for all arms. The noise of a path at
+ * a surface grows with the light there. So an arm's probability is proportional to its
+ * contribution by G, and each choice contributes about equal noise. */
 static struct path_arm choose_path_arm(const struct path_arm *arms, int count, double u)
 {
     double mean = 0.0, total = 0.0, below = 0.0, share[MOST_LOBES];
@@ -232,8 +232,8 @@ static bool survives(const struct pp_path_state *state, struct path_arm *arm,
     return u < chance;
 }
 
-/* One step of (2) where the arm has come to, times its throughput, with the arm on its
- * way to the next surface; false if it ends before. */
+/* Adds one step of (2) at the arm's vertex, times its throughput, and turns the arm to
+ * its next surface. False if the arm ends before. */
 static bool step(struct pp_path_state *state, struct path_arm *arm, int vertex,
                  double *sum)
 {
@@ -291,7 +291,7 @@ double pp_path_residual(struct pp_path_state *state, const struct pp_light_hit *
     return reached && is_left(state, &arm, 1) ? sum + residual(state, &arm, 2) : sum;
 }
 
-/* By one path, whose rays are those from `first` on. */
+/* Correction by one path, whose rays begin at index `first`. */
 static double correction(struct pp_path_state *state, const struct path_fan *fan,
                          const struct fan_rays *rays, int first)
 {

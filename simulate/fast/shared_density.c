@@ -16,7 +16,7 @@ static const double LEAST_SHARE = 0.1;
  * up from. Chosen by trial. */
 static const double BELOW_SHARE = 0.15;
 
-/* Where a patch lies. */
+/* Place of a patch. */
 struct density_patch {
     int part;
     double a, b; /* its lower corner, along the part's a and b */
@@ -31,7 +31,7 @@ struct pp_shared_density {
     double *below;  /* by patch: the probability of those before it */
 };
 
-/* In such a room the fronts of the envelope have all patches. */
+/* In such a room all patches are on the fronts of the envelope. */
 static void place_patches(struct pp_shared_density *density)
 {
     const struct pp_light_scene *scene = density->scene;

@@ -41,8 +41,8 @@ struct pp_shared_light {
 
 struct pp_shared_density;
 
-/* For the scene, of which it is known what G is; both must live as long. On success
- * *density is the caller's; NULL where nothing can be shared. */
+/* Makes the density for a scene with a known G; both must outlive *density. On success
+ * *density is the caller's; NULL if nothing can be shared. */
 enum pp_status pp_shared_density_create(struct pp_shared_density **density,
                                         const struct pp_light_scene *scene,
                                         const struct pp_control_variate *variate,

@@ -18,8 +18,9 @@
 
 struct pp_shared_lights;
 
-/* For paths like this one, whose scene, light, control variate, cells and density (path->shared,
- * not NULL) must live as long, and sobol too. On success *lights is the caller's. */
+/* Makes the shared light for paths like this one. Its scene, light, control variate,
+ * cells and density (path->shared, not NULL) must outlive *lights, as must sobol. On
+ * success *lights is the caller's. */
 enum pp_status pp_shared_light_create(struct pp_shared_lights **lights,
                                       const struct pp_path_state *path,
                                       const struct pp_sobol *sobol, uint64_t seed,

@@ -210,7 +210,7 @@ static double tracer_bound(const void *client, int point, int component, unsigne
                                      paths[DIRECT], reflected);
 }
 
-/* Where the correction is each point's own. */
+/* Sampler in which each point has its own correction. */
 static const struct pp_sampler sampler = {
     .estimators = SHARED,
     .values = PP_COMPONENT_COUNT,
@@ -273,14 +273,15 @@ static struct pp_sampler of_direct_light(void)
     return direct;
 }
 
-/* Where a part of it is shared. The lobe then has little to correct. */
+/* Sampler in which a part of the correction is shared. The lobe then has little to
+ * correct. */
 static struct pp_sampler sharing(double error)
 {
     struct pp_sampler shared = sampler;
     shared.estimators = ESTIMATORS;
     shared.fall[SHARED] = 1.05;
     shared.pilot = (struct pp_counts){{4, 8, 2, 8}};
-    /* With 8 shared points a single one may make most of a point's error. */
+    /* With only 8 shared points one of them may cause most of a point's error. */
     shared.least = (struct pp_counts){{4, 8, 4, 16}};
     /* Half as many take a fifth off a grid at 1 %, with standard errors as true. Where the
      * correction is a point's own, twice as many values would be a third less sure. */

@@ -20,7 +20,7 @@
 #include "simulate/scene/environment.h"
 #include "simulate/scene/light_scene_of_world.h"
 
-/* No smaller standard error is wanted, over Eh: 0.002 % daylight factor. */
+/* Smallest standard error that is aimed at, over Eh: 0.002 % daylight factor. */
 #define PP_TRACER_LEAST_ERROR 0.00002
 
 struct pp_tracer_options {

@@ -23,22 +23,22 @@
  * externally and internally reflected component. */
 enum pp_path_first { PP_FIRST_NONE, PP_FIRST_SKY, PP_FIRST_OUTSIDE, PP_FIRST_INSIDE };
 
-/* One side of a surface that is lit; normal: unit, of that side. */
+/* One lit side of a surface; normal: unit, on that side. */
 struct pp_lit_point {
     struct pp_vec3 point, normal;
     enum pp_space space;
 };
 
-/* One sample of the radiance along the ray. counted: was light that comes through the
- * openings straight to where the ray begins sampled there already? aims: are openings
- * sampled along the path? Not on a path that has left the room by an opening: each of its
- * surfaces would begin another such path. *first may be NULL. */
+/* One sample of the radiance along the ray. counted: light straight through the
+ * openings was already sampled at the ray's origin. aims: openings are sampled along
+ * the path. Must be false once a path has left the room by an opening, since each of
+ * its surfaces would begin another such path. *first may be NULL. */
 struct pp_rgb pp_path_trace_radiance(struct pp_path_walk *walk, struct pp_light_ray ray,
                                      bool counted, bool aims,
                                      enum pp_path_first *first);
 
-/* One sample of the irradiance through the room's openings. *first (may be NULL): what the
- * light met first outside, PP_FIRST_SKY if nothing. */
+/* One sample of the irradiance through the room's openings. *first (may be NULL): the
+ * first surface outside that the light met, or PP_FIRST_SKY. */
 struct pp_rgb pp_path_trace_openings(struct pp_path_walk *walk,
                                      const struct pp_lit_point *at,
                                      enum pp_path_first *first);

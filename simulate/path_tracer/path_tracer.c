@@ -34,7 +34,7 @@ struct pp_path_tracer {
 
 /* ---- one path ---- */
 
-/* Where it begins. */
+/* Start of a path. */
 static struct pp_lit_point lit_point(struct pp_path_walk *walk,
                                      const struct plain_point *point)
 {

@@ -24,7 +24,8 @@ static const double GUESSED_DIAGONALS = 1.0;
  * wrong. */
 static const double LEAST_CHOICE = 0.1;
 
-/* For that guess no point is nearer to its plane: it is above 0 for all that see it. */
+/* Least height over an opening's plane in that estimate; above 0 for all points that
+ * see the opening. */
 static const double LEAST_HEIGHT_M = 1e-3;
 
 /* Triangles of smaller solid angle are sampled by area: there Arvo's formulae lose
@@ -119,7 +120,8 @@ double pp_sample_polygon_importance(const struct pp_target *target, struct pp_ve
     if (target->rectangle
         && square < GUESSED_DIAGONALS * GUESSED_DIAGONALS * diagonal_squared(target))
         return importance_when_near(target, from, n, brightness, weight);
-    /* Between the far field and the half space that a near opening fills. */
+    /* Interpolates between the far field and the half space that a near opening
+     * fills. */
     double slant = pp_target_height(target, from) / length;
     double solid = target->area_m2 * pp_max(slant, 0.05) / (square + target->area_m2);
     return solid * pp_max(weight, LEAST_CHOICE);

@@ -48,7 +48,8 @@ enum pp_space pp_light_scene_space(const struct pp_light_scene *scene,
 {
     if (!scene->has_room)
         return PP_ANYWHERE;
-    /* In the depth of a reveal a point is outside the envelope and still may see in. */
+    /* A point inside a reveal is outside the envelope, but may still see into the
+     * room. */
     return pp_position_in_room(scene->world, point) ? PP_INDOORS : PP_ANYWHERE;
 }
 
@@ -278,7 +279,7 @@ enum pp_meeting pp_light_scene_meet_outside(const struct pp_light_scene *scene,
     return meets_ground(scene, ray, hit) ? PP_MEETS_GROUND : PP_MEETS_ENVIRONMENT;
 }
 
-/* In an empty convex room; false where the ray starts outside. */
+/* Nearest hit in an empty convex room; false if the ray starts outside. */
 static bool meet_convex(const struct pp_light_scene *scene,
                         const struct pp_light_ray *ray,
                         const struct pp_convex_nearest *nearest,

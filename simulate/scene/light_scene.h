@@ -29,12 +29,12 @@ struct pp_triangles;
 
 void pp_light_scene_destroy(struct pp_light_scene *scene); /* NULL is allowed */
 
-/* Where a ray runs, as far as that is known. In a world, a ray that is indoors can't
- * see the back of the room's envelope: if it does, it has leaked between the edges of
- * two surfaces and counts nothing. A description's rays run anywhere. */
+/* Space in which a ray runs, if known. In a world an indoor ray cannot see the back of
+ * the room's envelope. If it does it has leaked between the edges of two surfaces and
+ * counts as nothing. Rays of a description run anywhere. */
 enum pp_space { PP_ANYWHERE, PP_INDOORS, PP_OUTDOORS };
 
-/* Where a point lies: PP_ANYWHERE in a description's scene. */
+/* Space of a point: PP_ANYWHERE in a description's scene. */
 enum pp_space pp_light_scene_space(const struct pp_light_scene *scene,
                                    struct pp_vec3 point);
 

@@ -122,7 +122,7 @@ static inline struct pp_vec3 pp_light_scene_parts_point(
     return pp_vec_along(pp_vec_along(foot, a, part->a), b, part->b);
 }
 
-/* Where a ray runs that leaves a hit, on the side that was met or through the part. */
+/* Space of a ray that leaves a hit, on the side that was met or through the part. */
 static inline enum pp_space pp_light_scene_parts_space(
     const struct pp_light_scene *scene, const struct pp_light_hit *hit, bool through)
 {

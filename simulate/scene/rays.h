@@ -25,8 +25,8 @@ void pp_rays_destroy(struct pp_rays *rays); /* NULL is allowed */
 int pp_rays_first(const struct pp_rays *rays, const float origin[3],
                   const float direction[3], float *distance);
 
-/* Where a ray from p starts: off the surface with normal n that it leaves by more than
- * single precision can lose, so that it can't meet that surface again. */
+/* Start of a ray from p: lifted off its surface with normal n by more than single
+ * precision can lose, so that the ray cannot meet that surface again. */
 static inline struct pp_vec3 pp_rays_lift(struct pp_vec3 p, struct pp_vec3 n)
 {
     double reach = fabs(p.x) + fabs(p.y) + fabs(p.z);

@@ -14,8 +14,8 @@
 
 #include "model/geometry/vec.h"
 
-/* Beyond this the ground is taken for open: the shadow of a tower 300 m high there is
- * one part in ten million of what a window sees of the ground. */
+/* Distance beyond which the ground counts as unobstructed: the shadow of a tower 300 m
+ * high is there 1e-7 of the ground that a window sees. */
 #define PP_SCENE_GROUND_FARTHEST_M 1e6
 
 struct pp_scene_ground {

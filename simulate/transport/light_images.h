@@ -28,7 +28,7 @@ bool pp_light_images_view(struct pp_radiance_state *state,
                           const struct pp_shading_point *shading,
                           struct pp_image_view *view);
 
-/* From there to the opening; false where no light comes along it. */
+/* Samples the view towards the opening; false if no light arrives along it. */
 bool pp_light_images_sample(struct pp_radiance_state *state,
                             const struct pp_image_view *view,
                             struct pp_opening_sample *sample);
@@ -38,8 +38,9 @@ bool pp_light_images_sample(struct pp_radiance_state *state,
  * time, with 0.5 2 % more. */
 #define PP_GLASS_CHANCE 0.25
 
-/* To an opening's image in the glass of another (glass_images.h), as far as that glass, and
- * on to the opening; false where no light comes along it. *there is in the glass then. */
+/* Samples an opening's image in the glass of another (glass_images.h): up to that
+ * glass, and on to the opening. *there is then in the glass. False if no light arrives
+ * along it. */
 bool pp_light_images_in_glass(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading,
                               struct pp_glass_view *view,

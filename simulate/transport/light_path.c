@@ -15,8 +15,8 @@
 enum {
     /* A path ends here where nothing ever absorbs. */
     MOST_BOUNCES = 1 << 14,
-    /* Up to the first surface that scatters, but at no more than this many, gloss and
-     * mirror are paths of their own beside the diffuse one. */
+    /* Most bounces, up to the first surface that scatters, for which gloss and mirror
+     * are separate paths beside the diffuse one. */
     FIRST_FEW = 3,
     /* Directions from the ground, where it is the first surface that scatters, for each
      * to a window: no cache smooths its light. */
@@ -437,7 +437,7 @@ static bool scatter(struct pp_radiance_state *state, struct pp_light_path *path,
     path->here_arrival = arrival_of(state, path, hit);
     struct pp_light_hit from = *hit;
     from.point = pp_rays_draw_back(hit->point, path->ray.to);
-    /* Behind clear glass it is still the first surface that scatters. */
+    /* A surface behind clear glass still counts as the first that scatters. */
     bool first = path->split && path->bounces <= FIRST_FEW;
     path->here_gloss_rays = 1;
     if (first && pp_rgb_most(lobes.share[PP_LOBE_GLOSS]) > STRONG_GLOSS)

@@ -43,15 +43,15 @@ static inline struct pp_light_path pp_light_path_outside(
                                   .from_window = true};
 }
 
-/* One sample of the light that the shading point sends on to the eye from all windows,
- * added to sky, outside or, where an opening leads back into the room, rest of *sum. */
+/* One sample of the light from all windows that the shading point sends to the eye.
+ * Added to sky, outside or, if an opening leads back into the room, rest of *sum. */
 void pp_light_path_windows(struct pp_radiance_state *state,
                            const struct pp_shading_point *shading,
                            struct pp_irradiance *sum);
 
-/* One sample of what the glass of a room's openings reflects to it of other openings
- * (glass_images.h), added to rest; often it is none. Rays that come to them by way of that
- * glass are then to leave it out. */
+/* One sample of the light of other openings that the glass of a room's openings
+ * reflects into it (glass_images.h), often none; added to rest. Rays that reach
+ * openings by way of that glass must then leave it out. */
 void pp_light_path_glass(struct pp_radiance_state *state,
                          const struct pp_shading_point *shading,
                          struct pp_glass_view *view, struct pp_irradiance *sum);

@@ -11,8 +11,8 @@
 
 #include "simulate/transport/path_vertex.h"
 
-/* One sample of the light that the shading point sends on to the eye, from all
- * concentrated emitters. */
+/* One sample of the light from all concentrated emitters that the shading point sends
+ * to the eye. */
 struct pp_rgb pp_light_sources_next_event(struct pp_radiance_state *state,
                                           const struct pp_shading_point *shading);
 

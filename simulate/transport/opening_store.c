@@ -48,8 +48,8 @@ static double nearest(const struct pp_light_scene *scene, int window,
     return least;
 }
 
-/* One sample of the radiance along a ray that leaves a window to the outside, if it
- * meets a surface: false if it does not. *distance_m is how far. */
+/* One sample of the radiance along a ray that leaves a window to the outside, and its
+ * length *distance_m. False if the ray meets no surface. */
 static bool outside_radiance(struct pp_radiance_state *state,
                              const struct pp_light_ray *ray, struct pp_rgb *radiance,
                              double *distance_m)
@@ -139,7 +139,7 @@ static bool fill_opening_patch(void *data, int worker, int patch)
     return true;
 }
 
-/* As many paths for few large patches as for many small ones. */
+/* Uses as many paths for few large patches as for many small ones. */
 static uint32_t samples_of(const struct pp_opening_store *store)
 {
     long bins = 1;

@@ -28,10 +28,9 @@ static inline int pp_path_vertex_branch(int vertex, int kind)
     return (int)(mixed >> 4) + 64;
 }
 
-/* By which of a surface's lobes a path's ray has left it, for light that next-event
- * estimation has sampled from there too: emitters and windows. A diffuse lobe leaves
- * that light to next-event estimation; between this and a gloss, multiple importance
- * sampling divides it [VG95]. */
+/* Lobe by which a ray has left a surface where next-event estimation also sampled
+ * light: of emitters and windows. After a diffuse lobe that light is left to next-event
+ * estimation; after a gloss, multiple importance sampling combines both [VG95]. */
 enum pp_directly_sampled {
     PP_DIRECTLY_SAMPLED_NONE,  /* the ray comes from the eye, or from a mirror by which
                                 * emitters are not sampled: all is the ray's */
@@ -129,7 +128,7 @@ struct pp_light_path {
     enum pp_first_met first_met; /* so far: panes that it passes do not count */
 };
 
-/* One side of a surface whose direct light is wanted. */
+/* One side of a surface whose direct light is calculated. */
 struct pp_shading_point {
     struct pp_vec3 point, normal; /* normal: of that side */
     enum pp_space space;
@@ -173,10 +172,9 @@ static inline struct pp_light_ray pp_path_vertex_shadow_ray(
     return (struct pp_light_ray){shading->point, shading->normal, to, shading->space};
 }
 
-/* Into how many strata, with a direction each, next-event estimation divides a source
- * or window of that angular size: the power of two, at most options.source_most, that
- * makes a stratum look smaller than options.source_size; 1 where the path is not
- * split. */
+/* Number of strata, with a direction each, in next-event estimation of a source or
+ * window of that angular size. The power of two, at most options.source_most, that
+ * makes a stratum look smaller than options.source_size; 1 if the path is not split. */
 static inline uint32_t pp_path_vertex_direction_count(
     const struct pp_radiance_state *state, bool split, double angular_size)
 {

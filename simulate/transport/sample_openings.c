@@ -7,8 +7,8 @@
 #include "simulate/sampling/lobe.h"
 #include "simulate/scene/environment.h"
 
-/* Up to this many openings are all sampled. One of them at random was most of a path's
- * noise: all of them have a quarter less in the example studio. */
+/* Most openings that are all sampled. Sampling one at random caused most of a path's
+ * noise: sampling all gives a quarter less in the example studio. */
 enum { FEW_OPENINGS = 4 };
 
 int pp_sample_openings_vertex(const struct pp_shading_point *shading, int opening)
@@ -129,8 +129,8 @@ static bool is_open(const struct pp_shading_point *shading, const struct pp_pane
     return pane->seen_by_all && shading->space == PP_INDOORS;
 }
 
-/* Where a direction to the mouth of the opening's niche ends: *to is moved to the pane, or
- * the sample is on one of the niche's sides. */
+/* Extends a direction from the mouth of the opening's niche: *to is moved to the pane,
+ * or the sample is on one of the niche's sides. */
 static void go_in(const struct pp_light_scene *scene, struct pp_direction_sample *to,
                   struct pp_opening_sample *sample)
 {
@@ -149,7 +149,8 @@ static void go_in(const struct pp_light_scene *scene, struct pp_direction_sample
                                              .space = PP_INDOORS};
 }
 
-/* One direction to a opening, `weight` times; false where no light comes along it. */
+/* Samples one direction to an opening, times `weight`; false if no light arrives along
+ * it. */
 static bool sample_opening(struct pp_radiance_state *state,
                            const struct pp_opening_sampling *sampling, double weight,
                            const double u[2], struct pp_opening_sample *sample)
@@ -197,7 +198,7 @@ bool pp_sample_openings_aim(struct pp_radiance_state *state,
     return sample_opening(state, &one, 1.0, u, sample);
 }
 
-/* Where a ray from inside meets the pane; the pane is a rectangle. */
+/* Point where a ray from inside meets the rectangular pane. */
 static bool meets_rectangle(const struct pp_target *target, struct pp_vec3 from,
                             struct pp_vec3 to, struct pp_vec3 *point)
 {

@@ -44,8 +44,8 @@ bool pp_sample_openings_next(struct pp_radiance_state *state,
                              struct pp_opening_sampling *sampling,
                              struct pp_opening_sample *sample);
 
-/* One direction to that opening, drawn by two numbers in (0, 1); false where no light
- * comes along it. */
+/* Aims at that opening by two numbers in (0, 1); false if no light arrives along the
+ * direction. */
 bool pp_sample_openings_aim(struct pp_radiance_state *state,
                             const struct pp_shading_point *shading, int opening,
                             const double u[2], struct pp_opening_sample *sample);

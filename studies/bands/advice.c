@@ -29,7 +29,7 @@ static double width_of(const struct pp_band_record *record)
     return log(ratio->high / fmax(ratio->low, 1e-3));
 }
 
-/* At a point, or (-1) the average. */
+/* Value at a point; index -1: the average. */
 static double figure_of(const struct pp_column *column, int index)
 {
     return index < 0 ? column->average.value : column->points[index].value;

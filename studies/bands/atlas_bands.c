@@ -11,7 +11,7 @@
 
 /* ---- columns of the table ---- */
 
-/* Where the table has what belongs to a hand column; -1: nowhere. */
+/* Columns of the table that belong to a hand column; -1: none. */
 struct places {
     int hand, own, truth;
     int sc, erc, irc; /* of a pair's parts */

@@ -7,8 +7,8 @@
 
 #include "model/base/text.h"
 
-/* As the CSV file has them. Words stand in the row itself: pointers to them would be 12,000
- * places that every start has to fill in. */
+/* Row of the CSV file. The words are stored in the row itself: pointers would be 12,000
+ * relocations at each start. */
 struct row {
     char place[8], component[4], column[28]; /* place "span": of the feature `column` */
     int rooms;

@@ -26,7 +26,8 @@ struct pp_band_record {
 bool pp_band_table_at(struct pp_band_record *record, const struct pp_band_table *table,
                       int index);
 
-/* Where the records of each column begin, whose search would go through the whole table. */
+/* Start of each column's records, stored since a search would pass over the whole
+ * table. */
 enum { PP_BAND_COLUMNS = 128 };
 struct pp_band_index {
     const struct pp_band_table *table;

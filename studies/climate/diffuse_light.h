@@ -24,12 +24,12 @@ struct pp_diffuse_light {
     double total_h; /* length of all hours together */
 };
 
-/* From a weather file: its diffuse horizontal illuminance. An hour without illuminance
- * gets one from its diffuse irradiance by [PISMS90] (luminous_efficacy.h), and so do all
- * hours where the file's illuminances are 0 or missing throughout. The sun's altitude is
- * its mean over the part of the hour in which it is above the horizon. PP_BAD_INPUT
- * where the file has no light although the sun is up; `file` is its name in that
- * message. On success *light is to be cleared by the caller. */
+/* Reads the diffuse horizontal illuminance of a weather file. An hour without
+ * illuminance gets one from its diffuse irradiance by [PISMS90] (luminous_efficacy.h);
+ * so do all hours if the file's illuminances are all 0 or missing. The sun's altitude
+ * is its mean over the part of the hour with the sun above the horizon. PP_BAD_INPUT if
+ * the file has no light although the sun is up; `file` is its name in that message. On
+ * success the caller clears *light. */
 enum pp_status pp_diffuse_light_of_epw(struct pp_diffuse_light *light,
                                        const struct pp_epw *epw, const char *file,
                                        struct pp_error *err);

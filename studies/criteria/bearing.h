@@ -20,7 +20,7 @@ enum pp_dwelling_room {
  * habitable room of a dwelling. */
 int pp_bearing_dwelling_rooms(enum pp_room_use use);
 
-/* For bears_on_use of criteria. */
+/* Values for bears_on_use of criteria. */
 bool pp_bearing_needs_daylight(enum pp_room_use use); /* no bathroom, hall, store */
 bool pp_bearing_is_dwelling(enum pp_room_use use);
 bool pp_bearing_is_lived_in(

@@ -17,7 +17,7 @@
 /* A point whose probability is this near to 0 or 1 is taken as certain. */
 static const double surely = 1e-12;
 
-/* Beyond so many standard errors it is: normal_below(-7.04) = 0.96e-12. */
+/* Standard errors beyond which it is certainly off: normal_below(-7.04) = 0.96e-12. */
 static const double surely_off = 7.04;
 
 /* Values and targets are computed: a difference of this share is rounding. */

@@ -11,8 +11,8 @@ struct pp_profile {
     const char *country;  /* whose rules they are; "": no one country's */
 };
 
-/* In the order in which they are shown; NULL at the end. index is at most one past the
- * last. */
+/* Profiles in the order shown; NULL for the index just past the last, the largest
+ * allowed. */
 const struct pp_profile *pp_profile_at(int index);
 
 /* NULL, and PP_BAD_INPUT in err, where there is none of that name. */

@@ -38,7 +38,7 @@ struct pp_site_table {
     int other_count;
 };
 
-/* From rooms that have been judged. To be cleared in any case. */
+/* Makes the table from assessed rooms. The caller clears it in any case. */
 enum pp_status pp_site_table_of(struct pp_site_table *table,
                                 const struct pp_assessment *rooms, int count,
                                 struct pp_error *err);

@@ -51,9 +51,9 @@ struct pp_engine {
     const struct pp_engine
         *plain; /* gives the same by a plain implementation; NULL: none */
 
-    /* At the report's receivers and over its working plane, under the report's light,
-     * in the world's matt scene. *run is made on success only; scene and receivers must
-     * outlive it. */
+    /* Creates a run at the report's receivers and over its working plane, under the
+     * report's light, in the world's matt scene. *run is set on success only; scene and
+     * receivers must outlive it. */
     enum pp_status (*create)(void **run, const struct pp_light_scene *scene,
                              const struct pp_report *report,
                              const struct pp_engine_options *options,
@@ -85,7 +85,7 @@ extern const struct pp_engine pp_engine_path, pp_engine_cache, pp_engine_photons
 const struct pp_engine *pp_engine_at(int index);          /* NULL behind the last */
 const struct pp_engine *pp_engine_find(const char *name); /* NULL: there is none */
 
-/* Whose columns have that name; NULL: no engine's, but a method's. */
+/* Engine whose columns have this name; NULL: the name of a method. */
 const struct pp_engine *pp_engine_of_column(const char *column);
 
 /* The column of daylight factors that others are held against: the first engine's of the

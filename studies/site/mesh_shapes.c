@@ -217,7 +217,7 @@ static int to_of(const struct mesh_edge *edge)
     return edge->forwards ? edge->high : edge->low;
 }
 
-/* By part (which `triangle` is now) and where it begins. */
+/* Sorts by part (stored in `triangle`) and by start node. */
 static int by_start(const void *left, const void *right)
 {
     const struct mesh_edge *a = left, *b = right;

@@ -102,7 +102,7 @@ static bool is_above(const struct pp_site_window *a, const struct pp_site_window
 
 static void count_storeys(struct pp_site_sheet *sheet)
 {
-    /* From the lowest up: one above the highest that it stands on. */
+    /* Works upwards from the lowest: one storey above the highest window below it. */
     for (int pass = 0, changed = 1; changed && pass < sheet->window_count; pass++) {
         changed = 0;
         for (int i = 0; i < sheet->window_count; i++)

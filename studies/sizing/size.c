@@ -141,8 +141,8 @@ static enum pp_status refine(const struct search *search, struct size_trial *bel
             || above->reading.value <= (1.0 + near_share) * task->target)
             break;
         pp_window_sizes_refine(search->sizes);
-        /* On the finer grid edges are rounded less, so that the window is a little
-         * larger than at the same step before: `below` may reach the target now. */
+        /* A finer grid rounds edges less, so a window is slightly larger than before at
+         * the same step: `below` may now reach the target. */
         above->step *= 10;
         below->step *= 10;
         for (int back = 10;; back *= 10) {

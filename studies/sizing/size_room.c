@@ -196,7 +196,7 @@ static enum pp_status set_down_edits(struct pp_size_room_result *result,
     return PP_OK;
 }
 
-/* Where the room stands in its file. */
+/* Finds the room's place in its file. */
 static void find_text(struct pp_size_room_result *result)
 {
     struct pp_building *building = result->room->building;

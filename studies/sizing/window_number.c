@@ -9,8 +9,8 @@
 
 #include "model/room/building.h"
 
-/* No more windows in one wall than this are tried, so that the search ends soon; chosen,
- * not measured. */
+/* Most windows tried in one wall, so that the search ends soon; chosen, not
+ * measured. */
 enum { NUMBER_MOST = 200 };
 
 /* PP_BAD_INPUT unless the windows are in one wall and of one size and sill. */

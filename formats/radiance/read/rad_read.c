@@ -36,7 +36,7 @@ static enum pp_status run_command(struct pp_rad_reader *reader,
 
 /* ---- commands ---- */
 
-/* One copy of an xform's files, whose texts are read for the first copy. */
+/* Reads one copy of an xform's files; their texts are read for the first copy only. */
 static enum pp_status read_files(struct pp_rad_reader *reader,
                                  const struct pp_rad_pipe *pipe,
                                  const struct pp_rad_xform *xform,

@@ -28,7 +28,7 @@ struct pp_crossing {
     bool used;
 };
 
-/* Where a curve of the level crosses one edge of the mesh. */
+/* Crossing of a curve of the level with one edge of the mesh. */
 struct pp_curve_end {
     int stamp; /* of the level that the rest is about */
     double xy[2];

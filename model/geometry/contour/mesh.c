@@ -26,7 +26,7 @@ void pp_mesh_clear(struct pp_mesh *mesh)
 
 /* ---- edges by their nodes ---- */
 
-/* Where the edge of nodes a < b stands in the table, or would. */
+/* Slot that holds the edge of nodes a < b, or the free slot for it. */
 static unsigned mesh_edge_slot(const struct pp_mesh *mesh, int a, int b)
 {
     uint64_t key = (uint64_t)a << 32 | (uint32_t)b;
@@ -81,7 +81,8 @@ static int need_edge(struct pp_mesh *mesh, int a, int b)
     return mesh->edge_count++;
 }
 
-/* In the triangles of the edge a-b, puts `now` in place of `before` (-1: none). */
+/* Replaces triangle `before` by `now` among the triangles of the edge a-b (-1:
+ * none). */
 static bool put_neighbour(struct pp_mesh *mesh, int a, int b, int before, int now)
 {
     int edge = need_edge(mesh, a, b);

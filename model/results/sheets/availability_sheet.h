@@ -8,7 +8,7 @@
 
 #include "model/results/report.h"
 
-/* Where the light outside was taken from. */
+/* Source of the light outside. */
 enum pp_light_origin {
     PP_LIGHT_ILLUMINANCE, /* diffuse illuminance of a weather file */
     PP_LIGHT_IRRADIANCE,  /* its diffuse irradiance, by a model of luminous efficacy */

@@ -17,7 +17,8 @@
 #include "model/room/position.h"
 #include "model/room/build/outline.h"
 
-/* On which sides of the envelope points of a surface were found, and one of each. */
+/* Sides of the envelope on which points of a surface were found, and one point of
+ * each. */
 struct sides_seen {
     bool inside, outside;
     struct pp_vec3 inside_at, outside_at;
@@ -254,7 +255,8 @@ static bool is_near(const struct pp_world *world, const struct pp_polygon *polyg
     return pp_position_is_near(&room, polygon->vertices, polygon->count);
 }
 
-/* On which side of the envelope is it, and is it clear of that? */
+/* Finds the side of the envelope on which the surface lies, and whether it is clear of
+ * the envelope. */
 static enum pp_status place_free_surface(struct sides_seen *seen, bool *clear,
                                          struct pp_resolver *r,
                                          const struct pp_surface_part *part,

@@ -224,8 +224,8 @@ static enum pp_status add_inmost(struct pp_resolver *r, struct receiver_list *li
     double farthest = 0.0;
     struct pp_receiver best = {.normal = pp_vec(0.0, 0.0, 1.0)};
     for (int k = 0; k < MESH * MESH; k++) {
-        /* From the middle outwards, so that of several points as far the middle is
-         * taken. */
+        /* Goes from the middle outwards, so that the middle is preferred among equally
+         * distant points. */
         int i = (k % MESH + MESH / 2) % MESH, j = (k / MESH + MESH / 2) % MESH;
         double x = low[0] + (i + 0.5) / MESH * (high[0] - low[0]);
         double y = low[1] + (j + 0.5) / MESH * (high[1] - low[1]);

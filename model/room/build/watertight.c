@@ -177,8 +177,8 @@ static double volume_m3(const struct pp_world *world, const struct watertight_ch
     return sum / 3.0;
 }
 
-/* In each part, turns the faces round that differ from the majority; then all faces, if
- * the room is inside out; and notes those that have been turned. */
+/* Turns, in each part, the faces that differ from the majority; turns all faces if the
+ * room is inside out. Records the turned faces. */
 static void turn_faces(struct pp_resolver *r, struct watertight_check *c,
                        int *turned_in_part)
 {

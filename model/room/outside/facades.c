@@ -187,7 +187,8 @@ static bool check_others(struct pp_resolver *r, const struct facade_site *site)
 
 /* ---- Rims ---- */
 
-/* From the pane's outline to the sheet, facing the passage between. */
+/* Adds the strip between the pane's outline and the sheet, facing the passage
+ * between. */
 static enum pp_status add_rim(struct pp_resolver *r, struct facade_site *site,
                               const struct pp_opening *opening, struct pp_error *err)
 {

@@ -31,10 +31,11 @@ struct pp_room_shell {
     int front_count;
 };
 
-/* With a reflectance for its windows (NAN: they are as walls), faces are divided by them.
- * Mistakes in what a room's file says are noted where the room itself is resolved: of
- * such a room there is nothing outside. Unless `outside` there is the body alone. To be
- * cleared in any case. */
+/* Makes the body of a room as seen from outside. glass_reflectance: reflectance of the
+ * windows, which then divide the faces; NAN: windows reflect like walls. Without
+ * `outside` the shell is the body alone. Errors in the room's file are reported where
+ * the room itself is resolved; here such a room has an empty shell. The caller clears
+ * the shell in any case. */
 enum pp_status pp_room_shell_make(struct pp_room_shell *shell,
                                   const struct pp_room *room, enum pp_site_state state,
                                   bool outside, double glass_reflectance,

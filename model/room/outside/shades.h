@@ -16,8 +16,9 @@
 
 #include "model/room/build/resolve.h"
 
-/* Behind the free-standing surfaces, which keep the file's order. Notes those of windows
- * in walls that lean, those that go through the room, and shelves above the head. */
+/* Adds the shades after the free-standing surfaces, which keep the order of the file.
+ * Reports shades of windows in sloping walls, shades that cross the room, and shelves
+ * above the head. */
 enum pp_status pp_build_shades(struct pp_resolver *r, struct pp_error *err);
 
 /* Name of the opening's shade in that line, "balcony"; static; NULL: there is none. */

@@ -43,8 +43,8 @@ static struct pp_vec3 outward_of(const struct pp_world *world, int face)
     return pp_vec_unit(pp_vec(-n.x, -n.y, 0.0));
 }
 
-/* From where distances count: in the wall's plane, which may slope, at the height of its
- * openings' middle; on its middle line. */
+/* Origin of distances: on the wall's middle line, in its plane (which may slope), at
+ * mid-height of its openings. */
 static struct pp_vec3 middle_of_wall(const struct pp_world *world, int face)
 {
     const struct pp_polygon *wall = &world->surfaces[face].outline;

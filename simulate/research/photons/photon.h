@@ -11,7 +11,8 @@
 #include "simulate/research/photons/photon_lobes.h"
 #include "simulate/research/photons/photon_sources.h"
 
-/* Whose light it is to who sees it straight: what it has last been scattered by. */
+/* Component to which a photon's light belongs, by the last surface that scattered
+ * it. */
 enum pp_photon_last {
     PP_PHOTON_FROM_SKY,
     PP_PHOTON_FROM_OUTSIDE, /* a surface there, or the ground */
@@ -51,7 +52,7 @@ bool pp_photon_begin(struct pp_photon_state *state, int count, int vertex,
 void pp_photon_enter(struct pp_photon_state *state, const double *chances, int vertex,
                      struct pp_photon_place *place);
 
-/* To the surface that it meets next; false where it meets none. */
+/* Moves the photon to the next surface that it meets; false: none. */
 bool pp_photon_arrive(struct pp_photon_state *state, struct pp_photon *photon);
 
 /* Power left there by the photon: the light that leaves its own side (0) or the far one
@@ -60,7 +61,7 @@ bool pp_photon_leaves(const struct pp_photon_state *state,
                       const struct pp_photon *photon, int side,
                       struct pp_photon_place *place);
 
-/* On from there by one of the surface's lobes; false where it ends. */
+/* Scatters the photon by one of the surface's lobes; false if it is absorbed. */
 bool pp_photon_turn(struct pp_photon_state *state, struct pp_photon *photon);
 
 #endif

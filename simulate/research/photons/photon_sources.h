@@ -75,8 +75,8 @@ struct pp_vec3 pp_photon_sources_direction(const struct pp_light_scene *scene,
 /* The limit of cos cos'/d^2 at an opening that is drawn by this chance. */
 double pp_photon_sources_limit(double area_m2, double chance);
 
-/* For a receiver: the chance of each opening, into chances[], by what it may bring
- * there; false where none can bring anything. */
+/* Writes the probability of each opening for a receiver into chances[], in proportion
+ * to its possible contribution. False if none can contribute. */
 bool pp_photon_sources_for(double *chances, const struct pp_photon_sources *sources,
                            const struct pp_light_scene *scene, struct pp_vec3 point,
                            struct pp_vec3 normal);

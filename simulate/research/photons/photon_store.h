@@ -13,8 +13,8 @@
 
 struct pp_photon_store;
 
-/* For photons that are followed as by this state, whose scene, light and sources must
- * live as long. On success *store is the caller's. */
+/* Makes a store for photons that follow this state. Its scene, light and sources must
+ * outlive *store. On success *store is the caller's. */
 enum pp_status pp_photon_store_create(struct pp_photon_store **store,
                                       const struct pp_photon_state *state,
                                       uint64_t seed, struct pp_error *err);

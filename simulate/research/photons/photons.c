@@ -130,7 +130,7 @@ static uint64_t photon_point_seed(const void *client, int point)
     return ((const struct pp_photons *)client)->points[point].seed;
 }
 
-/* One path of an estimator. */
+/* Follows one path of an estimator. */
 static void follow_one(const struct pp_photons *photons, struct pp_photon_state *state,
                        const struct pp_path_range *range, double *sums)
 {
@@ -231,7 +231,7 @@ static double photon_point_bound(const void *client, int point, int component,
                                      paths[DIRECT], paths[PHOTONS]);
 }
 
-/* Where photons are counted alone. */
+/* Sampler that counts photons at each receiver alone. */
 static const struct pp_sampler counting = {
     .estimators = ESTIMATORS,
     .values = PP_COMPONENT_COUNT,
@@ -247,7 +247,7 @@ static const struct pp_sampler counting = {
     .bound = photon_point_bound,
 };
 
-/* Where receivers share them. */
+/* Sampler in which receivers share photons. */
 static struct pp_sampler sharing(void)
 {
     struct pp_sampler sampler = counting;

@@ -16,8 +16,8 @@
 /* More corners no convex polygon of this engine has. */
 enum { PP_FORM_FACTOR_MOST = 64 };
 
-/* From the point with normal n (unit) to a convex polygon of 3 to PP_FORM_FACTOR_MOST
- * corners, from either side: 0 to 1. */
+/* Form factor from the point with normal n (unit) to a convex polygon of 3 to
+ * PP_FORM_FACTOR_MOST corners, seen from either side: 0 to 1. */
 double pp_form_factor(struct pp_vec3 point, struct pp_vec3 n,
                       const struct pp_vec3 *corners, int count);
 

@@ -50,7 +50,7 @@ static void add_facet(const struct walk *walk, int side, bool indoors,
         pp_light_sum_add(walk->sum, element, part_or(part, PP_IRC), weight);
 }
 
-/* On through a clear pane, and by its reflection. */
+/* Continues the ray through a clear pane, and by reflection at it. */
 static void pass(const struct walk *walk, const struct pp_light_ray_start *ray, int met,
                  struct pp_vec3 point, double weight, enum pp_component part, int panes)
 {

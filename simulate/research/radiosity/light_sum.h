@@ -43,7 +43,7 @@ void pp_light_sum_add(struct pp_light_sum *sum, int source, enum pp_component pa
 void pp_light_sum_hit(struct pp_light_sum *sum, int side, struct pp_vec3 point,
                       enum pp_component part, double weight);
 
-/* Where a sum has come to: what is added later can be weighted together. */
+/* State of a sum: light added later can be weighted together. */
 struct pp_light_mark {
     double fixed[PP_LIGHT_PARTS];
     int term_count, hit_count;

@@ -237,8 +237,9 @@ static bool is_round(const struct pp_facets *facets, const struct pp_opening *op
            || (surface->role == PP_COVER && surface->owner == opening->face);
 }
 
-/* Where the taker stands before the face, the opening's edges hide what its face and its
- * reveal may hide, which are no blockers then. */
+/* Looks through the opening if the receiving point is in front of its face. The
+ * opening's edges then hide everything that its face and reveal could hide, so those
+ * are no longer blockers. */
 static void look_through(struct looking *l)
 {
     struct pp_element_view *view = l->view;

@@ -43,8 +43,9 @@ enum pp_status pp_outdoors_init(struct pp_outdoors *outdoors,
                                 struct pp_error *err);
 void pp_outdoors_clear(struct pp_outdoors *outdoors);
 
-/* Where the ray from `from` towards `to` (unit) ends if the nearest facet is `facet_m`
- * away (INFINITY: none is); *light of sky and what is fixed, *distance of the ground. */
+/* End of the ray from `from` towards `to` (unit), if the nearest facet is at `facet_m`
+ * (INFINITY: none). *light is of the sky and of fixed light, *distance that of the
+ * ground. */
 enum pp_outdoors_end pp_outdoors_meet(const struct pp_outdoors *outdoors,
                                       struct pp_vec3 from, struct pp_vec3 to,
                                       double facet_m, double *light, double *distance);

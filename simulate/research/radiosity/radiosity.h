@@ -43,7 +43,7 @@ enum pp_status pp_radiosity_create(struct pp_radiosity **radiosity,
                                    const struct pp_radiosity_options *options,
                                    struct pp_error *err);
 
-/* One level more. */
+/* Advances by one level. */
 enum pp_status pp_radiosity_advance(struct pp_radiosity *radiosity,
                                     struct pp_error *err);
 bool pp_radiosity_done(const struct pp_radiosity *radiosity);

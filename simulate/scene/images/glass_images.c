@@ -33,7 +33,7 @@ static double exchange(const struct pp_target *glass, const struct pp_target *wi
     return glass->area_m2 * window->area_m2 / (apart * apart);
 }
 
-/* Where the least of them stands. */
+/* Index of the smallest. */
 static int least_of(const double *worth, int count)
 {
     int least = 0;

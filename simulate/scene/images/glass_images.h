@@ -28,7 +28,7 @@ enum pp_status pp_glass_images_find(struct pp_light_scene *scene, struct pp_erro
 /* Is it one of the scene's? */
 bool pp_glass_images_has(const struct pp_light_scene *scene, int glass, int window);
 
-/* One of them from the view's point. */
+/* One image, seen from the view's point. */
 struct pp_glass_sight {
     int image;               /* one more than its number; 0: none */
     struct pp_target target; /* the part of the opening that is seen */

@@ -12,8 +12,8 @@ enum {
     MOST_CONNECTIONS = 256 /* mirror paths times emitters */
 };
 
-/* Two planes are the same if their normals differ by less than this in the cosine,
- * and their offsets by less than this share. */
+/* Tolerances for equal planes: difference of their normals in the cosine, and relative
+ * difference of their offsets. */
 static const double SAME_NORMAL = 1e-12, SAME_OFFSET = 1e-7;
 
 /* ---- found ---- */

@@ -47,7 +47,7 @@ struct pp_atlas_truth {
         own; /* one for each of the columns, of which those of daylight factors count */
 };
 
-/* Where a room's rows have their truth from: fills it for a point, or for the average for
+/* Gives the true values for a room's rows: for a point, or for the average if point is
  * -1. */
 typedef void pp_atlas_truth_of(const void *data, int point,
                                struct pp_atlas_truth *truth);

@@ -133,7 +133,7 @@ static int class_of(const struct pp_atlas_scale *scale, double value)
     return k;
 }
 
-/* Where a row belongs, up * PP_ATLAS_CLASSES + across; -1: nowhere. */
+/* Cell of a row, up * PP_ATLAS_CLASSES + across; -1: none. */
 static int mapped_cell(const struct pp_atlas_map *map,
                        const struct pp_atlas_table *table,
                        const struct mapping_columns *at, int row)

@@ -238,7 +238,7 @@ static double plan_distance(const struct pp_polygon *outline, struct pp_vec3 poi
     return least;
 }
 
-/* Over or under a polygon that is not upright? */
+/* True if the point is above or below a polygon that is not vertical. */
 static bool lies_under(const struct pp_polygon *outline, struct pp_vec3 point)
 {
     bool inside = false;

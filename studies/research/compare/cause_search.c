@@ -64,7 +64,7 @@ static struct pp_supposition supposed(const struct cause_search *search,
     return supposition;
 }
 
-/* By white noise; of a set that is not traced, at its best. */
+/* Evaluates a candidate by white noise; a set that was not simulated, at its best. */
 static void judge_roughly(struct cause_search *search,
                           struct cause_candidate *candidate)
 {
@@ -96,7 +96,7 @@ static void judge_roughly(struct cause_search *search,
     }
 }
 
-/* By all kinds of noise. */
+/* Evaluates a candidate by all kinds of noise. */
 static enum pp_status judge_fully(struct cause_search *search,
                                   struct cause_candidate *candidate,
                                   struct pp_error *err)

@@ -149,7 +149,7 @@ static enum pp_status subset_effect(struct pp_compare *compare,
     return status;
 }
 
-/* As stated, with what ours scatter by themselves; 0: it is not. */
+/* Noise as stated, with the scatter of our own values; 0: not stated. */
 static double stated_noise(const struct pp_compare *compare, const double *variance)
 {
     double noise = compare->options.noise;

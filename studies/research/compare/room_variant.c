@@ -104,7 +104,7 @@ static enum pp_status read_sky(struct pp_room_variant *variant, const char *text
                            text);
 }
 
-/* One that has a single value. */
+/* Reads a setting that has a single possible value. */
 static enum pp_status read_only(bool *place, const char *name, const char *text,
                                 const char *value, struct pp_error *err)
 {

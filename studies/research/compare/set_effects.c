@@ -17,9 +17,9 @@ struct pp_known_set {
     double *middle, *most;
 };
 
-/* Two together are off from their sum by a share of the smaller, up to this either
- * way, much the same at all points; and by as much again at each point by itself. The sum of
- * three is off from that of their pairs by the last. */
+/* Deviation of two effects together from their sum: up to this share of the smaller
+ * one, either way, much the same at all points. The second is the further deviation at
+ * each point by itself, and that of three from the sum of their pairs. */
 static const double OFF_SHARE = 0.6, OFF_SHARE_AT_A_POINT = 0.1;
 /* A cause that does less than this (root mean square of logarithms) is not told. */
 static const double LEAST_EFFECT = 0.001;
@@ -103,7 +103,8 @@ enum pp_status pp_set_effects_trace(struct pp_set_effects *effects, const int *c
     return pp_fail(err, status, "%s", own.message);
 }
 
-/* At a fitted value's level t: on the parabola through three of its range. */
+/* Effect at level t of a fitted value: on the parabola through three levels of its
+ * range. */
 static double effect_at(const struct pp_known_set *known, int point, double t)
 {
     if (!known->most)

@@ -20,8 +20,8 @@ static struct pp_glass by_normal_alone(struct pp_glass glass)
     return pp_glass_of_normal(1, 1.0 + 1e-9, 0.0, glass.normal);
 }
 
-/* One pane of a stack. Of a stack of which only the transmittance was known each pane has
- * its part of what scales it. */
+/* One pane of a stack. If only the transmittance of the stack was known, each pane has
+ * its part of the scale. */
 static struct pp_glass one_of(struct pp_glass glass)
 {
     struct pp_glass pane = pp_glass_panes(1, glass.n, glass.kl);

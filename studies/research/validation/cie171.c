@@ -132,7 +132,8 @@ static double luminance(const void *context, struct pp_vec3 u)
            * polynomial_glass(pp_vec_dot(through->toward, u));
 }
 
-/* By what is above the horizon (up 1: a sky) or below it (up -1: all of one luminance). */
+/* Integrates the visible part above the horizon (up 1: a sky) or below it (up -1: of
+ * uniform luminance). */
 static enum pp_status integrate_visible(double *value, const struct pp_visible *visible,
                                         struct pp_vec3 normal, double up,
                                         const struct pp_sky *sky, struct pp_error *err)
@@ -215,7 +216,7 @@ static void name_group(char text[48], const struct figure *figure)
             snprintf(text, 48, names[i].words, figure->a, figure->b);
 }
 
-/* One value, by `exact` and, unless it is NULL, traced. */
+/* Adds one value, by `exact` and, unless it is NULL, simulated. */
 static enum pp_status add_figure(struct pp_known_cases *cases,
                                  const struct figure *figure,
                                  const struct pp_world *world,

@@ -28,8 +28,8 @@ struct pp_error_parts {
     double formula, formula_error;       /* method - own, and its */
 };
 
-/* One column of a report against "traced" of its component; fractions of the open sky.
- */
+/* Comparison of one column of a report with "traced" of its component; fractions of the
+ * open sky. */
 struct pp_comparison {
     enum pp_component component;
     const char *name; /* the report's */
@@ -59,8 +59,8 @@ struct pp_error_parts pp_comparison_parts(const struct pp_report *report,
                                           const struct pp_own_worlds *worlds,
                                           int point);
 
-/* One method over several rooms; differences are shares of the rooms' mean traced
- * values. */
+/* Comparison of one method over several rooms; differences are relative to the rooms'
+ * mean simulated values. */
 struct pp_overall {
     enum pp_component component;
     const char *name;
