@@ -87,7 +87,7 @@ static void draw_up_scale(struct atlas_plot *plot)
     }
 }
 
-/* The name of what goes up, above the field at its left. */
+/* Draws the title of the vertical axis, at the left above the field. */
 static void draw_up_title(struct atlas_plot *plot, const char *words)
 {
     struct pp_lettering text = {.size = PP_TEXT_BODY, .down = 1.0};
@@ -106,7 +106,7 @@ static void draw_frame(struct atlas_plot *plot)
 
 /* ---- a map by one number ---- */
 
-/* Ratios that scales go to at most: what is further off stands at the edge. */
+/* Limits of the scales of ratios; values beyond them are drawn at the edge. */
 static const double least_ratio = 0.01, most_ratio = 100.0;
 
 /* A scale that all quantiles fit on, but for such. */

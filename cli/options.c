@@ -53,7 +53,7 @@ static struct found find_option(const struct pp_command_line *line, const char *
     return (struct found){NULL, NULL};
 }
 
-/* The option that the field knows by that short word, such as -aa. */
+/* Finds the option with that short name, such as -aa. */
 static struct found find_short(const struct pp_command_line *line, const char *word)
 {
     for (const struct pp_option_group *group = line->groups; group->title; group++)

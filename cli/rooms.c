@@ -55,7 +55,7 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
     struct pp_world *world = NULL;
     enum pp_status status = pp_world_create(&world, room, mistakes, &err);
     if (status == PP_BAD_INPUT && mistakes->count > 0)
-        return PP_EXIT_DONE; /* they are said with those of the rest of the file */
+        return PP_EXIT_DONE; /* reported with those of the rest of the file */
     struct pp_outside_light light;
     if (status == PP_OK)
         status = pp_room_light(&light, room, &err);
@@ -80,7 +80,7 @@ static enum pp_exit keep_building(struct pp_rooms *rooms, struct pp_building *bu
     return PP_EXIT_DONE;
 }
 
-/* The rooms that there are in the state asked for, of which there must be one. */
+/* Chooses the rooms of the requested state; there must be at least one. */
 static enum pp_status choose_state(struct pp_building *building, const char *file,
                                    enum pp_site_state state, struct pp_error *err)
 {
@@ -273,7 +273,7 @@ static enum pp_exit load_again(struct loading *loading, const char *file,
     return result;
 }
 
-/* Every building of those rooms again that has states. */
+/* Parses every building of those rooms that has states again. */
 static enum pp_exit load_all_again(struct pp_rooms *rooms, const char *command,
                                    const struct pp_rooms *proposed,
                                    const struct pp_room_options *options,

@@ -8,7 +8,7 @@
 #include "methods/method.h"
 #include "model/base/text.h"
 
-/* G: diffuse transmittance over that of clear single glass. */
+/* Factor G: diffuse transmittance over that of clear single glass. */
 static double glass_type(const struct pp_glass *glass)
 {
     return glass->diffuse / pp_glass_clear_single().diffuse;

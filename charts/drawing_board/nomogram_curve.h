@@ -1,5 +1,6 @@
-/* nomogram_curve.h - a nomogram while it is drawn, and what only nomogram IV has: the curve
- * of the room's depth in ranges of the light, and the lines through it. */
+/* nomogram_curve.h - state of a nomogram while it is drawn, and the parts of nomogram
+ * IV: the curve of the room's depth in ranges of the light, and the lines through
+ * it. */
 #ifndef PP_CHARTS_DRAWING_BOARD_NOMOGRAM_CURVE_H
 #define PP_CHARTS_DRAWING_BOARD_NOMOGRAM_CURVE_H
 

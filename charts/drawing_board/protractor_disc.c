@@ -80,8 +80,8 @@ static void arc(cairo_t *cr, const struct pp_protractor_disc *disc,
         cairo_arc_negative(cr, disc->x, disc->y, distance, first, last);
 }
 
-/* Words whose feet point to the centre; on a plan away from it where they would stand
- * on their head. */
+/* Writes words whose feet point to the centre; on a plan they point away from it where
+ * they would otherwise be upside down. */
 static void write_round(cairo_t *cr, const struct pp_style *style,
                         const struct pp_protractor_disc *disc, place_function *place,
                         double angle, double distance, double grey, const char *words)

@@ -39,7 +39,7 @@ void pp_protractor_disc_plan(const struct pp_protractor_disc *disc, double angle
 void pp_protractor_disc_primary(cairo_t *cr, const struct pp_style *style,
                                 const struct pp_protractor_disc *disc, bool both);
 
-/* The plan's half; `whole`: the section's is there too. */
+/* Draws the plan's half; `whole`: the section's half is drawn too. */
 void pp_protractor_disc_auxiliary(cairo_t *cr, const struct pp_style *style,
                                   const struct pp_protractor_disc *disc, bool whole);
 

@@ -14,8 +14,8 @@
 /* Columns of squares from azimuth 0 to 90 degrees. */
 enum { HALF_COLUMNS = 18 };
 
-/* The curve of style.c whose dash the droop lines of edges perpendicular to the window
- * have. */
+/* Curve of style.c whose dash is used for the droop lines of edges perpendicular to the
+ * window. */
 enum { ACROSS_DASH = 1 };
 
 /* One panel on paper; map.mm is the side of a square. */

@@ -1,5 +1,5 @@
-/* net_unfold.c - takes the floor first, then its neighbours about the edges that they share,
- * and so on; what does not lie free or fit begins a piece of its own. */
+/* net_unfold.c - unfolds the floor first, then its neighbours about their common edges,
+ * and so on. A panel that overlaps others or does not fit begins a new piece. */
 #include "charts/net/net_unfold.h"
 
 #include <math.h>
@@ -9,7 +9,8 @@
 #include "model/base/array.h"
 #include "model/geometry/clipper.h"
 
-/* mm on paper: a tab's width, the space between pieces, and what may overlap. */
+/* Sizes on paper (mm): a tab's width, the space between pieces, and the tolerated
+ * overlap. */
 static const double TAB_MM = 8.0, GAP_MM = 5.0, OVERLAP_MM2 = 0.05;
 
 struct unfolding {
@@ -97,7 +98,8 @@ static bool fits(const struct unfolding *unfolding, const struct pp_bounds2 *ext
            && extent->high[1] - extent->low[1] <= unfolding->limit[1] + 1e-6;
 }
 
-/* Turns and shifts a panel so that its edge lies on a placed one, the other way round. */
+/* Turns and shifts a panel so that its edge lies on a placed one, in the opposite
+ * direction. */
 static void lay_beside(const struct pp_net_panel *placed, int edge,
                        struct pp_net_panel *panel, int own_edge)
 {
@@ -106,7 +108,7 @@ static void lay_beside(const struct pp_net_panel *placed, int edge,
                  *d = panel->own[(own_edge + 1) % panel->count];
     pp_net_panels_corner(placed, edge, a);
     pp_net_panels_corner(placed, edge + 1, b);
-    /* c comes to b, d to a. */
+    /* Maps c to b and d to a. */
     double wanted = atan2(a[1] - b[1], a[0] - b[0]),
            now = atan2(d[1] - c[1], d[0] - c[0]);
     panel->turn[0] = cos(wanted - now);

@@ -124,8 +124,8 @@ static void put_figure(struct note_drawing *drawing, const char *figure, bool bo
                       drawing->lines.x + drawing->lines.width, drawing->y, figure);
 }
 
-/* Formula, values put in, and the result with what it is; or a figure that was read with
- * its symbol and what it is. Returns the height. */
+/* Formula, inserted values, and the result with its name; or the symbol and name of a
+ * figure that was read. Returns the height. */
 static double put_step(struct note_drawing *drawing, const struct pp_steps *steps,
                        int index, bool drawn)
 {

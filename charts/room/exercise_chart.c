@@ -65,7 +65,7 @@ static void write_caption(const struct exercise_drawing *drawing, double x, doub
                       y + 0.8 * drawing->style.scale, words);
 }
 
-/* Room beside the section for what stands outside. */
+/* Space beside the section for obstructions. */
 static double outside_mm(const struct exercise_drawing *drawing)
 {
     return 14.0 * drawing->style.scale;
@@ -204,8 +204,8 @@ static void draw_answers(const struct exercise_drawing *drawing, struct pp_box b
     }
 }
 
-/* Elevations at a diagram's scale keep it, whatever the sheet; the height that the tallest
- * needs, or no more than two fifths of the sheet. */
+/* Height of elevations. Those at a diagram's scale keep it, whatever the sheet; others
+ * are as high as the tallest needs, but at most two fifths of the sheet. */
 static double elevations_height(const struct exercise_drawing *drawing, double most)
 {
     double tallest = 0.0, viewing = drawing->exercise->viewing_mm;

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Sills higher than this above the working plane (m) are over the heads of those who
- * sit at it: such windows are dashed, like all that lies above a plan's cut. */
+/* Sills higher than this above the working plane (m) are above the heads of seated
+ * users: such windows are dashed, like everything above a plan's cut. */
 #define HIGH_SILL_M 1.0
 
 static double wall_weight(const struct pp_style *style)

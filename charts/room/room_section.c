@@ -105,8 +105,8 @@ static void stroke_cuts(const struct section_drawing *drawing, enum pp_cut_kind 
     cairo_stroke(drawing->cr);
 }
 
-/* Is the opening seen edge-on in the section, such as glass in a slope that is cut beside
- * it? Then its lowest and highest corner are the ends of what is seen. */
+/* True if the opening is seen edge-on in the section, like glass in a slope that is cut
+ * beside it. Its lowest and highest corners are then the ends of the visible part. */
 static bool is_edge_on(const struct section_drawing *drawing,
                        const struct pp_polygon *outline, double s[2], double z[2])
 {
@@ -189,7 +189,7 @@ static int draw_openings_behind(const struct section_drawing *drawing)
     return drawn;
 }
 
-/* Does it stand on the side that the section is looked at towards? */
+/* True if the outline is on the far side of the section. */
 static bool is_behind(const struct pp_section_cut *cut,
                       const struct pp_polygon *outline)
 {

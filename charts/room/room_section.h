@@ -20,8 +20,8 @@ struct pp_room_section {
     double mm_per_m;  /* a usual scale: 1:20, 1:25, 1:50, 1:75 ... */
     double height_mm; /* of the drawing, its caption included */
 
-    /* Set by the caller: x of the near wall's inside face, y of the top, and room for
-     * what stands outside the near and the far wall. */
+    /* Set by the caller: x of the near wall's inside face, y of the top, and space for
+     * obstructions outside the near and the far wall. */
     double x, y, left_mm, right_mm;
     double head_mm; /* and above it */
     double most_x;  /* the caption ends before it; 0: where it likes */

@@ -1,5 +1,5 @@
-/* section_plot.h - the section chart while it is drawn: what its layout, curves
- * (section_chart.c), series (section_series.c) and names (section_names.c) share. */
+/* section_plot.h - state of the section chart while it is drawn: shared by its layout,
+ * curves (section_chart.c), series (section_series.c) and names (section_names.c). */
 #ifndef PP_CHARTS_ROOM_SECTION_PLOT_H
 #define PP_CHARTS_ROOM_SECTION_PLOT_H
 

@@ -1,7 +1,6 @@
-/* section_sight.h - the line of sight from a window to what obstructs it, in a section. It is
- * drawn, and nothing is computed from it: the obstruction angle of the methods is
- * methods/reflected/obstruction.h's.
- */
+/* section_sight.h - the line of sight from a window to its obstruction, in a section.
+ * It is only drawn: the obstruction angle of the methods is in
+ * methods/reflected/obstruction.h. */
 #ifndef PP_CHARTS_ROOM_SECTION_SIGHT_H
 #define PP_CHARTS_ROOM_SECTION_SIGHT_H
 

@@ -1,6 +1,5 @@
-/* canvas.c - makes the cairo surface of a sheet of paper and turns what cairo
- * wrote into the finished file.
- */
+/* canvas.c - makes the cairo surface of a sheet of paper and turns cairo's output into
+ * the finished file. */
 #include "charts/sheet/canvas.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
-/* labels.h - words put where there is room for them, next to what they name.
+/* labels.h - placement of words next to the things that they name.
  *
- * What is drawn already is noted as places not to cover. A label is tried beside each
- * of the places it may name, on all sides and ever further off, and stands where it
- * covers nothing and is nearest; one that finds no such place is not drawn.
+ * Existing drawings are noted as places not to cover. A label is tried on all sides of
+ * each place that it may name, at growing distances. It is put at the nearest place
+ * where it covers nothing, or else not drawn.
  */
 #ifndef PP_CHARTS_SHEET_LABELS_H
 #define PP_CHARTS_SHEET_LABELS_H
@@ -15,7 +15,7 @@ enum { PP_LABEL_PLACES_MOST = 6000 };
 
 struct pp_label_place {
     double x, y;
-    int owner; /* of which curve; -1: nobody's */
+    int owner; /* index of a curve; -1: no owner */
 };
 
 struct pp_labels {

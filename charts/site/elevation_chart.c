@@ -215,7 +215,7 @@ static void draw_elevation(struct elevation_drawing *drawing,
 
 /* ---- the sheet ---- */
 
-/* Puts the elevations in rows from the box's top left; draws them if so wanted. Returns
+/* Puts the elevations in rows from the box's top left; draws them if `drawn`. Returns
  * whether they fit. */
 static bool flow(struct elevation_drawing *drawing, struct pp_box box, bool drawn)
 {

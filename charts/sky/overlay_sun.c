@@ -6,8 +6,8 @@
 
 #include "model/light/sun_path.h"
 
-/* A path of each declination; the later months have those of the earlier within 0.6
- * degrees. */
+/* One path for each declination; those of later months are within 0.6 degrees of the
+ * earlier ones. */
 static const struct {
     int month;
     const char *words;

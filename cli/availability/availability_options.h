@@ -1,6 +1,5 @@
-/* availability_options.h - where the light outside comes from, and when and how much of
- * it is wanted.
- */
+/* availability_options.h - source of the light outside, and the target illuminances and
+ * hours. */
 #ifndef PP_CLI_AVAILABILITY_AVAILABILITY_OPTIONS_H
 #define PP_CLI_AVAILABILITY_AVAILABILITY_OPTIONS_H
 
@@ -20,8 +19,7 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
                                              char *const *files, int file_count,
                                              struct pp_error *err);
 
-/* Reads the weather file, if there is one, and says on standard error what is wrong
- * with it. */
+/* Reads the weather file, if there is one, and reports its errors on standard error. */
 enum pp_exit pp_availability_options_load(struct pp_year_options *options);
 /* Reads a weather file for the median of its diffuse illuminance over the brightest 4380
  * hours, and for how likely the sun is to shine; says on standard error why it has no

@@ -203,8 +203,8 @@ static enum pp_status simulate_room(const void *data, int room,
                             &run->options->engine, err);
 }
 
-/* Hand methods of all rooms first: they take milliseconds, and are there whatever
- * happens to the simulation. */
+/* Runs the hand methods of all rooms first: they take milliseconds, and their results
+ * are kept whatever happens to the simulation. */
 static enum pp_status compute_df(void *data, struct pp_error *err)
 {
     struct df_run *run = data;

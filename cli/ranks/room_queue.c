@@ -77,8 +77,8 @@ static enum pp_status alone(const struct pp_room_queue *queue, int first,
     return status;
 }
 
-/* After a stop, rooms that were not taken get what a process alone has of them: the watch
- * of the simulation ends each as soon as it has begun. */
+/* After a stop, rooms not yet started get the same result as in a single process: the
+ * watch of the simulation ends each one as soon as it begins. */
 enum pp_status pp_room_queue_run(const struct pp_room_queue *queue,
                                  struct pp_error *err)
 {

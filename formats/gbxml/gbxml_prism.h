@@ -1,5 +1,5 @@
-/* gbxml_prism.h - the upright prism over a space's floor, where neither the surfaces about it
- * nor its ShellGeometry close. Inside formats/gbxml/ only. */
+/* gbxml_prism.h - the vertical prism over a space's floor, used if neither the surfaces
+ * about it nor its ShellGeometry close. Inside formats/gbxml/ only. */
 #ifndef PP_FORMATS_GBXML_GBXML_PRISM_H
 #define PP_FORMATS_GBXML_GBXML_PRISM_H
 

@@ -358,7 +358,7 @@ static enum pp_status list_surfaces(struct pp_gbxml_surface ***surfaces,
     return PP_OK;
 }
 
-/* Puts another shell in the room's place if it is better; what it is, is noted. */
+/* Replaces the room's shell by another one if that is better, and notes its kind. */
 static bool take_shell(struct pp_gbxml_room *room, struct pp_gbxml_shell *other,
                        bool better, const struct pp_gbxml_space *space,
                        struct pp_mistakes *notes, const char *what)

@@ -10,7 +10,7 @@ enum pp_gbxml_role { PP_GBXML_FLOOR, PP_GBXML_WALL, PP_GBXML_CEILING };
 struct pp_gbxml_room_face {
     enum pp_gbxml_role role;
     char name[32];
-    double reflectance; /* NAN: that of its role */
+    double reflectance; /* NAN: by its role */
     bool inner;         /* is another space behind it? */
 };
 
@@ -34,9 +34,9 @@ struct pp_gbxml_room {
     double width_m, depth_m, height_m;
 };
 
-/* Makes a room of a space: from the surfaces about it or, where those do not close, its
- * ShellGeometry. What is taken so is noted; *why as of pp_gbxml_shell_make. The room can
- * be cleared whatever comes. */
+/* Makes a room of a space: from the surfaces about it or, if those do not close, its
+ * ShellGeometry. Notes the source used; *why as of pp_gbxml_shell_make. The room can be
+ * cleared in any case. */
 enum pp_status pp_gbxml_room_make(struct pp_gbxml_room *room, const char **why,
                                   struct pp_gbxml_model *model,
                                   const struct pp_gbxml_space *space,
@@ -50,7 +50,7 @@ struct pp_vec3 pp_gbxml_room_own(const struct pp_gbxml_room *room, struct pp_vec
 bool pp_gbxml_room_has(const struct pp_gbxml_surface *surface,
                        const struct pp_gbxml_space *space);
 
-/* Is the surface between that space and what is outside? */
+/* True if the surface is between that space and the outside. */
 bool pp_gbxml_room_is_outer(const struct pp_gbxml_surface *surface);
 
 #endif

@@ -192,7 +192,7 @@ static int by_corners(const void *a, const void *b)
     return (one->face > other->face) - (one->face < other->face);
 }
 
-/* All edges of all faces, those of the same corners behind each other. */
+/* Lists all edges of all faces, those with the same corners next to each other. */
 static enum pp_status list_edges(struct shell_edges *edges,
                                  const struct pp_gbxml_shell *shell,
                                  struct pp_error *err)

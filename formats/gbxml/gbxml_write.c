@@ -28,8 +28,8 @@ static void end_line(struct pp_gbxml_writing *w)
     w->line++;
 }
 
-/* An attribute with words of the file: what XML has signs for is written so, what is no
- * text of one line is left out. */
+/* Writes an attribute with words of the file; XML's special characters are escaped,
+ * characters that do not belong in a line of text are left out. */
 static void put_words(struct pp_gbxml_writing *w, const char *name, const char *words)
 {
     put_gbxml(w, " %s=\"", name);

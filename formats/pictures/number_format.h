@@ -1,8 +1,8 @@
 /* number_format.h - the formats that keep a picture's numbers, in one list.
  *
- * What shows a picture (PNG, PDF, SVG) is of charts/ instead. A new format is a file
- * picture_NAME.c with its entry, declared at the end of this header, and a line in
- * number_format.c.
+ * Formats that show a picture (PNG, PDF, SVG) belong to charts/ instead. A new format
+ * is a file picture_NAME.c with its entry, declared at the end of this header, and a
+ * line in number_format.c.
  */
 #ifndef PP_FORMATS_PICTURES_NUMBER_FORMAT_H
 #define PP_FORMATS_PICTURES_NUMBER_FORMAT_H

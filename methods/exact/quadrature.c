@@ -195,9 +195,9 @@ static double integrate_short(struct cell_integral *integral, int nodes)
     return sum;
 }
 
-/* Takes out of the list the cells that are small enough for two short rules to agree,
- * 52 values in place of 240 and more, and adds their integrals. The rule of fewer nodes
- * is off by what they differ, the other one by far less. */
+/* Removes from the list the cells that are small enough for two short rules to agree,
+ * with 52 values instead of 240 and more, and adds their integrals. The error of the
+ * rule with fewer nodes is about the difference, that of the other far less. */
 static void add_small_cells(struct pp_quadrature *result,
                             struct integration_cells *cells,
                             const struct pp_projection *view, struct pp_vec3 normal,

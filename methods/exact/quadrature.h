@@ -15,10 +15,9 @@
 #include "model/base/error.h"
 #include "model/geometry/region.h"
 
-/* Relative error bounds that `exact` asks for where it has no table (pane_light.h), with
- * glass and without. The results are
- * better by two powers of ten or more: over random windows at 0.05 to 8 m the worst
- * error was 1e-7 and 1e-11. */
+/* Relative error bounds of `exact` without a table (pane_light.h), with glass and
+ * without. The results are better by two powers of ten or more: over random windows at
+ * 0.05 to 8 m the worst error was 1e-7 and 1e-11. */
 #define PP_QUADRATURE_GLAZED 1e-5
 #define PP_QUADRATURE_UNGLAZED 1e-9
 

@@ -1,9 +1,9 @@
 /* beams.h - the beams of a world's openings, and the areas along them once found.
  *
- * Methods that average over the working plane weigh one area by different lights: exact,
- * both Waldram diagrams and both pepper-pot ones ask the same directions, as they divide
- * them alike until their lights differ. Each is worked out once, and so is a mean that two
- * of them have in common.
+ * Methods that average over the working plane weight the same areas by different
+ * lights. exact, both Waldram diagrams and both pepper-pot ones use the same
+ * directions, since they divide them alike until their lights differ. Each area is
+ * calculated once, and so is a mean common to two methods.
  */
 #ifndef PP_METHODS_FAST_BEAMS_H
 #define PP_METHODS_FAST_BEAMS_H
@@ -12,8 +12,9 @@
 
 struct pp_beams;
 
-/* The beams of all openings; none is made before it is asked for. *beams is the caller's,
- * and refers to world. plain: averages are integrals over points instead (plane_light.h). */
+/* Beams of all openings; each is made when first used. *beams is the caller's, and
+ * refers to world. plain: averages are integrals over points instead
+ * (plane_light.h). */
 enum pp_status pp_beams_create(struct pp_beams **beams, const struct pp_world *world,
                                bool plain, struct pp_error *err);
 void pp_beams_destroy(struct pp_beams *beams); /* NULL is allowed */

@@ -1,19 +1,19 @@
-/* bre_atlas.c - `bre-atlas`: the BRE formula (reflected/bre_terms.h) corrected by what
- * traced rooms say of it [ATLAS]: by the room's own ground and what stands outside, and by
+/* bre_atlas.c - `bre-atlas`: the BRE formula (reflected/bre_terms.h) corrected by
+ * simulated rooms [ATLAS]: for the room's own ground and obstructions, and for
  * position.
  *
- *   L      light on the opening that counts, over that of the formula: the sky, what
- *          stands outside and the ground that is seen, in place of C and of a ground that
- *          reflects 0.1
+ *   L      light on the opening that counts, over that of the formula: the sky, the
+ *          obstructions and the visible ground, in place of C and of a ground
+ *          that reflects 0.1
  *   irc_m  mean over the working plane
  *
- * The printed formula is a mean over all surfaces. The working plane faces the upper part of
- * the room: light of the ground is there before it is reflected, that of the sky after once,
- * and all of it comes down by a power of rho_u. A window high up, with more of the room
- * below it, lights more of it; a room that is shallow beside its height has more. In a
- * furnace, R to 1, it is the energy balance 0.85 W (V + C_g)/(A (1 - R)) under an open sky,
- * whatever was fitted. f_d and f_s: fitted_position.h. Scope and allowances are those of
- * `bre`, but for panes that spread light.
+ * The printed formula is a mean over all surfaces. The working plane faces the upper
+ * part of the room: light of the ground is there before it is reflected, that of the
+ * sky after once, and all of it comes down by a power of rho_u. A window high up, with
+ * more of the room below it, lights more of it; a room that is shallow beside its
+ * height has more. In a furnace, R to 1, it is the energy balance 0.85 W (V + C_g)/(A
+ * (1 - R)) under an open sky, whatever was fitted. f_d and f_s: fitted_position.h.
+ * Scope and allowances are those of `bre`, except for diffusing panes.
  */
 #include <stdlib.h>
 

@@ -9,10 +9,9 @@
 #include "model/results/board_sheets.h"
 #include "model/room/world.h"
 
-/* A sheet without windows, for a horizontal receiver or a vertical one that faces the
- * window.
- * Skies other than overcast and uniform, and a worth outside 1e-5 ... 0.1, are refused.
- * The sheet is to be cleared by the caller; empty on failure. */
+/* Fills a sheet without windows, for a horizontal receiver or a vertical one that faces
+ * the window. Refuses skies other than overcast and uniform, and a worth outside 1e-5
+ * ... 0.1. The caller clears the sheet; empty on failure. */
 enum pp_status pp_pepper_pot_sheet_fill_blank(struct pp_pepper_pot_sheet *sheet,
                                               const struct pp_sky *sky, bool glazed,
                                               bool upright, double worth,

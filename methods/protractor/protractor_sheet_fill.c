@@ -11,8 +11,8 @@
 
 /* ---- the primary scale ---- */
 
-/* The smallest of the usual divisions, in tenths of a per cent, whose marks are at
- * least apart_rad apart where the scale has that slope. */
+/* Smallest of the usual divisions, in tenths of a per cent, whose marks are at least
+ * apart_rad apart at that slope of the scale. */
 static int division(double slope, double apart_rad)
 {
     static const int usual[] = {1, 2, 5, 10, 20, 50, 100};

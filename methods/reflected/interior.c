@@ -102,8 +102,8 @@ static void add_split(struct sums *lower, struct sums *upper,
     add_reflecting_area(upper, share * (outline->area_m2 - below_m2), reflectance);
 }
 
-/* Adds the covers of a role's faces but one (-1: of none) in the place of what they
- * cover. PP_ROLE_COUNT: of all roles. */
+/* Adds the covers of a role's faces, instead of the covered areas, except those of face
+ * `left_out` (-1: none excepted). PP_ROLE_COUNT: of all roles. */
 static void add_covers(struct sums *lower, struct sums *upper,
                        const struct pp_world *world, double z, enum pp_role role,
                        int left_out)
