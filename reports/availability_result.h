@@ -1,5 +1,5 @@
-/* availability_result.h - how often daylight does in rooms, with what the run has to add: the
- * input of the availability reports. */
+/* availability_result.h - hours in which daylight suffices in rooms, with data of the
+ * run: the input of the availability reports. */
 #ifndef PP_REPORTS_AVAILABILITY_RESULT_H
 #define PP_REPORTS_AVAILABILITY_RESULT_H
 

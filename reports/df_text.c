@@ -1,4 +1,5 @@
-/* df_text.c - fills the table of daylight factors and prints what goes above and below it. */
+/* df_text.c - fills the table of daylight factors and prints the texts above and below
+ * it. */
 #include "reports/df_text.h"
 
 #include <math.h>

@@ -26,7 +26,8 @@ struct strip_sweep {
 
     int shown_count; /* of the crossing ones, those not wholly behind nearer ones */
     int *shown;
-    int covered_count; /* what these cover of the heights, apart, from below */
+    int covered_count; /* number of disjoint ranges of height that they cover, from
+                        * below */
     double (*covered)[2];
     double *levels; /* their lower and upper edges */
 };
@@ -147,7 +148,8 @@ static bool same_light(double a, double b)
     return a == b || (isnan(a) && isnan(b));
 }
 
-/* The edges of what the strip shows, from below. Returns their number. */
+/* Finds the edges of the visible parts of the strip, from below. Returns their
+ * number. */
 static int find_levels(struct strip_sweep *sweep)
 {
     const struct pp_elevation_part *seen = sweep->seen;

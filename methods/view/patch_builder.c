@@ -1,5 +1,5 @@
-/* patch_builder.c - removes from an opening's outline what occluders inside hide, and
- * divides the rest by the skylines and obstructions outside.
+/* patch_builder.c - removes the parts of an opening's outline hidden by occluders
+ * inside, and divides the rest among the skylines and obstructions outside.
  *
  * Where half-spaces through the eye suffice (no occluder, at most one skyline), the
  * outline stays one region with half-spaces; else regions are overlaid by GEOS.

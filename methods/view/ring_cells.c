@@ -1,4 +1,5 @@
-/* ring_cells.c - halves the extent of fragments, and joins what is left in the cells. */
+/* ring_cells.c - halves the extent of fragments, and joins the remainders of the
+ * cells. */
 #include "methods/view/ring_cells.h"
 
 #include <stdlib.h>

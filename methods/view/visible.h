@@ -44,9 +44,9 @@ struct pp_visible {
     bool allocated;
 };
 
-/* Through an opening, from a point inside; no patches if the point lies behind the
- * opening or within PP_OCCLUDERS_COPLANAR_M of its plane. On success *visible is to be
- * cleared. */
+/* View through an opening from a point inside; no patches if the point is behind the
+ * opening or within PP_OCCLUDERS_COPLANAR_M of its plane. On success the caller clears
+ * *visible. */
 enum pp_status pp_visible_through(struct pp_visible *visible,
                                   const struct pp_world *world,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
@@ -85,8 +85,8 @@ enum pp_status pp_visible_in_air(struct pp_visible *visible,
 
 void pp_visible_clear(struct pp_visible *visible);
 
-/* Luminance factor of an obstruction: its luminance over that of the sky which it
- * hides. Under the overcast sky the reflectance itself, else half the reflectance. */
+/* Luminance factor of an obstruction: its luminance over that of the sky behind it.
+ * Under the overcast sky the reflectance itself, else half of it. */
 double pp_visible_luminance_factor(const struct pp_sky *sky, double reflectance);
 
 #endif

@@ -9,8 +9,8 @@
 #include "model/results/board_sheets.h"
 #include "model/room/world.h"
 
-/* A sheet without windows. A sky with azimuth dependence is refused. The sheet is to be
- * cleared by the caller; empty on failure. */
+/* Fills a sheet without windows. Refuses a sky with azimuth dependence. The caller
+ * clears the sheet; empty on failure. */
 enum pp_status pp_waldram_sheet_fill_blank(struct pp_waldram_sheet *sheet,
                                            const struct pp_sky *sky, bool glazed,
                                            struct pp_error *err);
@@ -38,10 +38,10 @@ enum pp_status pp_waldram_sheet_fill_site(struct pp_waldram_sheet *sheet,
                                           const struct pp_world *world, int opening,
                                           struct pp_vec3 point, struct pp_error *err);
 
-/* Droop lines of horizontal edges that stand at an angle to the window in plan, in place of
- * those of perpendicular ones, on all panels of a filled sheet. The edge is nearest at
- * that azimuth, -pi/2 to pi/2, positive to the right; the lines' level is the altitude
- * there. */
+/* Replaces the droop lines of perpendicular edges by those of horizontal edges at an
+ * angle to the window in plan, on all panels of a filled sheet. The edge is nearest at
+ * that azimuth, -pi/2 to pi/2, positive to the right; the lines are labelled by the
+ * altitude there. */
 enum pp_status pp_waldram_sheet_fill_inclined(struct pp_waldram_sheet *sheet,
                                               double incline_rad, struct pp_error *err);
 

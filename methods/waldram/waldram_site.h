@@ -1,9 +1,8 @@
-/* waldram_site.h - what a wall's outside sees, drawn for an upright receiver: on its
- * Waldram diagram, and on the plan at unit height that the skylight indicator lies on.
+/* waldram_site.h - the view from a wall's outside, drawn for a vertical receiver: on
+ * its Waldram diagram, and on the plan at unit height used with the skylight indicator.
  *
  * Obstructions are those of the vertical sky component (methods/exact/exterior.h): the
- * skylines of the wall, blocks, surfaces outside and the building's own outer faces.
- */
+ * skylines of the wall, blocks, surfaces outside and the building's own outer faces. */
 #ifndef PP_METHODS_WALDRAM_WALDRAM_SITE_H
 #define PP_METHODS_WALDRAM_WALDRAM_SITE_H
 

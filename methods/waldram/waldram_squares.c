@@ -182,8 +182,8 @@ struct square_field {
     double *parts;        /* the area within each square, column by column */
 };
 
-/* Adds to each square of a column what lies below the edge from p to q, negative where
- * it runs right. */
+/* Adds to each square of a column the area below the edge from p to q, negative where
+ * it runs to the right. */
 static void add_below(struct square_field *field, int column, const double *p,
                       const double *q)
 {
@@ -212,7 +212,7 @@ static int square_column(const struct square_field *field, double x)
     return whole - (columns < whole);
 }
 
-/* Adds the area of a ring to the squares: by Green's theorem the sum of what lies below
+/* Adds the area of a ring to the squares: by Green's theorem the sum of the areas below
  * its edges. */
 static void add_ring_squares(struct square_field *field, const struct pp_ring *ring)
 {

@@ -7,14 +7,14 @@
 
 struct pp_input_mistake {
     int line;   /* in the file, from 1; 0 where the file as a whole is meant */
-    char *text; /* what is wrong, and what was expected */
+    char *text; /* the mistake, and the expected value */
 };
 
 struct pp_mistakes {
     char *file; /* as the user named it */
     struct pp_input_mistake *list;
     int count;
-    bool truncated; /* more than PP_MISTAKES_MOST of them, or memory was out */
+    bool truncated; /* there were more than PP_MISTAKES_MOST, or memory ran out */
 };
 
 enum { PP_MISTAKES_MOST = 1000 };

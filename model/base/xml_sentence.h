@@ -11,8 +11,8 @@ struct pp_xml_sentence {
     enum pp_xml_cause cause;
 };
 
-/* The sentence for an error of libxml2 (xmlParserErrors); at: the first byte that the
- * parser has not read, of a text that begins at start and goes on at least to there. */
+/* Sentence for an error of libxml2 (xmlParserErrors). at: the first byte not yet
+ * parsed, of a text that begins at start and extends at least to there. */
 struct pp_xml_sentence pp_xml_sentence_of_error(int error, const char *at,
                                                 const char *start);
 

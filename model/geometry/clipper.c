@@ -142,7 +142,7 @@ static GEOSGeometry *faces_of(GEOSContextHandle_t geos, const double (*xy)[2],
     return faces;
 }
 
-/* Is the face's inside that of the line, by crossings? */
+/* True if the face's interior is inside the line, by the number of crossings. */
 static bool is_crossed_oddly(GEOSContextHandle_t geos, const GEOSGeometry *face,
                              const struct pp_region *line)
 {

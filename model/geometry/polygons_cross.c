@@ -64,7 +64,7 @@ static void intersect(struct stretches *both, const struct stretches *a,
     }
 }
 
-/* Are there vertices clearly on both sides of the other's plane? */
+/* True if vertices are clearly on both sides of the other's plane. */
 static bool straddles(const struct pp_polygon *polygon, const struct pp_polygon *plane)
 {
     bool above = false, below = false;

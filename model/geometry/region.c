@@ -1,4 +1,4 @@
-/* region.c - sums over the rings of a figure: its area, what it contains, its edge. */
+/* region.c - sums over the rings of a figure: its area, points inside, its edge. */
 #include "model/geometry/region.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* glass.h - how much light a glazing lets through, by angle of incidence.
+/* glass.h - transmittance and reflectance of a glazing by angle of incidence.
  *
  * Clear glass is a stack of like plane panes with Fresnel reflection at each face and
  * absorption between, each polarisation on its own [TS93]:
@@ -7,8 +7,8 @@
  *     a = exp(-KL / cos r),  sin i = n sin r
  *     a pane behind a stack: T = T1 T2 / (1 - R1 R2),  R = R1 + T1^2 R2 / (1 - R1 R2)
  *
- * A glazing of which only the normal transmittance t is known is t/tau(0) of such a
- * stack. A diffusing one is Lambertian and has a hemispherical transmittance only.
+ * A glazing with only a normal transmittance t has t/tau(0) of such a stack. A
+ * diffusing one is Lambertian and has a hemispherical transmittance only.
  */
 #ifndef PP_MODEL_LIGHT_GLASS_H
 #define PP_MODEL_LIGHT_GLASS_H

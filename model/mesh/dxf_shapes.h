@@ -29,8 +29,8 @@ enum pp_status pp_dxf_shapes_point(struct pp_vec3 *point,
                                    const struct pp_dxf_entity *entity, int first,
                                    struct pp_error *err);
 
-/* The entity's own axes, whose z is its extrusion (210), in the file's, by the arbitrary
- * axis algorithm of. */
+/* Entity's own axes, whose z is its extrusion (210), in the file's coordinates, by the
+ * arbitrary axis algorithm of the DXF reference. */
 enum pp_status pp_dxf_shapes_axes(struct pp_dxf_move *move,
                                   const struct pp_dxf_entity *entity,
                                   struct pp_error *err);

@@ -183,7 +183,7 @@ static enum pp_status read_insert(struct dxf *dxf, const struct pp_dxf_entity *e
                : status;
 }
 
-/* Surfaces that are not read. What is raised by a thickness (39) is one too. */
+/* Refuses surfaces that cannot be read, including those raised by a thickness (39). */
 static enum pp_status refuse_dxf_entity(const struct pp_dxf_entity *e,
                                         struct pp_error *err)
 {

@@ -1,4 +1,4 @@
-/* camera.h - from where and how a picture looks at a scene.
+/* camera.h - viewpoint and projection of a picture.
  *
  * Views are Radiance's [WS98], so that its programs read ours: a picture runs from 0 to
  * 1 across and from 0 to 1 down; its middle lies in the direction of view.

@@ -107,9 +107,9 @@ static enum pp_status make_field(struct log_picture *field,
 
 /* ---- squares ---- */
 
-/* Edges between neighbouring pixels are numbered 2 i (to the right of pixel i) and
- * 2 i + 1 (below it). A line runs through a square from one edge to another, with what
- * is brighter on its left; next[] leads from each edge to the one after. */
+/* Edges between neighbouring pixels are numbered 2 i (to the right of pixel i) and 2 i
+ * + 1 (below it). A line crosses a square from one edge to another, with the brighter
+ * side on its left; next[] leads from each edge to the following one. */
 struct squares {
     const struct log_picture *field;
     double level; /* logarithm */

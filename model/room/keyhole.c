@@ -1,7 +1,7 @@
 /* keyhole.c - see keyhole.h.
  *
- * Of the holes not yet joined, the next is that whose corner lies nearest to a corner
- * of the outline so far with no edge in between: that pair of corners is the bridge.
+ * The next hole to be joined is the one with a corner nearest to a corner of the
+ * current outline, with no edge in between; these corners form the bridge.
  */
 #include "model/room/keyhole.h"
 

@@ -1,6 +1,6 @@
-/* room.h - a room as its file describes it, to be copied and changed. Nothing is
- * checked here: pp_world_create finds the mistakes of a changed room, as those of a
- * file's. */
+/* room.h - a room as described by its file, to be copied and changed. Nothing is
+ * checked here: pp_world_create finds the mistakes of a changed room like those of a
+ * file. */
 #ifndef PP_MODEL_ROOM_ROOM_H
 #define PP_MODEL_ROOM_ROOM_H
 
@@ -15,7 +15,7 @@ enum pp_status pp_room_copy(struct pp_room **copy, const struct pp_room *room,
                             struct pp_error *err);
 void pp_room_destroy(struct pp_room *room); /* of copies only; NULL is allowed */
 
-/* Openings have the file's order, which is that of the world's openings too. */
+/* Openings have the order of the file, which is also that of the world's openings. */
 int pp_room_opening_count(const struct pp_room *room);
 
 enum pp_opening_kind { PP_WINDOW, PP_ROOFLIGHT, PP_OPENING };
@@ -67,8 +67,8 @@ void pp_room_take_sky(struct pp_room *room, const struct pp_room *other);
  * reflectance. */
 void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance);
 
-/* Gives the ground outside this reflectance; open: it is lit by the whole sky everywhere,
- * else it lies in the shadow of what stands on it. */
+/* Sets the reflectance of the ground outside; open: it is lit by the whole sky
+ * everywhere, else it lies in the shadow of objects on it. */
 void pp_room_set_ground(struct pp_room *room, double reflectance, bool open);
 
 /* Puts one more skyline before a wall, so far away that its angle (rad, 0 to less than

@@ -1,4 +1,4 @@
-/* room_use.h - what a room is used as, by which criteria tell what bears on it. */
+/* room_use.h - the use of a room, by which criteria apply or not. */
 #ifndef PP_MODEL_ROOM_ROOM_USE_H
 #define PP_MODEL_ROOM_ROOM_USE_H
 

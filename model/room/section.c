@@ -220,7 +220,7 @@ enum pp_status pp_section_cut(struct pp_region *region, const struct pp_world *w
     return status;
 }
 
-/* A corner of a face, by its place; those of one place have one number. */
+/* Corner of a face, by its place; corners at one place have the same number. */
 struct corner {
     struct pp_vec3 place;
     int at; /* in the list of all faces' vertices */

@@ -1,4 +1,4 @@
-/* compare_result.h - what compare found, for its reports. */
+/* compare_result.h - results of compare, for its reports. */
 #ifndef PP_REPORTS_COMPARE_COMPARE_RESULT_H
 #define PP_REPORTS_COMPARE_COMPARE_RESULT_H
 
@@ -16,7 +16,7 @@ struct pp_compare_result {
     struct pp_compared compared; /* without a file: ours, errors and count alone */
 };
 
-/* Noise (logarithm) of what is left from which something is to be done about it. */
+/* Noise of the remainder (logarithm) from which advice about it is given. */
 #define PP_COMPARE_NOISY 0.015
 
 #endif

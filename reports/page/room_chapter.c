@@ -33,7 +33,7 @@ void pp_room_chapter_pictures(struct pp_document *document,
             pp_document_picture(document, i, report->pictures[i].title);
 }
 
-/* ---- what is known ---- */
+/* ---- given facts ---- */
 
 static void add_chapter_fact(void *document, const char *label, const char *text)
 {

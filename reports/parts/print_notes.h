@@ -1,4 +1,4 @@
-/* print_notes.h - what the table of a report leaves unsaid: why values are missing. */
+/* print_notes.h - notes below the table of a report: why values are missing. */
 #ifndef PP_REPORTS_PARTS_PRINT_NOTES_H
 #define PP_REPORTS_PARTS_PRINT_NOTES_H
 

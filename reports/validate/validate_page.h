@@ -1,6 +1,5 @@
-/* validate_page.h - what a suite found as one page of HTML that needs nothing else: no
- * network, no script; light and dark, on paper and on narrow screens.
- */
+/* validate_page.h - results of a suite as one self-contained page of HTML: no network,
+ * no script; light and dark, on paper and on narrow screens. */
 #ifndef PP_REPORTS_VALIDATE_VALIDATE_PAGE_H
 #define PP_REPORTS_VALIDATE_VALIDATE_PAGE_H
 

@@ -11,8 +11,8 @@
 #include "model/geometry/contour/level_crossing.h"
 #include "model/geometry/min_max.h"
 
-/* Could the level cross the triangle, or come near it? Between the corners the function
- * may go on by half of what they differ. */
+/* True if the level could cross the triangle, or come near it. Between the corners the
+ * function may exceed their values by half of their difference. */
 static bool is_near(const struct pp_field *field, int triangle)
 {
     const int *t = field->mesh.triangles[triangle];
@@ -48,8 +48,8 @@ static enum pp_status halve_near(struct pp_field *field, struct pp_error *err)
     return PP_OK;
 }
 
-/* Room for an end on each edge of the mesh; those of the level that are known are kept,
- * without their crossings. */
+/* Reserves an end on each edge of the mesh; known ends of the level are kept, without
+ * their crossings. */
 static enum pp_status reserve_ends(struct pp_field *field, struct pp_error *err)
 {
     int had = field->end_count, count = field->mesh.edge_count;

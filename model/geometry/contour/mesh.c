@@ -167,8 +167,8 @@ static double length2(const struct pp_mesh *mesh, int a, int b)
     return dx * dx + dy * dy;
 }
 
-/* Is a-b longer than c-d? Equal lengths are ordered by their nodes, so that of any two
- * edges one is the longer: without that, halving need not end. */
+/* True if a-b is longer than c-d. Equal lengths are ordered by their nodes, so that one
+ * of any two edges is the longer: otherwise halving might not end. */
 static bool is_longer(const struct pp_mesh *mesh, int a, int b, int c, int d)
 {
     double ab = a < b ? length2(mesh, a, b) : length2(mesh, b, a);

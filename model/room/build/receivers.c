@@ -36,7 +36,7 @@ static enum pp_status add_receiver(struct receiver_list *list,
     return PP_OK;
 }
 
-/* Notes a part by whose points the room would have too many. */
+/* Reports a part whose points would exceed the limit of the room. */
 static bool has_too_many(struct pp_resolver *r, const struct receiver_list *list,
                          const struct pp_receiver_part *part, double count)
 {
@@ -141,7 +141,8 @@ static enum pp_status resolve_line(struct pp_resolver *r, struct receiver_list *
     return PP_OK;
 }
 
-/* Numbers of cells each way; returns that of all, 0 where the margin leaves none. */
+/* Counts cells in both directions; returns their product, 0 if the margin leaves
+ * none. */
 static double count_cells(const double low[2], const double high[2],
                           const struct pp_receiver_part *grid, double cells[2])
 {

@@ -26,10 +26,10 @@ struct envelope_edge {
 /* The state of a face while its neighbours are visited. */
 struct face_visit {
     int part;       /* number of the connected part it belongs to; -1: not visited */
-    bool turned;    /* does it turn the other way than the first of its part? */
+    bool turned;    /* true if it is oriented opposite to the first face of its part */
     int first;      /* its edges in the list of neighbours */
     int open_edges; /* edges that it shares with no other face */
-    int first_open; /* the first of them */
+    int first_open; /* index of the first */
 };
 
 struct watertight_check {

@@ -1,9 +1,9 @@
-/* shades.h - the step that adds what shades windows and belongs to them: overhangs, fins,
- * balconies and light shelves. Inside model/room/ only.
+/* shades.h - the step that adds the shades of windows: overhangs, fins, balconies and
+ * light shelves. Inside model/room/ only.
  *
- * Each is one opaque polygon or a few, without thickness, which begin in the plane of the
- * wall's outside: the facade's, else that of the glass. Lengths are counted from the
- * window's edges, left and right as drawn from outside:
+ * Each is one opaque polygon or a few, without thickness, which begin in the plane of
+ * the wall's outside: the facade's, else that of the glass. Lengths are counted from
+ * the window's edges, left and right as drawn from outside:
  *
  *   overhang  level, `above` the head, `depth` deep, beyond the jambs by left and right
  *   fin       upright, `gap` beside a jamb, from `below` the sill to `above` the head

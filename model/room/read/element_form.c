@@ -67,7 +67,7 @@ static bool read_form_number(double *value, const struct value_place *at)
     return in_range(at->kind, *value) || wrong(at, "");
 }
 
-/* Notes an unknown name, with the nearest name and all that there are. */
+/* Reports an unknown name, with the most similar name and all valid ones. */
 static bool unknown(const struct value_place *at, const char *const *names, int count)
 {
     char more[SENTENCE] = "", list[SENTENCE];
