@@ -4,8 +4,8 @@
 
 #include <math.h>
 
-/* An edge whose ends are seen under a smaller angle (its sine, squared) is in line with
- * the place. */
+/* An edge seen under a smaller angle (its sine, squared) counts as in line with the
+ * place. */
 static const double IN_LINE = 1e-16;
 
 /* int_0^1 t^m / Q^n dt, Q = a t^2 + 2 b t + c. */

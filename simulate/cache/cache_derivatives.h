@@ -1,9 +1,9 @@
-/* cache_derivatives.h - how irradiance changes with the place and the turn of a
+/* cache_derivatives.h - derivatives of irradiance with the position and the normal of a
  * surface.
  *
- * The cells of the hemisphere are taken for patches of constant radiance that stand
- * where their rays ended. With r from the place to points of a patch's outline, ccw
- * seen from above the surface with normal n, its irradiance is L times
+ * The cells of the hemisphere are treated as patches of constant radiance at the ends
+ * of their rays. With r from the place to points of a patch's outline, ccw seen from
+ * above the surface with normal n, its irradiance is L times
  *
  *     S = sum over edges of 1/2 n . (r0 x e) I1,   I1 = int_0^1 dt / |r0 + t e|^2   (1)
  *

@@ -130,7 +130,7 @@ static void limit_gradient(struct pp_cache_record *is, double value,
         is->along[c] = pp_vec_scale(is->along[c], value / most);
 }
 
-/* The greatest second derivative, less what may be noise. */
+/* Greatest second derivative, less the part that may be noise. */
 static double sure_curvature(const double curvature[3], double noise)
 {
     double mean = 0.5 * (curvature[0] + curvature[2]);

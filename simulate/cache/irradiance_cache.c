@@ -216,7 +216,7 @@ enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **result,
     status = pp_thread_pool_create(&cache->pool, options->threads, err);
     if (status == PP_OK)
         status = make_irradiance_cache(cache, err);
-    cache->options.materials = NULL; /* the caller's: `left_out` has what they say */
+    cache->options.materials = NULL; /* the caller's; `left_out` has its result */
     if (status != PP_OK) {
         pp_irradiance_cache_destroy(cache);
         return status;
@@ -259,7 +259,7 @@ uint64_t pp_irradiance_cache_hash_options(const struct pp_irradiance_cache *cach
     return hash;
 }
 
-/* ---- looked at ---- */
+/* ---- reading ---- */
 
 const struct pp_ambient *pp_irradiance_cache_ambient(struct pp_irradiance_cache *cache)
 {

@@ -5,14 +5,14 @@
 #include "model/base/error.h"
 
 struct pp_planner_options {
-    double error; /* wanted standard error over the last value. 0: go by samples or the
+    double error; /* target standard error over the last value. 0: by samples or the
                    * caller's clock alone */
-    double least_error; /* no smaller error is wanted */
-    double least_share; /* nor one for less than this share of the greatest of all
-                         * points' values */
+    double least_error; /* least standard error aimed at */
+    double least_share; /* least relative error, of this share of the greatest value of
+                         * all points */
     long samples;       /* paths of each estimator in a randomisation; 0: not set */
     int randomisations; /* by samples; 0: PP_RANDOMISATIONS */
-    int threads;        /* 0: as many as there are processors */
+    int threads;        /* 0: one for each processor */
 };
 
 /* PP_BAD_INPUT where one is out of range. */

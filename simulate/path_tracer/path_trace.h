@@ -1,12 +1,12 @@
-/* path_trace.h - the light along a ray, by the textbook's path tracing.
+/* path_trace.h - the light along a ray, by textbook path tracing.
  *
  * This is the plain calculation of simulated light in the scene of a room: one loop and
  * next-event estimation of the openings. docs/theory.md explains it step by step. The
  * tracer of simulate/fast/ and the transport of simulate/transport/ calculate the same
- * faster, with control variates, shared points and weights of several samplers; tests hold
- * them against this.
+ * faster, with control variates, shared points and weights of several samplers; tests
+ * hold them against this.
  *
- * Words and letters are those of [PJH23]:
+ * Terms and symbols are those of [PJH23]:
  *
  *     L       radiance along the ray, the result
  *     beta    throughput of the path so far: product of BSDF x cosine / pdf
@@ -43,8 +43,8 @@ struct pp_rgb pp_path_trace_openings(struct pp_path_walk *walk,
                                      const struct pp_lit_point *at,
                                      enum pp_path_first *first);
 
-/* pi times the radiance in a direction of the point's cosine lobe: one sample of its
- * irradiance by what rays meet. counted, first: as above. */
+/* One sample of the irradiance by the surfaces that rays meet: pi times the radiance in
+ * a direction of the point's cosine lobe. counted, first: as above. */
 struct pp_rgb pp_path_trace_lobe(struct pp_path_walk *walk,
                                  const struct pp_lit_point *at, bool counted,
                                  enum pp_path_first *first);

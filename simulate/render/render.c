@@ -243,7 +243,7 @@ static int tag_of_pixel(const struct pp_render *render, int x, int y)
     return hit.tag;
 }
 
-/* ---- all of them ---- */
+/* ---- tiles ---- */
 
 struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile)
 {
@@ -268,7 +268,7 @@ static bool show_pixel(void *data, int worker, int i)
     return true;
 }
 
-/* Paths of (pixel, randomisation) by any thread, then what the pixels show. */
+/* Follows the paths of (pixel, randomisation) by any thread, then sets the pixels. */
 static enum pp_status draw_tile(struct pp_render *render, int tile,
                                 struct pp_error *err)
 {

@@ -15,12 +15,11 @@ static const double LEAST_WEIGHT = 0.05;
  * by trial. */
 static const double NEAR_DIAGONALS = 0.6;
 
-/* The importance of a rectangle whose middle is nearer than this many of its diagonals is
- * guessed by its solid angle: that of a long one is another near its end than at its
- * middle. */
+/* Distance, in diagonals, below which the importance of a rectangle is estimated by its
+ * solid angle: that of a long rectangle differs between its end and its middle. */
 static const double GUESSED_DIAGONALS = 1.0;
 
-/* An opening is chosen as if what it brings had this weight at least: the guess of it may be
+/* Least weight with which an opening is chosen, since the estimate of its light may be
  * wrong. */
 static const double LEAST_CHOICE = 0.1;
 

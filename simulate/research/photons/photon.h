@@ -1,9 +1,9 @@
-/* photon.h - a photon followed from where it enters the room, or from a lamp, to where it
- * is absorbed or lost.
+/* photon.h - a photon followed from where it enters the room, or from a lamp, to where
+ * it is absorbed or lost.
  *
- * What it carries is flux over Eh (m2), divided by the density with which its source, place
- * and direction were drawn and by the chances of each turn since. It may leave the room
- * and come back.
+ * It carries flux over Eh (m2), divided by the density with which its source, place and
+ * direction were drawn and by the probability of each scattering since. It may leave
+ * the room and come back.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_H
@@ -35,14 +35,14 @@ struct pp_photon {
     struct pp_rgb flux;
     enum pp_photon_last last;
     bool scattered; /* is it more than the light that an opening sends straight? */
-    struct pp_light_hit hit; /* where it has come to */
+    struct pp_light_hit hit; /* its present position */
     struct pp_lobes lobes;   /* there */
     int vertex;              /* of its random numbers */
     int turns;
 };
 
-/* A photon that starts, from one of the first `count` sources: on its ray. False where
- * there is none. place: where; its exitance is that of receivers' straight light. vertex:
+/* Begins a photon on its ray, from one of the first `count` sources. False if there are
+ * none. place: its start, whose exitance is that of direct light to receivers. vertex:
  * the first of its random numbers. */
 bool pp_photon_begin(struct pp_photon_state *state, int count, int vertex,
                      struct pp_photon *photon, struct pp_photon_place *place);

@@ -33,7 +33,7 @@ void pp_radiosity_system_clear(struct pp_radiosity_system *system)
     system->row_count = system->row_room = 0;
 }
 
-/* ---- what elements take ---- */
+/* ---- light of elements ---- */
 
 static struct pp_taker taker_of(const struct pp_radiosity_system *system, int index)
 {
@@ -43,9 +43,9 @@ static struct pp_taker taker_of(const struct pp_radiosity_system *system, int in
                              element->side / 2};
 }
 
-/* The mean over the element of what it takes by openings. Light that comes straight falls off
- * near them too steeply for the middle to stand for all of an element: from there
- * reflected light came out 1 % too high in rooms of as many elements. */
+/* Mean over the element of its light by openings. Direct light falls off too steeply
+ * near openings for the middle to represent the element: reflected light was then 1 %
+ * too high in rooms of as many elements. */
 static void mean_by_openings(const struct pp_radiosity_system *system, int index,
                              struct pp_light_sum *sum)
 {

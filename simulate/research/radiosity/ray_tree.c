@@ -121,7 +121,7 @@ void pp_ray_tree_destroy(struct pp_ray_tree *tree)
     free(tree);
 }
 
-/* A ray with what its tests of boxes need. */
+/* A ray with the data for its tests of boxes. */
 struct ray {
     struct pp_vec3 from, to, inverse;
 };
