@@ -14,13 +14,13 @@
 static const double slice_s = 0.1;
 
 struct pp_simulation {
-    const struct pp_engine *engine; /* whose columns are filled, */
+    const struct pp_engine *engine; /* engine whose columns are filled, */
     const struct pp_engine
-        *solver;                /* and whose functions do it: the engine, or its plain
-                                     * twin */
+        *solver;                /* and engine whose functions are used: the same, or its
+                                 * plain twin */
     struct pp_light_scene *own; /* NULL: the scene is the caller's */
     void *run;
-    double error; /* wanted; 0: by samples, time */
+    double error; /* target; 0: by samples, time */
 };
 
 /* Ratio of standard error to target from which the target counts as missed; planned
@@ -133,7 +133,7 @@ enum pp_status pp_simulation_run(struct pp_simulation *simulation, double second
     return status;
 }
 
-/* The standard error over what is wanted. */
+/* Standard error over its target. */
 static double times_wanted(const struct pp_simulation *simulation,
                            const struct pp_reading *reading)
 {
@@ -142,7 +142,7 @@ static double times_wanted(const struct pp_simulation *simulation,
     return isfinite(reading->std_error) ? reading->std_error / wanted : 0.0;
 }
 
-/* Says where the column's standard errors are much larger than what is wanted. */
+/* Reports where the column's standard errors are much larger than the target. */
 static enum pp_status say_missed(struct pp_report *report,
                                  const struct pp_simulation *simulation,
                                  const struct pp_column *column, struct pp_error *err)

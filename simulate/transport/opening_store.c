@@ -22,8 +22,8 @@ static const struct pp_target *target_of(const struct pp_light_scene *scene, int
     return &scene->panes[window].target;
 }
 
-/* The distance of the nearest surface before the opening, the ground among them;
- * INFINITY where none is met. */
+/* Distance of the nearest surface before the opening, the ground included; INFINITY if
+ * none is met. */
 static double nearest(const struct pp_light_scene *scene, int window,
                       const struct pp_sobol *sobol, uint64_t seed)
 {
@@ -92,8 +92,8 @@ static int sample_bin(const struct pp_opening_table *table,
     return met;
 }
 
-/* The mean radiance of each bin; where no path of a bin met a surface, that of all
- * bins. */
+/* Fills in the mean radiance of each bin; if no path of a bin met a surface, that of
+ * all bins. */
 static void fill_patch(struct pp_opening_table *table, struct pp_radiance_state *state,
                        int window, int patch, uint32_t samples)
 {

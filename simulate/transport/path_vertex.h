@@ -20,8 +20,8 @@ enum {
     PP_DRAWS = 4,
 };
 
-/* Vertex numbers for a path that branches off a vertex: hashed, so that they meet those
- * of no other branch. */
+/* Vertex number for a path that branches off a vertex: hashed, so that branches do not
+ * share numbers. */
 static inline int pp_path_vertex_branch(int vertex, int kind)
 {
     uint32_t mixed = pp_hash_mix32((uint32_t)vertex * PP_DRAWS + (uint32_t)kind + 1);
@@ -50,8 +50,8 @@ static inline double pp_path_vertex_mis(double own, double other)
  * the path has come through an opening. */
 enum pp_first_met { PP_MET_NOTHING, PP_MET_SKY, PP_MET_OUTSIDE, PP_MET_INSIDE };
 
-/* A ray of a diffuse lobe that has come to a reflector straight: which, from where and
- * off which normal, in which direction and with which density. */
+/* Ray of a diffuse lobe that has reached a reflector directly: the reflector, the ray's
+ * origin with its normal, its direction and density. */
 struct pp_arrival {
     int reflector; /* -1: none */
     struct pp_vec3 from, off, to;
@@ -71,8 +71,8 @@ static inline double pp_path_vertex_arrival_weight(const struct pp_light_scene *
         arrival->pdf, pp_reflectors_pdf(scene, reflection, arrival->from, arrival->to));
 }
 
-/* Are openings sampled by their images in reflectors? Where a cache has the light of
- * these, its records have theirs too. */
+/* True if openings are sampled by their images in reflectors. A cache with the light of
+ * openings also has that of their images in its records. */
 static inline bool pp_path_vertex_images(const struct pp_radiance_state *state)
 {
     return state->options.windows && !state->ambient
@@ -137,7 +137,7 @@ struct pp_shading_point {
     int vertex, depth;            /* as the path's that has come here */
     bool split;
     bool whole_gloss;    /* no light is left to rays of the gloss */
-    uint32_t gloss_rays; /* of which there are so many */
+    uint32_t gloss_rays; /* number of these */
     const struct pp_arrival
         *arrival;        /* by which the gloss is seen; NULL: another way */
     uint32_t directions; /* to windows, each to one that is chosen by its importance; 0:

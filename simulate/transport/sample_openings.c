@@ -1,5 +1,5 @@
-/* sample_openings.c - directions to the panes, and what light along them is worth at the
- * shading point. */
+/* sample_openings.c - directions to the panes, and the weight of light along them at
+ * the shading point. */
 #include "simulate/transport/sample_openings.h"
 
 #include <math.h>
@@ -108,8 +108,8 @@ static void leave(struct pp_radiance_state *state,
     sample->weight = pp_rgb_times(sample->weight, transmittance);
 }
 
-/* Is the pane what a ray comes to first? Behind another pane it is not: what comes in by
- * that has been sampled with it, all the way. */
+/* True if a ray meets this pane first. Behind another pane it does not: light through
+ * that pane has been sampled with it, all the way. */
 static bool meets_pane(struct pp_radiance_state *state,
                        const struct pp_shading_point *shading, struct pp_vec3 to,
                        const struct pp_pane *pane)
@@ -266,7 +266,7 @@ void pp_sample_openings_begin(struct pp_radiance_state *state,
                                    sampling->numbers, sampling->u);
 }
 
-/* Goes on to the next opening; false where there is none. */
+/* Goes to the next opening; false if there is none. */
 static bool next_opening(struct pp_radiance_state *state,
                          struct pp_opening_sampling *sampling)
 {

@@ -42,7 +42,7 @@ enum pp_status pp_band_figures_add(struct pp_band_figures *figures,
  * numbers of a Sobol sequence are in different halves of its first dimension. */
 int pp_band_figures_side(int room);
 
-/* Adds those of the rows whose room is on that side. */
+/* Adds the rows whose room is on that side. */
 enum pp_status pp_band_figures_half(struct pp_band_figures *half,
                                     const struct pp_band_figures *figures, int side,
                                     struct pp_error *err);

@@ -65,8 +65,8 @@ static bool is_record(const struct row *row)
     return strcmp(row->place, "span") != 0;
 }
 
-/* The next condition of a regime; that of a row before in its place has mostly the same
- * feature. */
+/* Adds the next condition of a regime. The condition at the same place in an earlier
+ * row mostly has the same feature. */
 static void add_condition(struct pp_band_regime *regime,
                           const struct pp_band_regime *before, const char *name,
                           double from, double to)

@@ -47,7 +47,7 @@ void pp_band_table_find(struct pp_band_regimes *regimes,
                         const struct pp_band_index *index, enum pp_component component,
                         const char *column);
 
-/* The one of a place whose regime has the features; NULL where none has. */
+/* Record of a place whose regime fits the features; NULL: none. */
 const struct pp_band_record *pp_band_table_regime(const struct pp_band_regimes *regimes,
                                                   enum pp_band_place place,
                                                   const double *features);

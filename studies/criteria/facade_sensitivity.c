@@ -11,7 +11,7 @@
  * degrees more of the ground in front of the window. */
 static const double REACH_M = 30.0;
 
-/* The other room's errors, over those that are wanted: only a verdict is looked for. */
+/* Errors for the other room, over the target errors: only a verdict is needed. */
 static const double COARSER = 2.0;
 
 static bool is_sampled(const struct pp_finding *finding)

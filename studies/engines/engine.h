@@ -19,10 +19,10 @@
 
 /* Options of any engine; each uses those that apply to it. */
 struct pp_engine_options {
-    double error; /* wanted standard error over daylight factor; 0: by samples, time */
+    double error; /* target standard error over daylight factor; 0: by samples, time */
     long samples; /* paths a point in each randomisation instead; 0: not given */
     uint64_t seed;
-    int threads; /* 0: as many as there are processors */
+    int threads; /* 0: one for each processor */
 
     bool plain;  /* by the engine's plain twin, if it has one */
     bool alone;  /* points share no light in light paths */
@@ -33,7 +33,8 @@ struct pp_engine_options {
                       * 0: the receivers are points */
 
     struct pp_cache_options cache; /* its seed and threads are those above */
-    bool interpolate;              /* what is reflected at the points from the cache */
+    bool interpolate;              /* reads reflected light at the points from the
+                                    * cache */
     const char *cache_file; /* records to begin with, where there is such a file; NULL:
                              * none */
 };
@@ -43,10 +44,10 @@ struct pp_engine {
     const char *column; /* of its results: "traced" */
     const char *summary;
     const char *said;      /* of its figures, below a table: "by simulation" */
-    const char *deviation; /* what the error beside a figure is: "one standard error" */
-    const char *from;      /* heads what is off from it: "from traced, %"; NULL: nothing
-                            * is, as it is no truth */
-    bool is_truth;         /* is it what hand figures may be held against? */
+    const char *deviation; /* name of the error beside a figure: "one standard error" */
+    const char *from;      /* heading for deviations from it: "from traced, %"; NULL:
+                            * none, as it is not a reference */
+    bool is_truth;         /* true if hand figures can be compared with it */
     bool is_sampled;       /* does another seed give other figures? */
     const struct pp_engine
         *plain; /* gives the same by a plain implementation; NULL: none */
@@ -67,8 +68,8 @@ struct pp_engine {
     void (*read)(const void *run, int index,
                  struct pp_reading readings[PP_COMPONENT_COUNT]);
 
-    /* The share of their variance that the receivers' factors have in common
-     * (common_error.h): all of them, and those that are near each other; NULL: none. */
+    /* Correlated share of the variance of the receivers' factors (common_error.h):
+     * among all of them, and among neighbours; NULL: none. */
     double (*common)(const void *run);
     double (*common_near)(const void *run);
 

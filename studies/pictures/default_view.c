@@ -17,8 +17,8 @@ static const double clear_m = 0.4;
 /* Below this slope an opening is a rooflight. */
 static const double upright_rad = 45.0 * PP_RAD;
 
-/* A window higher above the eye than this is looked up to: it is brought down to this
- * height, but the view is not raised by more than the second. */
+/* Most that a window may be above the eye: the view is raised until the window is at
+ * this height, but at most by the second angle. */
 static const double level_rad = 20.0 * PP_RAD, raised_most_rad = 15.0 * PP_RAD;
 
 static const struct pp_vec3 upwards = {0.0, 0.0, 1.0};

@@ -73,8 +73,8 @@ enum pp_status pp_vertical_sky_at_point(double *share, const struct pp_world *wo
     return status;
 }
 
-/* The world's own lists without what shades its windows: shades stand behind the blocks' sides
- * and before the meshes' triangles. Both lists are the caller's to free. */
+/* Makes the world's own lists without the shades of its windows: shades come after the
+ * blocks' sides and before the meshes' triangles. The caller frees both lists. */
 static bool take_shades_off(struct pp_world *bare, const struct pp_world *world)
 {
     bare->surfaces = calloc((size_t)world->surface_count + 1, sizeof *bare->surfaces);

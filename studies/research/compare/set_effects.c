@@ -1,4 +1,4 @@
-/* set_effects.c - what sets do: traced, or by the sum of their parts. */
+/* set_effects.c - effects of sets: simulated, or by the sum of their parts. */
 #include "studies/research/compare/set_effects.h"
 
 #include <math.h>
@@ -25,8 +25,8 @@ static const double OFF_SHARE = 0.6, OFF_SHARE_AT_A_POINT = 0.1;
 static const double LEAST_EFFECT = 0.001;
 /* A fitted value is never more certain than by noise of so much. */
 static const double LEAST_NOISE = 0.003;
-/* A fitted value is sought in so many steps of the golden section, and is one
- * of so many: a thousandth. */
+/* Number of steps of the golden section in the search for a fitted value, and of levels
+ * that it can have: about a thousandth. */
 enum { FIT_STEPS = 16, LEVELS = 800 };
 static const struct pp_known_set *find_known_set(const struct pp_set_effects *effects,
                                                  const int *causes, int count)

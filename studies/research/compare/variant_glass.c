@@ -13,8 +13,8 @@ static double of_transmissivity(double t)
     return (1.0 - rho) * (1.0 - rho) * t / (1.0 - rho * rho * t * t);
 }
 
-/* Lets light of any angle through as at normal incidence: a film that neither bends nor
- * weakens it, n = 1 and KL = 0, so scaled. */
+/* Replaces the glass by one with its normal transmittance at every angle: a film
+ * without refraction or absorption, n = 1 and KL = 0, scaled. */
 static struct pp_glass by_normal_alone(struct pp_glass glass)
 {
     return pp_glass_of_normal(1, 1.0 + 1e-9, 0.0, glass.normal);
