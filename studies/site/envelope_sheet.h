@@ -6,8 +6,9 @@
 #include "model/results/sheets/site_sheet.h"
 #include "studies/sizing/plot_envelope.h"
 
-/* Adds the cells of the envelope to a sheet of the building as pp_plot_envelope_find leaves
- * it, whose block of that name they are: it is taken off the sheet as what stands there. */
+/* Adds the cells of the envelope to a sheet of the building as left by
+ * pp_plot_envelope_find. They replace the block of that name among the objects on the
+ * sheet. */
 enum pp_status pp_envelope_sheet_add(struct pp_site_sheet *sheet,
                                      const struct pp_plot_envelope *envelope,
                                      const char *block, struct pp_error *err);

@@ -14,8 +14,8 @@ enum {
     REFINED_MOST = 3,    /* refinements of the grid: down to a micrometre */
 };
 
-/* A value that is neither counted nor sampled shall exceed the target by this share of
- * it at most. */
+/* Most by which a value that is neither counted nor sampled may exceed the target,
+ * relative. */
 static const double near_share = 0.0025;
 
 /* A sampled value shall come this near to the target, in its standard errors. */
@@ -36,7 +36,7 @@ struct search {
     struct pp_size_answer *answer;
 };
 
-/* The world of a changed room; what is wrong with that room becomes the message. */
+/* Makes the world of a changed room; the room's mistakes become the message. */
 static enum pp_status world_of(struct pp_world **world, const struct pp_room *room,
                                struct pp_error *err)
 {

@@ -52,7 +52,7 @@ double pp_window_number_wall_length(const struct pp_world *world, int opening)
     return high - low;
 }
 
-/* The same for a room whose world is still to be made. */
+/* Length for a room whose world does not exist yet. */
 static enum pp_status wall_length(double *length_m, const struct pp_room *room,
                                   int index, struct pp_error *err)
 {

@@ -65,7 +65,7 @@ enum pp_status pp_room_variant_add(struct pp_room_variant *variant, const char *
 /* Names for settings that are common. */
 struct pp_room_variant_preset {
     const char *name, *words;
-    const char *what; /* what they belong to */
+    const char *what; /* source of the settings */
 };
 const struct pp_room_variant_preset *pp_room_variant_preset_at(
     int index); /* NULL behind the last */
