@@ -302,7 +302,7 @@ static void draw_by_two(struct atlas_plot *plot)
 
 /* ---- the sheet ---- */
 
-/* Does anything stand at the edge of a map by one number? */
+/* True if any value lies at the edge of a map by one number. */
 static bool is_beyond(const struct pp_atlas_map *map)
 {
     for (int k = 0; k < map->across.count; k++)

@@ -50,7 +50,7 @@ static enum pp_status follow_links(const char *path, char **resolved,
     return fail_file(err, path, ELOOP);
 }
 
-/* Would a file there be written whole later on? */
+/* Checks that a file can be written there later. */
 static enum pp_status check_output_path(const char *path, struct pp_error *err)
 {
     struct stat there;

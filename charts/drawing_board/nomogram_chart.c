@@ -181,7 +181,7 @@ static void spread(struct note *notes, int count, double gap)
 
 enum { NOTED_MOST = 12 };
 
-/* Is the stem set or read for a window? */
+/* True if the stem is set or read for a window. */
 static bool stem_used(const struct pp_nomogram_curve_frame *drawing,
                       const struct pp_nomogram_window *window, int stem)
 {

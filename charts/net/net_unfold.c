@@ -57,7 +57,7 @@ static double (*corners_of(struct unfolding *unfolding,
     return xy;
 }
 
-/* Does a figure lie over a panel of the piece, other than one? */
+/* True if a figure overlaps a panel of the piece, other than one. */
 static bool hits_panel(struct unfolding *unfolding, int piece, const double (*xy)[2],
                        int count, int other_than)
 {
@@ -192,7 +192,7 @@ void pp_net_unfold_tab(const struct pp_net_panel *panel, int edge,
     }
 }
 
-/* Is a tab free of panels and of the tabs there are? */
+/* True if a tab overlaps no panel and no other tab. */
 static bool tab_is_free(struct unfolding *unfolding, int index, int edge)
 {
     const struct pp_net_panels *panels = &unfolding->net->panels;
@@ -214,7 +214,7 @@ static bool tab_is_free(struct unfolding *unfolding, int index, int edge)
     return !hit && unfolding->status == PP_OK;
 }
 
-/* Has another edge of that number a tab already? */
+/* True if another edge of that number has a tab already. */
 static bool is_served(const struct pp_net_panels *panels, int number, int other_than)
 {
     for (int i = 0; i < panels->count; i++)

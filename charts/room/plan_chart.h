@@ -33,7 +33,7 @@ struct pp_plan_chart {
     int note_count;
 };
 
-/* Does the room fit better on a sheet that lies on its side? */
+/* True if a landscape sheet suits the room better. */
 bool pp_plan_chart_landscape(const struct pp_world *world);
 
 enum pp_status pp_plan_chart_draw(struct pp_canvas *canvas,

@@ -55,8 +55,8 @@ bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, doub
     return false;
 }
 
-/* Is the box `pad` away from all places that are noted, a quarter of that from the
- * owner's? */
+/* True if the box is `pad` away from all noted places, or a quarter of that from the
+ * owner's. */
 static bool is_free(const struct pp_labels *labels, struct pp_box box, int owner,
                     double pad)
 {

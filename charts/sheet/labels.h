@@ -35,11 +35,11 @@ void pp_labels_note_path(struct pp_labels *labels, cairo_t *cr, int owner);
 /* Notes all of a box. */
 void pp_labels_note_box(struct pp_labels *labels, struct pp_box box);
 
-/* Is something of that owner's noted within that distance? */
+/* True if a place of that owner is noted within that distance. */
 bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, double y,
                        double distance);
 
-/* Is a box within the field and clear of all that is noted? */
+/* True if a box is within the field and clear of all noted places. */
 bool pp_labels_is_free(const struct pp_labels *labels, struct pp_box box);
 
 /* Looks for a place for a box of that size next to one of the owner's places, further off

@@ -14,7 +14,7 @@
 extern const struct pp_option pp_light_options[];
 extern const struct pp_option pp_illuminance_options[];
 
-/* Do the options make sense together, and with the room files? */
+/* Checks that the options are consistent with each other and with the room files. */
 enum pp_status pp_availability_options_check(const struct pp_year_options *options,
                                              char *const *files, int file_count,
                                              struct pp_error *err);

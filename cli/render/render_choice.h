@@ -108,7 +108,7 @@ enum pp_status pp_render_choice_format(struct pp_picture_format *format,
                                        const struct pp_render_choice *choice,
                                        const char *path, struct pp_error *err);
 
-/* Is it laid out on a sheet, or shown pixel for pixel? */
+/* True if it is laid out on a sheet, false if shown pixel for pixel. */
 bool pp_render_choice_on_sheet(const struct pp_render_choice *choice,
                                const struct pp_picture_format *format);
 

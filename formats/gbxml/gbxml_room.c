@@ -285,7 +285,7 @@ static struct pp_vec3 find_origin(struct pp_gbxml_room *room)
     return pp_vec_sub(high, low);
 }
 
-/* Lies the face in a side of the box of that size? */
+/* True if the face lies in a side of the box of that size. */
 static bool is_in_side(const struct pp_gbxml_room *room, int index, struct pp_vec3 size)
 {
     const struct pp_gbxml_face *face = &room->shell.faces[index];
@@ -306,7 +306,8 @@ static bool is_in_side(const struct pp_gbxml_room *room, int index, struct pp_ve
     return false;
 }
 
-/* A face of that role or side with another reflectance than the first? */
+/* True unless a face of the same role or side has another reflectance than the
+ * first. */
 static bool is_of_one_finish(const struct pp_gbxml_room *room)
 {
     for (int i = 0; i < room->shell.face_count; i++)

@@ -139,7 +139,7 @@ static enum pp_status divide_edges(struct pp_gbxml_shell *shell,
     return PP_OK;
 }
 
-/* Has another face before it the same corners, in any order? */
+/* True if an earlier face has the same corners, in any order. */
 static bool is_double(const struct pp_gbxml_shell *shell, int index)
 {
     const struct pp_gbxml_face *face = &shell->faces[index];

@@ -334,7 +334,7 @@ static enum pp_status write_surface(struct pp_gbxml_writing *w,
     return note_item(w, item, err);
 }
 
-/* Has the surface a room behind it? */
+/* True if a room lies behind the surface. */
 static bool has_room(const struct pp_gbxml_model *model,
                      struct pp_gbxml_room *const *rooms,
                      const struct pp_gbxml_surface *surface)
@@ -345,7 +345,7 @@ static bool has_room(const struct pp_gbxml_model *model,
     return false;
 }
 
-/* Is it seen from outside, and no room's? */
+/* True if it is visible from outside and belongs to no room. */
 static bool stands_outside(const struct pp_gbxml_model *model,
                            struct pp_gbxml_room *const *rooms,
                            const struct pp_gbxml_surface *surface)

@@ -93,7 +93,8 @@ static enum pp_status add_convex(struct pp_hidden_cones *cones, struct pp_vec3 e
     return status;
 }
 
-/* Does any of it lie before the view's plane and above the eye, and not edge on? */
+/* True if any part is in front of the view's plane and above the eye, and not seen
+ * edge-on. */
 static bool may_hide(const struct pp_polygon *polygon,
                      const struct pp_hidden_view *view)
 {

@@ -128,7 +128,7 @@ enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
 
 /* ---- a room ---- */
 
-/* Have both the same lines on the sheet? */
+/* True if both have the same lines on the sheet. */
 static bool same_lines(const struct pp_nomogram_window *a,
                        const struct pp_nomogram_window *b)
 {

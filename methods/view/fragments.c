@@ -250,7 +250,8 @@ enum pp_status pp_fragments_intersect(struct pp_fragments *result,
     return status;
 }
 
-/* Is the ring nearer than the owner, by the line on which both are at the same depth? */
+/* Line on which the ring and the owner have the same depth; it tells where the ring is
+ * nearer. */
 static struct cut_line nearer_than(const struct pp_fragment_ring *ring,
                                    const struct pp_fragment_ring *owner)
 {

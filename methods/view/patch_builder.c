@@ -76,8 +76,8 @@ static enum pp_status cover(struct pp_patch_builder *builder, struct pp_region *
     return status;
 }
 
-/* Do the areas of union and sky add up to the whole, and is every piece in the
- * union? */
+/* True if the areas of union and sky sum to the whole, and every piece is in the
+ * union. */
 static bool adds_up(const struct pp_patch_builder *builder, const struct pp_region *all,
                     const struct pp_region *sky)
 {

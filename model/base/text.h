@@ -79,7 +79,7 @@ static inline bool pp_text_is_white(char c)
  * forms, surrogates and numbers above U+10FFFF are none. Reads no byte behind a NUL. */
 int pp_text_letter(const char *text, size_t left, int32_t *letter);
 
-/* Has the text no control characters (which a terminal would obey)? */
+/* True if the text has no control characters, which a terminal would obey. */
 bool pp_text_is_plain(const char *text);
 
 /* Copy of a user's text for a message: control characters become '?', and it is cut to

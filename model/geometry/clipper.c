@@ -57,7 +57,8 @@ static enum pp_status fail_geos(struct pp_clipper *clipper, const char *what,
 
 /* ---- regions of rings ---- */
 
-/* Does the ring turn one way at every corner, by more than rounding, and round once? */
+/* True if the ring turns the same way at every corner, by more than rounding, and once
+ * in all. */
 static bool ring_is_convex(const double (*xy)[2], int count)
 {
     int left = 0, right = 0, over = 0;

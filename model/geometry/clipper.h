@@ -69,7 +69,7 @@ enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
                                       const struct pp_region *region,
                                       struct pp_error *err);
 
-/* Has the ring an area, and does it nowhere meet itself? */
+/* Tests whether the ring has an area and nowhere meets itself. */
 enum pp_status pp_clipper_ring_is_simple(bool *simple, struct pp_clipper *clipper,
                                          const double (*xy)[2], int count,
                                          struct pp_error *err);

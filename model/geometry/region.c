@@ -67,7 +67,7 @@ struct pp_bounds2 pp_region_bounds(const struct pp_region *region)
 
 bool pp_region_contains(const struct pp_region *region, double x, double y)
 {
-    /* Even-odd: how many edges does the ray towards +x cross? */
+    /* Even-odd rule: counts the edges crossed by the ray towards +x. */
     bool inside = false;
     for (int r = 0; r < region->count; r++) {
         const struct pp_ring *ring = &region->rings[r];

@@ -53,7 +53,7 @@ struct pp_sky pp_sky_graded(double b);
 enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
                           struct pp_error *err);
 
-/* Does the luminance of ISO type `type` depend on where the sun stands? */
+/* True if the luminance of ISO type `type` depends on the position of the sun. */
 bool pp_sky_iso_has_sun(int type);
 
 /* Does the luminance change with azimuth? */

@@ -35,8 +35,8 @@ struct pp_formula {
     bool fixed; /* it enters a table, or is one of several by the case: no variant */
 };
 
-/* Would a variant of that symbol stand in this formula's place, its quantities
- * allowing? */
+/* True if a variant of that symbol can replace this formula, if its quantities
+ * allow. */
 bool pp_formula_is_open(const struct pp_formula *formula, const char *symbol);
 
 /* True if the expression's dimension fits the formula's left side, apart from hidden

@@ -95,7 +95,7 @@ void pp_step_text_formula(char *text, size_t room,
 
 /* ---- values put in ---- */
 
-/* Is the name a function's, or pi? */
+/* True if the name is a function's, or pi. */
 static bool is_known_word(const char *name, int length)
 {
     const char *const *functions = pp_expression_functions();

@@ -53,7 +53,7 @@ int pp_building_place(const struct pp_building *building, int index);
  * over rooms of any state. */
 int pp_building_openings_before(const struct pp_building *building, int index);
 
-/* Does the file say of anything that it stands there in one state only? */
+/* True if the file has anything that exists in one state only. */
 bool pp_building_has_states(const struct pp_building *building);
 
 /* Replaces the rooms, whose pointers become invalid, by the rooms in that state,

@@ -36,7 +36,7 @@ static bool same(const double *a, const double *b)
     return a[0] == b[0] && a[1] == b[1];
 }
 
-/* Is the corner `at` of a line, figure on its left, open towards p? */
+/* True if the corner `at` of a line, with the figure on its left, is open towards p. */
 static bool opens(const struct closed_line *line, int at, const double *p)
 {
     const double *before = line->xy[(at + line->count - 1) % line->count];

@@ -155,7 +155,7 @@ static enum pp_status add_neighbour(struct pp_room *room,
 
 /* ---- A state ---- */
 
-/* Does the building hold anything that goes to its rooms? */
+/* True if the building has parts that are added to its rooms. */
 static bool holds(const struct pp_room *common)
 {
     return common->skyline_count + common->block_count + common->surface_count
@@ -182,7 +182,7 @@ struct settling {
     struct pp_clipper *clipper;
 };
 
-/* Does the room stand before others in the state? */
+/* True if the room obstructs others in the state. */
 static bool stands(const struct settling *site, int index)
 {
     const struct pp_room *room = &site->building->read[index];

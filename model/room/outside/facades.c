@@ -71,7 +71,7 @@ static bool meets_sheet(const struct facade_site *site, const struct pp_vec3 *ve
     return true;
 }
 
-/* Does one look out of the opening through the sheet? */
+/* True if the opening has a view out through the sheet. */
 static bool has_hole(const struct facade_site *site, const struct pp_world *world,
                      const struct pp_opening *opening)
 {

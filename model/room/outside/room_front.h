@@ -30,7 +30,7 @@ struct pp_room_front {
     int line;
 };
 
-/* Is the surface of a facade's sheet, not of a passage through it? */
+/* True if the surface belongs to a facade's sheet, not to a passage through it. */
 bool pp_room_front_is_of_sheet(const struct pp_world *world, int surface);
 
 /* The facade of that index of a room's world, which stands at the place. To be cleared

@@ -45,8 +45,8 @@ void pp_room_shell_clear(struct pp_room_shell *shell);
 /* True if there is a wall of that name. */
 bool pp_room_shell_has_wall(const struct pp_room_shell *shell, const char *name);
 
-/* Does a wall of the room look the same way as the shaded window's, in one front with
- * it? */
+/* True if a wall of the room faces the same way as the shaded window's, in one front
+ * with it. */
 bool pp_room_shell_shares_front(const struct pp_room_shell *shell,
                                 const struct pp_room_carried *shade);
 

@@ -5,14 +5,14 @@
 
 #include "model/room/room_parts.h"
 
-/* Is a thing with that state there in the other, PP_STATE_EXISTING or
- * PP_STATE_PROPOSED? */
+/* True if an object with that state exists in the other, PP_STATE_EXISTING or
+ * PP_STATE_PROPOSED. */
 bool pp_site_state_has(enum pp_site_state state, enum pp_site_state it);
 
 /* Keeps only those of the room's parts that exist in the state, in order. */
 void pp_site_state_keep(struct pp_room *room, enum pp_site_state state);
 
-/* Is the room, or any of its parts, there in one state only? */
+/* True if the room, or any of its parts, exists in one state only. */
 bool pp_site_state_matters(const struct pp_room *room);
 
 #endif
