@@ -1,9 +1,7 @@
-/* chart_kind.h - the charts there are, in one list: how each comes from a room, or from
- * nothing, on to a canvas.
+/* chart_kind.h - list of all charts: each draws a room, or a blank, on a canvas.
  *
- * A kind computes what it shows by studies and methods and draws it by a chart of
- * charts/. A new one is a file of its own, its entry declared here, and a line in
- * chart_kind.c.
+ * A kind computes its data by studies and methods and draws them by a chart of charts/.
+ * A new one is a file of its own, its entry declared here, and a line in chart_kind.c.
  */
 #ifndef PP_API_CHART_KIND_H
 #define PP_API_CHART_KIND_H
@@ -28,10 +26,10 @@ enum pp_yes_no { PP_UNSAID, PP_YES, PP_NO };
 
 struct pp_overlay_options {
     enum pp_lens lens;
-    double diameter_mm;    /* 0: what the sheet holds */
+    double diameter_mm;    /* 0: as large as the sheet allows */
     bool said;             /* are these: */
-    bool dots, cells, sun; /* what is shown */
-    const char *typed;     /* the last of these options, as typed; NULL: none */
+    bool dots, cells, sun; /* parts that are drawn */
+    const char *typed;     /* the last of these options as typed; NULL: none */
 };
 
 struct pp_board_options {
@@ -39,14 +37,14 @@ struct pp_board_options {
     bool fine;               /* pepper-pot: dots worth 0.01 % */
     enum pp_yes_no vertical; /* a blank pepper-pot's receiver; unsaid: no */
     double viewing_mm; /* pepper-pot: from the eye to the drawing; 0: 30, fine 60 */
-    struct pp_sky sky; /* of a blank; set by whoever asks */
+    struct pp_sky sky; /* of a blank; set by the caller */
 
     int number;          /* a blank protractor of the ten; 0: not said */
     const char *glazing; /* or of any glazing, "none" too; NULL: not said */
     double slope_deg;    /* of that glazing, by --slope, */
     bool slope_said;     /* if it was */
-    bool any_protractor; /* not one of the ten by number: what follows is it; set by
-                          * pp_board_options_check */
+    bool any_protractor; /* not one of the ten by number but the one described below;
+                          * set by pp_board_options_check */
     struct pp_glass glass;
     double slope_rad;
     char glass_words[72];
@@ -69,10 +67,10 @@ struct pp_model_options {
     double scale; /* 20 for 1:20; 0: not said */
     struct pp_mirror_box box;
     bool has_box;
-    const char *typed; /* the last of these options, as typed; NULL: none */
+    const char *typed; /* the last of these options as typed; NULL: none */
 };
 
-/* The rooms of one file, each with what it was before. */
+/* Rooms of one file, each with its former state. */
 struct pp_chart_site {
     const struct pp_study_room *rooms;
     const struct pp_study_room *const *before; /* as many; NULL: it was not there, or
@@ -81,11 +79,11 @@ struct pp_chart_site {
     double french_m; /* as a site's rooms' (site_study.h) */
 };
 
-/* Choices of what a chart shows. */
+/* Choices for the content of a chart. */
 struct pp_chart_choice {
     struct pp_chart_site
-        site;              /* of kinds that compare or are of a site: what is drawn is
-                                * its first room, or all of them; set for each sheet */
+        site;              /* for kinds that compare states or draw a site: the first
+                            * room or all rooms are drawn; set for each sheet */
     bool line_said;        /* plan: not contours but the part that is lit, by */
     enum pp_lit_line line; /* this */
 
@@ -93,7 +91,7 @@ struct pp_chart_choice {
     enum pp_plan_fill fill;        /* plan: between the contours */
     struct pp_board_options board; /* of kinds worked at the drawing board */
     struct pp_model_options model;
-    struct pp_year_options availability; /* of those of the light outside */
+    struct pp_year_options availability; /* for kinds of the light outside */
 };
 
 struct pp_chart_kind {
@@ -102,10 +100,10 @@ struct pp_chart_kind {
     bool board;          /* worked at the drawing board: can be blank, without a room */
     bool from_point;     /* and is drawn from one point of a room */
     bool of_window;      /* or for one window of a room, under the overcast sky */
-    bool outside;        /* of the light outside: can do without a room */
-    bool compares;       /* can set beside a room what it was before */
+    bool outside;        /* draws the light outside: needs no room */
+    bool compares;       /* can draw a room's former state as well */
     bool of_site;        /* one sheet for all rooms of a file */
-    enum pp_paper paper; /* where none is asked for */
+    enum pp_paper paper; /* default paper */
     bool of_sun;         /* takes a latitude, for the sun's paths */
     bool transparent;    /* is laid on something: has no white ground */
 
@@ -113,12 +111,13 @@ struct pp_chart_kind {
     bool (*landscape_for)(const struct pp_world *world); /* or does so for some rooms;
                                                           * NULL: for none */
 
-    /* Can it draw these methods (NULL: its own choice), or with simulate the simulation?
-     * PP_BAD_INPUT says what it can. NULL function: it can. */
+    /* Checks whether the kind can draw these methods (NULL: its own choice), or the
+     * simulation if simulate is set. PP_BAD_INPUT names the ones it can. NULL function:
+     * all. */
     enum pp_status (*check)(const char *methods, bool simulate, struct pp_error *err);
 
-    /* Computes what the chart shows of the room (NULL: a blank) and draws it; the room's
-     * points may change. *finished becomes false where the simulation was stopped. */
+    /* Computes and draws the chart of the room (NULL: a blank); may change the room's
+     * points. Sets *finished to false if the simulation was stopped. */
     enum pp_status (*draw)(struct pp_canvas *canvas, struct pp_study_room *room,
                            const struct pp_study_options *study,
                            const struct pp_chart_choice *choice, bool *finished,
@@ -131,7 +130,7 @@ extern const struct pp_chart_kind pp_draw_section, pp_draw_plan, pp_draw_site_pl
     pp_draw_vertical_sky, pp_draw_skylight_indicator, pp_draw_overlay, pp_draw_sun_path,
     pp_draw_model_net, pp_draw_availability;
 
-/* In order; NULL at the end of the list, one past the last. */
+/* Chart kinds in list order; NULL for the index just past the end of the list. */
 const struct pp_chart_kind *pp_chart_kind_at(int index);
 
 /* The kind of that name, or NULL. */

@@ -15,7 +15,7 @@ static const char *wall_of(const struct pp_world *world, int opening)
     return world->surfaces[world->openings[opening].face].name;
 }
 
-/* By its line in the room file; -1: there is none. */
+/* Index of the window whose opening is on this line of the room file; -1: none. */
 static int window_by_line(const struct pp_world *world, const char *words)
 {
     char *end;
@@ -26,7 +26,8 @@ static int window_by_line(const struct pp_world *world, const char *words)
     return -1;
 }
 
-/* By its wall, whose only opening it is; -1: there are none, or several. */
+/* Index of the window in this wall, if it is the wall's only opening; -1: none or
+ * several. */
 static int window_by_wall(const struct pp_world *world, const char *words)
 {
     int found = -1, count = 0;

@@ -4,9 +4,9 @@
 
 #include "model/room/world.h"
 
-/* The first opening, unless the words choose one: by its line in the room file, or by its
- * wall, whose only one it is. upright: of windows in walls only. PP_BAD_INPUT says what is
- * wrong, or that there is none. */
+/* Chooses the first opening, or the one given by its line in the room file or by its
+ * wall, if it is the only one there. upright: only windows in walls. PP_BAD_INPUT with
+ * the reason, or if there is none. */
 enum pp_status pp_choose_window(int *window, const struct pp_world *world,
                                 const char *words, bool upright, struct pp_error *err);
 

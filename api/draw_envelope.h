@@ -6,10 +6,10 @@
 #include "charts/sheet/canvas.h"
 #include "studies/sizing/plot_envelope.h"
 
-/* Draws what pp_plot_envelope_find has found of the task, whose building stands as that left
- * it: the plan of the site with the plot's heights and, on a further sheet where the canvas
- * has them, the Waldram diagram of the vertical sky component of the window that decides, if
- * one does. file: as the user named it. */
+/* Draws the result of pp_plot_envelope_find for the task, whose building must be in the
+ * state that the search left. Draws the plan of the site with the plot's heights. If a
+ * window limits the heights, and the canvas has further sheets, the Waldram diagram of
+ * its vertical sky component follows. file: name as given by the user. */
 enum pp_status pp_draw_envelope(struct pp_canvas *canvas,
                                 const struct pp_plot_envelope *found,
                                 const struct pp_plot_envelope_task *task,

@@ -1,5 +1,5 @@
-/* draw_note.c - a calculation as a design note: what df --explain prints of a point, typeset,
- * with drawings; a note for each point. */
+/* draw_note.c - a calculation as a design note: the worksheet of df --explain for a
+ * point, typeset with drawings; one note for each point. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,7 +21,7 @@ struct note_words {
     char works[WORKS_MOST][WORK];
     const char *sources[WORKS_MOST], *keys[WORKS_MOST];
     int source_count;
-    char *text; /* of the notes, whose lines are: */
+    char *text; /* text of the notes, which `lines` point into */
     const char *notes[NOTES_MOST];
     int note_count;
 };
@@ -40,7 +40,7 @@ static void add_work(struct note_words *words, const char *place)
     words->source_count++;
 }
 
-/* The method's own work, and those of its formulae. */
+/* Adds the allowances of the method itself and of its formulae. */
 static void add_method(struct note_words *words, const char *name, int column)
 {
     const struct pp_method *method = pp_method_find(name);
@@ -53,7 +53,7 @@ static void add_method(struct note_words *words, const char *name, int column)
         add_work(words, method->formulae[i]->source);
 }
 
-/* The notes below a table of df, each of which is one line here. */
+/* Adds the notes below a table of df, one line each. */
 static enum pp_status add_notes(struct note_words *words,
                                 const struct pp_report *report, struct pp_error *err)
 {

@@ -33,9 +33,9 @@ static enum pp_status check_values(const struct pp_report *report, struct pp_err
                    report->world->name, why);
 }
 
-/* The obstruction angle that the formulae take, where something stands outside: that of
- * the endless skyline which leaves the window the same sky. The line of sight in the
- * section may be another. */
+/* Writes the obstruction angle used by the formulae, if there are obstructions: that of
+ * an endless skyline which leaves the window the same sky. It may differ from the line
+ * of sight in the section. */
 static enum pp_status say_obstructions(char note[NOTE_BYTES],
                                        const struct pp_world *world,
                                        const struct pp_outside_light *light,

@@ -1,5 +1,5 @@
-/* draw_site.c - the diagrams of the sky that a window faces, for its vertical sky
- * component: blank, or with what stands before one window of a room. */
+/* draw_site.c - diagrams of the sky in front of a window, for its vertical sky
+ * component: blank, or with the obstructions of one window of a room. */
 #include "api/chart_kind.h"
 #include "api/choose_window.h"
 #include "charts/drawing_board/skylight_indicator_chart.h"

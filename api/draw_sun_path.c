@@ -1,5 +1,5 @@
-/* draw_sun_path.c - the sun's paths over what hides the sky from a window: the stereographic
- * sheet. */
+/* draw_sun_path.c - the sun's paths over the obstructions of a window: the
+ * stereographic sheet. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

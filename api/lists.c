@@ -1,4 +1,4 @@
-/* lists.c - pepperpot.h: what there is, by name; the version. */
+/* lists.c - pepperpot.h: lists by name; the version. */
 #include <stdio.h>
 #include <stdlib.h>
 

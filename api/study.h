@@ -1,4 +1,4 @@
-/* study.h - what is behind pepperpot.h's struct pp_study. Inside api/ only. */
+/* study.h - definition of pepperpot.h's struct pp_study. Inside api/ only. */
 #ifndef PP_API_STUDY_H
 #define PP_API_STUDY_H
 
@@ -12,13 +12,14 @@ struct pp_study {
     struct pp_study_room room;
     char *file;                      /* its name for people */
     struct pp_room *description;     /* a copy of the building's room, with the sky */
-    struct pp_study_options options; /* of what was last asked for */
+    struct pp_study_options options; /* options of the last evaluation */
     struct pp_variant_list
-        variants; /* of formulae; what the methods' options point to */
+        variants; /* of formulae; the methods' options point to them */
     struct pp_report report;
     struct pp_light_scene *scene;     /* of the world; NULL: not needed yet */
-    struct pp_simulation *simulation; /* NULL: none was asked for */
-    bool on_grid;                     /* are the points those of EN 17037's grid? */
+    struct pp_simulation *simulation; /* NULL: none requested */
+    bool on_grid;                     /* true if the points are those of EN 17037's
+                                       * grid */
     struct pp_assessment assessment;
     bool has_assessment;
 };

@@ -7,7 +7,7 @@
 #include "model/room/room_text.h"
 #include "studies/sizing/size_room.h"
 
-/* The simulated factors of the study, where they are those of the grid. */
+/* Moves the study's simulated factors, if they are those of the grid. */
 static enum pp_status take_simulated(struct pp_report *to, const struct pp_report *from,
                                      struct pp_error *err)
 {

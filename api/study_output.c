@@ -67,7 +67,7 @@ static enum pp_status check_kind(const struct pp_chart_kind *kind, const char *n
     return PP_OK;
 }
 
-/* On a canvas of its own, whose bytes are copied. */
+/* Draws on a new canvas and copies the canvas's bytes. */
 static enum pp_status draw_on_own_canvas(const struct pp_chart_kind *kind,
                                          struct pp_study_room *room,
                                          const struct pp_chart_request *request,

@@ -19,7 +19,7 @@ struct atlas_plot {
 
 /* ---- edges of classes ---- */
 
-/* Where class k of a scale begins, 0 to 1 along it: classes are drawn alike in width. */
+/* Start of class k on the scale, 0 to 1; all classes are drawn equally wide. */
 static double edge_at(const struct pp_atlas_scale *scale, int k)
 {
     return (double)k / scale->count;
@@ -87,7 +87,7 @@ static void draw_up_scale(struct atlas_plot *plot)
     }
 }
 
-/* The name of what goes up, above the field at its left. */
+/* Draws the title of the vertical axis, at the left above the field. */
 static void draw_up_title(struct atlas_plot *plot, const char *words)
 {
     struct pp_lettering text = {.size = PP_TEXT_BODY, .down = 1.0};
@@ -106,7 +106,7 @@ static void draw_frame(struct atlas_plot *plot)
 
 /* ---- a map by one number ---- */
 
-/* Ratios that scales go to at most: what is further off stands at the edge. */
+/* Limits of the scales of ratios; values beyond them are drawn at the edge. */
 static const double least_ratio = 0.01, most_ratio = 100.0;
 
 /* A scale that all quantiles fit on, but for such. */
@@ -167,7 +167,7 @@ static bool has_own(const struct pp_atlas_map *map)
     return false;
 }
 
-/* At the right above the field. */
+/* Draws the keys above the field, at its right. */
 static void draw_keys(struct atlas_plot *plot)
 {
     const struct pp_style *style = &plot->style;
@@ -302,7 +302,7 @@ static void draw_by_two(struct atlas_plot *plot)
 
 /* ---- the sheet ---- */
 
-/* Does anything stand at the edge of a map by one number? */
+/* True if any value lies at the edge of a map by one number. */
 static bool is_beyond(const struct pp_atlas_map *map)
 {
     for (int k = 0; k < map->across.count; k++)

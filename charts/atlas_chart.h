@@ -1,13 +1,13 @@
 /* atlas_chart.h - maps of a method's error over the rooms of an atlas.
  *
- * By one number: in each class the median of what the method says over what is true, with
- * whiskers over 90 % of the rooms; beside it the same in the world that the method
- * calculates in, whose whiskers are the formula's error alone. Up is a logarithmic scale,
- * since twice and half as much are alike.
+ * Maps by one number show for each class the median ratio of the method's value to the
+ * true one, with whiskers over 90 % of the rooms. Beside it stands the ratio in the
+ * method's own world, whose whiskers are the formula's error alone. The vertical scale
+ * is logarithmic, since twice and half as much are equal errors.
  *
- * By two numbers: a field for each pair of classes, grey where the method says too much,
- * hatched where it says too little, both the denser the further off; the median stands in
- * it. Number of rooms in small figures.
+ * Maps by two numbers have a field for each pair of classes: grey where the method is
+ * too high, hatched where it is too low, denser with the error. The median is printed
+ * in the field, the number of rooms in small figures.
  */
 #ifndef PP_CHARTS_ATLAS_CHART_H
 #define PP_CHARTS_ATLAS_CHART_H

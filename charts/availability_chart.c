@@ -1,6 +1,6 @@
-/* availability_chart.c - draws the curves of availability_chart.h: staircases of the working
- * hours' illuminances, their names, the lines of what is wanted, both scales.
- */
+/* availability_chart.c - draws the curves of availability_chart.h: staircases of the
+ * working hours' illuminances, their names, the lines of target illuminances, both
+ * scales. */
 #include "charts/availability_chart.h"
 
 #include <math.h>
@@ -26,7 +26,7 @@ struct availability_plot {
     char foot[4096];
 };
 
-/* ---- what is drawn ---- */
+/* ---- choice of rows ---- */
 
 /* The first method's rows of the only point, or of the average. */
 static void choose_rows(struct availability_plot *plot)
@@ -48,8 +48,8 @@ static void choose_rows(struct availability_plot *plot)
                  report->receivers[0].position.x, report->receivers[0].position.y);
 }
 
-/* The illuminance that no more than 1 of 200 hours exceeds in any period: a scale to the
- * brightest hour would squeeze the rest. */
+/* Upper end of the illuminance scale, exceeded in at most 1 of 200 hours of any period.
+ * A scale up to the brightest hour would squeeze the rest. */
 static double top_lx(const struct pp_availability_sheet *sheet)
 {
     double top = 1000.0;
@@ -65,7 +65,8 @@ static double top_lx(const struct pp_availability_sheet *sheet)
 
 /* ---- words ---- */
 
-/* To three figures, as illuminances are read off a curve. */
+/* Rounds to three significant figures, the precision of reading illuminances off a
+ * curve. */
 static double three_figures(double lx)
 {
     double unit = pow(10.0, fmax(0.0, floor(log10(lx)) - 2.0));
@@ -212,10 +213,11 @@ static void name_curves(struct availability_plot *plot)
                    0.6 * plot->field.width);
 }
 
-/* ---- illuminances wanted ---- */
+/* ---- target illuminances ---- */
 
-/* A line up from the illuminance outside that gives one wanted inside, its name above
- * the field, a dot at each curve. *free_from is where names may begin. */
+/* Draws a line up from the illuminance outside that gives one target inside, its name
+ * above the field, and a dot at each curve. *free_from is the x from which names may
+ * begin. */
 static void draw_mark(struct availability_plot *plot,
                       const struct pp_availability_row *row, double *free_from)
 {
@@ -337,7 +339,7 @@ static void draw_availability_sheet(struct availability_plot *plot,
                                  plot->foot};
     struct pp_box body = pp_page_draw(canvas, style, &page);
 
-    /* Not much higher than wide, whatever the sheet. */
+    /* The field is never much higher than wide, whatever the sheet. */
     double left = 10.0 * style->scale, right = 5.0 * style->scale;
     double above = 9.5 * style->scale;
     double below = (has_inside_scale(plot) ? 24.0 : 11.0) * style->scale;

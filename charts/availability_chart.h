@@ -1,11 +1,11 @@
-/* availability_chart.h - how often the sky gives how much light in working hours, one
- * curve a period, and what that is in a room.
+/* availability_chart.h - cumulative frequency of diffuse illuminance in working hours,
+ * one curve per period, outside and in a room.
  *
- * Across is the diffuse horizontal illuminance outside, up the share of the working
- * hours that have as much. With a room, a second scale below has the illuminance inside
- * at its daylight factor: of its point where it is drawn for one point, else on
- * average; and each illuminance wanted is a line at what it needs outside, with a dot
- * where it meets each curve. The figures are written below.
+ * The horizontal axis is the diffuse horizontal illuminance outside, the vertical axis
+ * the share of working hours that reach it. With a room, a second scale shows the
+ * illuminance inside at its daylight factor: at a point if the chart is for one point,
+ * else on average. Each target illuminance is a line at the illuminance outside that it
+ * needs, with a dot on each curve. The figures are written below.
  */
 #ifndef PP_CHARTS_AVAILABILITY_CHART_H
 #define PP_CHARTS_AVAILABILITY_CHART_H

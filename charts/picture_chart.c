@@ -150,7 +150,7 @@ static void draw_grid(struct picture_drawing *drawing)
     }
 }
 
-/* The grid's, then the figures of lines, which keep clear of them. */
+/* Draws the words of the grid, then the figures of lines, which avoid them. */
 static void draw_words(struct picture_drawing *drawing)
 {
     const struct pp_picture_sheet *sheet = drawing->sheet;

@@ -9,7 +9,7 @@ enum pp_status pp_picture_chart_draw(struct pp_canvas *canvas,
                                      const struct pp_picture_sheet *sheet,
                                      struct pp_error *err);
 
-/* Does it fill a sheet that lies on its side better? */
+/* True if a landscape sheet suits it better. */
 bool pp_picture_chart_landscape(const struct pp_picture_sheet *sheet);
 
 #endif

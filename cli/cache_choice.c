@@ -12,7 +12,7 @@
 #include "model/base/text.h"
 #include "simulate/cache/cache_file.h"
 
-/* No cache is larger: 1 GiB. */
+/* The largest cache is 1 GiB. */
 
 static enum pp_status read_accuracy(const char *text, void *place, struct pp_error *err)
 {
@@ -63,7 +63,7 @@ static enum pp_status read_bounces(const char *text, void *place, struct pp_erro
     return PP_OK;
 }
 
-/* One number for all channels, or three with commas between. */
+/* Reads one number for all channels, or three separated by commas. */
 static enum pp_status read_ambient(const char *text, void *place, struct pp_error *err)
 {
     char copy[128];

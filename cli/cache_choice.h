@@ -10,7 +10,7 @@ struct pp_cache_choice {
     struct pp_cache_options options; /* seed and threads come from elsewhere */
     const char *include, *exclude;   /* lists of materials, by commas; NULL: none */
     const char *file;                /* --cache; NULL: none */
-    char *names;                     /* what options.materials points into */
+    char *names;                     /* text that options.materials points into */
     const char **materials;
 };
 
@@ -27,8 +27,8 @@ enum pp_status pp_cache_choice_settle(struct pp_cache_choice *words,
                                       struct pp_error *err);
 void pp_cache_choice_clear(struct pp_cache_choice *words);
 
-/* A word that asks for something else than the default and bears on a cache only (all
- * but --bounces); NULL: none does. */
+/* First option that differs from the default and applies to a cache only (all but
+ * --bounces); NULL: none. */
 const char *pp_cache_choice_used(const struct pp_cache_choice *words);
 
 /* The cache for a scene, with the records of --cache if there is such a file. */

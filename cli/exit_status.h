@@ -1,4 +1,4 @@
-/* exit_status.h - what the program says to the shell when it ends. */
+/* exit_status.h - exit statuses of the program. */
 #ifndef PP_CLI_EXIT_STATUS_H
 #define PP_CLI_EXIT_STATUS_H
 
@@ -9,7 +9,7 @@ enum pp_exit {
     PP_EXIT_INPUT = 1,   /* the input or its data is wrong */
     PP_EXIT_USAGE = 2,   /* the command line is wrong */
     PP_EXIT_MACHINE = 3, /* the machine failed: disk full, no memory, no permission */
-    PP_EXIT_INTERRUPTED = 130, /* what there was is given, marked as unfinished */
+    PP_EXIT_INTERRUPTED = 130, /* results so far are printed, marked as unfinished */
 };
 
 static inline enum pp_exit pp_exit_status_of(enum pp_status status)

@@ -7,6 +7,7 @@
 
 /* Lists for struct pp_option_group, with an enum pp_format as values. */
 extern const struct pp_option pp_format_option[];       /* text, json or csv */
-extern const struct pp_option pp_text_or_json_option[]; /* for what is no table */
+extern const struct pp_option pp_text_or_json_option[]; /* for output other than
+                                                         * tables */
 
 #endif

@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-/* From here on the first SIGINT or SIGTERM is noted; a second one ends the program as
- * it would have without this. A signal that was ignored stays so. */
+/* Starts watching for SIGINT and SIGTERM. The first one is noted; a second one ends the
+ * program as usual. A signal that was ignored stays ignored. */
 void pp_interrupt_watch(void);
 
 bool pp_interrupt_came(void);

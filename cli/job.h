@@ -11,7 +11,7 @@
 #include "model/base/error.h"
 
 struct pp_job {
-    const char *output; /* path of what is printed; NULL or "-": standard output */
+    const char *output; /* path of the output; NULL or "-": standard output */
     enum pp_status (*compute)(void *data, struct pp_error *err);
     enum pp_status (*print)(const void *data, FILE *out, struct pp_error *err);
     bool (*is_finished)(const void *data); /* was the simulation not interrupted? NULL:
@@ -19,8 +19,8 @@ struct pp_job {
     void *data;                            /* the command's own */
 };
 
-/* Opens the output, computes, prints and closes the output, as far as all goes well; says
- * what went wrong, or that the results are of an unfinished simulation. */
+/* Opens the output, computes, prints and closes the output, up to the first failure.
+ * Reports errors, and whether the results are of an unfinished simulation. */
 enum pp_exit pp_job_run(const struct pp_job *job);
 
 #endif

@@ -14,12 +14,12 @@ struct pp_lumen_files {
     int count;
 };
 
-/* For struct pp_option_group, with a struct pp_lumen_files as values. */
+/* Option for struct pp_option_group; its values are a struct pp_lumen_files. */
 extern const struct pp_option pp_lumen_option[];
 
-/* The program's tables with those of the files in their places, for the caller to
- * destroy; *table is NULL where there are no files. All mistakes of all files are said
- * on standard error; then *table is NULL. */
+/* The program's tables, replaced in part by those of the files. The caller destroys
+ * *table; NULL if there are no files. All errors of all files are reported on standard
+ * error; *table is then NULL. */
 enum pp_exit pp_lumen_option_load(struct pp_lumen_table **table,
                                   const struct pp_lumen_files *files);
 

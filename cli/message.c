@@ -15,7 +15,7 @@ static void put_line(const char *before, const char *message)
     fputc('\n', stderr);
 }
 
-/* Lines that are set in under a message show a place in what was typed. */
+/* Indented lines below a message show a place in the text that was typed. */
 static void put_lines(const char *message)
 {
     char line[sizeof((struct pp_error *)0)->message];

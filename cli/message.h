@@ -1,4 +1,4 @@
-/* message.h - what went wrong, said on standard error. */
+/* message.h - error messages on standard error. */
 #ifndef PP_CLI_MESSAGE_H
 #define PP_CLI_MESSAGE_H
 
@@ -6,10 +6,10 @@
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
 
-/* "pepperpot: what the error says". Returns the exit status that goes with it. */
+/* Prints "pepperpot: MESSAGE". Returns the matching exit status. */
 enum pp_exit pp_message_error(const struct pp_error *err);
 
-/* "pepperpot df: what is wrong", and where help is. Returns PP_EXIT_USAGE. */
+/* Prints "pepperpot df: MESSAGE" and how to get help. Returns PP_EXIT_USAGE. */
 enum pp_exit pp_message_usage(const char *command, const struct pp_error *err);
 
 /* "pepperpot: ..." */
@@ -19,7 +19,7 @@ void pp_message(const char *format, ...) __attribute__((format(printf, 1, 2)));
  * PP_EXIT_INTERRUPTED. */
 enum pp_exit pp_message_unfinished(void);
 
-/* Each as "FILE:LINE: what is wrong, and what was expected". Returns PP_EXIT_INPUT. */
+/* Prints each as "FILE:LINE: error, and the expected value". Returns PP_EXIT_INPUT. */
 enum pp_exit pp_message_mistakes(struct pp_mistakes *mistakes);
 
 #endif

@@ -15,7 +15,7 @@ enum { HELP_WIDTH = 80, HELP_INDENT = 24, MOST_OPTIONS = 64 };
 static const struct pp_option help_option = {
     .name = "help", .letter = 'h', .help = "Print this help and stop."};
 
-/* Where an option was found, and where its value goes. */
+/* Option found for a word, and the place of its value. */
 struct found {
     const struct pp_option *option;
     void *place;
@@ -53,7 +53,7 @@ static struct found find_option(const struct pp_command_line *line, const char *
     return (struct found){NULL, NULL};
 }
 
-/* The option that the field knows by that short word, such as -aa. */
+/* Finds the option with that short name, such as -aa. */
 static struct found find_short(const struct pp_command_line *line, const char *word)
 {
     for (const struct pp_option_group *group = line->groups; group->title; group++)
@@ -118,8 +118,8 @@ static enum pp_status set(struct found found, const char *shown, const char *val
     return status;
 }
 
-/* One option word and, where it takes one from there, the value in the next word.
- * *taken is how many words that were. */
+/* Reads one option and, if it takes a value that is the next word, the value. *taken is
+ * the number of words read. */
 static enum pp_status read_option(const struct pp_command_line *line, char **words,
                                   int count, int *taken, bool *help,
                                   struct pp_error *err)

@@ -1,7 +1,7 @@
-/* options.h - the words behind a command, read by tables that also make its help.
+/* options.h - the arguments of a command, parsed by tables that also make its help.
  *
- * Long options take their value behind "=" or as the next word; a letter takes it
- * directly behind or as the next word; a short word such as -aa as the next word. "--"
+ * Long options take their value after "=" or as the next word; a letter takes it
+ * directly after or as the next word; a short word such as -aa as the next word. "--"
  * ends the options, "-" alone is a file.
  */
 #ifndef PP_CLI_OPTIONS_H
@@ -13,8 +13,8 @@
 
 #include "model/base/error.h"
 
-/* Puts the value `text` in its place, or fails with what was expected, as the end of
- * the sentence "--error is "x"; expected ...". */
+/* Stores the value of `text` in its place. On failure the message is the expected
+ * value, as the end of the sentence "--error is "x"; expected ...". */
 typedef enum pp_status pp_option_reader(const char *text, void *place,
                                         struct pp_error *err);
 
@@ -22,7 +22,7 @@ struct pp_option {
     const char *name;  /* "error" is typed as --error, "accuracy -aa" as --accuracy or
                         * -aa; NULL ends a list */
     char letter;       /* 'o' is typed as -o; 0: none */
-    const char *value; /* what the help calls its value; NULL: a switch */
+    const char *value; /* name of its value in the help; NULL: a switch */
     const char *help;
     pp_option_reader *read; /* NULL for a switch, which makes its bool true */
     size_t offset;          /* of its place in the group's values */
@@ -39,15 +39,15 @@ struct pp_option_group {
 struct pp_command_line {
     const char *command; /* "df" */
     const char *operands;
-    const char *about; /* what the command does, in a paragraph or more */
+    const char *about; /* description of the command, one paragraph or more */
     const struct pp_option_group *groups;
-    void (*more_help)(FILE *out); /* what the help ends with; NULL: its options */
+    void (*more_help)(FILE *out); /* end of the help; NULL: its options */
     void *values;                 /* the command's own struct */
 };
 
-/* Reads argv[1] to argv[argc - 1]. The operands end up, in their order, at the start of
- * argv, *operand_count of them. *help: --help or -h was there; then nothing else has
- * been checked. A wrong word is PP_BAD_INPUT. */
+/* Reads argv[1] to argv[argc - 1]. Moves the operands, in order, to the start of argv,
+ * *operand_count of them. *help: --help or -h was found; nothing else is then checked.
+ * A wrong word is PP_BAD_INPUT. */
 enum pp_status pp_options_read(const struct pp_command_line *line, int argc,
                                char **argv, int *operand_count, bool *help,
                                struct pp_error *err);
@@ -58,8 +58,8 @@ void pp_options_help(const struct pp_command_line *line, FILE *out);
 /* A line of help on some other word, laid out as those on options are. */
 void pp_options_help_word(const char *word, const char *text, FILE *out);
 
-/* Numbers with a letter between them, as many as there are up to `most`; -1: something
- * else stands there. */
+/* Reads up to `most` numbers with a letter between them; returns their count, or -1 for
+ * any other text. */
 int pp_options_numbers(const char *text, char between, double *list, int most);
 
 /* Readers, by the type of the place. */

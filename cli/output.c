@@ -26,8 +26,8 @@ static enum pp_status fail_file(struct pp_error *err, const char *path, int numb
     return pp_fail(err, PP_SYSTEM, "%s can't be written: %s", path, strerror(number));
 }
 
-/* Follows symbolic links, the last of which may lead to a file that is still to be
- * made. *resolved is the caller's. */
+/* Follows symbolic links, the last of which may lead to a file that does not exist yet.
+ * *resolved is the caller's. */
 static enum pp_status follow_links(const char *path, char **resolved,
                                    struct pp_error *err)
 {
@@ -50,7 +50,7 @@ static enum pp_status follow_links(const char *path, char **resolved,
     return fail_file(err, path, ELOOP);
 }
 
-/* Would a file there be written whole later on? */
+/* Checks that a file can be written there later. */
 static enum pp_status check_output_path(const char *path, struct pp_error *err)
 {
     struct stat there;
@@ -123,7 +123,7 @@ static int write_through(int file, const struct pp_output *output)
     return failed ? -1 : 0;
 }
 
-/* The mode of the file that is replaced, or what a new one gets. */
+/* Mode of the replaced file, or the default of a new one. */
 static mode_t mode_for(const char *path)
 {
     struct stat there;
@@ -149,7 +149,8 @@ static int fill_and_rename(int file, const char *temporary,
     return failed;
 }
 
-/* By a new file beside it. Signals wait, so that none can leave that one behind. */
+/* Replaces the file by a new file written beside it. Signals are blocked, so that the
+ * new file is never left behind. */
 static int replace(const struct pp_output *output)
 {
     char *temporary = beside(output->path, ".pepperpot-XXXXXX");

@@ -1,10 +1,10 @@
 /* output.h - a result that appears whole or not at all.
  *
- * What is printed is gathered in memory. pp_output_commit writes it: to standard
- * output, or to a new file beside the one that was named, which then takes its place in
- * one step. Until that step an existing file stays as it was, and so does a file behind
- * a symbolic link; its permissions are kept. What is not an ordinary file (a terminal,
- * a pipe, /dev/null) is written to directly.
+ * Output is collected in memory. pp_output_commit writes it to standard output, or to a
+ * new file beside the named one, which then replaces that file in one step. Until that
+ * step an existing file stays as it was, and so does a file behind a symbolic link; its
+ * permissions are kept. Other than ordinary files (a terminal, a pipe, /dev/null) are
+ * written directly.
  */
 #ifndef PP_CLI_OUTPUT_H
 #define PP_CLI_OUTPUT_H
@@ -30,7 +30,7 @@ enum pp_status pp_output_open(struct pp_output *output, const char *path,
  * everything as it was. */
 enum pp_status pp_output_try(const char *path, struct pp_error *err);
 
-/* Writes what was printed, and closes the output whether it succeeds or not. */
+/* Writes the collected output, and closes it in any case. */
 enum pp_status pp_output_commit(struct pp_output *output, struct pp_error *err);
 
 /* Closes the output and leaves everything as it was. May follow a commit. */
@@ -40,8 +40,8 @@ void pp_output_clear(struct pp_output *output);
 enum pp_status pp_output_put(void *stream, const unsigned char *bytes, size_t length,
                              struct pp_error *err);
 
-/* The end of all work on an output: commits it where the work is good (`status`), else
- * abandons it. Returns what came of both. */
+/* Finishes an output: commits it if `status` is PP_OK, else abandons it. Returns the
+ * combined status. */
 enum pp_status pp_output_close(struct pp_output *output, enum pp_status status,
                                struct pp_error *err);
 

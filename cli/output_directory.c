@@ -23,7 +23,7 @@ static char *joined(const char *directory, const char *name)
     return asprintf(&path, "%s/%s", directory, name) < 0 ? NULL : path;
 }
 
-/* ---- what is there already ---- */
+/* ---- existing files ---- */
 
 static bool is_known(const struct pp_output_directory *directory, const char *name)
 {
@@ -33,7 +33,8 @@ static bool is_known(const struct pp_output_directory *directory, const char *na
     return false;
 }
 
-/* Nothing but what may be replaced? *entries counts what there is. */
+/* Checks that the directory contains only replaceable files. *entries counts its
+ * entries. */
 static enum pp_status check_replaceable(const struct pp_output_directory *directory,
                                         const char *path, int depth, int *entries,
                                         struct pp_error *err)
@@ -218,7 +219,7 @@ int pp_output_directory_remove(const char *path)
     return failed;
 }
 
-/* Puts what is in `temporary` in the place of the directory; what was there is gone. */
+/* Replaces the directory by `temporary`; its former contents are deleted. */
 static int take_place(const char *temporary, const char *path)
 {
     if (rename(temporary, path) == 0)

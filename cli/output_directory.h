@@ -1,11 +1,10 @@
 /* output_directory.h - results of several files: a directory that appears whole or not
  * at all.
  *
- * What is printed is gathered in memory. pp_output_directory_commit writes it to a new
- * directory beside the one that was named, which then takes its place in one step. A
- * directory that is there already has to be empty, or an export of the same kind that
- * is to be replaced: every file in it is looked at by its name before, so that nothing
- * else is ever lost.
+ * Output is collected in memory. pp_output_directory_commit writes it to a new
+ * directory beside the named one, which then replaces that in one step. An existing
+ * directory must be empty, or an export of the same kind. The names of all its files
+ * are checked first, so that no other file is ever lost.
  */
 #ifndef PP_CLI_OUTPUT_DIRECTORY_H
 #define PP_CLI_OUTPUT_DIRECTORY_H

@@ -78,8 +78,8 @@ void pp_progress_print(FILE *out, const char *label, double done, double error,
             ? snprintf(tail, sizeof tail, "%3.0f %%, error %.2g %%%s",
                        floor(100.0 * done), 100.0 * error, left)
             : snprintf(tail, sizeof tail, "%3.0f %%%s", floor(100.0 * done), left);
-    /* The bar gives way first, then the label; the last column is left free, or the
-     * line would break there. */
+    /* The bar is shortened first, then the label; the last column stays free, since
+     * some terminals would wrap. */
     int spare = columns - 1 - tail_width;
     spare -= put_label(out, label, least(spare - 1, LABEL)) + 1;
     if (spare >= 3 + BAR_LEAST) {

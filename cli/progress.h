@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 struct pp_progress {
-    bool shown;        /* is standard error a terminal, and was it asked for? */
+    bool shown;        /* true if requested and standard error is a terminal */
     double started_s;  /* by pp_clock_s */
     double last_s;     /* when the line was last drawn */
     double before;     /* how far it was at the start, 0 to 1 */

@@ -13,7 +13,7 @@ const struct pp_room_options pp_room_options_none = {.study.seed = 1};
 
 #define PLACE(member) offsetof(struct pp_room_options, member)
 
-/* One "X,Y" or "X,Y,Z" of `length` bytes. */
+/* Reads one "X,Y" or "X,Y,Z" of `length` bytes. */
 static bool read_point(const char *text, size_t length, struct pp_vec3 *point)
 {
     char copy[128];

@@ -24,7 +24,7 @@ struct pp_room_options {
 enum pp_status pp_room_options_read_state(const char *text, void *place,
                                           struct pp_error *err);
 
-/* Nothing asked for: seed 1, all else empty. */
+/* Default options: seed 1, all else empty. */
 extern const struct pp_room_options pp_room_options_none;
 
 /* Lists for struct pp_option_group, with a struct pp_room_options as values. */

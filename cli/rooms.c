@@ -37,7 +37,7 @@ static enum pp_exit add_world(struct loading *loading, const char *file,
     return PP_EXIT_DONE;
 }
 
-/* One room of a file; what does not make sense in it goes to mistakes. */
+/* Resolves one room of a file; adds its errors to `mistakes`. */
 static enum pp_exit resolve_room(struct loading *loading, const char *file,
                                  struct pp_building *building, int index,
                                  struct pp_mistakes *mistakes)
@@ -55,7 +55,7 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
     struct pp_world *world = NULL;
     enum pp_status status = pp_world_create(&world, room, mistakes, &err);
     if (status == PP_BAD_INPUT && mistakes->count > 0)
-        return PP_EXIT_DONE; /* they are said with those of the rest of the file */
+        return PP_EXIT_DONE; /* reported with those of the rest of the file */
     struct pp_outside_light light;
     if (status == PP_OK)
         status = pp_room_light(&light, room, &err);
@@ -80,7 +80,7 @@ static enum pp_exit keep_building(struct pp_rooms *rooms, struct pp_building *bu
     return PP_EXIT_DONE;
 }
 
-/* The rooms that there are in the state asked for, of which there must be one. */
+/* Chooses the rooms of the requested state; there must be at least one. */
 static enum pp_status choose_state(struct pp_building *building, const char *file,
                                    enum pp_site_state state, struct pp_error *err)
 {
@@ -235,7 +235,7 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
     return result;
 }
 
-/* As it is, or with its mirror image at the line. */
+/* Uses the building as it is, or adds its mirror image at the line. */
 static enum pp_status settle_mirror_image(struct pp_building *building,
                                           const struct pp_mirror_line *line,
                                           struct pp_error *err)
@@ -248,7 +248,7 @@ static enum pp_status settle_mirror_image(struct pp_building *building,
                            : pp_fail(err, status, "--mirror-image: %s", why.message);
 }
 
-/* One building of those rooms again, from its text. */
+/* Parses the proposed building again, from its text. */
 static enum pp_exit load_again(struct loading *loading, const char *file,
                                const struct pp_building *proposed,
                                const struct pp_mirror_line *line)
@@ -273,7 +273,7 @@ static enum pp_exit load_again(struct loading *loading, const char *file,
     return result;
 }
 
-/* Every building of those rooms again that has states. */
+/* Parses every building of those rooms that has states again. */
 static enum pp_exit load_all_again(struct pp_rooms *rooms, const char *command,
                                    const struct pp_rooms *proposed,
                                    const struct pp_room_options *options,

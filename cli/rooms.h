@@ -13,7 +13,7 @@ struct pp_rooms {
     int count;
     bool several; /* a building, or more than one file: results come as a list */
     bool more_than_one_file;
-    struct pp_building **buildings; /* what the rooms are parts of */
+    struct pp_building **buildings; /* buildings that the rooms belong to */
     int building_count;
 };
 
@@ -22,13 +22,13 @@ struct pp_rooms {
 enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **files,
                            int file_count, const struct pp_room_options *options);
 
-/* The rooms of those files that have states, as they are existing. */
+/* Rooms of the files that have states, in their existing state. */
 enum pp_exit pp_rooms_load_existing(struct pp_rooms *rooms, const char *command,
                                     const struct pp_rooms *proposed,
                                     const struct pp_room_options *options);
 
-/* The rooms of those files with the mirror image of what each building keeps in place of
- * what is proposed. Every file must have states. */
+/* Rooms of those files with all proposed parts replaced by the mirror image of the
+ * retained parts of each building. Every file must have states. */
 enum pp_exit pp_rooms_load_mirrored(struct pp_rooms *rooms, const char *command,
                                     const struct pp_rooms *proposed,
                                     const struct pp_room_options *options,

@@ -1,4 +1,4 @@
-/* terminal.c - asks the terminal for its width and the locale for its encoding. */
+/* terminal.c - reads the width of the terminal and the encoding of the locale. */
 #include "cli/terminal.h"
 
 #include <langinfo.h>

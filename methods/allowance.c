@@ -8,7 +8,7 @@
 #include "methods/method.h"
 #include "model/base/text.h"
 
-/* G: diffuse transmittance over that of clear single glass. */
+/* Factor G: diffuse transmittance over that of clear single glass. */
 static double glass_type(const struct pp_glass *glass)
 {
     return glass->diffuse / pp_glass_clear_single().diffuse;
@@ -103,7 +103,7 @@ static int correct(struct correction list[CORRECTIONS_MOST], unsigned allowances
     if (!(allowances & PP_ALLOWS_FRAME))
         list[count++] = (struct correction){"B", "frame: area of glass over opening",
                                             opening->frame_factor};
-    /* No published figure contains curtains. */
+    /* No published figure includes curtains. */
     if (opening->curtains != 1.0)
         list[count++] = (struct correction){"K", "curtains: what they let through",
                                             opening->curtains};

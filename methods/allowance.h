@@ -47,26 +47,26 @@ enum pp_allowance {
                                      * without glass, for unglazed openings */
 };
 
-/* The product of the corrections that a figure which contains `allowances` lacks for
- * this opening. Figures for clear glass become those of the opening's own glass by the
- * ratio G; for an unglazed opening by 1/0.85, unless the method has figures without
- * glass (PP_ALLOWS_NO_GLASS). */
+/* Product of the corrections for this opening that are not contained in figures with
+ * `allowances`. The ratio G converts figures for clear glass to the opening's own
+ * glass, 1/0.85 to an unglazed opening, unless the method has figures without glass
+ * (PP_ALLOWS_NO_GLASS). */
 double pp_allowance_factor(unsigned allowances, const struct pp_opening *opening);
 
-/* D: what the deterioration of decorations leaves of the method's figures; 1 for a method
- * that gives another component than the internally reflected one. */
+/* Factor D of the deterioration of decorations for the method's figures; 1 for a method
+ * of any other component than the internally reflected one. */
 double pp_allowance_decorations(const struct pp_method *method,
                                 const struct pp_world *world);
 
-/* All corrections that the method's figures for an opening of that world lack, D among
- * them: the figures are to be multiplied by it. */
+/* Factor by which the method's figures for an opening of that world must be multiplied:
+ * all corrections that they lack, D included. */
 double pp_allowance_of(const struct pp_method *method, const struct pp_world *world,
                        const struct pp_opening *opening);
 
-/* Puts a correction that a formula contains on its worksheet, under its symbol in print and
- * with the step's words as pp_worksheet_put has them: the diffuse transmittance of the
- * opening's own glass (PP_ALLOWS_OWN_GLASS), the frame factor (PP_ALLOWS_FRAME), or what
- * dirt leaves (PP_ALLOWS_DIRT). */
+/* Puts a correction contained in a formula on its worksheet, under its printed symbol
+ * and with the step's words as for pp_worksheet_put: the diffuse transmittance of the
+ * opening's own glass (PP_ALLOWS_OWN_GLASS), the frame factor (PP_ALLOWS_FRAME), or the
+ * maintenance factor (PP_ALLOWS_DIRT). */
 void pp_allowance_put(struct pp_worksheet *sheet, enum pp_allowance correction,
                       const struct pp_opening *opening, const char *symbol,
                       const char *what, ...) __attribute__((format(printf, 5, 6)));
@@ -96,8 +96,8 @@ double pp_allowance_net_glass_m2(const struct pp_opening *opening);
 /* The same as a formula, under the two symbols that it has in print. */
 extern const struct pp_formula pp_allowance_glass_W, pp_allowance_glass_Ag;
 
-/* Puts down the opening's area and frame, works out the net glass area by one of these,
- * and returns it (m2). */
+/* Puts down the opening's area and frame factor, calculates the net glass area by one
+ * of these, and returns it (m2). */
 double pp_allowance_net_glass(struct pp_worksheet *sheet,
                               const struct pp_formula *formula,
                               const struct pp_opening *opening);

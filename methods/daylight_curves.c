@@ -13,7 +13,7 @@
 #include "methods/method.h"
 #include "model/geometry/bounds.h"
 
-/* The solid angle (sr) from which on sky counts as seen: that of a slit of a metre by a
+/* Least solid angle (sr) at which sky counts as visible: that of a slit of a metre by a
  * micrometre at 30 m. */
 #define NO_SKY_SR 1e-9
 
@@ -21,7 +21,7 @@
  * lines meet walls as they are. */
 #define SKY_INSET_M 0.001
 
-/* A direct component, and what is added to it everywhere. */
+/* A direct component, and a constant that is added everywhere. */
 struct added_to {
     const struct pp_direct_plane *direct;
     double irc;
@@ -57,8 +57,8 @@ enum { LEVELS_USUAL = 9, LEVELS_MOST = 14 };
  * hand. */
 static const double largest_gap = 0.2;
 
-/* The usual levels within the range, the highest LEVELS_USUAL of them; where fewer than
- * three are within, multiples of a round step. */
+/* Chooses the usual levels within the range, the highest LEVELS_USUAL of them; if fewer
+ * than three are within, multiples of a round step. */
 static int choose_levels(double levels[LEVELS_MOST], double low, double high)
 {
     static const double percent[] = {0.001, 0.002, 0.005, 0.01, 0.02, 0.05,
@@ -98,7 +98,8 @@ static double level_between(const struct pp_field *field, double low, double hig
     double power = pow(10.0, floor(log10(fmax(low, 1e-6 * high))));
     for (; power < high; power *= 10.0)
         for (int i = 0; i < STEPS; i++) {
-            /* By way of the printed digits: 0.015, not its neighbour. */
+            /* Converts through the printed digits: 0.015, not its neighbouring
+             * double. */
             char digits[32];
             snprintf(digits, sizeof digits, "%.6g", steps[i] * power);
             double level = strtod(digits, NULL);
@@ -134,7 +135,7 @@ static int divide_gaps(double levels[LEVELS_MOST], int count,
 
 /* ---- the plan ---- */
 
-/* A contoured function and what is wanted of it. */
+/* A function to contour and the requested curves. */
 struct contours_wanted {
     const struct pp_region *plane;
     pp_field_function values, errors; /* no errors: NULL */

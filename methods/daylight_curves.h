@@ -1,15 +1,15 @@
 /* daylight_curves.h - contours of the daylight factor and the no-sky line, as curves.
  *
- * The direct component is that of `exact` at the working plane, facing up; a constant
- * may be added for the internally reflected component, as in A+B for a formula that
- * gives an average only. The no-sky line bounds the part of the working plane from
- * which no sky is seen directly, whatever the sky's luminance and the glass.
+ * The direct component is by `exact` at the working plane, facing up. A constant may be
+ * added for the internally reflected component, as in A+B with a formula for an
+ * average. The no-sky line bounds the part of the working plane from which no sky is
+ * seen directly, whatever the sky's luminance and the glass.
  *
  * Curves are accurate to a millimetre, or to 1/5000 of the plane's diagonal where that
- * is more; they begin and end on the plane's edge or are closed. Close to walls and
- * openings direct_plane.h says where figures are taken.
- * The direct component of `exact` is evaluated to 1e-6 of the open sky; that of unevenly lit
- * diffusing panes by fixed rules, to a relative error of 1e-5, or some 1e-4 close to the pane.
+ * is more; they begin and end on the plane's edge or are closed. direct_plane.h
+ * describes where figures close to walls and openings are taken. The direct component
+ * of `exact` is evaluated to 1e-6 of the open sky; that of unevenly lit diffusing panes
+ * by fixed rules, to a relative error of 1e-5, or some 1e-4 close to the pane.
  */
 #ifndef PP_METHODS_DAYLIGHT_CURVES_H
 #define PP_METHODS_DAYLIGHT_CURVES_H
@@ -52,8 +52,8 @@ enum pp_status pp_daylight_curves_of(struct pp_daylight_plan *plan,
                                      pp_field_function values, pp_field_function errors,
                                      void *context, struct pp_error *err);
 
-/* The no-sky line alone: no_sky, dark and sky_share of the plan, which is to be cleared
- * by the caller; empty on failure. */
+/* Finds the no-sky line alone: no_sky, dark and sky_share of the plan. The caller
+ * clears the plan; empty on failure. */
 enum pp_status pp_daylight_curves_no_sky(struct pp_daylight_plan *plan,
                                          const struct pp_world *world,
                                          struct pp_error *err);

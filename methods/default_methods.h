@@ -12,9 +12,9 @@
 #include "model/room/world.h"
 
 struct pp_default_methods {
-    const char *name;    /* as a selection has it: "exact+bre"; static */
-    const char *instead; /* the pair in whose place it stands, static; NULL: it is the
-                          * first choice */
+    const char *name;    /* as in a selection: "exact+bre"; static */
+    const char *instead; /* the first choice that it replaces, static; NULL: it is the
+                          * first choice itself */
     char why[256];       /* the reason: "bre: the opening on line 12 slopes ..."; empty
                           * without `instead` */
 };

@@ -22,7 +22,7 @@ enum pp_status pp_diagram_windows_check(const struct pp_method *method,
  * be `index` itself. */
 int pp_diagram_windows_first_alike(const struct pp_world *world, int index);
 
-/* The number of openings on the diagram whose first opening is `first`. */
+/* Number of openings on the diagram whose first opening is `first`. */
 int pp_diagram_windows_count_alike(const struct pp_world *world, int first);
 
 /* The number of diagrams that a room needs. */

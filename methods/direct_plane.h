@@ -15,9 +15,9 @@
 struct pp_method; /* methods/method.h */
 struct pp_direct_plane;
 
-/* By a method that speaks for a point and does not count. World and light must live as
- * long. On success *plane is the caller's. A method that does not cover the room is
- * PP_BAD_INPUT, with the reason. */
+/* Evaluates a plane by a method for single points that does no counting. World and
+ * light must outlive *plane, which on success is the caller's. PP_BAD_INPUT, with the
+ * reason, if the method does not cover the room. */
 enum pp_status pp_direct_plane_create(struct pp_direct_plane **plane,
                                       const struct pp_world *world,
                                       const struct pp_outside_light *light,

@@ -64,7 +64,8 @@ double pp_interpolate_inverse(const double *values, int count, double low, doubl
     double off_left = values[below] - value, off_right = values[above] - value;
     if (off_left >= 0.0 || off_right <= 0.0)
         return low + (off_left >= 0.0 ? below : above) * step;
-    /* By regula falsi, the end that stays taken for half as far off: some six cubics. */
+    /* Solves by regula falsi; the value at the end that stays is halved. Takes some six
+     * evaluations of the cubic. */
     double t = left, last;
     do {
         last = t;

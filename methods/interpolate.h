@@ -10,9 +10,9 @@
 double pp_interpolate_cubic(const double *values, int count, double low, double high,
                             double x);
 
-/* values[i] becomes the integral of a smooth function from low to the i-th even step:
- * Gauss's rule of four points in each step, whose error falls with the eighth power of
- * the step. */
+/* Replaces values[i] by the integral of a smooth function from low to the i-th even
+ * step. Uses Gauss's rule of four points in each step, whose error falls with the
+ * eighth power of the step. */
 void pp_interpolate_tabulate_integral(double *values, int count, double low,
                                       double high,
                                       double (*function)(const void *context, double x),

@@ -1,11 +1,11 @@
-/* method.h - what every hand method is, and the list of them.
+/* method.h - interface of the hand methods, and their list.
  *
- * A method gives the components of one opening, as its source has them. The corrections
- * for glass, frame and dirt (methods/allowance.h) and the sum over openings are the same
- * for all methods and are made in methods/method_run.c. A method is asked of a world
- * and of the light from outside beside it (light/outside_light.h), which `prepare` and
- * what follows it are given the same. A new method is one file with one struct
- * pp_method, declared at the end of this header and entered in the list in method.c.
+ * A method gives the components of one opening, as in its source. The corrections for
+ * glass, frame and dirt (methods/allowance.h) and the sum over openings are the same
+ * for all methods and are made in methods/method_run.c. A method is evaluated for a
+ * world and the light outside (light/outside_light.h); both must be the same in
+ * `prepare` and in later calls. A new method is one file with one struct pp_method,
+ * declared at the end of this header and entered in the list in method.c.
  */
 #ifndef PP_METHODS_METHOD_H
 #define PP_METHODS_METHOD_H
@@ -28,9 +28,9 @@ enum pp_gives {
 
 enum pp_speaks_for {
     PP_FOR_POINT,
-    PP_FOR_ROOM,    /* an average, which stands for each point of the room */
-    PP_FOR_MINIMUM, /* the minimum in the room, which stands for each point; the room
-                     * has no average by such a method */
+    PP_FOR_ROOM,    /* an average, used for each point of the room */
+    PP_FOR_MINIMUM, /* the minimum in the room, used for each point; the room has no
+                     * average by such a method */
 };
 
 /* The components that a method gives, of one opening or, after the corrections, of all.
@@ -76,14 +76,14 @@ struct pp_method {
                                                * ends with NULL. NULL: none */
     enum pp_gives gives;
     enum pp_speaks_for speaks_for;
-    bool
-        of_real_room; /* fitted to rooms as they are: what stands outside and the ground
-                        * enter as the room has them, and its own world is the room */
+    bool of_real_room; /* fitted to real rooms: obstructions and the ground enter as in
+                       * the room, and the method's own world is the room */
     bool of_all_surfaces; /* an average over the room's surfaces, not its working plane:
                            * not to be compared with one */
-    unsigned allowances;  /* what its figures already contain, enum pp_allowance */
-    double own_ground;    /* reflectance of the ground that is built into its figures,
-                        * whatever the room's; 0: none is */
+    unsigned allowances;  /* corrections already contained in its figures, enum
+                           * pp_allowance */
+    double own_ground;    /* ground reflectance built into its figures, whatever the
+                           * room's; 0: none */
     bool by_name; /* "all" leaves it out: it is made for points that few rooms have */
     bool counts;  /* counts squares or dots: readings are multiples of one */
     bool has_average; /* of PP_FOR_POINT: evaluate without a receiver gives the average
@@ -111,8 +111,7 @@ struct pp_method {
     enum pp_status (*prepare)(void **tools, const struct pp_world *world,
                               const struct pp_outside_light *light,
                               struct pp_error *err);
-    /* The same for a method whose figures depend on the options; in place of
-     * prepare. */
+    /* Replaces prepare, for a method whose figures depend on the options. */
     enum pp_status (*prepare_with_options)(void **tools, const struct pp_world *world,
                                            const struct pp_outside_light *light,
                                            const struct pp_method_options *options,
@@ -137,17 +136,17 @@ struct pp_method {
 
     /* ---- short cuts to the same figures; --plain leaves them out, and all may be NULL ---- */
 
-    /* As prepare, for a method whose tools only save time. */
+    /* Replaces prepare, for a method whose tools only save time. */
     enum pp_status (*prepare_fast)(void **tools, const struct pp_world *world,
                                    const struct pp_outside_light *light,
                                    struct pp_error *err);
-    /* In place of both, for very many points of the working plane, facing up, by
-     * evaluate_roughly: may take some milliseconds more. */
+    /* Replaces both for very many points of the working plane, facing up, evaluated by
+     * evaluate_roughly; may take some milliseconds more. */
     enum pp_status (*prepare_for_plane)(void **tools, const struct pp_world *world,
                                         const struct pp_outside_light *light,
                                         struct pp_error *err);
-    /* As evaluate, but faster: to 1e-6 of the open sky or a relative error of about 1e-4.
-     * */
+    /* Replaces evaluate, faster: accurate to 1e-6 of the open sky or to a relative
+     * error of about 1e-4. */
     enum pp_status (*evaluate_roughly)(const struct pp_world *world,
                                        const struct pp_outside_light *light,
                                        const struct pp_opening *opening,
@@ -155,7 +154,7 @@ struct pp_method {
                                        const void *tools, struct pp_part *part,
                                        struct pp_error *err);
 
-    /* The direct method whose figures these are in a world like that, or NULL. */
+    /* Direct method that has the same figures in this world, or NULL. */
     const struct pp_method *(*same_as)(const struct pp_world *world);
 };
 

@@ -24,8 +24,8 @@ struct pp_part_steps {
 struct pp_part_steps pp_part_steps_on(struct pp_worksheet *sheet, int parts);
 struct pp_part_steps pp_part_steps_begin(struct pp_steps *steps, int parts);
 
-/* Goes on to the next part, whose number stands behind what is put on the sheet from
- * here on, where the opening has several parts. */
+/* Begins the next part. If the opening has several parts, the part's number follows the
+ * names of all quantities put on the sheet from here on. */
 void pp_part_steps_next(struct pp_part_steps *terms);
 
 /* Works out the sky component of the current part or, of a `hidden` part, the externally
@@ -38,8 +38,8 @@ double pp_part_steps_work(struct pp_part_steps *terms, bool hidden,
 void pp_part_steps_read(const struct pp_part_steps *terms, enum pp_step_unit unit,
                         double value, const char *name, const char *what);
 
-/* Records a quantity of the current part that is worked out by a formula, in which each
- * # stands for the part's number: "k_r# - k_l#". */
+/* Records a quantity of the current part calculated by a formula, in which each # is
+ * replaced by the part's number: "k_r# - k_l#". */
 void pp_part_steps_figure(struct pp_part_steps *terms, enum pp_step_unit unit,
                           double value, const char *name, const char *formula,
                           const char *what);

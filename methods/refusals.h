@@ -23,12 +23,12 @@ const char *pp_refusals_unless_up(const struct pp_receiver *receiver);
  * self-luminous surface. */
 const char *pp_refusals_if_luminous(const struct pp_world *world);
 
-/* For methods that draw what is outside as upright rectangles: refuses a world with
- * meshes, whose triangles are none. */
+/* Refuses a world with meshes, for methods that draw obstructions as vertical
+ * rectangles. */
 const char *pp_refusals_if_mesh(const struct pp_world *world);
 
-/* For methods that cut the view of each of the world's receivers by what is outside: refuses
- * meshes of so many triangles that it would take more than some 5 s. */
+/* Refuses fine meshes, which would take more than about 5 s, for methods that cut the
+ * view of each receiver by obstructions. */
 const char *pp_refusals_if_fine_mesh(const struct pp_world *world);
 
 /* refuses_room of methods that refuse self-luminous surfaces only. */

@@ -25,7 +25,7 @@ static enum pp_status add_selected_method(struct pp_selection *selection,
     return status;
 }
 
-/* Fails with the names of all methods and the one that may have been meant. */
+/* Fails with the names of all methods and the most similar one. */
 static enum pp_status unknown(const char *name, struct pp_error *err)
 {
     enum { MOST = 32 };
@@ -79,8 +79,8 @@ static enum pp_status add_pair(struct pp_selection *selection, const char *direc
     return add_selected_method(selection, direct, internal, err);
 }
 
-/* Every direct method with bre, exact with every internal one, all whole ones; but for
- * those that are asked for by name. */
+/* Adds every direct method with bre, exact with every internal one, and all whole ones,
+ * except methods available only by name. */
 static enum pp_status add_all(struct pp_selection *selection, struct pp_error *err)
 {
     const struct pp_method *exact = pp_method_find("exact");

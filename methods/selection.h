@@ -1,4 +1,4 @@
-/* selection.h - which methods a user asks for: a list separated by commas of
+/* selection.h - the methods selected by a user: a list separated by commas of
  *
  *     default   exact+bre, brs-table+bre, average-df; the same as NULL. Where exact+bre does
  *               not cover the room, the pair that stands in its place too (default_methods.h)
@@ -11,13 +11,14 @@
 
 #include "methods/method.h"
 
-/* One method, or a pair: direct component by one, internally reflected by another. */
+/* One method, or a pair: one for the direct, another for the internally reflected
+ * component. */
 struct pp_choice {
     const struct pp_method *method;
     const struct pp_method *internal; /* of a pair, else NULL */
 };
 
-/* In the order of the list, each once. */
+/* Selected methods in list order, each once. */
 struct pp_selection {
     int count;
     struct pp_choice *choices;
@@ -25,13 +26,14 @@ struct pp_selection {
 };
 
 /* Reads a list of that form; NULL is the default. A wrong name or pair is PP_BAD_INPUT,
- * with the known names and the nearest one. On success the selection is to be
- * cleared. */
+ * with the valid names and the most similar one. On success the caller clears the
+ * selection. */
 enum pp_status pp_selection_parse(struct pp_selection *selection, const char *text,
                                   struct pp_error *err);
 void pp_selection_clear(struct pp_selection *selection);
 
-/* Adds what `all` has of a method, unless the selection has the method already. */
+/* Adds the entries of `all` for a method, unless the selection has the method
+ * already. */
 enum pp_status pp_selection_include(struct pp_selection *selection,
                                     const struct pp_method *method,
                                     struct pp_error *err);

@@ -1,4 +1,4 @@
-/* variant.c - the method that a variant is for, and what is wrong with one. */
+/* variant.c - the method to which a variant belongs, and errors in variants. */
 #include "methods/variant.h"
 
 #include <stdio.h>
@@ -24,7 +24,7 @@ static enum pp_status fail_at(struct pp_error *err, const char *text, int column
                    shown, column, "");
 }
 
-/* ---- what is replaced ---- */
+/* ---- the replaced formula ---- */
 
 /* The text in its parts; columns from 0. */
 struct parts {
@@ -96,8 +96,8 @@ static enum pp_status find_method(const struct pp_method **method,
 
 /* ---- the formula ---- */
 
-/* Mistake in a variant's text: the one farthest to the right, which is that of the
- * formula most like it. */
+/* Mistake in a variant's text: the one farthest to the right, which belongs to the most
+ * similar formula. */
 struct misfit {
     const struct pp_method *method; /* NULL: no formula of the symbol can be replaced */
     struct pp_expression_mistake mistake;
@@ -138,7 +138,7 @@ static bool fits(const struct pp_method *method,
     return false;
 }
 
-/* Fails with the symbols whose formulae can be replaced, of one method or all. */
+/* Fails with the symbols of replaceable formulae, of one method or all. */
 static enum pp_status fail_symbol(const struct parts *parts,
                                   const struct pp_method *method, struct pp_error *err)
 {

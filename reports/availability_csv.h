@@ -6,7 +6,7 @@
 
 #include "reports/availability_result.h"
 
-/* One line a place, method, illuminance and period, as [RFC4180] has it. */
+/* Writes one line for each place, method, illuminance and period, as CSV [RFC4180]. */
 enum pp_status pp_availability_csv(const struct pp_availability_results *results,
                                    FILE *out, struct pp_error *err);
 

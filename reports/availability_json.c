@@ -122,7 +122,7 @@ static bool add_availability_points(struct json_object *object,
     return good;
 }
 
-/* Under `key`; nothing where the place has no rows. */
+/* Adds the place's results under `key`; nothing if the place has no rows. */
 static bool add_whole_place(struct json_object *object,
                             const struct pp_availability_sheet *sheet, const char *key,
                             int place)

@@ -7,8 +7,8 @@
 
 #include "reports/availability_result.h"
 
-/* One object a room, of format pepperpot-availability-1; an array of them if there are
- * several. */
+/* Writes one object per room, of format pepperpot-availability-1; an array of them for
+ * several rooms. */
 enum pp_status pp_availability_json(const struct pp_availability_results *results,
                                     FILE *out, struct pp_error *err);
 

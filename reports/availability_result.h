@@ -1,5 +1,5 @@
-/* availability_result.h - how often daylight does in rooms, with what the run has to add: the
- * input of the availability reports. */
+/* availability_result.h - hours in which daylight suffices in rooms, with data of the
+ * run: the input of the availability reports. */
 #ifndef PP_REPORTS_AVAILABILITY_RESULT_H
 #define PP_REPORTS_AVAILABILITY_RESULT_H
 
@@ -9,7 +9,7 @@
 #include "model/results/report.h"
 #include "studies/study_options.h"
 
-/* One room's sheet. */
+/* Sheet of one room. */
 struct pp_availability_result {
     struct pp_report report;
     struct pp_availability_sheet sheet;

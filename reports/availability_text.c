@@ -30,7 +30,7 @@ static void put_share(char cell[PP_CELL_BYTES], double share)
                  per_cent);
 }
 
-/* To three figures: "14300". */
+/* Writes an illuminance to three significant figures: "14300". */
 static void put_lux(char cell[PP_CELL_BYTES], double lx)
 {
     double unit = lx > 0.0 ? pow(10.0, fmax(0.0, floor(log10(lx)) - 2.0)) : 1.0;
@@ -40,7 +40,7 @@ static void put_lux(char cell[PP_CELL_BYTES], double lx)
         snprintf(cell, PP_CELL_BYTES, "%.0f", round(lx / unit) * unit);
 }
 
-/* A row a period: how many hours, and what the sky gives in them. */
+/* Prints a row for each period: its hours, and the light of the sky in them. */
 static bool print_periods(const struct pp_availability_sheet *sheet, int width,
                           FILE *out)
 {
@@ -136,8 +136,8 @@ static void put_df(char cell[PP_CELL_BYTES], const struct pp_reading *df, bool u
         snprintf(cell, PP_CELL_BYTES, "%.2f", 100.0 * df->value);
 }
 
-/* Fills a column from the rows of one method and illuminance: the daylight factor
- * (what -2), the need (-1), or a period's share. */
+/* Fills a column from the rows of one method and illuminance: the daylight factor (what
+ * -2), the illuminance needed outside (-1), or a period's share. */
 static void fill_column(struct pp_table_column *column,
                         const struct pp_availability_sheet *sheet, const char *method,
                         double lx, int what, bool utf8)

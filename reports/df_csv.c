@@ -6,8 +6,8 @@
 #include "reports/parts/format.h"
 #include "reports/parts/print_band.h"
 
-/* One reading and its band (NULL: nobody asked), of a receiver or (NULL) of the mean that `place` names. With
- * external_lux over 0 a field more: the illuminance of the daylight factor under
+/* Writes one reading and its band (NULL: not requested), of a receiver or (NULL) of the
+ * mean named `place`. With external_lux above 0 another field has the illuminance under
  * external_lux. */
 static void put_line(const struct pp_result *result, const struct pp_column *column,
                      const struct pp_receiver *receiver, const char *place,

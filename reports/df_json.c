@@ -17,7 +17,7 @@
 #include "model/light/sky.h"
 #include "studies/engines/engine.h"
 
-/* As numbers and units are written outside: per cent and degrees. */
+/* Adds a step in the units of the output: per cent and degrees. */
 static bool add_step(struct json_object *object, const struct pp_calculation_step *step)
 {
     static const char *const units[] = {
@@ -119,8 +119,8 @@ static const struct pp_column *truth_for(const struct pp_report *report,
                : NULL;
 }
 
-/* Adds "sc" ... "df" with what every method says there; a component that no method
- * speaks of is left out. */
+/* Adds "sc" ... "df" with each method's value there; a component without any value is
+ * left out. */
 static bool add_readings(struct json_object *object, const struct pp_report *report,
                          int index, double external_lux)
 {
@@ -228,7 +228,8 @@ static struct json_object *plane_reading_object(const struct pp_plane_reading *p
     return pp_json_whole(object, good);
 }
 
-/* Adds "grid": what the daylight factors at the points of a grid say of the plane. */
+/* Adds "grid": statistics of the plane from the daylight factors at the points of a
+ * grid. */
 static bool add_grid(struct json_object *object, const struct pp_report *report)
 {
     struct json_object *grid = json_object_new_object();

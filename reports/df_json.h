@@ -6,8 +6,8 @@
 
 #include "reports/df_result.h"
 
-/* One object a room, an array of them if there are several. Per cent of the unobstructed
- * horizontal illuminance, in ten significant digits. */
+/* Writes one object per room, an array of them for several rooms. Values are per cent
+ * of the unobstructed horizontal illuminance, in ten significant digits. */
 enum pp_status pp_df_json(const struct pp_results *results, FILE *out,
                           struct pp_error *err);
 

@@ -1,5 +1,5 @@
-/* df_plane.h - daylight factors as they lie in the plan, and what they say of the plane as a
- * whole, for the text of df. */
+/* df_plane.h - daylight factors laid out as in the plan, and their statistics over the
+ * plane, for the text of df. */
 #ifndef PP_REPORTS_DF_PLANE_H
 #define PP_REPORTS_DF_PLANE_H
 

@@ -1,6 +1,5 @@
-/* df_result.h - reports of rooms, with what the run that made them has to add: the input of
- * the df and validate reports.
- */
+/* df_result.h - reports of rooms, with data of the run: the input of the df and
+ * validate reports. */
 #ifndef PP_REPORTS_DF_RESULT_H
 #define PP_REPORTS_DF_RESULT_H
 
@@ -10,12 +9,12 @@
 #include "studies/bands/advice.h"
 #include "studies/study_options.h"
 
-/* One room's report. */
+/* Report of one room. */
 struct pp_result {
     struct pp_report report;
     const char *file; /* as typed; not owned */
     bool has_advice;
-    struct pp_advice advice; /* which method to use, if that was asked for */
+    struct pp_advice advice; /* recommended method, if requested */
     bool by_clock; /* the simulation was stopped by --time, so that another run gives
                        * other digits */
 };

@@ -1,4 +1,5 @@
-/* df_text.c - fills the table of daylight factors and prints what goes above and below it. */
+/* df_text.c - fills the table of daylight factors and prints the texts above and below
+ * it. */
 #include "reports/df_text.h"
 
 #include <math.h>
@@ -45,7 +46,7 @@ static void put_value(char cell[PP_CELL_BYTES], const struct pp_reading *reading
         snprintf(cell, PP_CELL_BYTES, "-");
 }
 
-/* With its standard error, rounded up to what can be shown. */
+/* Writes a value with its standard error, rounded up to the digits shown. */
 static void put_sampled(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
                         bool utf8)
 {
@@ -264,7 +265,7 @@ static void say_engine(char *text, size_t size, const struct pp_report *report,
         pp_text_append(text, size, ", seed %llu", (unsigned long long)options->seed);
 }
 
-/* By which engines, and what stands beside their figures; nothing without any. */
+/* Prints the engines and the notes on their figures; nothing without engines. */
 static void print_simulation(const struct pp_result *result,
                              const struct pp_study_options *options, bool utf8,
                              int width, FILE *out)

@@ -1,6 +1,5 @@
-/* gains_report.h - what holds a room back, and what changes to it would bring: the end
- * of its assessment.
- */
+/* gains_report.h - the limiting factors of a room, and the gains by changing them: the
+ * end of its assessment. */
 #ifndef PP_REPORTS_GAINS_REPORT_H
 #define PP_REPORTS_GAINS_REPORT_H
 
@@ -10,7 +9,7 @@
 
 #include "studies/sizing/gains.h"
 
-/* As text `width` columns wide (60 or more). */
+/* Writes text `width` columns wide (60 or more). */
 void pp_gains_report(const struct pp_gains *gains, int width, FILE *out);
 
 /* Adds "gains": { "method", "average", "darkest", "holds_back", "changes": [] }, values

@@ -1,4 +1,4 @@
-/* import_report.h - an imported scene, and what its sensors say. */
+/* import_report.h - an imported scene, and the readings of its sensors. */
 #ifndef PP_REPORTS_IMPORT_REPORT_H
 #define PP_REPORTS_IMPORT_REPORT_H
 
@@ -14,10 +14,10 @@ struct pp_imported {
     struct pp_rgb horizontal; /* irradiance of the open level ground */
 
     const struct pp_sensor *points;
-    const struct pp_sensor_reading *readings; /* NULL: none were asked for */
+    const struct pp_sensor_reading *readings; /* NULL: none requested */
     int count;
     bool finished, by_clock;
-    bool summarised; /* is the summary asked for? */
+    bool summarised; /* true if the summary is requested */
 };
 
 /* The efficacy that lux are worked out with, lm/W [WS98]. */

@@ -7,7 +7,8 @@
 
 #include "studies/sizing/plot_envelope.h"
 
-/* As text `width` columns wide (60 or more; the plan is 12 heights wide at the most). */
+/* Writes text `width` columns wide (60 or more; the plan is at most 12 heights
+ * wide). */
 enum pp_status pp_plot_envelope_report(const struct pp_plot_envelope *found,
                                        const struct pp_plot_envelope_task *task,
                                        int width, FILE *out, struct pp_error *err);

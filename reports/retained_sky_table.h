@@ -1,6 +1,5 @@
-/* retained_sky_table.h - what windows or rooms have of the sky, and keep of it
- * (studies/sizing/retained_sky.h), in words, as a table and as JSON.
- */
+/* retained_sky_table.h - the sky that windows or rooms have and retain
+ * (studies/sizing/retained_sky.h), in words, as a table and as JSON. */
 #ifndef PP_REPORTS_RETAINED_SKY_TABLE_H
 #define PP_REPORTS_RETAINED_SKY_TABLE_H
 

@@ -29,7 +29,7 @@ static void append_per_cent(char text[TEXT_BYTES], double share)
                    value);
 }
 
-/* With its standard error, where it has one. */
+/* Appends a reading, with its standard error if it has one. */
 static void append_reading(char text[TEXT_BYTES], const struct pp_reading *reading,
                            bool utf8)
 {
@@ -119,7 +119,7 @@ static bool is_plural(const struct pp_size_room_result *result,
     return change == PP_CHANGE_NUMBER && more != 0 && windows + more != 1;
 }
 
-/* The last line of the answer: what was found, or why nothing. */
+/* Appends the last line of the answer: the result, or the reason why there is none. */
 static void append_answer(char text[TEXT_BYTES],
                           const struct pp_size_room_result *result,
                           enum pp_size_change change, bool utf8)
@@ -170,7 +170,7 @@ static void append_answer(char text[TEXT_BYTES],
     }
 }
 
-/* The element of an opening as the room file would have it; the caller's. */
+/* Element of an opening as in the room file; the caller's. */
 static enum pp_status element_of(char **element,
                                  const struct pp_size_room_result *result,
                                  struct pp_text_edit edit, struct pp_error *err)

@@ -40,7 +40,7 @@ static enum pp_status sky_factor_at(void *context, double x, double y, double *v
     return PP_OK;
 }
 
-/* The line and what lies behind it, in a world with the plane at 0.85 m. */
+/* Traces the line and the area behind it, in a world with the plane at 0.85 m. */
 static enum pp_status trace_sky_factor(struct pp_lit_area *area, struct pp_world *legal,
                                        struct pp_error *err)
 {

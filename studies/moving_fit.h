@@ -6,8 +6,8 @@
 #ifndef PP_STUDIES_MOVING_FIT_H
 #define PP_STUDIES_MOVING_FIT_H
 
-/* From the points' weights (above 0) and their offsets from the place, over any length of
- * the order of theirs, the coefficients: in place of the weights. */
+/* Replaces the points' weights (above 0) by the coefficients of the fit. offsets: from
+ * the place, in any unit of length of their own order. */
 void pp_moving_fit_coefficients(double *weights, const double (*offsets)[2], int count);
 
 #endif

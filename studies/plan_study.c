@@ -16,7 +16,7 @@
 
 static const char traced[] = "traced";
 
-/* ---- what can be drawn ---- */
+/* ---- methods that can be drawn ---- */
 
 /* Why a plan cannot show a method, or NULL. */
 static const char *has_no_contours(const struct pp_choice *choice)
@@ -113,8 +113,8 @@ static enum pp_status settle_plan_grid(struct pp_plan_study *study,
 
 /* ---- contours ---- */
 
-/* A shallow copy of the world whose plane has holes where something stands in the room: there
- * is no light to draw contours of. Its plane is to be cleared. */
+/* Makes a shallow copy of the world whose plane has holes where objects stand in the
+ * room: there is no light for contours. The caller clears its plane. */
 static enum pp_status open_world(struct pp_world *open, const struct pp_world *world,
                                  struct pp_error *err)
 {
@@ -188,9 +188,9 @@ static enum pp_status by_hand(struct pp_plan_study *study,
 
 /* ---- traced ---- */
 
-/* The fit between the points takes some twenty of them for each place, so that each may
- * have an error this many times as large as what is asked for: they have a third of their
- * variance in common, and the fit is then as good as that. */
+/* Factor on the target error for each point. The fit uses some twenty points for each
+ * place; they have a third of their variance in common, so that the fit still meets the
+ * target. */
 static const double error_of_points = 1.4;
 
 /* Traces the points that the contours are drawn from. */
@@ -215,8 +215,8 @@ static enum pp_status trace_plane(struct pp_traced_plane **plane,
                                 factors->common_near, err);
 }
 
-/* The room's points and the grid's have the error that is asked for. Each run has half of
- * the time. */
+/* The room's points and the grid's are simulated to the target error. Each run has half
+ * of the time. */
 static enum pp_status by_trace(struct pp_plan_study *study,
                                const struct pp_study_room *room,
                                const struct pp_study_options *options, bool *by_clock,

@@ -1,6 +1,6 @@
-/* plan_study.h - what a plan of a room's daylight shows: contours over the working plane, the
- * figures at the room's points, and those of the plane as a whole, all by one method or all
- * traced. */
+/* plan_study.h - data of a plan of a room's daylight: contours over the working plane,
+ * figures at the room's points, and those of the plane, all by one method or all
+ * simulated. */
 #ifndef PP_STUDIES_PLAN_STUDY_H
 #define PP_STUDIES_PLAN_STUDY_H
 
@@ -11,10 +11,9 @@
 
 struct pp_plan_study {
     struct pp_daylight_plan plan;
-    struct pp_report report; /* of the room's points; with grid_points, of the plane */
-    struct pp_column
-        figures;    /* those of the plan at the report's receivers, and `plane` */
-    char note[320]; /* another method stands in for the usual one, or empty */
+    struct pp_report report;  /* of the room's points; with grid_points, of the plane */
+    struct pp_column figures; /* figures at the report's receivers, and `plane` */
+    char note[320];           /* another method stands in for the usual one, or empty */
 };
 
 /* Can a plan show what is asked for? It shows one figure: that of one direct method, or of a

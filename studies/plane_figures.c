@@ -1,5 +1,5 @@
-/* plane_figures.c - puts a grid behind the points asked for, and sums up what is read
- * there. */
+/* plane_figures.c - appends a grid to the requested points, and summarises its
+ * values. */
 #include "studies/plane_figures.h"
 
 #include <math.h>

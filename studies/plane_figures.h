@@ -12,15 +12,15 @@
 #include "model/results/report.h"
 #include "studies/study_room.h"
 
-/* The receivers that a report is to be made for: the room's own, and behind them, where
- * these are no grid, those of EN 17037. *all is the caller's to free. */
+/* Receivers for a report: the room's own, followed, if these are not a grid, by those
+ * of EN 17037. The caller frees *all. */
 enum pp_status pp_plane_figures_receivers(struct pp_receiver **all, int *count,
                                           const struct pp_study_room *room,
                                           struct pp_error *err);
 
 /* Fills `plane` of the report's daylight factor columns, whose receivers begin with the
- * room's own; afterwards the report has only these. A column without a value at some point
- * of the grid has no figures. */
+ * room's own; afterwards the report has only these. A column without a value at some
+ * point of the grid has no figures. */
 enum pp_status pp_plane_figures_fill(struct pp_report *report,
                                      const struct pp_study_room *room,
                                      struct pp_error *err);

@@ -34,10 +34,11 @@ extern const char *const pp_reliability_names[PP_RELIABILITY_KINDS];
 
 struct pp_reliability {
     bool is[PP_RELIABILITY_KINDS];
-    double share[PP_RELIABILITY_KINDS]; /* what was held against the threshold: a share,
-                                         * depth over width, reflectance of the ground */
+    double share[PP_RELIABILITY_KINDS]; /* value compared with the threshold: a share,
+                                         * depth over width, reflectance of the
+                                         * ground */
     bool any;
-    char grounds[320]; /* the methods whose built-in ground is not the room's, as a
+    char grounds[320]; /* methods whose built-in ground differs from the room's, as a
                         * sentence without a full stop; empty: none */
 };
 

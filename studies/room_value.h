@@ -11,10 +11,11 @@
 
 struct pp_room_value {
     const struct pp_outside_light *light; /* not owned */
-    const char *method; /* as pp_methods_evaluate takes it: "exact+bre", "average-df" */
-    const struct pp_receiver *points; /* the figure is the lowest of these; not owned */
+    const char *method; /* in the form for pp_methods_evaluate: "exact+bre",
+                         * "average-df" */
+    const struct pp_receiver *points; /* the figure is the lowest at these; not owned */
     int point_count;                  /* 0: the figure is the working plane's average */
-    int threads;                      /* 0: as many as there are processors */
+    int threads;                      /* 0: one for each processor */
     char why[512];                    /* the text that a reading's why points to */
 };
 

@@ -10,21 +10,21 @@
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/fast/tracer.h"
 
-/* Between two looks at the clock and by the watch. */
+/* Time (s) between two readings of the clock and by the watch. */
 static const double slice_s = 0.1;
 
 struct pp_simulation {
-    const struct pp_engine *engine; /* whose columns are filled, */
+    const struct pp_engine *engine; /* engine whose columns are filled, */
     const struct pp_engine
-        *solver;                /* and whose functions do it: the engine, or its plain
-                                     * twin */
+        *solver;                /* and engine whose functions are used: the same, or its
+                                 * plain twin */
     struct pp_light_scene *own; /* NULL: the scene is the caller's */
     void *run;
-    double error; /* wanted; 0: by samples, time */
+    double error; /* target; 0: by samples, time */
 };
 
-/* Beyond so many times what is wanted a standard error is said to miss it: those that are
- * planned are estimates, too. */
+/* Ratio of standard error to target from which the target counts as missed; planned
+ * standard errors are estimates too. */
 static const double MISSED = 1.5;
 
 enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
@@ -133,7 +133,7 @@ enum pp_status pp_simulation_run(struct pp_simulation *simulation, double second
     return status;
 }
 
-/* The standard error over what is wanted. */
+/* Standard error over its target. */
 static double times_wanted(const struct pp_simulation *simulation,
                            const struct pp_reading *reading)
 {
@@ -142,7 +142,7 @@ static double times_wanted(const struct pp_simulation *simulation,
     return isfinite(reading->std_error) ? reading->std_error / wanted : 0.0;
 }
 
-/* Says where the column's standard errors are much larger than what is wanted. */
+/* Reports where the column's standard errors are much larger than the target. */
 static enum pp_status say_missed(struct pp_report *report,
                                  const struct pp_simulation *simulation,
                                  const struct pp_column *column, struct pp_error *err)

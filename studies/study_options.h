@@ -1,4 +1,4 @@
-/* study_options.h - what is asked of a room: methods, points, sky, simulation. */
+/* study_options.h - options of a study: methods, points, sky, simulation. */
 #ifndef PP_STUDIES_STUDY_OPTIONS_H
 #define PP_STUDIES_STUDY_OPTIONS_H
 
@@ -19,9 +19,9 @@ struct pp_point_list {
 struct pp_watch {
     /* name: of the room. Is anybody shown how far the simulation is? */
     bool (*begin)(void *data, const char *name);
-    /* done: 0 to 1; error: the largest standard error over daylight factor so far, NAN
-     * where there is none; 0 and NAN where nobody is shown them, as they take time. false:
-     * stop here, what there is so far is good. */
+    /* Reports progress. done: 0 to 1; error: the largest standard error over daylight
+     * factor so far, NAN if there is none; 0 and NAN if they are not shown, since they
+     * take time. Returns false to stop; the results so far are then valid. */
     bool (*look)(void *data, double done, double error);
     void (*end)(void *data);
     void *data;
@@ -33,11 +33,11 @@ struct pp_study_options {
     const char *sky; /* as in a room file; NULL: the file's */
 
     bool simulate;
-    double error;   /* wanted standard error over daylight factor; 0: not given */
+    double error;   /* target standard error over daylight factor; 0: not given */
     long samples;   /* paths a point in each randomisation; 0: not given */
     double seconds; /* 0: not given */
     uint64_t seed;
-    int threads; /* 0: as many as there are processors */
+    int threads; /* 0: one for each processor */
     bool alone;  /* points share no light in light paths: sooner for few points */
     struct pp_watch watch;
 
@@ -47,7 +47,7 @@ struct pp_study_options {
     double external_lux; /* of the open level plane; 0: not given */
 };
 
-/* Nothing asked for: seed 1, all else empty. */
+/* Default options: seed 1, all else empty. */
 #define PP_STUDY_OPTIONS_NONE ((struct pp_study_options){.seed = 1})
 
 #endif

@@ -1,7 +1,6 @@
-/* study_report.h - one room's report: what the methods say, and what the simulation says.
+/* study_report.h - one room's report: results of the methods and of the simulation.
  *
- * The only place that asks both; neither knows of the other.
- */
+ * This is the only place that uses both; neither depends on the other. */
 #ifndef PP_STUDIES_STUDY_REPORT_H
 #define PP_STUDIES_STUDY_REPORT_H
 
@@ -10,8 +9,9 @@
 #include "studies/study_options.h"
 #include "studies/study_room.h"
 
-/* A report on the room with the columns of the methods asked for; nothing is simulated.
- * The report is good as long as the room and the options; pp_report_clear frees it. */
+/* Makes a report on the room with the columns of the selected methods; nothing is
+ * simulated. The room and the options must outlive the report; pp_report_clear frees
+ * it. */
 enum pp_status pp_study_report_methods(struct pp_report *report,
                                        const struct pp_study_room *room,
                                        const struct pp_study_options *options,
@@ -28,9 +28,9 @@ enum pp_status pp_study_report_settle(struct pp_report *report,
                                       const struct pp_study_room *room,
                                       struct pp_error *err);
 
-/* Adds the columns "traced" of all components, by light paths. A watch that stops it
- * leaves what there is so far, and report->finished is false. *by_clock: the time was
- * over before the simulation was done. The second one does so of direct light alone: its
+/* Adds the columns "traced" of all components, by light paths. If a watch stops it the
+ * results so far are kept, and report->finished is false. *by_clock: the time was over
+ * before the simulation was done. The second function simulates direct light alone: its
  * error is over the sum of sky and externally reflected component. */
 enum pp_status pp_study_report_traced(struct pp_report *report,
                                       const struct pp_study_options *options,
@@ -39,9 +39,9 @@ enum pp_status pp_study_report_traced_direct(struct pp_report *report,
                                              const struct pp_study_options *options,
                                              bool *by_clock, struct pp_error *err);
 
-/* The same by any engine. Of error, samples, seed and threads the study's options count.
- * kept (may be NULL): what a later run may begin with, where the simulation was not
- * stopped; the caller's to free. */
+/* Simulates by any engine. Error, samples, seed and threads are those of the study's
+ * options. kept (may be NULL): data with which a later run may begin, unless the
+ * simulation was stopped; freed by the caller. */
 struct pp_kept_bytes {
     char *bytes;
     size_t length;

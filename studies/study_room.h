@@ -1,6 +1,5 @@
-/* study_room.h - one room to be studied: its file, its description, its world, the
- * light outside, and the points that figures are wanted of.
- */
+/* study_room.h - one room of a study: its file, its description, its world, the light
+ * outside, and its points. */
 #ifndef PP_STUDIES_STUDY_ROOM_H
 #define PP_STUDIES_STUDY_ROOM_H
 
@@ -9,9 +8,8 @@
 #include "model/room/world.h"
 
 struct pp_study_room {
-    const char *file; /* as the user named it; not owned */
-    const struct pp_room
-        *room; /* as the file has it, with the options' sky; not owned */
+    const char *file;             /* as the user named it; not owned */
+    const struct pp_room *room;   /* as in the file, with the options' sky; not owned */
     struct pp_building *building; /* that the room is part of; not owned */
     int index;                    /* of the room in its building */
     struct pp_world *world;
@@ -27,7 +25,7 @@ void pp_study_room_init(struct pp_study_room *room, const char *file,
                         const struct pp_room *description, struct pp_world *world,
                         const struct pp_outside_light *light);
 
-/* Other points in place of those there are; takes over the list (malloc). */
+/* Replaces the points; takes ownership of the list (malloc). */
 void pp_study_room_set_points(struct pp_study_room *room, struct pp_receiver *receivers,
                               int count);
 

@@ -43,7 +43,7 @@ struct plane_screen {
 struct pp_traced_plane {
     const struct pp_world *world;
     struct pp_direct_plane *direct; /* by `exact` */
-    double external; /* traced externally reflected light over that of `exact` */
+    double external; /* simulated externally reflected light over that of `exact` */
     double side_m;   /* of the squares before any is halved */
     double common;   /* the share of near points' variance that is common */
     struct plane_point *points;
@@ -117,7 +117,7 @@ static enum pp_status add_cut(struct pp_traced_plane *plane,
     return status;
 }
 
-/* The plane's own edges, where it has corners to look round, and what stands in it. */
+/* Finds the plane's own edges, if it has re-entrant corners, and the objects in it. */
 static enum pp_status find_screens(struct pp_traced_plane *plane, struct pp_error *err)
 {
     const struct pp_world *world = plane->world;
@@ -319,7 +319,7 @@ void pp_traced_plane_destroy(struct pp_traced_plane *plane)
     free(plane);
 }
 
-/* ---- what is fitted ---- */
+/* ---- fitting ---- */
 
 /* The part that is known everywhere. */
 static enum pp_status known_at(const struct pp_traced_plane *plane, double x, double y,
@@ -332,8 +332,8 @@ static enum pp_status known_at(const struct pp_traced_plane *plane, double x, do
     return status;
 }
 
-/* The factor that takes the externally reflected light of `exact` nearest to the traced, by
- * least squares of what they differ over the daylight factor. */
+/* Factor that fits the externally reflected light of `exact` to the simulated one, by
+ * least squares of the differences over the daylight factor. */
 static enum pp_status match_external(struct pp_traced_plane *plane,
                                      const struct pp_reading *factors,
                                      const struct pp_reading *external,
@@ -384,7 +384,8 @@ struct neighbours {
     double weight[NEIGHBOURS_MOST];
 };
 
-/* The known points in sight within the radius; the first NEIGHBOURS_MOST of them. */
+/* Finds the known points in sight within the radius; the first NEIGHBOURS_MOST of
+ * them. */
 static void find_neighbours(struct neighbours *found,
                             const struct pp_traced_plane *plane, const double at[2],
                             double radius)
@@ -411,8 +412,8 @@ static void find_neighbours(struct neighbours *found,
             }
 }
 
-/* A fit may leave the range of what it is of by a quarter of it, and not below half of the
- * least: where few points are in sight, as beside a cupboard, they lie on one side. */
+/* Limits a fit to the range of its points plus a quarter of it, and to at least half of
+ * the least. With few points in sight, as beside a cupboard, they lie on one side. */
 static double bounded(double rest, const struct neighbours *of)
 {
     double low = INFINITY, high = -INFINITY;

@@ -42,8 +42,8 @@ enum pp_status pp_traced_plane_fill(struct pp_traced_plane *plane,
                                     const struct pp_reading *external, double common,
                                     struct pp_error *err);
 
-/* As pp_field_function has it (the context is the plane): the daylight factor at a place,
- * and its standard error. 0 where no point has a value. */
+/* A pp_field_function whose context is the plane: the daylight factor at a place, and
+ * its standard error. 0 if no point has a value. */
 enum pp_status pp_traced_plane_value(void *plane, double x, double y, double *value,
                                      struct pp_error *err);
 enum pp_status pp_traced_plane_error(void *plane, double x, double y, double *value,

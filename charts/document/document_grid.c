@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A cell of more lines than these is cut, so that every row goes on a sheet. */
+/* Most lines of a cell; longer ones are cut, so that every row fits on a sheet. */
 enum { LINES_MOST = 30, NOTE_LINES_MOST = 15 };
 
 /* ---- widths ---- */
@@ -59,9 +59,9 @@ static double natural_width(const struct pp_document_grid *grid, int column)
     return width + 0.1; /* so that no rounding breaks it */
 }
 
-/* Shares the width left over: each column of words gets its own width or, where there is
- * not enough, at most an equal share of what narrower ones leave; the rest is shared in
- * proportion. */
+/* Distributes the width among columns of words. Each gets its own width or, if there is
+ * not enough, at most an equal share of the remainder after narrower ones. Spare width
+ * is distributed in proportion. */
 static void share_words(struct pp_document_grid *grid, const double *natural,
                         double left)
 {
@@ -136,7 +136,8 @@ static void draw_rule(const struct pp_document_grid *grid, double y, double weig
     cairo_stroke(grid->cr);
 }
 
-/* Words in a box whose left edge is x, at one of its sides; their height. */
+/* Puts words in a box whose left edge is x, at one of its sides; returns their
+ * height. */
 static double put_grid_words(const struct pp_document_grid *grid,
                              struct pp_lettering set, double x, double y, double width,
                              const char *words, bool drawn)

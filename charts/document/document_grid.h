@@ -17,15 +17,15 @@ struct pp_document_grid {
     double widths[PP_GRID_COLUMNS]; /* of the columns, without it */
 };
 
-/* Lays the table out from x on, `width` wide (mm): numbers and labels take what they need,
- * words share the rest, in which they are broken into lines. Columns are as wide on all
- * sheets. */
+/* Lays the table out from x on, `width` wide (mm). Columns of numbers and labels get
+ * the width they need; words are broken into lines in the rest. Columns are equally
+ * wide on all sheets. */
 struct pp_document_grid pp_document_grid_lay(cairo_t *cr, const struct pp_style *style,
                                              const struct pp_document_table *table,
                                              double x, double width);
 
-/* The head, 0 high where there is none, or a row, with the rule below it, from y down, if it
- * is to be drawn. The height (mm). */
+/* Height (mm) of the head (0: none) or of a row, with the rule below it; draws it from
+ * y down if `drawn`. */
 double pp_document_grid_head(const struct pp_document_grid *grid, double y, bool drawn);
 double pp_document_grid_row(const struct pp_document_grid *grid, int row, double y,
                             bool drawn);

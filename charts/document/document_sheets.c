@@ -9,7 +9,8 @@
 #include "charts/document/document_grid.h"
 #include "charts/sheet/page.h"
 
-/* Type is a little larger than on a chart, as it is read: that of a sheet so wide (mm). */
+/* Width (mm) of the chart sheet whose type size is used: a little larger than on a
+ * chart, since the text is read. */
 static const double type_of_mm = 240.0;
 
 /* Left, right and top of sheets; at their foot, with its line (mm). */
@@ -92,7 +93,7 @@ static void need(struct sheet_setter *setter, double height)
         begin_sheet(setter);
 }
 
-/* ---- blocks: what each takes, with the space above it ---- */
+/* ---- blocks: height of each, with the space above it ---- */
 
 static double gap(const struct sheet_setter *setter, double mm)
 {
@@ -168,8 +169,8 @@ static double table_least(const struct sheet_setter *setter,
     return pp_document_grid_head(&grid, 0.0, false) + pp_document_grid_unit(&grid, 0);
 }
 
-/* The height that has to be left for that block to begin: a heading stays with what
- * follows it, and so does a paragraph with its table. */
+/* Least height that must be left for a block to begin: a heading stays with the next
+ * block, and so does a paragraph before a table. */
 static double least(struct sheet_setter *setter, int index)
 {
     double height = 0.0;
@@ -238,7 +239,7 @@ static void put_paragraph(struct sheet_setter *setter, int index)
     setter->y += height + 0.5 * setter->style.scale;
 }
 
-/* The head again, and the title of the group that goes on with row `row`. */
+/* Repeats the head, and the title of the group that row `row` continues. */
 static void continue_table(struct sheet_setter *setter,
                            const struct pp_document_grid *grid, int row)
 {

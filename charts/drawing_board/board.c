@@ -9,7 +9,7 @@
 #include "charts/sheet/page.h"
 #include "model/base/text.h"
 
-/* Windows whose sums are written out. */
+/* Most windows whose sums are written out. */
 enum { SUMS_MOST = 8 };
 
 /* Share of white in shapes that hide the sky. */

@@ -1,5 +1,5 @@
-/* board.h - what the diagrams of the drawing board share on paper: pieces of windows,
- * the sum that is written below them, a ruler. */
+/* board.h - shared parts of the drawing-board diagrams: pieces of windows, the sum
+ * written below them, a ruler. */
 #ifndef PP_CHARTS_DRAWING_BOARD_BOARD_H
 #define PP_CHARTS_DRAWING_BOARD_BOARD_H
 
@@ -9,7 +9,7 @@
 #include "charts/sheet/lettering.h"
 #include "model/results/board_sheets.h"
 
-/* From a diagram's own coordinates to paper: x0 + mm x, y0 - mm y. */
+/* Map from a diagram's own coordinates to paper: x0 + mm x, y0 - mm y. */
 struct pp_board_map {
     double x0, y0, mm;
 };
@@ -24,8 +24,8 @@ static inline double pp_board_y(const struct pp_board_map *map, double y)
     return map->y0 - map->mm * y;
 }
 
-/* Tints what is seen in windows as sky or, darker and hatched, as obstruction; `within`
- * bounds the hatching, mm on paper. */
+/* Tints the visible parts of windows as sky or, darker and hatched, as obstruction;
+ * `within` bounds the hatching, mm on paper. */
 void pp_board_tints(cairo_t *cr, const struct pp_style *style,
                     const struct pp_board_map *map,
                     const struct pp_board_window *windows, int count,

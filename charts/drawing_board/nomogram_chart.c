@@ -181,7 +181,7 @@ static void spread(struct note *notes, int count, double gap)
 
 enum { NOTED_MOST = 12 };
 
-/* Is the stem set or read for a window? */
+/* True if the stem is set or read for a window. */
 static bool stem_used(const struct pp_nomogram_curve_frame *drawing,
                       const struct pp_nomogram_window *window, int stem)
 {
@@ -234,7 +234,8 @@ static double figures_mm(const struct pp_style *style)
     return 3.3 * style->scale + 2.4 * style->text[PP_TEXT_SMALL];
 }
 
-/* Is there less room beside a stem, on the readings' side, than "3: 0.0155" takes? */
+/* True if the space beside a stem, on the readings' side, is narrower than "3:
+ * 0.0155". */
 static bool narrow(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     int next = neighbour(drawing, stem);

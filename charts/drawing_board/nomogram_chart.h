@@ -1,8 +1,8 @@
 /* nomogram_chart.h - a nomogram to lay a straight-edge on, blank or with the lines and
  * readings of a room.
  *
- * It has no scale that must be kept: what lies on a line stays on one however the sheet
- * is enlarged, in width and height apart too.
+ * It has no fixed scale: alignments stay valid however the sheet is enlarged, even
+ * differently in width and height.
  */
 #ifndef PP_CHARTS_DRAWING_BOARD_NOMOGRAM_CHART_H
 #define PP_CHARTS_DRAWING_BOARD_NOMOGRAM_CHART_H

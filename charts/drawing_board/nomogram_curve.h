@@ -1,12 +1,13 @@
-/* nomogram_curve.h - a nomogram while it is drawn, and what only nomogram IV has: the curve
- * of the room's depth in ranges of the light, and the lines through it. */
+/* nomogram_curve.h - state of a nomogram while it is drawn, and the parts of nomogram
+ * IV: the curve of the room's depth in ranges of the light, and the lines through
+ * it. */
 #ifndef PP_CHARTS_DRAWING_BOARD_NOMOGRAM_CURVE_H
 #define PP_CHARTS_DRAWING_BOARD_NOMOGRAM_CURVE_H
 
 #include "charts/sheet/style.h"
 #include "model/results/nomogram_sheet.h"
 
-/* Where the scales stand on paper: x from the left, y down, in mm. */
+/* Positions of the scales on paper: x from the left, y down, in mm. */
 struct pp_nomogram_curve_frame {
     cairo_t *cr;
     struct pp_style style;

@@ -1,5 +1,5 @@
-/* nomogram_notes.h - the words on a nomogram: what it is, how it is used, what was read
- * on it. */
+/* nomogram_notes.h - the words on a nomogram: its purpose, its use, and the
+ * readings. */
 #ifndef PP_CHARTS_DRAWING_BOARD_NOMOGRAM_NOTES_H
 #define PP_CHARTS_DRAWING_BOARD_NOMOGRAM_NOTES_H
 

@@ -80,8 +80,8 @@ static void arc(cairo_t *cr, const struct pp_protractor_disc *disc,
         cairo_arc_negative(cr, disc->x, disc->y, distance, first, last);
 }
 
-/* Words whose feet point to the centre; on a plan away from it where they would stand
- * on their head. */
+/* Writes words whose feet point to the centre; on a plan they point away from it where
+ * they would otherwise be upside down. */
 static void write_round(cairo_t *cr, const struct pp_style *style,
                         const struct pp_protractor_disc *disc, place_function *place,
                         double angle, double distance, double grey, const char *words)
@@ -246,7 +246,7 @@ static void write_averages(cairo_t *cr, const struct pp_style *style,
 void pp_protractor_disc_auxiliary(cairo_t *cr, const struct pp_style *style,
                                   const struct pp_protractor_disc *disc, bool whole)
 {
-    /* On a whole disc the base's ends are labelled as the section's. */
+    /* A whole disc labels the ends of its base in the same way as the section. */
     draw_rim(cr, style, disc, pp_protractor_disc_plan, -90, 90, whole ? -80 : -90);
     int last = (int)(disc->scale->last_average_rad / PP_RAD + 0.5);
     pp_style_line(cr, style->thin, disc->grey);

@@ -27,8 +27,8 @@ double pp_protractor_disc_border(const struct pp_style *style);
 /* Radius of the primary scale's arc, and of the outermost semicircle. */
 double pp_protractor_disc_arc(const struct pp_style *style, double radius);
 
-/* On paper, at that distance from the centre under that angle of the section, or of the
- * plan. */
+/* Position on paper of a point at this distance from the centre, at this angle of the
+ * section or of the plan. */
 void pp_protractor_disc_section(const struct pp_protractor_disc *disc, double angle_rad,
                                 double distance, double xy[2]);
 void pp_protractor_disc_plan(const struct pp_protractor_disc *disc, double angle_rad,
@@ -39,7 +39,7 @@ void pp_protractor_disc_plan(const struct pp_protractor_disc *disc, double angle
 void pp_protractor_disc_primary(cairo_t *cr, const struct pp_style *style,
                                 const struct pp_protractor_disc *disc, bool both);
 
-/* The plan's half; `whole`: the section's is there too. */
+/* Draws the plan's half; `whole`: the section's half is drawn too. */
 void pp_protractor_disc_auxiliary(cairo_t *cr, const struct pp_style *style,
                                   const struct pp_protractor_disc *disc, bool whole);
 

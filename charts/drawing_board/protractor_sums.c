@@ -1,4 +1,4 @@
-/* protractor_sums.c - writes out what was read and what comes of it. */
+/* protractor_sums.c - writes the readings and the sums. */
 #include "charts/drawing_board/protractor_sums.h"
 
 #include <math.h>
@@ -39,7 +39,7 @@ static void say_reading(char *text, size_t room,
                 d);
 }
 
-/* Goes on behind what is in the text, on a line of its own. */
+/* Appends a line break to the text. */
 static void new_line(char **text, size_t *room)
 {
     size_t used = strlen(*text);

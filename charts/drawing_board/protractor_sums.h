@@ -7,7 +7,7 @@
 
 #include "model/results/protractor_sheet.h"
 
-/* On one sheet; the rest is on further ones. */
+/* Most sums on one sheet; further sums go on further sheets. */
 enum { PP_PROTRACTOR_SUMS_MOST = 6 };
 
 struct pp_protractor_sums {

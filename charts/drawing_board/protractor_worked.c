@@ -27,7 +27,7 @@ double pp_protractor_worked_radius_mm(const struct pp_canvas *canvas)
     return fmin(0.62 * half, 62.0 * style.scale);
 }
 
-/* A line from the centre under an angle, and what is read there. */
+/* A line from the centre at an angle, with its reading. */
 struct sight_line {
     double angle_rad;
     double reach; /* to the edge, mm */
@@ -47,8 +47,7 @@ struct protractor_drawing {
     double least_scale; /* section and plan have one scale: 1 to that or smaller */
 };
 
-/* Notes a sight line, in order of angle; one that is there already is not noted twice.
- */
+/* Adds a sight line in order of angle; one that exists is not added twice. */
 static void note(struct sight_lines *sights, struct sight_line sight)
 {
     int at = 0;
@@ -101,7 +100,7 @@ static struct pp_box write_sight(const struct protractor_drawing *drawing,
                                       sight->words);
 }
 
-/* Sight lines from the centre to the edges, then what is read there. */
+/* Draws sight lines from the centre to the edges, then their readings. */
 static void draw_sights(const struct protractor_drawing *drawing,
                         const struct pp_protractor_disc *disc, place_function *place,
                         const struct sight_lines *sights)
@@ -146,7 +145,8 @@ static void note_edges(struct sight_lines *sights,
     }
 }
 
-/* With scale not NULL nothing is drawn: only what the section's would be is found. */
+/* If scale is not NULL nothing is drawn; only the largest scale of the section is
+ * calculated. */
 static enum pp_status draw_section(const struct protractor_drawing *drawing,
                                    struct pp_box box, double *height, double *scale,
                                    struct pp_error *err)
@@ -173,7 +173,7 @@ static enum pp_status draw_section(const struct protractor_drawing *drawing,
     double edge = drawing->radius + pp_protractor_disc_border(style);
     double words = 26.0 * style->scale, s = pp_section_cut_s(&cut, sheet->point);
 
-    /* The scale, then what the protractor needs beside the room and above. */
+    /* Allows for the scale, then for the protractor beside the room and above it. */
     bool overhead = sheet->read.list[0].edge_rad[1] > 1.0;
     double left = 0.0, right = 0.0, top = (overhead ? 10.0 : 3.0) * style->scale;
     for (int round = 0; round < 4; round++) {

@@ -1,5 +1,5 @@
 /* protractor_worked.h - a protractor laid on a room's own section and plan: sight lines
- * to the opening's edges and jambs, what is read there, and the sum below. */
+ * to the opening's edges and jambs, their readings, and the sum below. */
 #ifndef PP_CHARTS_DRAWING_BOARD_PROTRACTOR_WORKED_H
 #define PP_CHARTS_DRAWING_BOARD_PROTRACTOR_WORKED_H
 

@@ -1,5 +1,5 @@
 /* skylight_indicator_chart.c - half a disc about the window: arcs of altitude, rays of
- * azimuth, the marks, and what stands before the window; scales and sum below. */
+ * azimuth, the marks, and the obstructions; scales and sum below. */
 #include "charts/drawing_board/skylight_indicator_chart.h"
 
 #include <math.h>
@@ -16,7 +16,7 @@ struct indicator_drawing {
         map; /* its mm is the length of one unit of distance over height */
 };
 
-/* Altitudes whose arcs are drawn, degrees. */
+/* Altitudes of the arcs (degrees). */
 static const int arcs[] = {6, 8, 10, 15, 20, 25, 30, 40, 50, 60, 70};
 enum { ARCS = sizeof arcs / sizeof arcs[0] };
 
@@ -179,7 +179,7 @@ static void say_indicator_foot(char *foot, size_t room,
               "window's middle.");
 }
 
-/* At which scales of a plan the drawing is true for which heights. */
+/* Writes the heights for which the drawing is correct on plans of several scales. */
 static void plan_words(const struct indicator_drawing *drawing, char *words,
                        size_t room)
 {

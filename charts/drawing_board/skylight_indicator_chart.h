@@ -1,5 +1,6 @@
-/* skylight_indicator_chart.h - the skylight indicator: marks of equal worth on a plan about
- * a window, blank to lay on a site plan, or with what stands before a room's window. */
+/* skylight_indicator_chart.h - the skylight indicator: marks of equal worth on a plan
+ * about a window, blank to lay on a site plan, or with the obstructions of a room's
+ * window. */
 #ifndef PP_CHARTS_DRAWING_BOARD_SKYLIGHT_INDICATOR_CHART_H
 #define PP_CHARTS_DRAWING_BOARD_SKYLIGHT_INDICATOR_CHART_H
 

@@ -14,11 +14,11 @@
 /* Columns of squares from azimuth 0 to 90 degrees. */
 enum { HALF_COLUMNS = 18 };
 
-/* The curve of style.c whose dash the droop lines of edges perpendicular to the window
- * have. */
+/* Curve of style.c whose dash is used for the droop lines of edges perpendicular to the
+ * window. */
 enum { ACROSS_DASH = 1 };
 
-/* One panel on paper; its map's mm is the side of a square. */
+/* One panel on paper; map.mm is the side of a square. */
 struct waldram_plot {
     const struct pp_waldram_panel *panel;
     struct pp_board_map map;
@@ -222,7 +222,8 @@ static void draw_azimuths(const struct pp_waldram_drawing *drawing,
     double last = -INFINITY, width = 1.25 * label_width(drawing);
     for (int degree = -end; degree <= end; degree += step) {
         double x = azimuth_place(plot, degree);
-        /* With glass the scale crowds towards its ends, whose labels stay. */
+        /* Glass makes the scale crowd towards its ends; the labels of the ends are
+         * kept. */
         bool crowds = abs(degree) != end
                       && (fabs(x - azimuth_place(plot, end)) < width || x - last < width
                           || fabs(x - azimuth_place(plot, -end)) < width);

@@ -23,7 +23,7 @@ struct net_drawing {
 
 /* ---- panels ---- */
 
-/* From a piece to paper. */
+/* Converts a position on a piece to one on paper. */
 static void on_paper(const struct net_drawing *drawing,
                      const struct pp_net_panel *panel, const double xy[2],
                      double paper[2])
@@ -99,7 +99,7 @@ static void trace_opening(const struct net_drawing *drawing,
 {
     cairo_t *cr = drawing->cr;
     cairo_new_path(cr);
-    /* To the first corner again, for labels to keep off the last side too. */
+    /* Also goes back to the first corner, so that labels avoid the last side too. */
     for (int k = 0; k <= outline->count; k++) {
         double xy[2], paper[2], before[2];
         pp_net_panels_point(&drawing->net.panels, panel,
@@ -114,7 +114,8 @@ static void trace_opening(const struct net_drawing *drawing,
     cairo_close_path(cr);
 }
 
-/* The outline of a door or a dado but for what runs along the panel's edges. */
+/* Draws the outline of a door or a dado, except where it runs along the panel's
+ * edges. */
 static void draw_cover(const struct net_drawing *drawing,
                        const struct pp_net_panel *panel,
                        const struct pp_polygon *outline)
@@ -183,7 +184,7 @@ static const char *role_of(enum pp_role role)
 /* Subject of words: a panel, or a door or a dado in it. */
 struct painted {
     const struct pp_net_panel *panel;
-    const struct pp_surface *surface; /* the panel's face, or what covers it */
+    const struct pp_surface *surface; /* the panel's face, or its cover */
 };
 
 /* Name and paint in two lines, in one, or paint alone. */

@@ -1,6 +1,6 @@
-/* net_chart.h - a room as a scale model to cut out and fold: panels, openings, tabs, numbers
- * of edges that meet, what to paint; and what an artificial sky of mirrors makes of what
- * is measured in it. */
+/* net_chart.h - a room as a scale model to cut out and fold: panels, openings, tabs,
+ * numbers of matching edges, surfaces to paint; and corrections for measurements in a
+ * mirror-box artificial sky. */
 #ifndef PP_CHARTS_NET_NET_CHART_H
 #define PP_CHARTS_NET_NET_CHART_H
 
@@ -11,10 +11,10 @@
 struct pp_model_net {
     const struct pp_world *world;
     double scale;             /* 20 for 1:20 */
-    struct pp_mirror_box box; /* whose corrections are told */
+    struct pp_mirror_box box; /* the box whose corrections are given */
 };
 
-/* On as many sheets as it takes; PP_BAD_INPUT where the format has one only. */
+/* Draws on as many sheets as needed; PP_BAD_INPUT if the format has a single sheet. */
 enum pp_status pp_net_chart_draw(struct pp_canvas *canvas,
                                  const struct pp_model_net *net, struct pp_error *err);
 

@@ -179,7 +179,7 @@ static double off_line(struct pp_vec3 p, struct pp_vec3 a, struct pp_vec3 b)
     return pp_vec_length(pp_vec_cross(pp_vec_sub(p, a), along)) / pp_vec_length(along);
 }
 
-/* Do two edges run along one line, over each other? */
+/* True if two edges lie on one line and overlap. */
 static bool meet(const struct pp_net_panels *panels, const struct pp_net_panel *p,
                  int i, const struct pp_net_panel *q, int k)
 {

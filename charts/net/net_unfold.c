@@ -1,5 +1,5 @@
-/* net_unfold.c - takes the floor first, then its neighbours about the edges that they share,
- * and so on; what does not lie free or fit begins a piece of its own. */
+/* net_unfold.c - unfolds the floor first, then its neighbours about their common edges,
+ * and so on. A panel that overlaps others or does not fit begins a new piece. */
 #include "charts/net/net_unfold.h"
 
 #include <math.h>
@@ -9,7 +9,8 @@
 #include "model/base/array.h"
 #include "model/geometry/clipper.h"
 
-/* mm on paper: a tab's width, the space between pieces, and what may overlap. */
+/* Sizes on paper (mm): a tab's width, the space between pieces, and the tolerated
+ * overlap. */
 static const double TAB_MM = 8.0, GAP_MM = 5.0, OVERLAP_MM2 = 0.05;
 
 struct unfolding {
@@ -56,7 +57,7 @@ static double (*corners_of(struct unfolding *unfolding,
     return xy;
 }
 
-/* Does a figure lie over a panel of the piece, other than one? */
+/* True if a figure overlaps a panel of the piece, other than one. */
 static bool hits_panel(struct unfolding *unfolding, int piece, const double (*xy)[2],
                        int count, int other_than)
 {
@@ -97,7 +98,8 @@ static bool fits(const struct unfolding *unfolding, const struct pp_bounds2 *ext
            && extent->high[1] - extent->low[1] <= unfolding->limit[1] + 1e-6;
 }
 
-/* Turns and shifts a panel so that its edge lies on a placed one, the other way round. */
+/* Turns and shifts a panel so that its edge lies on a placed one, in the opposite
+ * direction. */
 static void lay_beside(const struct pp_net_panel *placed, int edge,
                        struct pp_net_panel *panel, int own_edge)
 {
@@ -106,7 +108,7 @@ static void lay_beside(const struct pp_net_panel *placed, int edge,
                  *d = panel->own[(own_edge + 1) % panel->count];
     pp_net_panels_corner(placed, edge, a);
     pp_net_panels_corner(placed, edge + 1, b);
-    /* c comes to b, d to a. */
+    /* Maps c to b and d to a. */
     double wanted = atan2(a[1] - b[1], a[0] - b[0]),
            now = atan2(d[1] - c[1], d[0] - c[0]);
     panel->turn[0] = cos(wanted - now);
@@ -190,7 +192,7 @@ void pp_net_unfold_tab(const struct pp_net_panel *panel, int edge,
     }
 }
 
-/* Is a tab free of panels and of the tabs there are? */
+/* True if a tab overlaps no panel and no other tab. */
 static bool tab_is_free(struct unfolding *unfolding, int index, int edge)
 {
     const struct pp_net_panels *panels = &unfolding->net->panels;
@@ -212,7 +214,7 @@ static bool tab_is_free(struct unfolding *unfolding, int index, int edge)
     return !hit && unfolding->status == PP_OK;
 }
 
-/* Has another edge of that number a tab already? */
+/* True if another edge of that number has a tab already. */
 static bool is_served(const struct pp_net_panels *panels, int number, int other_than)
 {
     for (int i = 0; i < panels->count; i++)
@@ -223,7 +225,8 @@ static bool is_served(const struct pp_net_panels *panels, int number, int other_
     return false;
 }
 
-/* One side of each glued edge has a tab; walls rather than floors, which come last. */
+/* Puts a tab on one side of each glued edge: on walls in preference to floors, which
+ * come last. */
 static void put_tabs(struct unfolding *unfolding)
 {
     struct pp_net_panels *panels = &unfolding->net->panels;
@@ -279,7 +282,7 @@ static int tallest(const struct pp_net *net)
     return found;
 }
 
-/* In rows from the top of the area down, the tallest first. */
+/* Places pieces in rows from the top of the area down, the tallest first. */
 static void lay_on_sheets(struct pp_net *net, const double area[2])
 {
     double x = 0.0, top = area[1], row = 0.0;

@@ -1,5 +1,5 @@
-/* formula_markup.h - a formula in print as marked-up text: names in italics, what stands
- * behind an underscore as a subscript, a whole power raised, names of functions upright. */
+/* formula_markup.h - a formula in print as marked-up text: names in italics, text after
+ * an underscore as a subscript, whole powers raised, names of functions upright. */
 #ifndef PP_CHARTS_NOTE_FORMULA_MARKUP_H
 #define PP_CHARTS_NOTE_FORMULA_MARKUP_H
 

@@ -124,8 +124,8 @@ static void put_figure(struct note_drawing *drawing, const char *figure, bool bo
                       drawing->lines.x + drawing->lines.width, drawing->y, figure);
 }
 
-/* Formula, values put in, and the result with what it is; or a figure that was read with
- * its symbol and what it is. Returns the height. */
+/* Formula, inserted values, and the result with its name; or the symbol and name of a
+ * figure that was read. Returns the height. */
 static double put_step(struct note_drawing *drawing, const struct pp_steps *steps,
                        int index, bool drawn)
 {
@@ -178,7 +178,7 @@ static void put_rule(struct note_drawing *drawing)
     drawing->y += 0.6 * drawing->style.scale;
 }
 
-/* With that much below it on the same sheet. */
+/* Writes a heading and keeps at least `below` of space below it on the same sheet. */
 static void put_heading(struct note_drawing *drawing, const char *words, double below)
 {
     const struct note_line line = {{.size = PP_TEXT_HEAD, .bold = true}, 0.0, 0.0};

@@ -1,6 +1,6 @@
-/* note_chart.h - a calculation set out as a design note: what is given with the room's plan
- * and section beside it, each method's formulae as printed, the values put in, results,
- * and the works that they come from. */
+/* note_chart.h - a calculation set out as a design note: the given data with the room's
+ * plan and section beside them, each method's formulae as printed, the values put in,
+ * results, and the works that they come from. */
 #ifndef PP_CHARTS_NOTE_NOTE_CHART_H
 #define PP_CHARTS_NOTE_NOTE_CHART_H
 
@@ -9,11 +9,11 @@
 
 struct pp_note_chart {
     const struct pp_report *report; /* of one point, with steps */
-    const char *const *contents;    /* what a column's figures have in them already, a
-                                     * sentence for each column; "": nothing to say */
+    const char *const *contents;    /* corrections already contained in a column's
+                                     * figures, a sentence for each column; "": none */
     const char *const *sources;     /* the works, a paragraph each */
     int source_count;
-    const char *const *notes; /* likewise, what is to be said of the methods */
+    const char *const *notes; /* notes on the methods, of the same form */
     int note_count;
 };
 

@@ -6,9 +6,9 @@
 #include "charts/room/room_plan.h"
 #include "model/geometry/curve.h"
 
-/* Draws a curve with its level's figure in a gap, along the line and not upside down,
- * clear of what `labels` holds of others than the owner, and notes the figure. False:
- * the line is too short or nowhere free, and has no figure. */
+/* Draws a curve with its level's figure in a gap, along the line and not upside down.
+ * The figure avoids labels of other owners and is itself noted in `labels`. False: the
+ * line has no figure, since it is too short or nowhere free. */
 bool pp_contour_lines_draw(cairo_t *cr, const struct pp_style *style,
                            const struct pp_room_plan *plan,
                            const struct pp_curve *curve, double weight_mm,

@@ -48,7 +48,7 @@ static double caption_mm(const struct pp_style *style)
     return 1.8 * style->text[PP_TEXT_SMALL];
 }
 
-/* Under a drawing, about x. */
+/* Writes a caption below a drawing, centred on x. */
 static void write_caption(const struct exercise_drawing *drawing, double x, double y,
                           double width, const char *words)
 {
@@ -65,7 +65,7 @@ static void write_caption(const struct exercise_drawing *drawing, double x, doub
                       y + 0.8 * drawing->style.scale, words);
 }
 
-/* Room beside the section for what stands outside. */
+/* Space beside the section for obstructions. */
 static double outside_mm(const struct exercise_drawing *drawing)
 {
     return 14.0 * drawing->style.scale;
@@ -120,7 +120,8 @@ static double elevations_scale(const struct exercise_drawing *drawing,
     return pp_room_plan_usual_scale(1000.0 / most);
 }
 
-/* One scale for section and plan, and for elevations where a diagram asks for none. */
+/* One scale for section and plan, and for elevations unless a diagram sets their
+ * scale. */
 static void choose_scale(struct exercise_drawing *drawing, struct pp_box section,
                          struct pp_box plan, struct pp_box elevations)
 {
@@ -203,8 +204,8 @@ static void draw_answers(const struct exercise_drawing *drawing, struct pp_box b
     }
 }
 
-/* Elevations at a diagram's scale keep it, whatever the sheet; the height that the tallest
- * needs, or no more than two fifths of the sheet. */
+/* Height of elevations. Those at a diagram's scale keep it, whatever the sheet; others
+ * are as high as the tallest needs, but at most two fifths of the sheet. */
 static double elevations_height(const struct exercise_drawing *drawing, double most)
 {
     double tallest = 0.0, viewing = drawing->exercise->viewing_mm;

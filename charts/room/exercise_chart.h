@@ -1,5 +1,5 @@
-/* exercise_chart.h - an exercise sheet: the room's section, plan and elevations to scale
- * with the point, what is given in words, and lines for what is to be found. */
+/* exercise_chart.h - an exercise sheet: the room's section, plan and elevations to
+ * scale with the point, the given data in words, and lines for the answers. */
 #ifndef PP_CHARTS_ROOM_EXERCISE_CHART_H
 #define PP_CHARTS_ROOM_EXERCISE_CHART_H
 
@@ -12,7 +12,7 @@ struct pp_exercise {
     const struct pp_outside_light *light;
     struct pp_receiver receiver;
     const char *tool; /* "the pepper-pot diagram" */
-    const char *unit; /* what is counted: "dots \u00d7 0.1 %"; NULL: nothing is */
+    const char *unit; /* unit of counts: "dots \u00d7 0.1 %"; NULL: no counts */
     double
         viewing_mm; /* elevations are drawn so large that the diagram fits on them, seen
                         * from that distance; 0: all drawings have one scale */

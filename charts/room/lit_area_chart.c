@@ -47,7 +47,7 @@ static struct pp_box plane_box(const struct lit_drawing *drawing)
     return (struct pp_box){plan->x, plan->y - height, width, height};
 }
 
-/* Clips to what is not in the outlines. */
+/* Clips to the area outside the outlines. */
 static void clip_to_lit(struct lit_drawing *drawing, const struct pp_curve_list *dark)
 {
     struct pp_box box = plane_box(drawing);
@@ -58,7 +58,7 @@ static void clip_to_lit(struct lit_drawing *drawing, const struct pp_curve_list 
     cairo_clip(drawing->cr);
 }
 
-/* Hatches what is dark in one and lit in the other. */
+/* Hatches the area that is dark in one state and lit in the other. */
 static void hatch_between(struct lit_drawing *drawing, const struct pp_lit_area *dark,
                           const struct pp_lit_area *lit, double apart_mm)
 {
@@ -136,7 +136,7 @@ static void gather_keys(struct lit_drawing *drawing)
         add_key(drawing, PP_KEY_HATCH, "gained")->curve.dashes[0] = 2.6;
 }
 
-/* The lit area of one state, and what share of the room it is. */
+/* Writes the lit area of one state, and its share of the room. */
 static void say_area(const struct lit_drawing *drawing, char *text, size_t room,
                      const char *state, const struct pp_lit_area *area)
 {

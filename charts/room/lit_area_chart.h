@@ -1,6 +1,5 @@
-/* lit_area_chart.h - the room's plan with the part that has light enough, now and before, and
- * what was lost of it hatched; to a true scale.
- */
+/* lit_area_chart.h - the room's plan with the sufficiently lit part, now and before,
+ * and the lost part hatched; to a true scale. */
 #ifndef PP_CHARTS_ROOM_LIT_AREA_CHART_H
 #define PP_CHARTS_ROOM_LIT_AREA_CHART_H
 

@@ -28,7 +28,7 @@ struct plan_drawing {
     int key_count;
 };
 
-/* The curve of style.c whose dash the no-sky line has. */
+/* Curve of style.c whose dash is used for the no-sky line. */
 enum { NO_SKY_LINE = 2 };
 
 bool pp_plan_chart_landscape(const struct pp_world *world)
@@ -88,7 +88,7 @@ static double weight_of(const struct pp_style *style, double level)
     return heavy ? style->medium : style->thin;
 }
 
-/* The figure of a level of which no line is long enough stands beside one. */
+/* Puts a level's figure beside a line if none of its lines is long enough. */
 static void label_beside(struct plan_drawing *drawing, int owner, const char *words)
 {
     const struct pp_lettering set = {.size = PP_TEXT_SMALL};
@@ -216,7 +216,7 @@ static void gather_keys(struct plan_drawing *drawing)
     }
 }
 
-/* A share that is all but none is said as that. */
+/* Writes a share; one that is almost nothing is called nothing. */
 static void say_percent(char *text, size_t room, double fraction)
 {
     if (fraction < 1e-4)
@@ -270,8 +270,8 @@ static void place_plan(struct plan_drawing *drawing, struct pp_box room)
     drawing->labels->field = (struct pp_box){plan->x, plan->y - height, width, height};
 }
 
-/* Blanks fittings that pass through the plane: they have no daylight factor, nor a colour
- * of it. */
+/* Blanks fittings that pass through the plane: they have no daylight factor, and so no
+ * colour. */
 static void blank_fittings(const struct plan_drawing *drawing)
 {
     const struct pp_world *world = drawing->chart->world;

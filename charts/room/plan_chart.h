@@ -27,14 +27,13 @@ struct pp_plan_chart {
     const struct pp_report
         *report; /* its receivers are marked; NULL: none; not owned */
     const struct pp_column
-        *figures; /* those of the plan at the receivers, and of the plane;
-                               * NULL: none; not owned */
+        *figures; /* figures at the receivers and of the plane; NULL: none; not owned */
     enum pp_plan_fill fill;
     const char *const *notes; /* further sentences for the foot; not owned */
     int note_count;
 };
 
-/* Does the room fit better on a sheet that lies on its side? */
+/* True if a landscape sheet suits the room better. */
 bool pp_plan_chart_landscape(const struct pp_world *world);
 
 enum pp_status pp_plan_chart_draw(struct pp_canvas *canvas,

@@ -10,10 +10,10 @@
 
 /* ---- at the points ---- */
 
-/* Whose places the marks are, to the labels. */
+/* Owner of the marks' places in the label layout. */
 enum { MARKS = 1000000 };
 
-/* As pp_style_percent, without the sign. */
+/* Formats like pp_style_percent, without the per cent sign. */
 static void to_words(char *words, size_t room, double fraction)
 {
     pp_style_percent(words, room, fraction);

@@ -1,10 +1,10 @@
-/* plan_fill.h - the areas between the contours of a plan in colours or greys, and the bar
- * that explains them.
+/* plan_fill.h - the areas between the contours of a plan in colours or greys, and their
+ * legend bar.
  *
- * A colour stands for the same daylight factor on every sheet: the scale runs evenly in the
+ * A colour means the same daylight factor on every sheet: the scale runs evenly in the
  * logarithm from 0.2 to 15 %. The colours go from blue to yellow in order of their
- * lightness, so that a copy in grey still reads; they are light enough for lines and figures
- * on them. Greys are spread evenly over the areas of the sheet.
+ * lightness, so that a copy in grey still reads; they are light enough for lines and
+ * figures on them. Greys are spread evenly over the areas of the sheet.
  */
 #ifndef PP_CHARTS_ROOM_PLAN_FILL_H
 #define PP_CHARTS_ROOM_PLAN_FILL_H

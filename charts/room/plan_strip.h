@@ -1,12 +1,11 @@
-/* plan_strip.h - what stands below every plan: scale bar on the left, legend in the middle,
- * north on the right.
- */
+/* plan_strip.h - the strip below every plan: scale bar on the left, legend in the
+ * middle, north on the right. */
 #ifndef PP_CHARTS_ROOM_PLAN_STRIP_H
 #define PP_CHARTS_ROOM_PLAN_STRIP_H
 
 #include "charts/sheet/legend.h"
 
-/* Height of so many keys, mm. */
+/* Height of this many keys (mm). */
 double pp_plan_strip_height(const struct pp_style *style, int key_count);
 
 /* Draws it into the box, of pp_plan_strip_height. scale: 50 for 1:50; north_rad: the bearing

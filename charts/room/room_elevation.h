@@ -1,7 +1,6 @@
-/* room_elevation.h - a wall with its openings as seen square from inside, to a true scale,
- * with the horizon of an eye and the foot of its perpendicular: what diagrams in
- * perspective are laid on.
- */
+/* room_elevation.h - a wall with its openings as seen at right angles from inside, to a
+ * true scale, with the horizon of an eye and the foot of its perpendicular. Perspective
+ * diagrams are laid on it. */
 #ifndef PP_CHARTS_ROOM_ROOM_ELEVATION_H
 #define PP_CHARTS_ROOM_ROOM_ELEVATION_H
 
@@ -30,8 +29,8 @@ void pp_room_elevation_init(struct pp_room_elevation *elevation,
 void pp_room_elevation_draw(cairo_t *cr, const struct pp_style *style,
                             const struct pp_room_elevation *elevation);
 
-/* Strokes the path with the pen that is set, and lines aslant over what is in it: a door
- * or a dado. Leaves no path. */
+/* Strokes the path with the current pen and hatches its inside: a door or a dado.
+ * Leaves no path. */
 void pp_room_elevation_hatch(cairo_t *cr, const struct pp_style *style);
 
 #endif

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Sills higher than this above the working plane (m) are over the heads of those who
- * sit at it: such windows are dashed, like all that lies above a plan's cut. */
+/* Sills higher than this above the working plane (m) are above the heads of seated
+ * users: such windows are dashed, like everything above a plan's cut. */
 #define HIGH_SILL_M 1.0
 
 static double wall_weight(const struct pp_style *style)
@@ -147,7 +147,8 @@ static void draw_facades(cairo_t *cr, const struct pp_style *style,
     cairo_restore(cr);
 }
 
-/* On paper: the ends of a window or a door in the wall, and the direction out of the room. */
+/* Ends of a window or door in its wall, and the direction out of the room, all on
+ * paper. */
 static void ends_of(const struct pp_room_plan *plan, const struct pp_polygon *outline,
                     double ends[2][2], double out[2])
 {

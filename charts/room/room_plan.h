@@ -34,7 +34,7 @@ double pp_room_plan_usual_scale(double least);
 double pp_room_plan_border(const struct pp_room_plan *plan,
                            const struct pp_style *style);
 
-/* Where a place of the room is on paper, mm. */
+/* Position on paper (mm) of a place in the room. */
 double pp_room_plan_x(const struct pp_room_plan *plan, double x);
 double pp_room_plan_y(const struct pp_room_plan *plan, double y);
 

@@ -105,8 +105,8 @@ static void stroke_cuts(const struct section_drawing *drawing, enum pp_cut_kind 
     cairo_stroke(drawing->cr);
 }
 
-/* Is the opening seen edge-on in the section, such as glass in a slope that is cut beside
- * it? Then its lowest and highest corner are the ends of what is seen. */
+/* True if the opening is seen edge-on in the section, like glass in a slope that is cut
+ * beside it. Its lowest and highest corners are then the ends of the visible part. */
 static bool is_edge_on(const struct section_drawing *drawing,
                        const struct pp_polygon *outline, double s[2], double z[2])
 {
@@ -155,7 +155,8 @@ static void draw_edge_on(const struct section_drawing *drawing)
     }
 }
 
-/* Is it beyond the ends of the section, as in another wing of an L-shaped room? */
+/* True if it lies beyond the ends of the section, as in another wing of an L-shaped
+ * room. */
 static bool is_beyond_ends(const struct pp_section_cut *cut,
                            const struct pp_polygon *outline)
 {
@@ -189,7 +190,7 @@ static int draw_openings_behind(const struct section_drawing *drawing)
     return drawn;
 }
 
-/* Does it stand on the side that the section is looked at towards? */
+/* True if the outline is on the far side of the section. */
 static bool is_behind(const struct pp_section_cut *cut,
                       const struct pp_polygon *outline)
 {
@@ -258,7 +259,7 @@ static void draw_openings_cut(const struct section_drawing *drawing)
     }
 }
 
-/* On paper, how far the facade of a cut face is outside it; 0: it has none. */
+/* Distance on paper (mm) of a facade outside a cut face; 0: the face has none. */
 static double facade_mm(const struct section_drawing *drawing, int face)
 {
     const struct pp_world *world = drawing->section->world;
@@ -368,7 +369,7 @@ static void draw_sight(const struct section_drawing *drawing, bool near)
     double out = near ? -1.0 : 1.0;
     double x = at_s(drawing, sight.s), y = at_z(drawing, sight.z);
     double reach = (near ? section->left_mm : section->right_mm) - 1.0;
-    /* As far as the strip and the section's top allow. */
+    /* Extends as high as the strip and the top of the section allow. */
     double top = fmax(y - section->y + 0.8 * section->head_mm, 1.0);
     double run = fmin(reach, top / tan(sight.angle_rad));
     run =
@@ -435,7 +436,7 @@ static void write_caption(const struct section_drawing *drawing, int behind)
         left = fmin(left,
                     fmax(section->most_x - set.width, section->x - section->left_mm));
     set.lines = 2;
-    /* On white, as a facade and the ground may be drawn on below the floor. */
+    /* Draws on white, since a facade and the ground may continue below the floor. */
     pp_lettering_draw_on_white(
         drawing->cr, drawing->style, &set, left,
         at_z(drawing, drawing->low) + 1.4 * drawing->style->scale, text);

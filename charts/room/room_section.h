@@ -16,12 +16,12 @@ struct pp_room_section {
     bool no_sights;                 /* leave out the obstructions' angles, */
     bool no_caption;                /* or the caption, which is 90 mm wide at least */
 
-    /* By pp_room_section_fit. */
+    /* Scale, set by pp_room_section_fit. */
     double mm_per_m;  /* a usual scale: 1:20, 1:25, 1:50, 1:75 ... */
     double height_mm; /* of the drawing, its caption included */
 
-    /* Set by the caller: x of the near wall's inside face, y of the top, and room for
-     * what stands outside the near and the far wall. */
+    /* Set by the caller: x of the near wall's inside face, y of the top, and space for
+     * obstructions outside the near and the far wall. */
     double x, y, left_mm, right_mm;
     double head_mm; /* and above it */
     double most_x;  /* the caption ends before it; 0: where it likes */
@@ -34,7 +34,7 @@ bool pp_room_section_has_outside(const struct pp_room_section *section, bool nea
 void pp_room_section_fit(struct pp_room_section *section, const struct pp_style *style,
                          double length_mm, double height_mm);
 
-/* On paper: a place in the section, once fitted. */
+/* Position on paper of a place in the section; valid after pp_room_section_fit. */
 double pp_room_section_x(const struct pp_room_section *section, double s);
 double pp_room_section_y(const struct pp_room_section *section, double z);
 

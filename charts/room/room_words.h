@@ -1,5 +1,5 @@
-/* room_words.h - what is given of a room, in words: its size, an opening, what stands
- * outside. Texts are added as pp_page_say does. */
+/* room_words.h - the given data of a room in words: its size, an opening, obstructions.
+ * Texts are appended as by pp_page_say. */
 #ifndef PP_CHARTS_ROOM_ROOM_WORDS_H
 #define PP_CHARTS_ROOM_ROOM_WORDS_H
 

@@ -18,7 +18,7 @@
  * the axis. */
 #define WIDE_RANGE 30.0
 
-/* The value in per cent, plus so many standard errors. */
+/* Value in per cent, plus this many standard errors. */
 static double percent_of(const struct pp_reading *reading, double errors)
 {
     double error = isfinite(reading->std_error) ? reading->std_error : 0.0;
@@ -139,8 +139,8 @@ static void lay_axes(struct pp_section_plot *plot, enum pp_section_scale scale)
 
 /* ---- curves ---- */
 
-/* Draws points first ... last of the order, which all have values, as one curve, whose
- * path the labels keep off. Points at one distance are drawn once. */
+/* Draws points first ... last of the order, which all have values, as one curve; labels
+ * avoid its path. Points at equal distance are drawn once. */
 static void draw_run(struct pp_section_plot *plot, int index, int first, int last)
 {
     const struct pp_series *series = &plot->series[index];
@@ -305,8 +305,8 @@ static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *c
     if (plot->legend.columns)
         body.height -= plot->legend.height + 4.0 * plot->style.scale;
 
-    /* The section takes what its scale needs; the curves stand above it to the same
-     * scale across. */
+    /* The section takes the height of its scale; the curves stand above it at the same
+     * horizontal scale. */
     struct pp_style *style = &plot->style;
     struct pp_room_section section = {
         .world = world, .cut = &plot->cut, .report = chart->report};
@@ -336,8 +336,8 @@ static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *c
     high = fmin(high, fmax(1.2 * width, 85.0 * style->scale));
     plot->field = (struct pp_box){body.x + left, body.y + title, width, high};
 
-    /* A narrow room leaves a strip beside the curves for a legend; a wide one has it in
-     * the curves' upper right corner. */
+    /* A narrow room leaves a strip beside the curves for the legend; in a wide one it
+     * is in the curves' upper right corner. */
     double beside = body.x + body.width - (plot->field.x + width) - 5.0 * style->scale;
     struct pp_box aside = {plot->field.x + width + 5.0 * style->scale, plot->field.y,
                            beside, 0};

@@ -33,7 +33,8 @@ static double off_plane(const struct pp_section_cut *cut, struct pp_vec3 point)
 
 /* ---- the line ---- */
 
-/* Square to the opening whose middle is nearest; along y where there is none. */
+/* Aims at right angles to the opening with the nearest centre; along y if there is
+ * none. */
 static void aim_at_opening(struct pp_section_cut *cut, const struct pp_world *world,
                            struct pp_vec3 point)
 {
@@ -124,9 +125,8 @@ static int compare_places(const void *a, const void *b)
     return (p[1] > q[1]) - (p[1] < q[1]);
 }
 
-/* The places where the outline passes through the section's plane, in order along their
- * common line; they bound the cuts in pairs. *places is to be freed; -1: memory is out.
- */
+/* Places where the outline crosses the section's plane, in order along their common
+ * line; they bound the cuts in pairs. The caller frees *places; -1: out of memory. */
 static int places_of(const struct pp_section_cut *cut, const struct pp_polygon *outline,
                      double (**places)[2])
 {

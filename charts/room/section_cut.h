@@ -30,7 +30,7 @@ struct pp_section_cut {
     int count;
     double length_m;              /* of the room along the line: s of the far wall */
     int near_face, far_face;      /* walls at s = 0 and length; -1: none met */
-    bool near_window, far_window; /* is there an opening in them? */
+    bool near_window, far_window; /* true if they contain an opening */
 };
 
 /* Cuts the world along its receivers, which must lie on a horizontal straight line;

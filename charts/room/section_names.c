@@ -53,7 +53,7 @@ void pp_section_names_fit_legend(struct pp_section_plot *plot, double width)
     legend->height = legend->rows * row;
 }
 
-/* In the first free corner of the field, or beside the field. */
+/* Draws the legend in the first free corner of the field, or else beside the field. */
 static void draw_legend_inside(struct pp_section_plot *plot, struct pp_box aside)
 {
     struct pp_box field = plot->field;

@@ -1,5 +1,5 @@
-/* section_plot.h - the section chart while it is drawn: what its layout, curves
- * (section_chart.c), series (section_series.c) and names (section_names.c) share. */
+/* section_plot.h - state of the section chart while it is drawn: shared by its layout,
+ * curves (section_chart.c), series (section_series.c) and names (section_names.c). */
 #ifndef PP_CHARTS_ROOM_SECTION_PLOT_H
 #define PP_CHARTS_ROOM_SECTION_PLOT_H
 
@@ -9,7 +9,7 @@
 #include "charts/room/section_cut.h"
 #include "model/results/report.h"
 
-/* One column of the report on the chart. */
+/* One column of the report, drawn as one series of the chart. */
 struct pp_series {
     const struct pp_column *column;
     enum { PP_CURVE, PP_SAMPLED, PP_LEVEL } kind;

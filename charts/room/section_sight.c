@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* Height of the middle of a face's openings: of those cut, else of all. False: there are
+/* Mid-height of a face's openings: of those cut, or else of all. False: there are
  * none. */
 static bool middle_of_openings(const struct pp_section_cut *section,
                                const struct pp_world *world, int face, double *z)

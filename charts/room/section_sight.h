@@ -1,13 +1,12 @@
-/* section_sight.h - the line of sight from a window to what obstructs it, in a section. It is
- * drawn, and nothing is computed from it: the obstruction angle of the methods is
- * methods/reflected/obstruction.h's.
- */
+/* section_sight.h - the line of sight from a window to its obstruction, in a section.
+ * It is only drawn: the obstruction angle of the methods is in
+ * methods/reflected/obstruction.h. */
 #ifndef PP_CHARTS_ROOM_SECTION_SIGHT_H
 #define PP_CHARTS_ROOM_SECTION_SIGHT_H
 
 #include "charts/room/section_cut.h"
 
-/* As seen from the window's middle in the section plane. */
+/* Line of sight from the middle of the window, in the plane of the section. */
 struct pp_section_sight {
     double angle_rad; /* above the horizontal; 0: nothing obstructs */
     double s, z;      /* the window's middle */

@@ -9,7 +9,7 @@
 
 enum { PP_TICKS_MOST = 64 };
 
-/* From values to places on paper; from > to turns it round (upwards, on paper). */
+/* Map from values to places on paper; from > to reverses it (upwards, on paper). */
 struct pp_axis {
     double low, high; /* values at its ends, low < high */
     double from, to;  /* their places, mm */
@@ -28,8 +28,8 @@ struct pp_axis pp_axis_linear(double low, double high, double from, double to,
 struct pp_axis pp_axis_log(double low, double high, double from, double to,
                            double apart_mm);
 
-/* Where a value is, mm; values outside fall outside. Of a logarithmic axis, values of 0
- * or less are at its low end. */
+/* Position of a value (mm); values outside the axis lie outside its line. A logarithmic
+ * axis puts values of 0 or less at its low end. */
 double pp_axis_at(const struct pp_axis *axis, double value);
 
 /* A tick's label. */

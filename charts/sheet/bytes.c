@@ -93,8 +93,8 @@ static int id_number(struct ids *ids, struct svg_span id)
     return ids->count++;
 }
 
-/* The FNV-1a hash of title and drawing. The names that cairo gives depend on what else was drawn before in the same
- * process, so digits inside quotes and url() after # or id= are passed over. */
+/* FNV-1a hash of title and drawing. cairo's names depend on earlier drawings of the
+ * same process, so digits inside quotes and url() after # or id= are skipped. */
 static uint32_t hash_drawing(struct svg_span drawing, const char *title)
 {
     uint32_t hash = 2166136261u;
@@ -113,7 +113,7 @@ static uint32_t hash_drawing(struct svg_span drawing, const char *title)
     return hash;
 }
 
-/* Where an id begins next, at or after `from`; NULL: nowhere. */
+/* Start of the next id at or after `from`; NULL: none. */
 static const char *next_id(const char *from, const char *end)
 {
     static const char *const openings[] = {" id=\"", "href=\"#", "url(#"};

@@ -1,5 +1,5 @@
-/* bytes.h - a growing block of bytes, and the additions that make cairo's SVG files
- * what canvas.h promises. */
+/* bytes.h - a growing block of bytes, and the changes to cairo's SVG files that
+ * canvas.h promises. */
 #ifndef PP_CHARTS_SHEET_BYTES_H
 #define PP_CHARTS_SHEET_BYTES_H
 

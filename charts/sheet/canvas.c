@@ -1,6 +1,5 @@
-/* canvas.c - makes the cairo surface of a sheet of paper and turns what cairo
- * wrote into the finished file.
- */
+/* canvas.c - makes the cairo surface of a sheet of paper and turns cairo's output into
+ * the finished file. */
 #include "charts/sheet/canvas.h"
 
 #include <math.h>
@@ -289,8 +288,8 @@ void pp_canvas_add_outline(struct pp_canvas *canvas, int level, const char *titl
     g_free(valid);
 }
 
-/* Where the matrix between the two is more than a shift by whole units, cairo (1.16) makes
- * pixels of some drawings. */
+/* cairo (1.16) rasterises some drawings if the matrix between the two canvases is more
+ * than a shift by whole units. */
 void pp_canvas_place(struct pp_canvas *canvas, const struct pp_canvas *drawing,
                      double x_mm, double y_mm)
 {

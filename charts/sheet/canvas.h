@@ -28,10 +28,11 @@ struct pp_sheet {
     enum pp_chart_format format;
     enum pp_paper paper;
     bool landscape;
-    double dpi;              /* PNG only, 20 to 1200; 0: 200 */
-    const char *title;       /* UTF-8, not owned; NULL: "" */
-    const char *description; /* likewise: what is to be seen, for who cannot see it */
-    bool transparent;        /* PNG only: no white ground; of 128 MiB at most */
+    double dpi;                 /* PNG only, 20 to 1200; 0: 200 */
+    const char *title;          /* UTF-8, not owned; NULL: "" */
+    const char *description;    /* description of the drawing for readers who cannot see
+                              * it; same ownership */
+    bool transparent;           /* PNG only: no white ground; of 128 MiB at most */
     double width_mm, height_mm; /* instead of the paper's; 0: the paper's */
     bool to_place;              /* no file of its own: for pp_canvas_place */
 };
@@ -47,9 +48,9 @@ cairo_t *pp_canvas_cairo(struct pp_canvas *canvas);
 double pp_canvas_width_mm(const struct pp_canvas *canvas);
 double pp_canvas_height_mm(const struct pp_canvas *canvas);
 
-/* For what draws on a canvas's context and has no memory for a part: pp_canvas_finish will
- * fail, as with errors of cairo's, so that no drawing is taken for whole. A context of no
- * canvas is left as it is. */
+/* Reports lack of memory for a part of a drawing on this context. pp_canvas_finish then
+ * fails, as with cairo's own errors, so that no incomplete drawing is kept. Does
+ * nothing for a context without a canvas. */
 void pp_canvas_lacks_memory(cairo_t *cr);
 
 /* Sets the small print at the foot of sheets from now on: the drawing's source; copied,
@@ -63,14 +64,15 @@ bool pp_canvas_has_sheets(const struct pp_canvas *canvas);
 /* A further sheet of the same size; of PDF only. */
 enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *err);
 
-/* A line in the PDF's list of contents, which leads to y_mm on this sheet; nothing in other
- * formats. level: 1 for the first line, then at most one more than that of the line before. */
+/* Adds a line to the PDF's outline, which leads to y_mm on this sheet; does nothing in
+ * other formats. level: 1 for the first line, then at most one more than that of the
+ * line before. */
 void pp_canvas_add_outline(struct pp_canvas *canvas, int level, const char *title,
                            double y_mm);
 
-/* Draws on a canvas of PDF or SVG what was drawn on another one, which is to be placed, at true
- * scale and line by line as it was: its upper left corner at x_mm, y_mm, to the nearest
- * point (1/72 inch). What reaches over its edges is cut off. */
+/* Places the drawing of another canvas on a canvas of PDF or SVG, at true scale and
+ * line by line. Its upper left corner is at x_mm, y_mm, to the nearest point (1/72
+ * inch). Parts beyond its edges are cut off. */
 void pp_canvas_place(struct pp_canvas *canvas, const struct pp_canvas *drawing,
                      double x_mm, double y_mm);
 
@@ -88,8 +90,7 @@ enum pp_status pp_canvas_write(struct pp_canvas *canvas,
                                                         struct pp_error *err),
                                void *closure, struct pp_error *err);
 
-/* The format that a file name's ending asks for (".pdf", ".svg", ".png", in either
- * case). */
+/* Format by the ending of a file name (".pdf", ".svg", ".png", in either case). */
 enum pp_status pp_canvas_format_of(enum pp_chart_format *format, const char *path,
                                    struct pp_error *err);
 

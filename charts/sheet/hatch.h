@@ -1,11 +1,11 @@
-/* hatch.h - lines at 45 degrees, for what has to be told apart in print. */
+/* hatch.h - lines at 45 degrees, to distinguish areas in print. */
 #ifndef PP_CHARTS_SHEET_HATCH_H
 #define PP_CHARTS_SHEET_HATCH_H
 
 #include "charts/sheet/lettering.h"
 
-/* Draws lines over a box, within what cairo is clipped to: apart_mm apart on paper, of
- * that weight (mm) and grey. */
+/* Draws lines over a box, within cairo's clip: apart_mm apart on paper, of that weight
+ * (mm) and grey. */
 void pp_hatch_box(cairo_t *cr, struct pp_box box, double apart_mm, double weight_mm,
                   double grey);
 

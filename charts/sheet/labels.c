@@ -55,8 +55,8 @@ bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, doub
     return false;
 }
 
-/* Is the box `pad` away from all places that are noted, a quarter of that from the
- * owner's? */
+/* True if the box is `pad` away from all noted places, or a quarter of that from the
+ * owner's. */
 static bool is_free(const struct pp_labels *labels, struct pp_box box, int owner,
                     double pad)
 {
@@ -123,7 +123,7 @@ bool pp_labels_find(const struct pp_labels *labels, const struct pp_style *style
         if (p->owner != owner || seen++ % stride)
             continue;
         double at[2] = {p->x, p->y};
-        /* Where lines run close together, a label does not tell which of them it means. */
+        /* Among close lines the owner of a label is ambiguous. */
         double apart = clearance(labels, at, at, owner);
         double doubt = 4.0 * fmax(0.0, 2.5 - apart / unit);
         for (int ring = 0; ring < 5; ring++)

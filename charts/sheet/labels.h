@@ -1,8 +1,8 @@
-/* labels.h - words put where there is room for them, next to what they name.
+/* labels.h - placement of words next to the things that they name.
  *
- * What is drawn already is noted as places not to cover. A label is tried beside each
- * of the places it may name, on all sides and ever further off, and stands where it
- * covers nothing and is nearest; one that finds no such place is not drawn.
+ * Existing drawings are noted as places not to cover. A label is tried on all sides of
+ * each place that it may name, at growing distances. It is put at the nearest place
+ * where it covers nothing, or else not drawn.
  */
 #ifndef PP_CHARTS_SHEET_LABELS_H
 #define PP_CHARTS_SHEET_LABELS_H
@@ -15,7 +15,7 @@ enum { PP_LABEL_PLACES_MOST = 6000 };
 
 struct pp_label_place {
     double x, y;
-    int owner; /* of which curve; -1: nobody's */
+    int owner; /* index of a curve; -1: no owner */
 };
 
 struct pp_labels {
@@ -35,11 +35,11 @@ void pp_labels_note_path(struct pp_labels *labels, cairo_t *cr, int owner);
 /* Notes all of a box. */
 void pp_labels_note_box(struct pp_labels *labels, struct pp_box box);
 
-/* Is something of that owner's noted within that distance? */
+/* True if a place of that owner is noted within that distance. */
 bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, double y,
                        double distance);
 
-/* Is a box within the field and clear of all that is noted? */
+/* True if a box is within the field and clear of all noted places. */
 bool pp_labels_is_free(const struct pp_labels *labels, struct pp_box box);
 
 /* Looks for a place for a box of that size next to one of the owner's places, further off

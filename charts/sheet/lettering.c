@@ -3,7 +3,7 @@
 
 #include <pango/pangocairo.h>
 
-/* The first of these that the machine has; the last is an alias that every one has. */
+/* Fonts in order of preference; the last is an alias that every machine has. */
 static const char families[] =
     "Source Sans 3, Source Sans Pro, Nimbus Sans, Liberation Sans, "
     "DejaVu Sans Condensed, DejaVu Sans, sans-serif";
@@ -14,8 +14,8 @@ bool pp_lettering_boxes_overlap(struct pp_box a, struct pp_box b)
            && b.y < a.y + a.height;
 }
 
-/* All sizes are laid out in one and enlarged: of each size that pango is asked for it searches
- * the machine's fonts anew, by two threads of its own. */
+/* All sizes are laid out at this size and enlarged: for each new size pango searches
+ * the machine's fonts again, with two threads. */
 static const double laid_out_mm = 4.0;
 
 static double enlargement(const struct pp_style *style, const struct pp_lettering *text)
@@ -112,7 +112,7 @@ static struct pp_box draw_lettering(cairo_t *cr, const struct pp_style *style,
         cairo_fill(cr);
     }
     pp_style_grey(cr, text->grey);
-    /* In a layout of a set width, aligned lines stand off its left edge. */
+    /* Aligned lines in a layout of fixed width start away from its left edge. */
     double scale = enlargement(style, text);
     cairo_scale(cr, scale, scale);
     cairo_move_to(cr, -(double)logical.x / PANGO_SCALE, 0.0);

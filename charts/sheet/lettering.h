@@ -1,6 +1,6 @@
-/* lettering.h - words on a chart: placed by a point and by which of their sides it is.
+/* lettering.h - words on a chart, placed by a point at one of their sides.
  *
- * Text is UTF-8; what is not valid is shown as U+FFFD. Sizes don't depend on the format
+ * Text is UTF-8; invalid bytes are shown as U+FFFD. Sizes don't depend on the format
  * drawn to: glyphs are laid out unhinted, at fractions of a millimetre.
  */
 #ifndef PP_CHARTS_SHEET_LETTERING_H
@@ -41,7 +41,7 @@ struct pp_box pp_lettering_draw(cairo_t *cr, const struct pp_style *style,
                                 const struct pp_lettering *text, double x, double y,
                                 const char *words);
 
-/* As pp_lettering_draw, on a white ground a little larger than the text. */
+/* Draws like pp_lettering_draw, on a white ground a little larger than the text. */
 struct pp_box pp_lettering_draw_on_white(cairo_t *cr, const struct pp_style *style,
                                          const struct pp_lettering *text, double x,
                                          double y, const char *words);

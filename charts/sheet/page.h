@@ -10,11 +10,11 @@
 
 struct pp_page {
     const char *title;    /* the room's name; may be long; NULL: no line for it */
-    const char *subtitle; /* what the chart shows, under which sky */
+    const char *subtitle; /* content of the chart, and the sky */
     const char *foot;     /* notes, one paragraph; NULL or "": none */
 };
 
-/* Draws title and notes and returns what is left of the sheet between them. */
+/* Draws title and notes and returns the free box between them. */
 struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,
                            const struct pp_page *page);
 
@@ -22,8 +22,8 @@ struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *styl
 struct pp_box pp_page_measure(struct pp_canvas *canvas, const struct pp_style *style,
                               const struct pp_page *page);
 
-/* Adds a sentence to `text` (of `room` bytes), after a space unless a line begins; what
- * does not fit is cut. */
+/* Adds a sentence to `text` (of `room` bytes), after a space unless a line begins; text
+ * that does not fit is cut. */
 void pp_page_say(char *text, size_t room, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

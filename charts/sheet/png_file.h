@@ -15,9 +15,9 @@
 cairo_status_t pp_png_file_of_image(struct pp_bytes *png, cairo_surface_t *image,
                                     double dots_per_mm);
 
-/* The same for a drawing that is too large for an image in memory: a recording surface of one
- * unit a pixel, whose ground is painted, drawn again for each band of rows. Width, height and
- * rows are from 1 to 32767. */
+/* Writes a drawing that is too large for an image in memory: a recording surface of one
+ * unit per pixel, with a painted ground, drawn again for each band of rows. Width,
+ * height and rows are from 1 to 32767. */
 cairo_status_t pp_png_file_in_bands(struct pp_bytes *png, cairo_surface_t *drawing,
                                     int width, int height, int rows,
                                     double dots_per_mm);

@@ -42,7 +42,7 @@ struct pp_curve_style pp_style_curve(int index)
         {4, {1.8, 0.8, 1.8, 2.2}, 0.7, 0},
         {2, {0.35, 1.0}, 1.2, 0},
     };
-    /* Circle and diamond are those of sampled points. */
+    /* Circle and diamond are reserved for sampled points. */
     static const enum pp_marker markers[] = {
         PP_DISC,         PP_CROSS,  PP_FULL_SQUARE, PP_TRIANGLE,
         PP_FULL_DIAMOND, PP_SQUARE, PP_PLUS,

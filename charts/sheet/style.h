@@ -1,10 +1,10 @@
 /* style.h - how charts look: weights, tints, dashes, markers, sizes of text.
  *
- * Made for black and white and the photocopier: lines are told apart by dash and
- * marker, never by tint alone; no line is thinner than 0.1 mm, no tint that has to be
- * seen lighter than 12 % black. All sizes are millimetres on paper. They grow with the
- * square root of the sheet's width, so that an A2 on the wall and an A5 in a book are
- * both read at their own distance.
+ * Made for black and white and the photocopier: lines differ by dash and marker, never
+ * by tint alone. No line is thinner than 0.1 mm, and no visible tint lighter than 12 %
+ * black. All sizes are millimetres on paper. They grow with the square root of the
+ * sheet's width, so that an A2 on the wall and an A5 in a book are both read at their
+ * own distance.
  */
 #ifndef PP_CHARTS_SHEET_STYLE_H
 #define PP_CHARTS_SHEET_STYLE_H
@@ -23,7 +23,7 @@ struct pp_style {
     double margin;                    /* round the sheet */
 };
 
-/* For a sheet whose shorter side is short_mm. */
+/* Style for a sheet whose shorter side is short_mm. */
 struct pp_style pp_style_for(double short_mm);
 
 /* Greys, as the share of white: text of the second rank, lines that stand back, fills.

@@ -61,7 +61,7 @@ static void trace_region(cairo_t *cr, const struct pp_room_plan *frame,
     }
 }
 
-/* From the most sky to the least, each over what has more. */
+/* Fills bands from the most sky to the least, each drawn over those with more sky. */
 static void fill_wall(struct elevation_drawing *drawing,
                       const struct pp_room_plan *frame,
                       const struct pp_elevation_wall *wall)
@@ -215,7 +215,7 @@ static void draw_elevation(struct elevation_drawing *drawing,
 
 /* ---- the sheet ---- */
 
-/* Puts the elevations in rows from the box's top left; draws them if so wanted. Returns
+/* Puts the elevations in rows from the box's top left; draws them if `drawn`. Returns
  * whether they fit. */
 static bool flow(struct elevation_drawing *drawing, struct pp_box box, bool drawn)
 {

@@ -35,7 +35,7 @@ static struct pp_bounds2 room_bounds(const struct pp_site_sheet *sheet)
     return box;
 }
 
-/* The rooms, and what stands near them; of a plot the rooms and the plot. */
+/* Extent of the rooms and their surroundings; for a plot, of the rooms and the plot. */
 static struct pp_bounds2 site_extent(const struct pp_site_sheet *sheet)
 {
     struct pp_bounds2 rooms = room_bounds(sheet);
@@ -87,9 +87,9 @@ static void fit_site_scale(struct site_drawing *drawing, struct pp_box room)
     drawing->labels->field = room;
 }
 
-/* ---- what stands there ---- */
+/* ---- existing and proposed shapes ---- */
 
-/* Is it the name of a room, as those of other rooms' outsides are? */
+/* True if it is the name of a room, as shapes of other rooms' outsides have. */
 static bool is_room_name(const struct pp_site_sheet *sheet, const char *name)
 {
     for (int i = 0; i < sheet->shape_count; i++)
@@ -116,9 +116,9 @@ static double covered_m2(const struct pp_site_shape *shape, double middle[2])
 
 /* Properties of all shapes of one name together. */
 struct named_thing {
-    double area_m2, middle[2]; /* of the largest of them */
+    double area_m2, middle[2]; /* of the largest shape */
     double top_m;
-    bool first; /* is the shape asked for the first of them? */
+    bool first; /* true if this shape is the first of them */
 };
 
 static struct named_thing gather_named(const struct pp_site_sheet *sheet, int index)

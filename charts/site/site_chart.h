@@ -1,6 +1,6 @@
-/* site_chart.h - the plan of a site to a true scale: what stands on it, existing and proposed,
- * its rooms, and before each window its vertical sky component, storey by storey.
- */
+/* site_chart.h - the plan of a site to a true scale: its buildings, existing and
+ * proposed, its rooms, and before each window its vertical sky component, storey by
+ * storey. */
 #ifndef PP_CHARTS_SITE_SITE_CHART_H
 #define PP_CHARTS_SITE_SITE_CHART_H
 

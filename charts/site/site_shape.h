@@ -1,6 +1,5 @@
-/* site_shape.h - a thing that stands on a site, as its plan shows it: what covers something is
- * filled, what is new hatched, what has gone dashed.
- */
+/* site_shape.h - an object on a site, as drawn on its plan: covering objects are
+ * filled, new ones hatched, demolished ones dashed. */
 #ifndef PP_CHARTS_SITE_SITE_SHAPE_H
 #define PP_CHARTS_SITE_SITE_SHAPE_H
 

@@ -21,7 +21,8 @@ bool pp_sky_bands_is_dark(int band);
 /* Fills PP_SKY_BANDS keys, from the most sky on: "27 % or more", ... */
 void pp_sky_bands_keys(struct pp_key *keys);
 
-/* Has the window lost too much: less than 27 % and less than 0.8 of before [BR209]? */
+/* True if the window has lost too much: less than 27 % and less than 0.8 of before
+ * [BR209]. */
 bool pp_sky_bands_is_lost(const struct pp_site_window *window);
 
 #endif

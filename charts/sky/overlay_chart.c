@@ -176,7 +176,7 @@ static void overlay_titles(const struct pp_overlay *overlay, char *title,
     subtitle[0] = (char)(subtitle[0] == 'u' ? 'U' : subtitle[0]);
 }
 
-/* In the lower left corner, which the circle leaves free. */
+/* Writes the radius in the lower left corner, which the circle leaves free. */
 static void state_radius(const struct pp_overlay_plot *plot, struct pp_box body)
 {
     const struct pp_lettering set = {.size = PP_TEXT_SMALL, .down = 1.0};
@@ -186,7 +186,7 @@ static void state_radius(const struct pp_overlay_plot *plot, struct pp_box body)
                       words);
 }
 
-/* The circle's place and size in what the page leaves. */
+/* Place and size of the circle in the space that the page leaves. */
 static enum pp_status lay_circle(struct pp_overlay_plot *plot, struct pp_box body,
                                  struct pp_error *err)
 {
@@ -204,7 +204,7 @@ static enum pp_status lay_circle(struct pp_overlay_plot *plot, struct pp_box bod
     return PP_OK;
 }
 
-/* ---- what hides the sky ---- */
+/* ---- obstructions of the sky ---- */
 
 static void trace_mask(const struct pp_overlay_plot *plot,
                        const struct pp_sky_mask *mask)
@@ -226,7 +226,8 @@ static void trace_mask(const struct pp_overlay_plot *plot,
     }
 }
 
-/* Now in light grey, and before within it, so that what is new stands out hatched. */
+/* Draws the obstruction now in light grey, and the former one within it, so that new
+ * parts stand out hatched. */
 static void draw_masks(const struct pp_overlay_plot *plot)
 {
     const struct pp_overlay *overlay = plot->overlay;

@@ -19,8 +19,8 @@ struct pp_overlay {
     bool sun; /* the sun's paths, */
     double latitude_rad;
 
-    /* A sheet in place of an overlay: seen from above, east on the right, with what hides
-     * the sky from a window. */
+    /* Sheet instead of an overlay: seen from above, east on the right, with the
+     * obstructions of a window. */
     const char *title, *subtitle, *foot; /* title NULL: an overlay */
     const struct pp_sky_mask *now;       /* NULL: nothing hides */
     const struct pp_sky_mask *before;    /* NULL: not known */

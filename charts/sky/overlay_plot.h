@@ -14,7 +14,7 @@ struct pp_overlay_plot {
     double x0, y0, radius; /* of the horizon's circle, mm */
 };
 
-/* On paper; radians. */
+/* Position on paper of a direction; angles in radians. */
 void pp_overlay_plot_place(const struct pp_overlay_plot *plot, double altitude,
                            double bearing, double xy[2]);
 

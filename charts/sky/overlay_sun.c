@@ -6,8 +6,8 @@
 
 #include "model/light/sun_path.h"
 
-/* A path of each declination; the later months have those of the earlier within 0.6
- * degrees. */
+/* One path for each declination; those of later months are within 0.6 degrees of the
+ * earlier ones. */
 static const struct {
     int month;
     const char *words;
@@ -39,7 +39,8 @@ static void draw_path(const struct pp_overlay_plot *plot, double declination)
     pp_overlay_plot_stroke(plot, plot->style.medium);
 }
 
-/* From the December path to the June one, where the sun is up. */
+/* Draws an hour line from the December sun path to the June one, where the sun is
+ * up. */
 static void draw_hour(const struct pp_overlay_plot *plot, int hour)
 {
     double low = pp_sun_path_declination(12, DAY),
@@ -55,7 +56,7 @@ static void draw_hour(const struct pp_overlay_plot *plot, int hour)
     pp_overlay_plot_stroke(plot, plot->style.thin);
 }
 
-/* On white, where nothing stands yet. */
+/* Writes the words on white, if the place is still free. */
 static void put_words(const struct pp_overlay_plot *plot, const double xy[2],
                       const char *words)
 {

@@ -121,7 +121,7 @@ static enum pp_status refuse_alone(const struct pp_criterion *criterion,
                    criterion->name);
 }
 
-/* A criterion that was asked for by name must have what it compares with. */
+/* Checks that criteria selected by name have the former state to compare with. */
 static enum pp_exit check_compared(const struct pp_assess_words *words,
                                    const char *command, bool has_before)
 {

@@ -14,7 +14,7 @@ struct pp_assess_run {
     struct pp_assessments all;
 };
 
-/* Judges all rooms of the files and has them printed by `print`, whose data is a struct
+/* Assesses all rooms of the files and prints them by `print`, whose data is a struct
  * pp_assess_run. command: its name, for messages. */
 enum pp_exit pp_assess_run(struct pp_assess_words *words, const char *command,
                            char **files, int file_count,

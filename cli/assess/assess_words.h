@@ -1,5 +1,5 @@
-/* assess_words.h - the words of commands that judge rooms: what is judged, by whose
- * figures, and what it is set beside. */
+/* assess_words.h - options of commands that assess rooms: criteria, methods, and the
+ * state to compare with. */
 #ifndef PP_CLI_ASSESS_ASSESS_WORDS_H
 #define PP_CLI_ASSESS_ASSESS_WORDS_H
 
@@ -11,7 +11,7 @@
 #include "studies/climate/sunshine.h"
 #include "studies/criteria/profile.h"
 
-/* The line at which the building is mirrored, if one was asked for. */
+/* Line at which the building is mirrored, if given. */
 struct pp_boundary_words {
     bool given;
     struct pp_mirror_line line;
@@ -20,7 +20,7 @@ struct pp_boundary_words {
 struct pp_assess_words {
     struct pp_room_options room;
     const char *criteria;     /* as typed; NULL: all */
-    const char *profile_name; /* as typed; NULL: none asked for */
+    const char *profile_name; /* as typed; NULL: none */
     const struct pp_profile *profile;
     bool table;         /* one table of all rooms in place of a sheet a room */
     const char *before; /* the file with the room as it was; NULL: none */
@@ -35,10 +35,10 @@ struct pp_assess_words {
 };
 
 /* Lists for struct pp_option_group, with a struct pp_assess_words as values. */
-extern const struct pp_option pp_assess_words_choice[]; /* what is judged */
+extern const struct pp_option pp_assess_words_choice[]; /* choice of criteria */
 extern const struct pp_option pp_assess_words_table[];  /* table */
 
-/* For struct pp_command. */
+/* Initialises the options, for struct pp_command. */
 void pp_assess_words_init(void *words);
 void pp_assess_words_clear(void *words);
 enum pp_status pp_assess_words_check(void *words, char **files, int file_count,

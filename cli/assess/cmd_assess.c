@@ -1,5 +1,5 @@
-/* cmd_assess.c - the command assess: what a room's daylight has to reach, and
- * whether it does. */
+/* cmd_assess.c - the command assess: the criteria for a room's daylight, and whether
+ * they are met. */
 #include <stddef.h>
 
 #include "cli/assess/assess_run.h"

@@ -14,7 +14,7 @@
 #include "model/base/text.h"
 #include "model/geometry/vec.h"
 
-/* ---- what is typed ---- */
+/* ---- parsing ---- */
 
 /* "8" or "17:30" at *text, moved behind it; hours. */
 static bool read_clock(const char **text, double *hour)

@@ -1,6 +1,5 @@
-/* availability_options.h - where the light outside comes from, and when and how much of
- * it is wanted.
- */
+/* availability_options.h - source of the light outside, and the target illuminances and
+ * hours. */
 #ifndef PP_CLI_AVAILABILITY_AVAILABILITY_OPTIONS_H
 #define PP_CLI_AVAILABILITY_AVAILABILITY_OPTIONS_H
 
@@ -10,18 +9,17 @@
 #include "studies/climate/year_light.h"
 #include "model/room/world.h"
 
-/* For struct pp_option_group, with a struct pp_year_options as values: the
- * light outside and the hours; and the illuminances wanted. */
+/* Options of the light outside, the hours and the target illuminances, for struct
+ * pp_option_group; their values are a struct pp_year_options. */
 extern const struct pp_option pp_light_options[];
 extern const struct pp_option pp_illuminance_options[];
 
-/* Do the options make sense together, and with the room files? */
+/* Checks that the options are consistent with each other and with the room files. */
 enum pp_status pp_availability_options_check(const struct pp_year_options *options,
                                              char *const *files, int file_count,
                                              struct pp_error *err);
 
-/* Reads the weather file, if there is one, and says on standard error what is wrong
- * with it. */
+/* Reads the weather file, if there is one, and reports its errors on standard error. */
 enum pp_exit pp_availability_options_load(struct pp_year_options *options);
 /* Reads a weather file for the median of its diffuse illuminance over the brightest 4380
  * hours, and for how likely the sun is to shine; says on standard error why it has no

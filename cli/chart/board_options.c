@@ -110,7 +110,7 @@ static enum pp_status set_sky(struct pp_sky *sky, const char *words,
     return pp_sky_words_sky(sky, &part, 0.0, err);
 }
 
-/* A protractor by glazing, slope and sky, where one of them was said. */
+/* Chooses a protractor by glazing, slope and sky, if one of them was given. */
 static enum pp_status set_protractor(struct pp_board_options *board,
                                      const char *sky_words, struct pp_error *err)
 {

@@ -13,7 +13,7 @@
 #include "cli/rooms.h"
 #include "studies/criteria/room_before.h"
 
-/* By --format, or by the file's ending. */
+/* Chooses the format by --format, or else by the ending of the file's name. */
 static enum pp_status choose_format(enum pp_chart_format *format,
                                     const struct pp_room_options *room_options,
                                     const struct pp_chart_words *options,
@@ -31,7 +31,7 @@ static enum pp_status choose_format(enum pp_chart_format *format,
     return pp_canvas_format_of(format, output, err);
 }
 
-/* ---- What there is to draw ---- */
+/* ---- the task ---- */
 
 /* Chart to draw, its rooms, and the outcome. */
 struct chart_task {
@@ -70,7 +70,7 @@ static int count_sheets(const struct chart_task *task)
     return sheets;
 }
 
-/* Finds what each room was before. */
+/* Finds the former state of each room. */
 static enum pp_status pair_rooms(struct chart_task *task, struct pp_error *err)
 {
     const struct pp_rooms_before before = {task->former.list, task->former.count,

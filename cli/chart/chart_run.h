@@ -14,11 +14,12 @@ struct pp_chart_words {
     double dpi; /* 0: the canvas's own choice */
     bool list, logarithmic, linear;
     const char *before;   /* a file with the rooms as they were, or "existing"; NULL */
-    bool before_is_state; /* they are those of the same file in its other state */
+    bool before_is_state; /* the former rooms are those of the same file in its other
+                           * state */
     struct pp_chart_choice choice;
 };
 
-/* Reads the files (none: a blank) and draws; what is wrong is said. */
+/* Reads the files (none: a blank), draws the chart, and reports errors. */
 enum pp_exit pp_chart_run(const struct pp_chart_kind *kind,
                           const struct pp_room_options *room_options,
                           const struct pp_chart_words *options, char **files,

@@ -179,8 +179,8 @@ static enum pp_status check_compare_options(void *values, char **files, int file
 
 /* ---- values ---- */
 
-/* As fractions; the points' order is that of `chosen`. lux: of the open level plane; 0: it
- * is not known. */
+/* Converts the values to fractions, in the order of the points in `chosen`. lux:
+ * illuminance of the open level plane; 0: unknown. */
 static enum pp_status to_fractions(double *theirs, const struct pp_other_values *values,
                                    const int *chosen, int count,
                                    const struct compare_options *options, double lux,
@@ -255,7 +255,7 @@ static enum pp_status ours(struct pp_compare **compare, struct compare_run *run,
                            : status;
 }
 
-/* As asked for; else what a scene's sky gives. */
+/* External illuminance (lx) set by the user, or else by the sky of the scene. */
 static double external_lux(const struct compare_run *run)
 {
     double asked = run->options->room.study.external_lux;

@@ -16,7 +16,7 @@ struct pp_compare_scene {
     int count;
 };
 
-/* The files as one. On failure nothing is to be cleared. */
+/* Reads the files as one scene. On failure there is nothing to clear. */
 enum pp_status pp_compare_scene_read(struct pp_compare_scene *scene,
                                      const char *const *files, int count,
                                      struct pp_error *err);

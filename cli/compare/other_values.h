@@ -1,16 +1,18 @@
 /* other_values.h - another program's values at points, as CSV.
  *
  * The first line names the columns, in any order, with commas, semicolons or tabs
- * between: x, y and z (m, the room's own; without z the points lie on the working plane),
- * nx, ny and nz (upwards without them), and one of values, whose name says its unit:
+ * between: x, y and z (m, the room's own; without z the points lie on the working
+ * plane), nx, ny and nz (upwards without them), and one of values, whose name gives its
+ * unit:
  *
  *     df_percent, value_percent, percent, df_%, df [%]
  *     df_fraction, fraction
  *     lux, lx, illuminance, illuminance_lx, e_lx, e [lx]
  *     df, daylight_factor, value          by what the user says they are
  *
- * label, name, point and id are passed over. Without x and y the values belong to the
- * room's own points, in their order. Lines that are empty or begin with "#" are none.
+ * label, name, point and id are ignored. Without x and y the values belong to the
+ * room's own points, in their order. Empty lines and lines that begin with "#" are
+ * ignored.
  */
 #ifndef PP_CLI_COMPARE_OTHER_VALUES_H
 #define PP_CLI_COMPARE_OTHER_VALUES_H
@@ -38,14 +40,14 @@ struct pp_other_values {
     enum pp_other_unit unit; /* as the header's name says; unknown where it does not */
 };
 
-/* PP_BAD_INPUT with file and line for what is wrong. */
+/* PP_BAD_INPUT with file, line and reason. */
 enum pp_status pp_other_values_read(struct pp_other_values *values, const char *path,
                                     struct pp_error *err);
 void pp_other_values_clear(struct pp_other_values *values);
 
-/* Makes the values' places the room's points; where there are more than `most`, such as
- * are evenly spread over the list. *chosen, the caller's to free: which of the values
- * each point has, room->receiver_count of them. */
+/* Makes the values' places the room's points; with more than `most`, a subset evenly
+ * spread over the list. *chosen, freed by the caller: index of the value at each point,
+ * room->receiver_count of them. */
 enum pp_status pp_other_values_place(int **chosen, struct pp_study_room *room,
                                      const struct pp_other_values *values,
                                      const char *path, int most, struct pp_error *err);

@@ -170,7 +170,7 @@ static enum pp_status add_margin(struct pp_result *result,
     return status;
 }
 
-/* By the figures of all methods. */
+/* Adds advice from the results of all methods. */
 static enum pp_status add_advice(struct pp_result *result,
                                  const struct pp_study_room *room,
                                  const struct df_options *options, struct pp_error *err)
@@ -203,8 +203,8 @@ static enum pp_status simulate_room(const void *data, int room,
                             &run->options->engine, err);
 }
 
-/* Hand methods of all rooms first: they take milliseconds, and are there whatever
- * happens to the simulation. */
+/* Runs the hand methods of all rooms first: they take milliseconds, and their results
+ * are kept whatever happens to the simulation. */
 static enum pp_status compute_df(void *data, struct pp_error *err)
 {
     struct df_run *run = data;
@@ -319,7 +319,7 @@ static enum pp_status print_formulae(const void *data, FILE *out, struct pp_erro
     return PP_OK;
 }
 
-/* With the user's own tables for the lumen method, if he has any. */
+/* Runs with the user's own tables for the lumen method, if given. */
 static enum pp_exit run_df(void *values, char **files, int file_count)
 {
     struct df_options *options = values;

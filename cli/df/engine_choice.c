@@ -1,4 +1,4 @@
-/* engine_choice.c - reads the list of engines and checks the options that belong to
+/* engine_choice.c - reads the list of engines and checks the options that apply to only
  * one of them. */
 #include "cli/df/engine_choice.h"
 

@@ -73,7 +73,8 @@ static bool is_taken(const char *folder, char *const *before, int count)
     return false;
 }
 
-/* The character that text begins with, of so many bytes, may be one of a folder's. */
+/* True if the first character of text, `length` bytes long, is allowed in a folder's
+ * name. */
 static bool is_fit(const char *text, int length)
 {
     unsigned char c = (unsigned char)text[0];
@@ -82,7 +83,7 @@ static bool is_fit(const char *text, int length)
     return c > ' ' && c < 127 && !strchr("/\\:*?\"<>|'`$&;#", c);
 }
 
-/* A room's name as that of a folder, unlike those before; the caller's. */
+/* Folder name for a room, different from those before; the caller's. */
 static char *folder_of(const struct pp_rooms *rooms, int which, char *const *before)
 {
     const char *name = rooms->list[which].world->name;
@@ -138,7 +139,7 @@ static enum pp_status add_rooms(struct pp_output_directory *directory,
     return status;
 }
 
-/* ---- what the scene leaves out ---- */
+/* ---- parts left out of the scene ---- */
 
 static void say_left_out(const struct pp_rooms *rooms, bool gloss)
 {

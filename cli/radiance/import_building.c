@@ -1,4 +1,5 @@
-/* import_building.c - reads the file, has it imported, prints the room file and the notes. */
+/* import_building.c - reads the file, imports it, and prints the room file and the
+ * notes. */
 #include "cli/radiance/import_building.h"
 
 #include <stdlib.h>

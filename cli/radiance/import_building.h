@@ -6,11 +6,12 @@
 
 #include "cli/exit_status.h"
 
-/* Does the file begin as XML does? Standard input, and what cannot be read, do not. */
+/* True if the file begins like XML. False for standard input and for unreadable
+ * files. */
 bool pp_import_building_is(const char *file);
 
-/* Writes the room file to `output` (NULL, "-": standard output); what was missing or left out
- * goes to standard error, unless quiet. */
+/* Writes the room file to `output` (NULL, "-": standard output). Missing and skipped
+ * parts are reported on standard error, unless quiet. */
 enum pp_exit pp_import_building_run(const char *file, const char *output, bool quiet);
 
 #endif

@@ -35,7 +35,7 @@ const char *const pp_radiance_files[] = {
     "materials.rad", "room.rad",      "glazing.rad",         "outside.rad", "sky.rad",
     "points.pts",    PP_RAD_CAL_NAME, "daylight_factors.sh", "scene.oct",   NULL};
 
-/* Another file of the room, with what it is on top, as a comment. */
+/* Adds a file of the room, with its description as a comment on top. */
 static enum pp_status add_file(struct pp_output_directory *directory,
                                const char *folder, const char *name, bool runs,
                                FILE **out, struct pp_error *err)
@@ -48,7 +48,7 @@ static enum pp_status add_file(struct pp_output_directory *directory,
     return status;
 }
 
-/* A line of a comment: what would end it is left out. */
+/* Prints a line of a comment, without characters that would end it. */
 static void print_comment(const char *text, FILE *out)
 {
     for (; *text; text++)

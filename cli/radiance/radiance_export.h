@@ -8,7 +8,7 @@
 /* Luminous efficacy of Radiance's units, lm/W [WS98]. */
 #define PP_RADIANCE_EFFICACY 179.0
 
-/* Names of all files that an export may hold, of those made by running it too. */
+/* Names of all files that an export may contain, including those made by running it. */
 extern const char *const pp_radiance_files[];
 
 /* Adds the room's files, below `folder` (NULL: at the top), with an open level

@@ -26,7 +26,8 @@ static enum pp_status pack(const struct pp_report *report, bool by_clock, char *
     return *bytes ? PP_OK : pp_fail_memory(err);
 }
 
-/* In a report of its own, as another rank's figures of the room may come meanwhile. */
+/* Uses a report of its own, since another rank's results for the room may arrive
+ * meanwhile. */
 static enum pp_status simulate_queued_room(void *data, int worker, int room,
                                            char **bytes, size_t *length,
                                            struct pp_error *err)
@@ -76,8 +77,8 @@ static enum pp_status alone(const struct pp_room_queue *queue, int first,
     return status;
 }
 
-/* After a stop, rooms that were not taken get what a process alone has of them: the watch
- * of the simulation ends each as soon as it has begun. */
+/* After a stop, rooms not yet started get the same result as in a single process: the
+ * watch of the simulation ends each one as soon as it begins. */
 enum pp_status pp_room_queue_run(const struct pp_room_queue *queue,
                                  struct pp_error *err)
 {

@@ -23,16 +23,17 @@
 /* A slice of the work, and the time between two checkpoints. */
 static const double slice_s = 0.1, checkpoint_s = 30.0;
 
-/* Directions from a pixel to one window, as many as its paths let each have. */
+/* Most directions from a pixel to one window; also limited by the number of its
+ * paths. */
 enum { DIRECTIONS = 16 };
 
-/* Independent groups of a pixel's paths, where their standard error is wanted. */
+/* Number of independent groups of a pixel's paths, for their standard error. */
 enum { RANDOMISATIONS = 32 };
 
 /* Largest checkpoint: 4 GiB. */
 #define CHECKPOINT_MOST ((size_t)1 << 32)
 
-/* Lets the cache grow until it has all that the picture asks for. */
+/* Lets the cache grow until it covers all requests of the picture. */
 static enum pp_status grow_picture_cache(struct pp_cache_warm_up *warm_up, bool quiet,
                                          struct pp_error *err)
 {
@@ -116,7 +117,8 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
     return PP_OK;
 }
 
-/* As many as a standard error wants, or as there are paths; 0: none is wanted. */
+/* Number of randomisations: enough for a standard error, at most the number of paths;
+ * 0: no standard error requested. */
 static int randomisations(const struct pp_render_choice *choice)
 {
     if (!choice->errors)
@@ -174,7 +176,7 @@ static enum pp_status create_picture_cache(struct pp_made_picture *made,
 
 /* ---- checkpoints ---- */
 
-/* Goes on from the file, if there is one. */
+/* Continues from the file, if there is one. */
 static enum pp_status resume(struct pp_made_picture *made, const char *path,
                              struct pp_error *err)
 {
@@ -200,7 +202,7 @@ static enum pp_status save(const struct pp_made_picture *made, const char *path,
     return pp_output_close(&output, status, err);
 }
 
-/* Ctrl-C: what is done is kept where there is a place for it. */
+/* Handles Ctrl-C: saves the finished part if a file is given. */
 static enum pp_status interrupted(const struct pp_made_picture *made, const char *path,
                                   struct pp_error *err)
 {

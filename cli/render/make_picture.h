@@ -8,7 +8,7 @@
 
 struct pp_made_picture {
     struct pp_shown_picture shown;
-    struct pp_picture errors; /* its pixels' standard errors; empty: not asked for */
+    struct pp_picture errors; /* standard errors of its pixels; empty: not requested */
     struct pp_light_scene *scene;
     struct pp_environment *environment;
     struct pp_opening_store *store;
@@ -17,8 +17,8 @@ struct pp_made_picture {
     double (*marks)[2];
 };
 
-/* PP_INTERRUPTED by Ctrl-C: then there is no picture, and the message says what has
- * been kept. What is made is the caller's to clear, whatever the status. */
+/* PP_INTERRUPTED on Ctrl-C: there is then no picture, and the message lists the saved
+ * files. The caller clears *made, whatever the status. */
 enum pp_status pp_make_picture(struct pp_made_picture *made,
                                const struct pp_world *world,
                                const struct pp_outside_light *light,

@@ -1,5 +1,5 @@
-/* picture_format.h - what kind of file a picture becomes: one that keeps its numbers
- * (formats/pictures/number_format.h), or one that shows it, as a chart's. */
+/* picture_format.h - file formats of a picture: formats that keep its numbers
+ * (formats/pictures/number_format.h), and formats of charts, which show it. */
 #ifndef PP_CLI_RENDER_PICTURE_FORMAT_H
 #define PP_CLI_RENDER_PICTURE_FORMAT_H
 
@@ -17,11 +17,11 @@ struct pp_picture_format {
 /* The format that is typed so ("hdr"); false: there is none. */
 bool pp_picture_format_named(struct pp_picture_format *format, const char *name);
 
-/* The format that a file's name asks for by its ending, in either case; false: none. */
+/* Format by the ending of a file's name, in either case; false: none. */
 bool pp_picture_format_of(struct pp_picture_format *format, const char *path);
 
-/* Writes "FILE.hdr, FILE.pfm, FILE.png, FILE.pdf or FILE.svg", where `before` is
- * "FILE.", or of those only that keep numbers, to text, cut to its size. Returns text. */
+/* Writes "FILE.hdr, FILE.pfm, FILE.png, FILE.pdf or FILE.svg", or only the formats that
+ * keep numbers, to text, cut to its size. `before` is "FILE.". Returns text. */
 const char *pp_picture_format_list(char *text, size_t size, const char *before,
                                    bool numbers_only);
 

@@ -46,7 +46,7 @@ bool pp_render_choice_on_sheet(const struct pp_render_choice *choice,
            || choice->records;
 }
 
-/* An option that says how a room's picture is made; NULL: none is there. */
+/* First given option for making a room's picture; NULL: none. */
 static const char *making_said(const struct pp_render_choice *choice,
                                const struct pp_room_options *options)
 {

@@ -1,4 +1,4 @@
-/* render_choice.h - what the command render is asked for. */
+/* render_choice.h - the options of the command render. */
 #ifndef PP_CLI_RENDER_RENDER_CHOICE_H
 #define PP_CLI_RENDER_RENDER_CHOICE_H
 
@@ -76,7 +76,7 @@ struct pp_render_choice {
     enum pp_window_light windows;
     struct pp_cache_choice cache;
     const char *checkpoint;
-    const char *errors; /* file for the pixels' standard errors; NULL: not wanted */
+    const char *errors; /* file for the pixels' standard errors; NULL: none */
 
     struct pp_exposure exposure;
     bool false_colour;
@@ -92,7 +92,7 @@ struct pp_render_choice {
     const char *from_picture;
 };
 
-/* Nothing asked for; to be cleared. */
+/* Default options; the caller clears them. */
 struct pp_render_choice pp_render_choice_default(void);
 void pp_render_choice_clear(struct pp_render_choice *choice);
 
@@ -102,12 +102,13 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                                       const struct pp_room_options *options,
                                       int file_count, struct pp_error *err);
 
-/* By --format, or by the ending of the output's name (NULL: standard output). */
+/* Chooses the format by --format, or else by the ending of the output's name (NULL:
+ * standard output). */
 enum pp_status pp_render_choice_format(struct pp_picture_format *format,
                                        const struct pp_render_choice *choice,
                                        const char *path, struct pp_error *err);
 
-/* Is it laid out on a sheet, or shown pixel for pixel? */
+/* True if it is laid out on a sheet, false if shown pixel for pixel. */
 bool pp_render_choice_on_sheet(const struct pp_render_choice *choice,
                                const struct pp_picture_format *format);
 

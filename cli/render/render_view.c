@@ -85,7 +85,7 @@ static enum pp_status take_typed(struct pp_view_place *place,
     return PP_OK;
 }
 
-/* From within a surface nothing can be seen. */
+/* Refuses an eye inside a surface, from where nothing is visible. */
 static enum pp_status check_eye(struct pp_vec3 eye, const struct pp_world *world,
                                 struct pp_error *err)
 {
@@ -169,7 +169,7 @@ enum pp_status pp_render_view(struct pp_camera *camera, struct pp_picture_size *
                          err);
 }
 
-/* As a tape measure has it; no -0. */
+/* Rounds to centimetres, like a tape measure; never -0. */
 static double to_centimetres(double m)
 {
     return round(100.0 * m) / 100.0 + 0.0;

@@ -1,4 +1,5 @@
-/* gbxml_import.c - reads, makes rooms, writes, and reads what was written until it is good. */
+/* gbxml_import.c - reads the model, makes rooms, writes them, and parses its own output
+ * until it is valid. */
 #include "formats/gbxml/gbxml_import.h"
 
 #include <math.h>
@@ -9,7 +10,7 @@
 #include "formats/gbxml/gbxml_write.h"
 #include "model/room/building.h"
 
-/* Placed rooms that a building may have; and how often what was written is read. */
+/* Most placed rooms of a building; and most times that the output is parsed. */
 enum { ROOMS_MOST = 200, TURNS_MOST = 50 };
 
 struct gbxml_work {
@@ -183,8 +184,8 @@ static const struct pp_gbxml_written *find_item(const struct pp_gbxml_writing *w
     return found;
 }
 
-/* Leaves out what the mistakes are about, openings and surfaces before whole rooms. False where
- * nothing is left to be left out. */
+/* Leaves out the causes of the mistakes, openings and surfaces before whole rooms.
+ * False if nothing is left to leave out. */
 static bool leave_out(struct gbxml_work *work, const struct pp_gbxml_writing *writing,
                       const struct pp_mistakes *mistakes)
 {

@@ -1,7 +1,7 @@
-/* gbxml_model.h - what of a gbXML file [GBXML] bears on daylight, in metres. Inside
- * formats/gbxml/ only.
+/* gbxml_model.h - the parts of a gbXML file [GBXML] that matter for daylight, in
+ * metres. Inside formats/gbxml/ only.
  *
- * Texts are those of the document, which has to live as long; lists are owned.
+ * Texts belong to the document, which must outlive the model; lists are owned.
  */
 #ifndef PP_FORMATS_GBXML_GBXML_MODEL_H
 #define PP_FORMATS_GBXML_GBXML_MODEL_H
@@ -22,7 +22,7 @@ struct pp_gbxml_opening {
     const char *name; /* NULL: none */
     struct pp_gbxml_polygon outline;
     double transmittance; /* visible, at normal incidence; NAN: the default */
-    bool left_out;        /* the room cannot have it, as has been said */
+    bool left_out;        /* not possible in the room, as already reported */
 };
 
 enum { PP_GBXML_NEIGHBOURS = 2 };

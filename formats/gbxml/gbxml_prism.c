@@ -16,7 +16,7 @@ static void find_prism_extent(double *low, double *high,
         }
 }
 
-/* By its plan; 0 where it is not level at that height. */
+/* Area of the polygon's plan; 0 if the polygon is not level at height z. */
 static double level_area(const struct pp_gbxml_polygon *polygon, double z)
 {
     double area = 0.0;

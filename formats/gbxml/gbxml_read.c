@@ -125,7 +125,7 @@ static int by_name(const void *a, const void *b)
     return names ? names : strcmp(one->id, other->id);
 }
 
-/* All of them, in order. */
+/* Lists all of them, in order. */
 static enum pp_status list_named(struct gbxml_reader *r)
 {
     static const char *const names[] = {"Construction", "WindowType"};

@@ -1,14 +1,14 @@
-/* gbxml_read.h - from a gbXML document to what of it bears on daylight. Inside formats/gbxml/
- * only. */
+/* gbxml_read.h - reads the parts of a gbXML document that matter for daylight. Inside
+ * formats/gbxml/ only. */
 #ifndef PP_FORMATS_GBXML_GBXML_READ_H
 #define PP_FORMATS_GBXML_GBXML_READ_H
 
 #include "formats/gbxml/gbxml_document.h"
 #include "formats/gbxml/gbxml_model.h"
 
-/* Fills the model. What is missing, with the default that is taken, and what is not
- * understood and left out are noted by line. PP_BAD_INPUT where the file has no lengths or
- * no spaces. Even after a failure the model can be cleared. */
+/* Fills the model. Missing data, with the default used, and skipped parts are noted by
+ * line. PP_BAD_INPUT if the file has no lengths or no spaces. The model can be cleared
+ * even after a failure. */
 enum pp_status pp_gbxml_read(struct pp_gbxml_model *model,
                              const struct pp_xml *document, const char *file,
                              struct pp_mistakes *notes, struct pp_error *err);

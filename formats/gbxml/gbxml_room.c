@@ -13,7 +13,7 @@
 /* Greatest distance of an opening from the plane of its face. */
 static const double reveal_m = 0.6;
 
-/* Two lengths are the same. */
+/* Tolerance (m) within which two lengths are equal. */
 static const double same_m = 2e-3;
 
 void pp_gbxml_room_clear(struct pp_gbxml_room *room)
@@ -62,7 +62,7 @@ static struct pp_vec3 unit_normal(const struct pp_gbxml_room *room, int face)
                         : (struct pp_vec3){0.0, 0.0, 1.0};
 }
 
-/* By the way it looks outside, in the building's axes: "south-east". */
+/* Name of a wall by its outward direction in the building's axes: "south-east". */
 static const char *wall_name(struct pp_vec3 inward)
 {
     static const char *const names[] = {"north", "north-east", "east", "south-east",
@@ -285,7 +285,7 @@ static struct pp_vec3 find_origin(struct pp_gbxml_room *room)
     return pp_vec_sub(high, low);
 }
 
-/* Lies the face in a side of the box of that size? */
+/* True if the face lies in a side of the box of that size. */
 static bool is_in_side(const struct pp_gbxml_room *room, int index, struct pp_vec3 size)
 {
     const struct pp_gbxml_face *face = &room->shell.faces[index];
@@ -306,7 +306,8 @@ static bool is_in_side(const struct pp_gbxml_room *room, int index, struct pp_ve
     return false;
 }
 
-/* A face of that role or side with another reflectance than the first? */
+/* True unless a face of the same role or side has another reflectance than the
+ * first. */
 static bool is_of_one_finish(const struct pp_gbxml_room *room)
 {
     for (int i = 0; i < room->shell.face_count; i++)
@@ -358,7 +359,7 @@ static enum pp_status list_surfaces(struct pp_gbxml_surface ***surfaces,
     return PP_OK;
 }
 
-/* Puts another shell in the room's place if it is better; what it is, is noted. */
+/* Replaces the room's shell by another one if that is better, and notes its kind. */
 static bool take_shell(struct pp_gbxml_room *room, struct pp_gbxml_shell *other,
                        bool better, const struct pp_gbxml_space *space,
                        struct pp_mistakes *notes, const char *what)

@@ -10,7 +10,7 @@ enum pp_gbxml_role { PP_GBXML_FLOOR, PP_GBXML_WALL, PP_GBXML_CEILING };
 struct pp_gbxml_room_face {
     enum pp_gbxml_role role;
     char name[32];
-    double reflectance; /* NAN: that of its role */
+    double reflectance; /* NAN: by its role */
     bool inner;         /* is another space behind it? */
 };
 
@@ -22,7 +22,7 @@ struct pp_gbxml_room_opening {
     int count;
 };
 
-/* In the axes of the building but where said otherwise. */
+/* Room in the axes of the building, unless a member says otherwise. */
 struct pp_gbxml_room {
     struct pp_gbxml_shell shell;
     struct pp_gbxml_room_face *faces; /* of the shell */
@@ -34,23 +34,23 @@ struct pp_gbxml_room {
     double width_m, depth_m, height_m;
 };
 
-/* Makes a room of a space: from the surfaces about it or, where those do not close, its
- * ShellGeometry. What is taken so is noted; *why as of pp_gbxml_shell_make. The room can
- * be cleared whatever comes. */
+/* Makes a room of a space: from the surfaces about it or, if those do not close, its
+ * ShellGeometry. Notes the source used; *why as of pp_gbxml_shell_make. The room can be
+ * cleared in any case. */
 enum pp_status pp_gbxml_room_make(struct pp_gbxml_room *room, const char **why,
                                   struct pp_gbxml_model *model,
                                   const struct pp_gbxml_space *space,
                                   struct pp_mistakes *notes, struct pp_error *err);
 void pp_gbxml_room_clear(struct pp_gbxml_room *room);
 
-/* In the room's own axes. */
+/* Converts a position to the room's own axes. */
 struct pp_vec3 pp_gbxml_room_own(const struct pp_gbxml_room *room, struct pp_vec3 at);
 
 /* Is the surface one of the space's, that is no column or shade? */
 bool pp_gbxml_room_has(const struct pp_gbxml_surface *surface,
                        const struct pp_gbxml_space *space);
 
-/* Is the surface between that space and what is outside? */
+/* True if the surface is between that space and the outside. */
 bool pp_gbxml_room_is_outer(const struct pp_gbxml_surface *surface);
 
 #endif

@@ -139,7 +139,7 @@ static enum pp_status divide_edges(struct pp_gbxml_shell *shell,
     return PP_OK;
 }
 
-/* Has another face before it the same corners, in any order? */
+/* True if an earlier face has the same corners, in any order. */
 static bool is_double(const struct pp_gbxml_shell *shell, int index)
 {
     const struct pp_gbxml_face *face = &shell->faces[index];
@@ -192,7 +192,7 @@ static int by_corners(const void *a, const void *b)
     return (one->face > other->face) - (one->face < other->face);
 }
 
-/* All edges of all faces, those of the same corners behind each other. */
+/* Lists all edges of all faces, those with the same corners next to each other. */
 static enum pp_status list_edges(struct shell_edges *edges,
                                  const struct pp_gbxml_shell *shell,
                                  struct pp_error *err)

@@ -1,6 +1,6 @@
-/* gbxml_shell.h - polygons about a space made into a closed envelope: corners that are meant
- * to be one become one, edges that meet within another edge divide it, what lacks is closed, and
- * all faces look inwards. Inside formats/gbxml/ only. */
+/* gbxml_shell.h - makes a closed envelope of the polygons about a space: almost equal
+ * corners are merged, edges are split at corners on them, gaps are closed, and all
+ * faces are turned inwards. Inside formats/gbxml/ only. */
 #ifndef PP_FORMATS_GBXML_GBXML_SHELL_H
 #define PP_FORMATS_GBXML_GBXML_SHELL_H
 

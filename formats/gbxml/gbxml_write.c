@@ -28,8 +28,8 @@ static void end_line(struct pp_gbxml_writing *w)
     w->line++;
 }
 
-/* An attribute with words of the file: what XML has signs for is written so, what is no
- * text of one line is left out. */
+/* Writes an attribute with words of the file; XML's special characters are escaped,
+ * characters that do not belong in a line of text are left out. */
 static void put_words(struct pp_gbxml_writing *w, const char *name, const char *words)
 {
     put_gbxml(w, " %s=\"", name);
@@ -254,7 +254,8 @@ static void write_inner_walls(struct pp_gbxml_writing *w,
         }
 }
 
-/* By words in gbXML's names of what spaces are for; NULL: none that criteria know. */
+/* Use of a space, found by words in gbXML's names of space types; NULL: no use that the
+ * criteria define. */
 static const char *use_of(const char *type)
 {
     static const char *const uses[][2] = {{"Bedroom", "bedroom"},
@@ -333,7 +334,7 @@ static enum pp_status write_surface(struct pp_gbxml_writing *w,
     return note_item(w, item, err);
 }
 
-/* Has the surface a room behind it? */
+/* True if a room lies behind the surface. */
 static bool has_room(const struct pp_gbxml_model *model,
                      struct pp_gbxml_room *const *rooms,
                      const struct pp_gbxml_surface *surface)
@@ -344,7 +345,7 @@ static bool has_room(const struct pp_gbxml_model *model,
     return false;
 }
 
-/* Is it seen from outside, and no room's? */
+/* True if it is visible from outside and belongs to no room. */
 static bool stands_outside(const struct pp_gbxml_model *model,
                            struct pp_gbxml_room *const *rooms,
                            const struct pp_gbxml_surface *surface)

@@ -1,5 +1,5 @@
-/* gbxml_write.h - rooms and what stands outside them as a room file. Inside formats/gbxml/
- * only. */
+/* gbxml_write.h - writes rooms and their surroundings as a room file. Inside
+ * formats/gbxml/ only. */
 #ifndef PP_FORMATS_GBXML_GBXML_WRITE_H
 #define PP_FORMATS_GBXML_GBXML_WRITE_H
 
@@ -7,7 +7,7 @@
 
 #include "formats/gbxml/gbxml_room.h"
 
-/* Source of a line of the written file, whose `left_out` removes it. */
+/* Source of a range of lines in the written file; setting its `left_out` removes it. */
 struct pp_gbxml_written {
     int first, last; /* lines */
     int from;        /* the line of the gbXML file */

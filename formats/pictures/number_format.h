@@ -1,8 +1,8 @@
 /* number_format.h - the formats that keep a picture's numbers, in one list.
  *
- * What shows a picture (PNG, PDF, SVG) is of charts/ instead. A new format is a file
- * picture_NAME.c with its entry, declared at the end of this header, and a line in
- * number_format.c.
+ * Formats that show a picture (PNG, PDF, SVG) belong to charts/ instead. A new format
+ * is a file picture_NAME.c with its entry, declared at the end of this header, and a
+ * line in number_format.c.
  */
 #ifndef PP_FORMATS_PICTURES_NUMBER_FORMAT_H
 #define PP_FORMATS_PICTURES_NUMBER_FORMAT_H
@@ -24,7 +24,8 @@ struct pp_number_format {
                             const struct pp_hdr_notes *notes, struct pp_error *err);
 };
 
-/* In order; NULL behind the last. index is at most one past it. */
+/* Number formats in list order; NULL for the index just past the end, the largest
+ * allowed. */
 const struct pp_number_format *pp_number_format_at(int index);
 
 /* The format of that ending, in either case ("hdr", "PIC"), or NULL. */

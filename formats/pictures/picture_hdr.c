@@ -9,8 +9,8 @@
 #include "formats/pictures/number_format.h"
 #include "model/base/text.h"
 
-/* Rows of these widths may be packed channel by channel: the width stands in 15 bits,
- * and shorter rows could be taken for pixels. */
+/* Limits of widths whose rows may be packed channel by channel: the width has 15 bits,
+ * and shorter rows could be mistaken for pixels. */
 enum { PACKED_LEAST = 8, PACKED_MOST = 32767, RUN_LEAST = 4, RUN_MOST = 127 };
 
 enum { LINE_MOST = 2048 };
@@ -59,7 +59,8 @@ static int run_at(const unsigned char *row, int at, int width)
     return run;
 }
 
-/* One channel of a row: runs of equal bytes, and the bytes between them as they are. */
+/* Writes one channel of a row: runs of equal bytes, and the bytes between runs
+ * unchanged. */
 static void write_channel(FILE *out, const unsigned char *row, int width)
 {
     for (int at = 0; at < width;) {

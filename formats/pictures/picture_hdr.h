@@ -35,10 +35,10 @@ enum pp_status pp_picture_hdr_write(FILE *out, const struct pp_picture *picture,
                                     const struct pp_hdr_notes *notes,
                                     struct pp_error *err);
 
-/* Reads one from memory, as old and new programs pack it; exposures multiply, the last
- * view counts. Rows may run up, and pixels to the left; a picture that stands on its
- * side is PP_BAD_INPUT, as is whatever is cut off or makes no sense: the message says
- * which line or row. Bytes behind the last row are not looked at. */
+/* Reads a picture from memory, packed as by old or new programs. Exposures multiply,
+ * the last view counts. Rows may run up, and pixels to the left. A picture on its side
+ * is PP_BAD_INPUT, as are truncated or invalid data: the message gives the line or row.
+ * Bytes after the last row are ignored. */
 enum pp_status pp_picture_hdr_read(struct pp_picture *picture,
                                    struct pp_hdr_notes *notes,
                                    const unsigned char *bytes, size_t length,

@@ -23,7 +23,7 @@ enum pp_status pp_picture_pfm_write(FILE *out, const struct pp_picture *picture,
     return PP_OK;
 }
 
-/* A copy where what is no number is black, as other programs expect. */
+/* Copy in which NaN is black, as other programs expect. */
 static enum pp_status without_gaps(struct pp_picture *copy,
                                    const struct pp_picture *picture,
                                    struct pp_error *err)

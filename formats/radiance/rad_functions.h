@@ -1,5 +1,5 @@
-/* rad_functions.h - "pepperpot.cal": functions for the skies and glazings of a room
- * that Radiance has no material or pattern for, which it evaluates itself.
+/* rad_functions.h - "pepperpot.cal": functions, evaluated by Radiance, for skies and
+ * glazings of a room without a Radiance material or pattern.
  *
  *     pp_sky       skies without gensky's fade into the ground at the horizon, and
  *                  skylines so far away that they are the same from every point
@@ -7,8 +7,8 @@
  *     pp_mirrored  transmittance and reflectance by angle, as in glass.h
  *
  * Materials that differ by side are a mixfunc by "if(Rdot,1,0)". The writer
- * (rad_write.h) uses these, and the reader knows them by name and works them out by its
- * own formulae.
+ * (rad_write.h) uses these; the reader recognises their names and uses its own
+ * formulae.
  */
 #ifndef PP_FORMATS_RADIANCE_RAD_FUNCTIONS_H
 #define PP_FORMATS_RADIANCE_RAD_FUNCTIONS_H

@@ -21,7 +21,7 @@ static size_t hash_of(const char *text, size_t length)
     return (size_t)(hash ^ hash >> 32);
 }
 
-/* Where the name is, or where it would go. */
+/* Slot that holds the name, or the free slot for it. */
 static struct pp_rad_name *rad_name_slot(const struct pp_rad_names *names,
                                          const char *text, size_t length)
 {

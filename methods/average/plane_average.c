@@ -10,8 +10,8 @@
 /* The points of the cubature rule: the least that a piece takes. */
 enum { FIRST_POINTS = 17 };
 
-/* The integral over one piece, and what the function was at the rule's points, which
- * every cubature of the piece begins with. */
+/* Integral over one piece, and the function's values at the points of the rule, with
+ * which every cubature of the piece begins. */
 struct piece_integral {
     double values[PP_PLANE_VALUES];
     double error; /* estimated, in the sum of the values; INFINITY: nothing is known */
@@ -27,7 +27,7 @@ struct integral {
     void *data;
     struct piece_integral *of;
     int points; /* asked so far */
-    int known;  /* of those at the beginning */
+    int known;  /* number of those at the beginning */
     bool stopped;
 };
 
@@ -66,8 +66,8 @@ struct piece_integrals {
     struct piece_integral *of;
 };
 
-/* Integrates a piece again that is not known well enough. All pieces are asked, whoever
- * stops: what a function notes on the way is then the same each time. */
+/* Integrates a piece again if it is not accurate enough. All pieces are processed even
+ * after a failure: what a function notes on the way is then the same each time. */
 static bool integrate_piece(void *data, int worker, int i)
 {
     (void)worker;
@@ -132,10 +132,9 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
         return status == PP_OK ? pp_fail_memory(err) : status;
     }
 
-    /* A first estimate, one rule for each piece, gives the error that each may have;
-     * the errors of the pieces are taken as independent. Only an eighth of the error
-     * asked for is allowed, since the two sums of a rule may agree where both are
-     * wrong. */
+    /* A first estimate, one rule for each piece, gives the error allowed to each;
+     * errors of the pieces are assumed independent. Only an eighth of the requested
+     * error is allowed, since the two sums of a rule may agree where both are wrong. */
     for (int i = 0; i < pieces.count; i++)
         of[i].error = INFINITY;
     struct integral integral = {

@@ -10,7 +10,7 @@
 #include "methods/exact/quadrature.h"
 #include "model/light/outside_light.h"
 
-/* What one direction brings: luminances through the glass, over Eh. */
+/* Light of one direction: luminances through the glass, over Eh. */
 struct pp_plane_light {
     pp_luminance_function *sky;      /* of the sky there, seen or hidden */
     pp_luminance_function *exitance; /* of an exitance of 1; NULL: of none */
@@ -26,8 +26,9 @@ enum pp_status pp_plane_light_average(double mean[2], struct pp_beams *beams,
                                       const struct pp_plane_light *light,
                                       struct pp_error *err);
 
-/* The same of the light of sky, ground and obstructions through `glass` (clear, or none),
- * as pp_direct_through has it at a point. All that ask one `beams` have one light. */
+/* Mean of the light of sky, ground and obstructions through `glass` (clear, or none),
+ * defined as for pp_direct_through at a point. All users of one `beams` must have the
+ * same light. */
 enum pp_status pp_plane_light_direct(double mean[2], struct pp_beams *beams,
                                      const struct pp_outside_light *light,
                                      const struct pp_opening *opening,

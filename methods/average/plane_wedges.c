@@ -201,7 +201,7 @@ static enum pp_status add_wedges(struct pp_plane_wedges *wedges, int centre,
     for (int i = 0; i < piece->count; i++)
         for (int axis = 0; axis < 2; axis++)
             middle[axis] += piece->xy[i][axis] / piece->count;
-    /* From outside all corners are within a right angle of the middle, or nearly so. */
+    /* Seen from outside, all corners are within about a right angle of the middle. */
     double straight = atan2(middle[1] - apex[1], middle[0] - apex[0]);
     int count = 0;
     for (int i = 0; i < piece->count; i++) {

@@ -19,7 +19,7 @@
 
 #include "model/room/world.h"
 
-/* Where light spreads from. */
+/* Point from which light spreads. */
 struct pp_plane_centre {
     double apex[2];   /* in the plan (m) */
     double at[2];     /* the middle of the opening */

@@ -1,4 +1,4 @@
-/* brs_edges.c - readings of tables, and the sums of them. */
+/* brs_edges.c - readings of tables, and their sums. */
 #include "methods/brs/brs_edges.h"
 
 #include <math.h>
@@ -142,7 +142,7 @@ const struct pp_formula pp_brs_edges_less =
 
 /* ---- the sum ---- */
 
-/* An edge of a rectangle: what it is called, and its sums by the side of the jambs. */
+/* Edge of a rectangle: its name, and its sums by the side of the jambs. */
 static const struct edge {
     const char *height, *left, *right, *what;
     const struct pp_formula *sums; /* added, left less, right less */

@@ -1,15 +1,15 @@
 /* brs_edges.h - simplified daylight tables read at the edges of rectangles [HLG58].
  *
- * A table T(up, aside) gives the sky component of a rectangle with one corner where the
- * table begins: `up` to its far edge, `aside` to its far jamb, over the distance d of its
- * plane. Interpolation is linear between neighbours in both directions, linear in the
- * reciprocal between the last printed column or row and infinity, and linear to zero
- * below the first. As published:
+ * A table T(up, aside) gives the sky component of a rectangle with one corner at the
+ * origin of the table: `up` to its far edge, `aside` to its far jamb, over the distance
+ * d of its plane. Interpolation is linear between neighbours in both directions, linear
+ * in the reciprocal between the last printed column or row and infinity, and linear to
+ * zero below the first. As published:
  *
  *   - jambs on both sides: the two readings added; to one side: the wider less the
  *     narrower
- *   - the upper edge less the lower edge; edges on both sides of where the table begins,
- *     as those of level glass may be: added
+ *   - the upper edge less the lower edge; edges on both sides of the table's origin,
+ *     possible for level glass: added
  *   - an obstruction: the same; its externally reflected component is its luminance
  *     factor times that
  */
@@ -29,9 +29,9 @@ struct pp_brs_cells {
 /* A fraction; 0 unless both are above 0. */
 double pp_brs_edges_read(const struct pp_brs_cells *table, double up, double aside);
 
-/* Where that reading is taken, both above 0: rows from 0 (infinity), and one more than there
- * are where the table ends in zero; columns from 0, -1 likewise; the values between are
- * linear in these. */
+/* Position of that reading in the table; up and aside are above 0. Rows count from 0
+ * (infinity), with one extra row where the table ends in zero. Columns count from 0;
+ * column -1 is likewise zero. Values between rows or columns are linear in these. */
 void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double aside,
                         double *row, double *column);
 
@@ -40,17 +40,17 @@ struct pp_brs_rectangle {
     double left, right, low, high;
     bool hidden;   /* shows an obstruction; else the sky */
     double factor; /* its luminance factor */
-    bool off_sky;  /* what it hides is in the sky's rectangle, too, and taken off */
+    bool off_sky;  /* the hidden part is in the sky's rectangle, too, and subtracted */
 };
 
-/* Works the next part out and adds it to *sum. `measure` is what the table calls `up`:
- * "h/d". */
+/* Calculates the next part and adds it to *sum. `measure` is the name of `up` in the
+ * table: "h/d". */
 void pp_brs_edges_work(struct pp_part_steps *terms, struct pp_part *sum,
                        const struct pp_brs_cells *table,
                        const struct pp_brs_rectangle *rectangle, const char *measure);
 
-/* Rows of a method's list of formulae: of all tables, and of those besides whose edges lie
- * on both sides and whose obstructions are taken off. */
+/* Rows of a method's list of formulae: of all tables, and of tables whose edges lie on
+ * both sides and whose obstructions are subtracted. */
 extern const struct pp_formula pp_brs_edges_upper[3], pp_brs_edges_lower[3],
     pp_brs_edges_sky[2], pp_brs_edges_equivalent[2], pp_brs_edges_reflected,
     pp_brs_edges_across[4], pp_brs_edges_less;

@@ -2,19 +2,20 @@
  * component of rooflights by simplified daylight tables.
  *
  * The tables are in the manner of the vertical one (brs_table.c), whose source has such
- * tables too [HLG58]; those could not be had. These were worked out by quadrature under the
- * same conditions: CIE overcast sky, clear single glass, a point that faces up
- * (bench/make_rooflight_tables.c). There is one for level glass and one each for glass at
- * 30 and 60 degrees. With d the distance of the plane of the glass, square to it:
+ * tables too [HLG58]; those were not available. These were calculated by quadrature
+ * under the same conditions: CIE overcast sky, clear single glass, a point that faces
+ * up (bench/make_rooflight_tables.c). There is one for level glass and one each for
+ * glass at 30 and 60 degrees. With d the perpendicular distance of the plane of the
+ * glass:
  *
  *     level    T(l/d, w/d)  from straight above the point, to both sides alike
  *     sloping  T(s/d, w/d)  s up the slope, from where the plane of the glass meets the
  *                           point's level, as the vertical table's h
  *
  * Vertical windows are read off the vertical one, so that rooms with both have a value.
- * All are read alike (brs_edges.h). view/slope_rectangles.h says how
- * openings and obstructions become rectangles. The figures contain clear single glass; no
- * frame, no dirt.
+ * All are read alike (brs_edges.h). view/slope_rectangles.h says how openings and
+ * obstructions become rectangles. The figures contain clear single glass; no frame, no
+ * dirt.
  */
 #include "methods/brs/brs_rooflight.h"
 
@@ -126,7 +127,7 @@ static enum pp_status read_rooflight(const struct pp_world *world,
     return PP_OK;
 }
 
-/* Where nothing slopes it is the table of windows. */
+/* Without sloping openings this is the table of windows. */
 static const struct pp_method *same_as(const struct pp_world *world)
 {
     for (int i = 0; i < world->opening_count; i++)

@@ -36,10 +36,10 @@ void pp_brs_sheet_fill_blank(struct pp_brs_sheet *sheet)
     }
 }
 
-/* An edge no higher over distance is level with the point: nothing is to be read there. */
+/* An edge this low over its distance is level with the point and gives no reading. */
 static const double level = 1e-9;
 
-/* Adds a reading and returns it with its sign; 0 where nothing is to be read. */
+/* Adds a reading and returns it with its sign; 0 if there is nothing to read. */
 static double add_reading(struct pp_brs_sheet *sheet, struct pp_brs_reading reading,
                           struct pp_error *err, enum pp_status *status)
 {

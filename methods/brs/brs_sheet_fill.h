@@ -1,5 +1,5 @@
-/* brs_sheet_fill.h - fills a sheet of the BRS simplified table, blank or with what is read
- * for a point of a room. */
+/* brs_sheet_fill.h - fills a sheet of the BRS simplified table, blank or with the
+ * readings for a point of a room. */
 #ifndef PP_METHODS_BRS_BRS_SHEET_FILL_H
 #define PP_METHODS_BRS_BRS_SHEET_FILL_H
 
@@ -10,9 +10,9 @@
 
 void pp_brs_sheet_fill_blank(struct pp_brs_sheet *sheet);
 
-/* The readings that pp_method_brs_table takes, and the same sums. PP_BAD_INPUT where it
- * does not cover the room, an opening or the receiver. On success the sheet is to be
- * cleared. */
+/* Fills the sheet with the readings of pp_method_brs_table and their sums. PP_BAD_INPUT
+ * if it does not cover the room, an opening or the receiver. On success the caller
+ * clears the sheet. */
 enum pp_status pp_brs_sheet_fill_room(struct pp_brs_sheet *sheet,
                                       const struct pp_world *world,
                                       const struct pp_outside_light *light,

@@ -8,12 +8,12 @@
  * interpolation are in brs_table.c. */
 double pp_brs_table_read(double h_over_d, double w_over_d);
 
-/* Where that reading is taken, h/d and w/d greater than 0: rows from 0 (infinity) to 28
- * (0.1), and 29 where the table ends in zero; columns from 0 (0.1) to 19 (infinity), -1
- * likewise; the values between are linear in these. */
+/* Position of that reading in the table; h/d and w/d are above 0. Rows run from 0
+ * (infinity) to 28 (0.1); row 29 is zero. Columns run from 0 (0.1) to 19 (infinity);
+ * column -1 is zero. Values between rows or columns are linear in these. */
 void pp_brs_table_place(double h_over_d, double w_over_d, double *row, double *column);
 
-/* As printed: h/d of a row, w/d of a column, per cent. */
+/* Printed h/d of a row, w/d of a column, and value in per cent. */
 double pp_brs_table_h_over_d(int row);
 double pp_brs_table_w_over_d(int column);
 double pp_brs_table_percent(int row, int column);

@@ -28,7 +28,7 @@
 #include "methods/fast/pane_tables.h"
 #include "methods/view/visible.h"
 
-/* ---- what is worked out once for a room ---- */
+/* ---- calculated once for a room ---- */
 
 struct exact_tools {
     struct pp_pane_tables *tables;

@@ -53,7 +53,7 @@ static void add_cap(struct pp_hidden_cones *cones, struct pp_vec3 eye,
     struct pp_vec3 sum = {0};
     for (int i = 0; i < count; i++)
         sum = pp_vec_add(sum, pp_vec_unit(pp_vec_sub(corner(polygon, of, i), eye)));
-    /* No length to speak of, or none that is a number: the eye is a corner. */
+    /* A sum that is too short or NaN means that the eye is at a corner. */
     if (!(pp_vec_length(sum) > 0.5))
         return;
     struct pp_vec3 axis = pp_vec_unit(sum);
@@ -93,7 +93,8 @@ static enum pp_status add_convex(struct pp_hidden_cones *cones, struct pp_vec3 e
     return status;
 }
 
-/* Does any of it lie before the view's plane and above the eye, and not edge on? */
+/* True if any part is in front of the view's plane and above the eye, and not seen
+ * edge-on. */
 static bool may_hide(const struct pp_polygon *polygon,
                      const struct pp_hidden_view *view)
 {

@@ -1,17 +1,17 @@
-/* hidden_cones.h - the directions that what stands outside hides from a point, as convex
- * cones.
+/* hidden_cones.h - the directions that obstructions hide from a point, as convex cones.
  *
  * A cone is the directions u with n.u >= 0 for each of its half-spaces n; a convex
- * polygon with corners v seen from e hides the one of
+ * polygon with corners v seen from e hides the cone of
  *
  *     n_i = (v_i - e) x (v_i+1 - e)
  *
- * or of -n_i, by the side from which it is seen. A surface that is not convex hides the
- * cones of its triangles, a skyline what lies between its foot and its head.
+ * or of -n_i, depending on the side from which it is seen. A non-convex surface hides
+ * the cones of its triangles, a skyline the directions between its foot and its head.
  *
  * Each cone of a polygon lies in the cap of directions about the mean of those to its
  * corners, as wide as the farthest of them: caps of less than a hemisphere are convex.
- * With it cones that are far from a path of the sun are told without their half-spaces.
+ * Cones that are far from a path of the sun are recognised by their caps alone, without
+ * their half-spaces.
  */
 #ifndef PP_METHODS_EXACT_HIDDEN_CONES_H
 #define PP_METHODS_EXACT_HIDDEN_CONES_H
@@ -34,11 +34,12 @@ struct pp_hidden_cones {
     int count, capacity;
 };
 
-/* Where the open air is looked at from: a point in the plane of a wall's outside or, as
- * `opening` is not NULL, of its inside, where the sides of that opening hide as well. */
+/* Viewpoint of the open air: a point in the outer plane of a wall. If `opening` is not
+ * NULL it is in the inner plane, where the sides of that opening hide the sky as
+ * well. */
 struct pp_hidden_view {
     struct pp_vec3 eye;
-    struct pp_vec3 out; /* unit, square to the plane; what lies behind it is hidden */
+    struct pp_vec3 out; /* unit normal of the plane; directions behind it are hidden */
     int face;           /* that the plane belongs to: it hides nothing itself */
     const struct pp_opening *opening;
 };
@@ -46,8 +47,9 @@ struct pp_hidden_view {
 /* The middle of an opening's outside, as of the vertical sky component. */
 struct pp_hidden_view pp_hidden_cones_outside(const struct pp_opening *opening);
 
-/* Fills cones with what hides the upper half of the sky's directions: on success to be
- * cleared. Obstructions are those of the vertical sky component (methods/exact/exterior.h). */
+/* Fills cones with the hidden directions of the upper hemisphere; on success the caller
+ * clears them. Obstructions are those of the vertical sky component
+ * (methods/exact/exterior.h). */
 enum pp_status pp_hidden_cones_init(struct pp_hidden_cones *cones,
                                     const struct pp_world *world,
                                     const struct pp_hidden_view *view,

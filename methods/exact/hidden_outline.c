@@ -4,10 +4,10 @@
  *
  *   h  unit, level, in the direction of the bearing
  *
- * so that each bounds them from below or from above, and a cone hides one span of them. The
- * spans of all cones are put together at bearings a step apart, and where a cone that stands
- * out of the others ends between two of them; then spans at neighbouring bearings are joined
- * that have altitudes in common.
+ * so that each bounds them from below or from above, and a cone hides one span of
+ * altitudes. The spans of all cones are merged at equal steps of bearing, and where a
+ * protruding cone ends between two steps. Overlapping spans at neighbouring bearings
+ * are then joined.
  */
 #include "methods/exact/hidden_outline.h"
 
@@ -42,7 +42,7 @@ struct sky_outline {
     const struct pp_hidden_cones *cones;
     double north_rad;
     struct hidden_spans single[STEPS + 1]; /* each cone's, at each step */
-    struct sky_column *columns;            /* all together; those of the steps first */
+    struct sky_column *columns;            /* all columns; those of the steps first */
     int column_count;
 };
 
@@ -261,7 +261,7 @@ static bool meet(const struct hidden_span *a, const struct hidden_span *b)
     return a->low <= b->high && b->low <= a->high;
 }
 
-/* Number of spans that meet that one; *which: the last of them. */
+/* Number of spans that overlap this one; *which: the last of them. */
 static int count_meeting(const struct hidden_spans *spans,
                          const struct hidden_span *span, int *which)
 {
@@ -274,7 +274,7 @@ static int count_meeting(const struct hidden_spans *spans,
     return count;
 }
 
-/* Where one span becomes several or several one, a piece leads from each to each. */
+/* If one span becomes several, or several become one, a piece connects each to each. */
 static enum pp_status bridge(struct pp_sky_mask *mask, const struct sky_column *a,
                              const struct sky_column *b, const struct hidden_span *to,
                              struct pp_error *err)

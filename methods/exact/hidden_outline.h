@@ -5,9 +5,10 @@
 #include "methods/exact/hidden_cones.h"
 #include "model/results/sheets/sky_mask.h"
 
-/* Adds pieces for what the cones together hide of the sky above the horizon, sampled each
- * quarter of a degree of bearing and where it ends, to a thousandth: few, however many cones
- * there are. north_rad as pp_world has it. The caller clears the mask, after a failure too. */
+/* Adds pieces for the part of the sky above the horizon that the cones together hide.
+ * It is sampled at each quarter of a degree of bearing and at its ends, to a
+ * thousandth. The pieces are few, however many cones there are. north_rad as pp_world
+ * has it. The caller clears the mask, after a failure too. */
 enum pp_status pp_hidden_outline_add(struct pp_sky_mask *mask,
                                      const struct pp_hidden_cones *cones,
                                      double north_rad, struct pp_error *err);

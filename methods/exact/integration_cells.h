@@ -41,7 +41,7 @@ enum pp_status pp_integration_cells_add_ring(struct integration_cells *cells,
                                              int plane_count, double distance_m,
                                              struct pp_error *err);
 
-/* Finds the cells between all edges. A cusp (NULL: none) comes to lie at corners. */
+/* Finds the cells between all edges. A cusp (NULL: none) is made a corner of cells. */
 enum pp_status pp_integration_cells_find(struct integration_cells *cells,
                                          const double *cusp, struct pp_error *err);
 

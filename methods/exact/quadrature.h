@@ -15,17 +15,16 @@
 #include "model/base/error.h"
 #include "model/geometry/region.h"
 
-/* Relative error bounds that `exact` asks for where it has no table (pane_light.h), with
- * glass and without. The results are
- * better by two powers of ten or more: over random windows at 0.05 to 8 m the worst
- * error was 1e-7 and 1e-11. */
+/* Relative error bounds of `exact` without a table (pane_light.h), with glass and
+ * without. The results are better by two powers of ten or more: over random windows at
+ * 0.05 to 8 m the worst error was 1e-7 and 1e-11. */
 #define PP_QUADRATURE_GLAZED 1e-5
 #define PP_QUADRATURE_UNGLAZED 1e-9
 
-/* From this bound on fixed Gauss-Legendre rules replace the adaptive ones: four to
- * twenty times as fast and without an error estimate. Over 1,200 random windows with
- * clear glass the rms error is 2e-5 at 2 to 5 cm from the pane, 3e-6 from there to 0.1
- * m and 1e-6 at larger distances, the worst 2e-4. */
+/* Error bound from which fixed Gauss-Legendre rules replace the adaptive ones. They are
+ * four to twenty times as fast and give no error estimate. Over 1,200 random windows
+ * with clear glass the rms error is 2e-5 at 2 to 5 cm from the pane, 3e-6 from there to
+ * 0.1 m and 1e-6 at larger distances; the worst is 2e-4. */
 #define PP_QUADRATURE_ROUGH 1e-3
 
 /* Luminance towards the eye from direction u (unit, room's axes). */

@@ -1,8 +1,8 @@
 /* solid_angle.c - sums along the boundary of a clipped polygon.
  *
- * Two rearrangements keep digits and save functions. With v the vertices themselves,
- * l their lengths and v x v' taken as v x (v' - v), which does not cancel for near
- * neighbours:
+ * Two rearrangements preserve digits and save function calls. With v the vertices
+ * themselves, l their lengths and v x v' taken as v x (v' - v), which does not cancel
+ * for near neighbours:
  *
  *     r sin T + (G x r)(1 - cos T) = tan(T/2) (r + r'),   G sin T = r x r'
  *     => (z.G) n.(...) = z.(r x r') n.(r + r') / (1 + cos T)

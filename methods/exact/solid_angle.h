@@ -41,7 +41,7 @@ void pp_solid_angle_add_moments(struct pp_moments *sum, const struct pp_vec3 *ve
                                 const struct pp_vec3 *half_spaces,
                                 int half_space_count);
 
-/* Do the moments suffice for the sky's luminance? */
+/* True if the moments suffice for the sky's luminance. */
 bool pp_solid_angle_has_closed_form(const struct pp_sky *sky);
 
 /* Illuminance by a patch of such a sky with these moments, over Eh. */

@@ -16,7 +16,7 @@ struct path {
     double cos_apart, sin_apart;
 };
 
-/* From east, north, up to the world's axes. */
+/* Converts a vector (east, north, up) to the world's axes. */
 static struct pp_vec3 in_world(struct pp_vec3 v, double north)
 {
     return pp_vec(v.x * cos(north) - v.y * sin(north),
@@ -77,8 +77,8 @@ static enum pp_status append_sunlit_period(struct pp_sunlit_day *day, double fro
     return PP_OK;
 }
 
-/* Keeps of the times from index `first` on what lies in the arc, a turn round the circle
- * earlier and later included. */
+/* Keeps, of the times from index `first` on, the part within the arc; the arc also
+ * counts one turn earlier and later. */
 static enum pp_status keep_sunlit_arc(struct pp_sunlit_day *day, int first,
                                       struct arc arc, struct pp_error *err)
 {
@@ -143,7 +143,8 @@ void pp_sunlit_hours_unite(struct pp_sunlit_day *day)
     day->count = count;
 }
 
-/* Adds what hidden times, which are apart, leave of the time from `from` to `end`. */
+/* Adds the parts of the time from `from` to `end` outside the hidden times, which are
+ * disjoint. */
 static enum pp_status add_rest(struct pp_sunlit_day *day,
                                const struct pp_sunlit_day *hidden, double from,
                                double end, struct pp_error *err)

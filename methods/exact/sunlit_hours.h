@@ -1,22 +1,22 @@
-/* sunlit_hours.h - how long the sun shines on a point, in closed form.
+/* sunlit_hours.h - duration of sunlight on a point, in closed form.
  *
- * While the sun's declination stands its direction is, by the hour angle h,
+ * At a constant declination the sun's direction at the hour angle h is
  *
  *     u(h) = p + q cos h + r sin h                  model/light/sun_path.h
  *
- * so that it crosses the plane of an edge where n.u = n.p + n.q cos h + n.r sin h = 0: each
- * half-space of a hidden cone is an arc of hour angles, a cone the arcs' intersection,
- * and the hours of sun are what the cones leave of the time between sunrise and sunset.
- * These are possible hours, of a sky without clouds, a flat horizon and a sun that is a
- * point; refraction is left out.
+ * so that it crosses the plane of an edge where n.u = n.p + n.q cos h + n.r sin h = 0:
+ * each half-space of a hidden cone is an arc of hour angles, and a cone is the
+ * intersection of its arcs. The hours of sun are the time between sunrise and sunset
+ * outside all cones. These are possible hours, for a cloudless sky, a flat horizon and
+ * a point sun; refraction is neglected.
  */
 #ifndef PP_METHODS_EXACT_SUNLIT_HOURS_H
 #define PP_METHODS_EXACT_SUNLIT_HOURS_H
 
 #include "methods/exact/hidden_cones.h"
 
-/* Where on the earth: radians; north as pp_world has it. Days are those of the place: its
- * midnight is longitude_rad, east positive, before that of Greenwich. NAN: not known, as
+/* Position on the earth (radians); north_rad as in pp_world. Days are local: midnight
+ * is longitude_rad, east positive, before that of Greenwich. NAN: unknown, treated as
  * Greenwich. */
 struct pp_sunlit_place {
     double latitude_rad, north_rad, longitude_rad;
@@ -43,8 +43,8 @@ enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
                                    const struct pp_sunlit_sun *sun,
                                    struct pp_error *err);
 
-/* The same of a day of 2025 there, with a declination for each of its hours: that of the
- * hour's middle, within 0.01 degrees of the sun's. */
+/* Hours of sun on a day of 2025, with a declination for each hour: that of the middle
+ * of the hour, within 0.01 degrees of the sun's. */
 enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
                                       const struct pp_hidden_cones *cones,
                                       struct pp_sunlit_place place, int month, int date,
@@ -57,10 +57,10 @@ void pp_sunlit_hours_unite(struct pp_sunlit_day *day);
 double pp_sunlit_hours_sum(const struct pp_sunlit_day *day);
 void pp_sunlit_hours_clear(struct pp_sunlit_day *day);
 
-/* Hours of the days of 2025, each with the declination of its noon there, and of those from 21
- * September to 21 March, both included. In a day the declination moves by up to 0.2 degrees
- * from that of noon, to and fro in the year: what that makes of the year's hours was 0.04
- * h in the test. */
+/* Hours over the days of 2025, each with the declination of its local noon, and over
+ * those from 21 September to 21 March, both included. During a day the declination
+ * differs by up to 0.2 degrees from that of noon, in either direction over the year.
+ * The effect on the year's hours was 0.04 h in the test. */
 struct pp_sunlit_year {
     double all, winter;
 };

@@ -26,7 +26,7 @@ static const struct arc_rule rules[] = {
 };
 
 struct arc_end {
-    struct pp_vec3 v; /* as the ring has it */
+    struct pp_vec3 v; /* as in the ring */
     struct pp_vec3 u; /* unit */
     double length;
 };
@@ -65,9 +65,9 @@ static void add_nodes(struct arc_walk *walk, const struct arc_end *a,
     walk->sum += walk->potential(walk->context, &nodes);
 }
 
-/* An arc's length over the longest for which eight nodes suffice. The bounds were chosen by
- * trial over random windows: a bend may change by twice its width and what it is at least,
- * an arc near the cusp be as long as it is far, and a tenth. */
+/* Arc's length over the longest for which eight nodes suffice. The bounds were chosen
+ * by trial over random windows: a bend may change by twice its width and its least
+ * value, and an arc near the cusp may be as long as its distance plus a tenth. */
 static double stretch_of(const struct pp_arc_spacing *spacing, const struct arc_end *a,
                          const struct arc_end *b, double chord)
 {

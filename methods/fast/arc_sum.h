@@ -1,7 +1,7 @@
 /* arc_sum.h - the light of a polygon as a sum over its edges, for any luminance.
  *
- * About an axis a, a function of direction has an antiderivative along the meridians. With
- * theta the angle from the axis and psi that round it,
+ * About an axis a, a function of direction has an antiderivative along the meridians.
+ * With theta the angle from the axis and psi that round it,
  *
  *     A(theta, psi) = integral from 0 to theta of f sin theta' dtheta'
  *     B = A / sin^2 theta
@@ -9,12 +9,12 @@
  *     integral of f over a polygon = sum over its edges of integral A dpsi
  *                                  = sum over its edges of (a.G) integral B ds         (1)
  *
- * G is the unit normal of an edge's plane through the eye and s the arc along the edge. B,
- * the potential, is as smooth as f, on the axis too; it is singular opposite to the axis
- * only, where no polygon may be. f is written nowhere: it is what B was made of.
+ * G is the unit normal of an edge's plane through the eye and s the arc along the edge.
+ * B, the potential, is as smooth as f, on the axis too; it is singular opposite to the
+ * axis only, where no polygon may be. f itself is not needed: B was made from it.
  *
- * An arc from r to r' is r + t (r' - r) over its length, t from 0 to 1, and
- * (a.G) ds = a.(r x r') dt / |r + t (r' - r)|^2, by a Gauss-Legendre rule in t.
+ * An arc from r to r' is r + t (r' - r) over its length, t from 0 to 1, and (a.G) ds =
+ * a.(r x r') dt / |r + t (r' - r)|^2, by a Gauss-Legendre rule in t.
  */
 #ifndef PP_METHODS_FAST_ARC_SUM_H
 #define PP_METHODS_FAST_ARC_SUM_H
@@ -53,9 +53,9 @@ struct pp_arc_spacing {
     struct pp_vec3 axis;        /* of the potential, where there is a cusp */
 };
 
-/* The sum (1) over the part of a ring within the half-spaces. Vertices are relative to the
- * eye, counter-clockwise about the axis where that passes through the ring; a ring that
- * runs the other way counts negative. Allocates nothing. */
+/* Sum (1) over the part of a ring within the half-spaces. Vertices are relative to the
+ * eye, counter-clockwise about the axis where it passes through the ring; a clockwise
+ * ring counts negative. Allocates nothing. */
 double pp_arc_sum(pp_arc_potential *potential, const void *context,
                   const struct pp_arc_spacing *spacing, const struct pp_vec3 *vertices,
                   int count, const struct pp_vec3 *half_spaces, int half_space_count);

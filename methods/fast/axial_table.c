@@ -15,8 +15,8 @@ static const double chebyshev[PP_AXIAL_POWERS] = {
     -0.96592582628906829, -0.70710678118654752, -0.25881904510252076,
     0.25881904510252076,  0.70710678118654752,  0.96592582628906829};
 
-/* The six functions of (2). Where the axis lies square to q, n and g, as that of an upright
- * pane does over a level plane, none but the last two are wanted. */
+/* The six functions of (2). If the axis is perpendicular to q, n and g, as that of a
+ * vertical pane over a level plane, only the last two are needed. */
 enum { K_1, K_C, K_CC, K_CS, K_S, K_SS };
 
 /* ---- the moments ---- */
@@ -152,8 +152,9 @@ static inline __attribute__((always_inline)) void moments_at(
             k[m] = k[m] * t + powers[p][m];
 }
 
-/* is_square: does the axis lie square to q, n and g, and is there no p? Their products with
- * it are 0 then. Inlined twice, so that each has no more than its own functions. */
+/* is_square: the axis is perpendicular to q, n and g, and p is absent; their products
+ * with it are then 0. Inlined twice, so that each version evaluates only its own
+ * functions. */
 static inline __attribute__((always_inline)) double potential_of(
     const struct pp_axial_light *axial, const struct pp_arc_nodes *nodes, double along,
     double n, double g, bool is_square)

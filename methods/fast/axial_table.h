@@ -52,7 +52,7 @@ struct pp_axial_light {
     struct pp_vec3 axis;
     double constant;       /* p */
     struct pp_vec3 linear; /* q */
-    bool quadratic;        /* are there n and g? */
+    bool quadratic;        /* true if n and g are given */
     struct pp_vec3 n, g;
 };
 

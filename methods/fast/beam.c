@@ -1,4 +1,5 @@
-/* beam.c - projects what beam_pieces.c has clipped along a direction, and overlays it. */
+/* beam.c - projects the clipped pieces of beam_pieces.c along a direction, and overlays
+ * them. */
 #include "methods/fast/beam.h"
 
 #include <math.h>
@@ -71,9 +72,9 @@ struct face_extent {
     double low[2], high[2];
 };
 
-/* Does what stands in a box of the beam's axes, projected along the direction (a, b, 1),
- * lie beside the extent? In the operations of project(), each of which rounds one way in
- * its arguments: never true of a piece whose projection meets the extent. */
+/* True if the contents of a box in the beam's axes, projected along the direction (a,
+ * b, 1), lie beside the extent. Uses the operations of project(), each monotonic in
+ * rounding: never true for a piece whose projection meets the extent. */
 static bool lies_beside(const struct face_extent *extent, const struct pp_vec3 *low,
                         const struct pp_vec3 *high, double a, double b)
 {
@@ -108,8 +109,8 @@ static void set_depth(struct pp_fragment_ring *ring, struct pp_vec3 normal,
     ring->depth[2] = -normal.y / facing;
 }
 
-/* The opening within both its outlines and the plane's projection, less what hides it
- * inside. */
+/* Part of the opening within both its outlines and the plane's projection, less the
+ * parts hidden inside. */
 static enum pp_status open_part(const struct pp_beam *beam, struct pp_beam_space *space,
                                 double a, double b, struct pp_error *err)
 {
@@ -189,17 +190,17 @@ static enum pp_status make_room_for_rings(struct pp_beam_space *space,
     return space->rings && space->lights && space->xy ? PP_OK : pp_fail_memory(err);
 }
 
-/* One direction, and what is open along it. */
+/* One direction, and the extent that is open along it. */
 struct beam_look {
     const struct pp_beam *beam;
-    int at;                /* the next node to be looked at */
+    int at;                /* the next node to visit */
     struct pp_vec3 u, own; /* the direction in the room's axes and the beam's */
-    double a, b;           /* (a, b, 1) has it */
+    double a, b;           /* the direction is along (a, b, 1) */
     struct face_extent open;
 };
 
-/* Puts the pieces of a leaf that lie before what is open into rings, and what light they
- * show into lights; returns their number. */
+/* Puts the pieces of a leaf in front of the open part into rings, and their light into
+ * lights; returns their number. */
 static int find_leaf(const struct beam_look *look, const struct beam_node *leaf,
                      struct pp_fragment_ring *rings, double (*xy)[2],
                      double (*lights)[2])
@@ -221,7 +222,7 @@ static int find_leaf(const struct beam_look *look, const struct beam_node *leaf,
     return count;
 }
 
-/* The leaves before what is open, one after another; NULL: there are no more. */
+/* Next leaf in front of the open part; NULL: no more. */
 static const struct beam_node *next_leaf(struct beam_look *look)
 {
     const struct pp_beam *beam = look->beam;
@@ -265,7 +266,8 @@ bool pp_beam_budget_exhausted(const struct pp_beam_space *space)
     return space->work_budget > 0 && space->work > space->work_budget;
 }
 
-/* Takes what any obstruction hides out of the open part, until nothing is left. */
+/* Removes the parts hidden by any obstruction from the open part, until nothing is
+ * left. */
 static enum pp_status subtract_all(struct beam_look *look, struct pp_beam_space *space,
                                    struct pp_error *err)
 {

@@ -1,19 +1,20 @@
 /* beam.h - parallel light through an opening on to the working plane.
  *
- * Light from one direction u that reaches the plane comes through a part of the opening
- * which is plane geometry: the opening's outlines, the plane, and what stands inside and
- * outside, all projected along u on to the face that the opening is cut from. Of a
- * luminance that depends on the direction only, the mean over the plane is an integral
- * over directions
+ * Light from one direction u that reaches the plane comes through a part of the
+ * opening. That part is found by plane geometry: the opening's outlines, the plane and
+ * all obstructions inside and outside are projected along u on to the opening's face.
+ * For a luminance that depends on the direction only, the mean over the plane is an
+ * integral over directions
  *
  *     1/A integral over A of integral L(u) (n.u) domega dA
  *         = 1/A integral L(u) (w.u) a(u) domega
  *
- * with a(u) the area of that part and w the opening's normal: what is clipped in space
- * is clipped once for an opening and a plane, and one direction costs a plane clip.
+ * with a(u) the area of that part and w the opening's normal: clipping in space is done
+ * once for an opening and a plane, and one direction costs a clip in the plane.
  *
- * The conventions are those of visible.h: what hides inside takes away, what hides
- * outside is told by its reflectance and exitance, the nearest counts.
+ * The conventions are those of visible.h: obstructions inside remove light,
+ * obstructions outside add light by their reflectance and exitance, and the nearest
+ * counts.
  */
 #ifndef PP_METHODS_FAST_BEAM_H
 #define PP_METHODS_FAST_BEAM_H
@@ -48,7 +49,7 @@ enum pp_status pp_beam_create(struct pp_beam **beam, const struct pp_world *worl
                               struct pp_error *err);
 void pp_beam_destroy(struct pp_beam *beam); /* NULL is allowed */
 
-/* For the direction u, a unit vector from the plane to the light: upwards and out
+/* Areas for the direction u, a unit vector from the plane to the light: upwards and out
  * through the opening. Several threads may use one beam. */
 enum pp_status pp_beam_areas(struct pp_beam_areas *areas, const struct pp_beam *beam,
                              struct pp_beam_space *space, struct pp_vec3 u,

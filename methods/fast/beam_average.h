@@ -1,5 +1,5 @@
-/* beam_average.h - the mean over the working plane of what comes through an opening, as
- * an integral over directions (view/beam.h). */
+/* beam_average.h - the mean light through an opening over the working plane, as an
+ * integral over directions (view/beam.h). */
 #ifndef PP_METHODS_FAST_BEAM_AVERAGE_H
 #define PP_METHODS_FAST_BEAM_AVERAGE_H
 

@@ -64,8 +64,8 @@ static enum pp_status add_convex(struct pp_beam *beam, struct beam_pieces *piece
                                  int count, const struct beam_limit *limits,
                                  int limit_count, struct pp_error *err)
 {
-    /* In a polygon that lies in the limit itself, rounding may take every other
-     * corner. */
+    /* A polygon that lies in the limit itself may have every other corner clipped by
+     * rounding. */
     size_t most = (size_t)count << LIMITS_MOST;
     struct pp_vec3 *buffer = malloc((2 * most + 1) * sizeof *buffer);
     if (!buffer)
@@ -110,7 +110,7 @@ static enum pp_status add_polygon(struct pp_beam *beam, struct beam_pieces *piec
     return status;
 }
 
-/* The same for a polygon whose triangles are not known. */
+/* Adds a polygon whose triangles are not known. */
 static enum pp_status add_outline(struct pp_beam *beam, struct beam_pieces *pieces,
                                   const struct pp_polygon *outline,
                                   const struct beam_limit *limits, int limit_count,
@@ -126,7 +126,7 @@ static enum pp_status add_outline(struct pp_beam *beam, struct beam_pieces *piec
     return status;
 }
 
-/* ---- What is clipped once ---- */
+/* ---- Clipping done once ---- */
 
 /* The working plane, as far as it lies inside of the opening's face. */
 static enum pp_status add_plane(struct pp_beam *beam, struct pp_error *err)

@@ -1,4 +1,4 @@
-/* beam_pieces.h - what is clipped once for an opening and a working plane. For beam.c
+/* beam_pieces.h - clipping done once for an opening and a working plane. For beam.c
  * only. */
 #ifndef PP_METHODS_FAST_BEAM_PIECES_H
 #define PP_METHODS_FAST_BEAM_PIECES_H
@@ -13,7 +13,7 @@ struct beam_piece {
     struct pp_vec3 normal;
     double offset; /* normal.v of the corners */
     double front, back, exitance;
-    bool side_of_box; /* of a block, all of which is outside: hides from its front */
+    bool side_of_box; /* of a block, entirely outside: hides from its front */
 };
 
 struct beam_pieces {
@@ -41,8 +41,8 @@ struct pp_beam {
     double low[2], high[2]; /* of the opening's outline */
 };
 
-/* Fills a beam of which world, opening and with_outside are set, all else zero. The
- * caller destroys it, after a failure too. */
+/* Fills a beam in which world, opening and with_outside are set and all else is zero.
+ * The caller destroys it, after a failure too. */
 enum pp_status pp_beam_pieces_find(struct pp_beam *beam, struct pp_error *err);
 
 #endif

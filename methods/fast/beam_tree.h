@@ -10,11 +10,12 @@
  * by those within it, and these by node `next`. */
 struct beam_node {
     struct pp_vec3 low, high;
-    int first, count; /* count 0: the pieces are those of the nodes within */
+    int first, count; /* count 0: the pieces are in the nodes below */
     int next;
 };
 
-/* Sorts beam->outside and fills beam->nodes. Once, when all pieces are there. */
+/* Sorts beam->outside and fills beam->nodes. Called once, after all pieces are
+ * added. */
 enum pp_status pp_beam_tree_grow(struct pp_beam *beam, struct pp_error *err);
 
 #endif

@@ -16,7 +16,7 @@ struct known_areas {
  * more than half full, and keeps no more then. */
 enum { FIRST = 1 << 9, MOST = 1 << 15 };
 
-enum { GLASSES = 4 }; /* of which means are kept */
+enum { GLASSES = 4 }; /* number of glasses whose means are kept */
 
 /* Work budget of an opening, one to two seconds. Before a terrain of 100,000 triangles 12,000
  * directions take 1/200 of it; before as many leaves 400 directions take all of it. */
@@ -37,7 +37,8 @@ struct pp_kept_beam {
 struct pp_beams {
     const struct pp_world *world;
     bool plain;
-    struct pp_kept_beam *list; /* of each opening without and with what is outside */
+    struct pp_kept_beam *list; /* for each opening, without and with obstructions
+                                * outside */
 };
 
 enum pp_status pp_beams_create(struct pp_beams **made, const struct pp_world *world,

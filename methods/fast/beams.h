@@ -1,9 +1,9 @@
 /* beams.h - the beams of a world's openings, and the areas along them once found.
  *
- * Methods that average over the working plane weigh one area by different lights: exact,
- * both Waldram diagrams and both pepper-pot ones ask the same directions, as they divide
- * them alike until their lights differ. Each is worked out once, and so is a mean that two
- * of them have in common.
+ * Methods that average over the working plane weight the same areas by different
+ * lights. exact, both Waldram diagrams and both pepper-pot ones use the same
+ * directions, since they divide them alike until their lights differ. Each area is
+ * calculated once, and so is a mean common to two methods.
  */
 #ifndef PP_METHODS_FAST_BEAMS_H
 #define PP_METHODS_FAST_BEAMS_H
@@ -12,8 +12,9 @@
 
 struct pp_beams;
 
-/* The beams of all openings; none is made before it is asked for. *beams is the caller's,
- * and refers to world. plain: averages are integrals over points instead (plane_light.h). */
+/* Beams of all openings; each is made when first used. *beams is the caller's, and
+ * refers to world. plain: averages are integrals over points instead
+ * (plane_light.h). */
 enum pp_status pp_beams_create(struct pp_beams **beams, const struct pp_world *world,
                                bool plain, struct pp_error *err);
 void pp_beams_destroy(struct pp_beams *beams); /* NULL is allowed */
@@ -21,8 +22,8 @@ void pp_beams_destroy(struct pp_beams *beams); /* NULL is allowed */
 const struct pp_world *pp_beams_world(const struct pp_beams *beams);
 bool pp_beams_plain(const struct pp_beams *beams);
 
-/* One beam (beam.h), with what is known of it. Several threads may ask for those of
- * different openings. */
+/* One beam (beam.h) with its stored results. Several threads may use beams of different
+ * openings. */
 struct pp_kept_beam;
 enum pp_status pp_beams_of(struct pp_kept_beam **kept, struct pp_beams *beams,
                            const struct pp_opening *opening, bool with_outside,

@@ -17,8 +17,8 @@ struct pp_pane_light {
     const struct pp_sky_table *sky; /* NULL: not made, or not needed */
 };
 
-/* A part of a view: of a patch within half-spaces (room's axes), on a receiver with that
- * normal, which is one of them. */
+/* Part of a view: of a patch within half-spaces (room's axes), on a receiver whose
+ * normal is one of them. */
 struct pp_pane_part {
     const struct pp_visible *visible;
     const struct pp_visible_patch *patch;

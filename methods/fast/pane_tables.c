@@ -22,7 +22,7 @@ struct pp_pane_tables {
     struct pp_pane_light list[]; /* one for each opening */
 };
 
-/* ---- what is alike ---- */
+/* ---- equality ---- */
 
 static bool same_vector(struct pp_vec3 a, struct pp_vec3 b)
 {

@@ -1,28 +1,29 @@
-/* sky_table.h - the light of any polygon from a sky of ISO 15469 through one pane on one
- * plane, from a table: some microseconds in place of up to a millisecond.
+/* sky_table.h - the light of any polygon from a sky of ISO 15469 through one pane on
+ * one plane, from a table: some microseconds in place of up to a millisecond.
  *
  * For one sky, pane and normal the integrand depends on direction alone,
  *
  *     f(u) = L(u) T(w.u) (n.u)
  *
- * with w through the pane, square to it, and L continued smoothly below the horizon. All
- * that is seen through the pane lies about w, so that w is the axis of arc_sum.h, and the
- * potential B is tabulated over the half space before the pane. A sun makes a cusp of f;
- * its circumsolar part, times the plane that touches the rest of f at the sun,
+ * with w through the pane, square to it, and L continued smoothly below the horizon.
+ * All directions through the pane lie about w, so that w is the axis of arc_sum.h, and
+ * the potential B is tabulated over the half space before the pane. A sun makes a cusp
+ * of f; its circumsolar part, times the plane that touches the rest of f at the sun,
  *
  *     c exp(d chi) [ G(s) + (u - s).grad G(s) ],   G = Lz phi(Z) T(w.u) (n.u)
  *
- * with chi the angle from the sun s, is taken out of the table and summed about the sun as
- * axis (axial_table.h). What is left has bounded second derivatives and more.
+ * with chi the angle from the sun s, is not in the table but summed about the sun as
+ * axis (axial_table.h). The remainder has bounded second derivatives and more.
  *
- * The table has equal steps in t, w.u = (1 - t^2)^2, and in the tangent of the angle round
- * w, between -1 and 1, in two charts; t is negative on the other side of w. So steps of w.u
- * shrink towards grazing incidence, where the transmittance of glass bends. f is summed along
- * t by two Gauss points to a step, B interpolated by cubic B-splines.
+ * The table has equal steps in t, w.u = (1 - t^2)^2, and in the tangent of the angle
+ * round w, between -1 and 1, in two charts; t is negative on the other side of w. So
+ * steps of w.u shrink towards grazing incidence, where the transmittance of glass
+ * bends. f is summed along t by two Gauss points to a step, B interpolated by cubic
+ * B-splines.
  *
- * Over 24,000 random windows before planes that face up, of any slope and pane under all
- * types, the worst error was 7e-7 of the open sky and the rms error 5e-8; 1e-5 on planes that
- * are tilted to a low sun under types 14 and 15.
+ * Over 24,000 random windows before planes that face up, of any slope and pane under
+ * all types, the worst error was 7e-7 of the open sky and the rms error 5e-8; 1e-5 on
+ * planes that are tilted to a low sun under types 14 and 15.
  */
 #ifndef PP_METHODS_FAST_SKY_TABLE_H
 #define PP_METHODS_FAST_SKY_TABLE_H

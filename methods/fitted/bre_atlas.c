@@ -1,19 +1,19 @@
-/* bre_atlas.c - `bre-atlas`: the BRE formula (reflected/bre_terms.h) corrected by what
- * traced rooms say of it [ATLAS]: by the room's own ground and what stands outside, and by
+/* bre_atlas.c - `bre-atlas`: the BRE formula (reflected/bre_terms.h) corrected by
+ * simulated rooms [ATLAS]: for the room's own ground and obstructions, and for
  * position.
  *
- *   L      light on the opening that counts, over that of the formula: the sky, what
- *          stands outside and the ground that is seen, in place of C and of a ground that
- *          reflects 0.1
+ *   L      light on the opening that counts, over that of the formula: the sky, the
+ *          obstructions and the visible ground, in place of C and of a ground
+ *          that reflects 0.1
  *   irc_m  mean over the working plane
  *
- * The printed formula is a mean over all surfaces. The working plane faces the upper part of
- * the room: light of the ground is there before it is reflected, that of the sky after once,
- * and all of it comes down by a power of rho_u. A window high up, with more of the room
- * below it, lights more of it; a room that is shallow beside its height has more. In a
- * furnace, R to 1, it is the energy balance 0.85 W (V + C_g)/(A (1 - R)) under an open sky,
- * whatever was fitted. f_d and f_s: fitted_position.h. Scope and allowances are those of
- * `bre`, but for panes that spread light.
+ * The printed formula is a mean over all surfaces. The working plane faces the upper
+ * part of the room: light of the ground is there before it is reflected, that of the
+ * sky after once, and all of it comes down by a power of rho_u. A window high up, with
+ * more of the room below it, lights more of it; a room that is shallow beside its
+ * height has more. In a furnace, R to 1, it is the energy balance 0.85 W (V + C_g)/(A
+ * (1 - R)) under an open sky, whatever was fitted. f_d and f_s: fitted_position.h.
+ * Scope and allowances are those of `bre`, except for diffusing panes.
  */
 #include <stdlib.h>
 
@@ -79,7 +79,8 @@ static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W,
                                                     &at_point,
                                                     NULL};
 
-/* As the printed formula, whose sum it divides by, it needs light or reflectances. */
+/* Refuses rooms without light or reflectances, as does the printed formula, which
+ * divides by their sum. */
 static const char *bre_atlas_refuses(const struct pp_world *world,
                                      const struct pp_outside_light *light,
                                      const struct pp_opening *opening,

@@ -1,9 +1,9 @@
-/* fitted_constants.h - the constants of the formulae that were fitted to traced rooms, as
- * they stand in their texts, and what they were fitted to [ATLAS].
+/* fitted_constants.h - constants of the formulae that were fitted to simulated rooms,
+ * as printed in their texts, and the data of the fit [ATLAS].
  *
- * They are written by bench/fit_formulae, which says their uncertainty too: rooms of even
- * number were fitted, rooms of odd number are held out. docs/theory.md has the forms that
- * were tried, and the errors of all of them.
+ * bench/fit_formulae writes them, with their uncertainty: rooms of even number were
+ * fitted, rooms of odd number are held out. docs/theory.md lists the forms that were
+ * tried and their errors.
  */
 #ifndef PP_METHODS_FITTED_FITTED_CONSTANTS_H
 #define PP_METHODS_FITTED_FITTED_CONSTANTS_H

@@ -1,5 +1,5 @@
-/* fitted_light.h - the light on the outside of an opening, parted by where it comes from,
- * for the formulae that were fitted to traced rooms.
+/* fitted_light.h - the light on the outside of an opening by its source, for the
+ * formulae that were fitted to simulated rooms.
  *
  *   V     from the sky alone: the vertical sky component
  *   C_b   from what stands outside, by the convention of `exact` (exterior.h)
@@ -16,7 +16,7 @@
  * with b fitted [ATLAS].
  *
  * All over Eh, at the middle of the opening's outside and without glass, under the CIE
- * overcast sky. They do not depend on the receiver and are worked out once for a world.
+ * overcast sky. They do not depend on the receiver and are calculated once for a world.
  */
 #ifndef PP_METHODS_FITTED_FITTED_LIGHT_H
 #define PP_METHODS_FITTED_FITTED_LIGHT_H

@@ -22,8 +22,8 @@ struct pp_interior_parts pp_fitted_parts_put(struct pp_worksheet *sheet,
                                              const struct pp_world *world,
                                              const struct pp_opening *opening);
 
-/* A method's `refuses`: as pp_fitted_light_refuses, and openings all of whose room lies
- * above them, or below. */
+/* A method's `refuses`: like pp_fitted_light_refuses, and also refuses openings that
+ * have the whole room above or below them. */
 const char *pp_fitted_parts_refuses(const struct pp_world *world,
                                     const struct pp_outside_light *light,
                                     const struct pp_opening *opening,

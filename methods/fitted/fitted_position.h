@@ -1,24 +1,25 @@
 /* fitted_position.h - how the internally reflected component varies over the working
  * plane: with the distance from the window's wall, and sideways.
  *
- * A room that is deep beside its height and breadth is a pipe for light. What is
- * reflected spreads along it by diffusion and loses the share 1 - R at each reflection:
- * over a range l / sqrt(1 - R) it falls off exponentially, with l twice the area of the
- * section over half its perimeter. It starts from where the light from outside falls
- * first, c l / k behind the window's wall, and a room no deeper than that is as bright at
- * its back:
+ * A room that is deep relative to its height and width is a pipe for light. Reflected
+ * light spreads along it by diffusion and loses the share 1 - R at each reflection. It
+ * falls off exponentially over a range l / sqrt(1 - R), with l twice the area of the
+ * section over half its perimeter. It starts where the light from outside falls first,
+ * c l / k behind the window's wall; a room no deeper than that is equally bright at its
+ * back:
  *
  *     l = 2 w_r h_r / (w_r + h_r)
  *     f_d = q_d exp(-q_d x / d_r) / (1 - exp(-q_d)),   q_d = sqrt(1 - R) (k d_r / l - c) (1)
  *     f_s = q_s exp(-2 q_s y / w_r) / (1 - exp(-q_s)),
  *                                                 q_s = s (w_r - w) sqrt(1 - R) / l      (2)
  *
- * Sideways it is the wall beside the opening that counts: one as broad as its wall lights
- * the room alike from side to side.
+ * Sideways it is the wall beside the opening that counts: one as broad as its wall
+ * lights the room alike from side to side.
  *
- * The mean of (1) over the depth is 1, and that of (2) over the breadth for an opening in
- * the middle of its wall; R to 1 makes both 1 (the light of a furnace is the same
- * everywhere), and a depth without end makes them fall to 0. k, c and s are fitted [ATLAS].
+ * The mean of (1) over the depth is 1, and that of (2) over the breadth for an opening
+ * in the middle of its wall; R to 1 makes both 1 (the light of a furnace is the same
+ * everywhere), and a depth without end makes them fall to 0. k, c and s are fitted
+ * [ATLAS].
  *
  *   x, y      from the opening's wall, and from its middle along the wall
  *   d_r, w_r  the room's depth and breadth, square to that wall and along it
@@ -61,10 +62,10 @@ void pp_fitted_position_put_room(struct pp_worksheet *sheet,
                                  const struct pp_world *world,
                                  const struct pp_opening *opening);
 
-/* The last steps of a component by position: works the mean over the working plane out,
- * puts down f_d and f_s and what they come from but R and, at a point, the room's extents
- * and w, which are on the sheet, and works out the value at the point, which is returned.
- * Without a receiver both are 1, their mean over the working plane. */
+/* Last steps of a component by position. Calculates the mean over the working plane.
+ * Puts down f_d, f_s and their quantities, except R and, at a point, the room's extents
+ * and w, which are already on the sheet. Calculates and returns the value at the point.
+ * Without a receiver f_d and f_s are 1, their mean over the working plane. */
 double pp_fitted_position_work(struct pp_worksheet *sheet,
                                const struct pp_formula *mean,
                                const struct pp_formula *at_point,

@@ -1,5 +1,5 @@
-/* irc_atlas.c - `irc-atlas`: internally reflected component by position, a formula of six
- * terms for paper, whose constants were fitted to traced rooms [ATLAS].
+/* irc_atlas.c - `irc-atlas`: internally reflected component by position, a hand formula
+ * of six terms, whose constants were fitted to simulated rooms [ATLAS].
  *
  *     L   = ((V + E_b) rho_l + E_g) sqrt(rho_u) ((A_l / A_u)^c exp(-e d (1/w + 1/h)))^(1 - R)
  *     irc = tau Ag L / (A (1 - R)) f_d f_s
@@ -9,13 +9,14 @@
  *   exp(-e d ...)      what the reveal takes
  *   f_d, f_s           by the depth of the point, and sideways (fitted_position.h)
  *
- * Light of the sky falls on the lower part of the room and is reflected by it and by the
- * upper part before it comes to the working plane; light of the ground by the upper part
- * only. The second line is the formula of `sphere` with the light outside parted by what it
- * comes from (fitted_light.h) and the root of rho_u, which a fit finds as 0.51; the six
- * terms that were fitted have one constant each. In a furnace, R to 1 under an open sky, it
- * is the energy balance tau Ag (V + C_g)/(A (1 - R)) everywhere, whatever was fitted. No
- * opening, or an upper part that reflects nothing, gives 0; so does a depth without end.
+ * Light of the sky falls on the lower part of the room and is reflected by it and by
+ * the upper part before it reaches the working plane; light of the ground by the upper
+ * part only. The second line is the formula of `sphere` with the light outside divided
+ * by its source (fitted_light.h) and the square root of rho_u (fitted exponent 0.51).
+ * The six fitted terms have one constant each. In a furnace, R to 1 under an open sky,
+ * it is the energy balance tau Ag (V + C_g)/(A (1 - R)) everywhere, whatever was
+ * fitted. No opening, or an upper part that reflects nothing, gives 0; so does a depth
+ * without end.
  *
  * For vertical openings of clear glass under the CIE overcast sky, and points that face
  * up. The formula contains the opening's glass and, through Ag, the frame; no dirt, no

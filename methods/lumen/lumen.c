@@ -1,14 +1,15 @@
-/* lumen.c - `lumen` and `lumen-one`: the lumen method, a daylight factor in one step [IES84].
+/* lumen.c - `lumen` and `lumen-one`: the lumen method, a daylight factor in one step
+ * [IES84].
  *
- * Light from the side, at five points and on average: `lumen` takes sky and ground apart,
- * `lumen-one` with one coefficient, that of a ground of reflectance 0.2. Light from above
- * on average only. Coefficients are from tables (lumen_table.h) by the room's reflectances
- * and its depth and width in window heights, or its room cavity ratio.
+ * Light from the side, at five points and on average: `lumen` calculates sky and ground
+ * separately, `lumen-one` with one coefficient, for a ground of reflectance 0.2. Light
+ * from above on average only. Coefficients are from tables (lumen_table.h) by the
+ * room's reflectances and its depth and width in window heights, or its room cavity
+ * ratio.
  *
- * The table's window is all of a wall; windows spread along a wall are taken as that
- * window with their share of its area. A point's value depends on its depth from the
- * window alone, between the 10 and 90 % of the table. Windows in two opposite walls add
- * up.
+ * The table's window fills a wall; windows spread along a wall count as that window
+ * times their share of its area. A point's value depends on its depth from the window
+ * alone, between the 10 and 90 % of the table. Windows in two opposite walls add up.
  *
  * lumen_scope.h has the rooms and openings that the method covers; there is no
  * extrapolation. tau contains glass, frame and dirt.
@@ -137,7 +138,7 @@ static const struct pp_formula *const formulae_of_one[] = {&share_of_band,
                                                            &top,
                                                            NULL};
 
-/* ---- what does not depend on the point ---- */
+/* ---- independent of the point ---- */
 
 struct reading {
     const char *why; /* static, or `text`; NULL: the opening is covered */
@@ -150,7 +151,7 @@ struct reading {
     double well, E_h, cu_top; /* of rooflights */
 };
 
-/* One for each opening. */
+/* One reading for each opening. */
 struct tools {
     struct reading readings[1];
 };

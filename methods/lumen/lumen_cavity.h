@@ -7,8 +7,8 @@
 /* Share of a Lambertian ceiling's flux that falls on the working plane, directly and by
  * interreflection: three zones (ceiling, walls, plane) of even exitance, in a room with
  * a square plan and that room cavity ratio, RCR = 5 h (L + W) / (L W), 0 or more. The
- * flux leaves openings spread over the ceiling; `ceiling` is the reflectance of the
- * ceiling, its openings included, and `plane` that of the cavity below the working
+ * flux leaves openings spread over the ceiling. `ceiling` is the reflectance of the
+ * ceiling, its openings included; `plane` is that of the cavity below the working
  * plane. */
 double pp_lumen_cavity(double rcr, double ceiling, double walls, double plane);
 

@@ -30,7 +30,7 @@ enum column {
     POSITION,
     RCR,
     CU,
-    WIDTH, /* any number of them */
+    WIDTH, /* repeated any number of times */
 };
 
 static const char *const column_names[] = {
@@ -148,8 +148,7 @@ static void add_width(struct reader *reader, double width, const char *text)
         widths->at[widths->count++] = width;
 }
 
-/* Notes as mistakes what the columns lack, or have too many, for one of the two
- * tables. */
+/* Notes columns that are missing, or superfluous, for one of the two tables. */
 static void check_columns(struct reader *reader)
 {
     static const enum column side_needs[] = {RATIO, DEPTH, POSITION};
@@ -365,7 +364,7 @@ static bool read_csv_line(struct reader *reader, const char *text, size_t length
     return true;
 }
 
-/* Replaces the table of the same kind by the one that was read. */
+/* Replaces the table of the same kind by the one just read. */
 static enum pp_status replace_lumen_table(struct reader *reader,
                                           struct pp_lumen_table *table,
                                           struct pp_error *err)

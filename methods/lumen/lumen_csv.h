@@ -21,10 +21,10 @@
 #include "methods/lumen/lumen_table.h"
 #include "model/base/mistakes.h"
 
-/* Replaces the table for light from the side or from above, as the columns tell, by
- * that of the file. All mistakes are noted with their lines; then PP_BAD_INPUT, and the
- * table is unchanged. A file that can't be read is PP_BAD_INPUT or PP_SYSTEM with a
- * message. */
+/* Replaces the table for light from the side or from above, depending on the columns,
+ * by that of the file. All mistakes are noted with their lines; the result is then
+ * PP_BAD_INPUT, and the table is unchanged. An unreadable file is PP_BAD_INPUT or
+ * PP_SYSTEM with a message. */
 enum pp_status pp_lumen_csv_read(struct pp_lumen_table *table, const char *path,
                                  struct pp_mistakes *mistakes, struct pp_error *err);
 

@@ -34,7 +34,7 @@ struct pp_lumen_coefficients {
     double at[PP_LUMEN_POINTS], average;
 };
 
-/* Reflectance of the working plane, that of the cavity below it. */
+/* Reflectance of the working plane: that of the cavity below it. */
 #define PP_LUMEN_PLANE 0.20
 
 struct pp_lumen_finishes {
@@ -63,10 +63,10 @@ struct pp_lumen_coefficients pp_lumen_room_solve(
  * walls and lost through the window, over the flux that has entered, less 1. */
 double pp_lumen_room_imbalance(const struct pp_lumen_room *room);
 
-/* The sky of the tables with a ratio Ev/Eh of the illuminances on the window and on the
- * ground: for 0.396 (any ratio below 0.5) the CIE overcast sky, else the clear sky of
- * ISO 15469 type 13 whose sun, straight before the window, is at the altitude that
- * gives the ratio; PP_BAD_INPUT where none does. */
+/* Sky of the tables for a ratio Ev/Eh of the illuminances on the window and on the
+ * ground. For 0.396 (any ratio below 0.5) it is the CIE overcast sky. Otherwise it is
+ * the clear sky of ISO 15469 type 13 whose sun, straight ahead of the window, is at the
+ * altitude that gives the ratio; PP_BAD_INPUT if there is none. */
 enum pp_status pp_lumen_room_sky(struct pp_sky *sky, double ev_over_eh,
                                  struct pp_error *err);
 

@@ -20,7 +20,8 @@ static const struct pp_surface *floor_of(const struct pp_world *world)
     return NULL;
 }
 
-/* One floor, rectangular, one ceiling, both level, and four upright walls. */
+/* True if the room has one rectangular floor, one ceiling, both level, and four
+ * vertical walls. */
 static bool is_box(const struct pp_world *world)
 {
     int of_role[PP_ROLE_COUNT] = {0};

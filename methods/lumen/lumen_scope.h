@@ -10,14 +10,14 @@
  * reflectance is not 0.10 to 0.50 (the tables have 0.30). */
 const char *pp_lumen_scope_refuses_room(const struct pp_world *world);
 
-/* Why the method does not cover an opening of a room that it applies to, as the end of
- * a sentence that begins with the opening, or NULL. A window is an upright rectangle of
- * clear glass without obstructions, its sill within 0.30 m of the working plane, its
- * reveal no deeper than a fifth of its height, level with the other windows of its
- * wall, no more than its height from the wall's ends and twice that from its
- * neighbours; the windows of a room are in one wall or two opposite ones. A rooflight
- * is level; no point of the plan is farther from the nearest rooflight than the ceiling
- * is high above the working plane. */
+/* Reason why the method does not cover an opening of a covered room, as the end of a
+ * sentence that begins with the opening, or NULL. A window must be a vertical rectangle
+ * of clear glass without obstructions. Its sill must be within 0.30 m of the working
+ * plane, and its reveal at most a fifth of its height deep. It must be level with the
+ * other windows of its wall, at most its height from the wall's ends and twice that
+ * from its neighbours. The windows of a room must be in one wall or two opposite ones.
+ * A rooflight must be level, and no point of the plan farther from the nearest
+ * rooflight than the ceiling is high above the working plane. */
 const char *pp_lumen_scope_refuses_opening(const struct pp_world *world,
                                            const struct pp_opening *opening);
 

@@ -29,10 +29,10 @@ enum {
 /* Ev/Eh from which on a table is of clear skies, below which of overcast ones. */
 static const double clear_from = 0.45;
 
-/* A value outside a range by no more than this counts as inside. */
+/* Most by which a value outside a range still counts as inside. */
 static const double range_tolerance = 1e-3;
 
-/* The ascending values of a key, each of which stands for `step` rows. */
+/* Ascending values of a key, each of which covers `step` rows. */
 static struct pp_lumen_axis own_axis(int column, int step)
 {
     struct pp_lumen_axis axis = {0};

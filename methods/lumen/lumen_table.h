@@ -42,9 +42,9 @@ enum pp_status pp_lumen_table_create(struct pp_lumen_table **table,
                                      struct pp_error *err);
 void pp_lumen_table_destroy(struct pp_lumen_table *table); /* NULL is allowed */
 
-/* The arguments of a reading from the side table. ev_over_eh is that of the sky, NAN
- * for the ground; an overcast sky is read from the table with Ev/Eh below 0.45,
- * whatever ev_over_eh is, any other sky from those with 0.45 and more. */
+/* Arguments of a reading from the side table. ev_over_eh is that of the sky, NAN for
+ * the ground. An overcast sky is read from the table with Ev/Eh below 0.45, whatever
+ * ev_over_eh is; any other sky from those with 0.45 and more. */
 struct pp_lumen_query {
     double ev_over_eh;
     bool overcast;

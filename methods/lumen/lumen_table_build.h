@@ -28,7 +28,8 @@ struct pp_lumen_side_table {
     const double
         *cu;      /* [light][ceiling][walls][depth][position][width]; NAN: not given */
     int pitch;    /* from one position's widths to the next one's */
-    double *made; /* what cu is of where it was made of lines, to be freed; else NULL */
+    double *made; /* the values of cu if they were made from lines, to be freed; else
+                   * NULL */
 };
 
 enum { PP_LUMEN_TOP_AXES = 3 }; /* rcr, ceiling, walls */

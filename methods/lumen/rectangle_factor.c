@@ -48,7 +48,7 @@ static double corner(const struct pp_aligned_rectangle *r, int axis, int which)
     return which ? r->high[axis] : r->low[axis];
 }
 
-/* Both square to the same axis. */
+/* Exchange between two rectangles normal to the same axis. */
 static double exchange_parallel(const struct pp_aligned_rectangle *a,
                                 const struct pp_aligned_rectangle *b)
 {

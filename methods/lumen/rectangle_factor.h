@@ -4,8 +4,8 @@
 #ifndef PP_METHODS_LUMEN_RECTANGLE_FACTOR_H
 #define PP_METHODS_LUMEN_RECTANGLE_FACTOR_H
 
-/* In a plane square to `axis` (0, 1, 2 for x, y, z): low[axis] equals high[axis], along
- * the other two axes it runs from low to high (m). */
+/* Rectangle in a plane normal to `axis` (0, 1, 2 for x, y, z). low[axis] equals
+ * high[axis]; along the other two axes it extends from low to high (m). */
 struct pp_aligned_rectangle {
     int axis;
     double low[3], high[3];

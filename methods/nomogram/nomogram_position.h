@@ -10,20 +10,20 @@
 /* Formulae worked out before D and the curve are read; the list ends with NULL. */
 extern const struct pp_formula *const pp_nomogram_position_formulae[];
 
-/* Lays the straight-edge for an opening on A and B, on C and D; on H and the curve, for the
- * factors by the depth of the receiver and sideways, and with their product on E and F. Each value
- * is rounded as a user sets or reads it. tools: of pp_method_irc_atlas for that world and light.
- * *why: what has no place on its scale, as the end of a sentence that begins with "the opening
- * on line 12"; NULL: all has. */
+/* Lays the straight-edge for an opening on A and B, and on C and D. Then on H and the
+ * curve, for the factors by the depth of the receiver and sideways, and with their
+ * product on E and F. Each value is rounded as a user sets or reads it. tools: of
+ * pp_method_irc_atlas for that world and light. *why: the value that is off its scale,
+ * as the end of a sentence that begins with "the opening on line 12"; NULL: none. */
 enum pp_status pp_nomogram_position_read(
     struct pp_nomogram_reading *reading, const char **why,
     const struct pp_nomogram *nomogram, const struct pp_world *world,
     const struct pp_outside_light *light, const struct pp_opening *opening,
     const struct pp_receiver *receiver, const void *tools, struct pp_error *err);
 
-/* The division of the curve at q on sheets height_mm high and width_mm broad: the smallest of
- * 0.1, 0.2, 0.5 and 1 whose marks are at least least_mm apart between the whole numbers about
- * q. */
+/* Division of the curve at q on sheets height_mm high and width_mm wide: the smallest
+ * of 0.1, 0.2, 0.5 and 1 whose marks are at least least_mm apart between the whole
+ * numbers about q. */
 double pp_nomogram_position_division(const struct pp_nomogram *nomogram, double q,
                                      double width_mm, double height_mm,
                                      double least_mm);

@@ -42,7 +42,7 @@ void pp_nomogram_reading_lay(struct pp_nomogram_reading *reading,
     reading->used[index] = true;
 }
 
-/* The ratio W/A times the power of ten that brings the ratio on to scale A. */
+/* Ratio W/A times the power of ten that brings it on to scale A. */
 static double shifted(const struct pp_nomogram_stem *stem, double ratio, int *tens)
 {
     *tens = 0;

@@ -52,7 +52,7 @@ double pp_nomogram_scale_crossing(const struct pp_nomogram *nomogram, int edge,
 #define PP_NOMOGRAM_LEAST_Q (-1.0)
 #define PP_NOMOGRAM_MOST_Q 6.0
 
-/* Where q stands on the curve of nomogram IV. */
+/* Position of q on the curve of nomogram IV. */
 void pp_nomogram_scale_curve(const struct pp_nomogram *nomogram, double q, double *x,
                              double *y);
 

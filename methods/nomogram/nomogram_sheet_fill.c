@@ -128,7 +128,7 @@ enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
 
 /* ---- a room ---- */
 
-/* Have both the same lines on the sheet? */
+/* True if both have the same lines on the sheet. */
 static bool same_lines(const struct pp_nomogram_window *a,
                        const struct pp_nomogram_window *b)
 {
@@ -142,10 +142,10 @@ static bool same_lines(const struct pp_nomogram_window *a,
     return same;
 }
 
-/* A room, and what reads it. */
+/* A room, and the nomogram that reads it. */
 struct room_on_sheet {
     struct pp_nomogram_sheet *sheet;
-    const struct pp_method *method; /* whose figures it gives */
+    const struct pp_method *method; /* method whose figures it gives */
     const struct pp_world *world;
     const struct pp_outside_light *light;
     const struct pp_receiver *receiver;

@@ -19,11 +19,12 @@ enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
                                             struct pp_nomogram_spacing spacing,
                                             struct pp_error *err);
 
-/* With the readings of the room's openings: vertical ones on I, II and IV, all others on
- * III. receiver: the point that IV is for; else not used. The world must outlive the sheet. PP_BAD_INPUT where the sky is not overcast,
- * the mean reflectance is outside scale B, or the room has no opening for that
- * nomogram or one whose figures leave its scales. The sum of I is the component by the method
- * `nomogram`, those of IV are what `irc-atlas` says of the room and of the point. */
+/* Fills the sheet with readings for the room's openings: vertical ones on I, II and IV,
+ * all others on III. receiver: the point of IV; unused otherwise. The world must
+ * outlive the sheet. PP_BAD_INPUT if the sky is not overcast, the mean reflectance is
+ * outside scale B, or the room has no opening for that nomogram or one whose figures
+ * leave its scales. The sum of I is the component by the method `nomogram`; those of IV
+ * are the results of `irc-atlas` for the room and the point. */
 enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
                                            enum pp_nomogram_kind kind,
                                            const struct pp_world *world,

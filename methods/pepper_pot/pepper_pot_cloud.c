@@ -90,7 +90,7 @@ static double step_share(double low, double high, double value)
     return step > 0.0 ? fmin((value - low) / step, 1.0) : 0.5;
 }
 
-/* Where an ascending list of `count` + 1 values reaches `value`, from 0 to count. */
+/* Position of `value` in an ascending list of `count` + 1 values, from 0 to count. */
 static double ascending_position(const double *ascending, int count, double value)
 {
     int low = 0, high = count;

@@ -1,17 +1,17 @@
-/* pepper_pot_cloud.h - dots on the true perspective of an opening of any slope, each worth
- * the same share of the light of any sky to any receiver, after [PLE54].
+/* pepper_pot_cloud.h - dots on the true perspective of an opening of any slope, each
+ * worth the same share of the light of any sky to any receiver, after [PLE54].
  *
- * The drawing is the opening's own plane at unit distance from the point: (a, b) is seen
- * in the direction a along, b up the slope, 1 out. A dot stands for a piece of the sky that
- * gives `worth` to the receiver (normal n), u directions above the horizon:
+ * The drawing is the opening's own plane at unit distance from the point: (a, b) is
+ * seen in the direction a along, b up the slope, 1 out. A dot represents a piece of the
+ * sky that gives `worth` to the receiver (normal n), u directions above the horizon:
  *
  *     dSC = L(u) tau(out.u) (n.u) domega
  *
  * L may depend on the azimuth. The half-space before the receiver is divided into rings
- * about its normal, each into cells from the far side of the glass round; t is the share
- * of the light within a ring, s that of the ring's light up to a cell, and the dots are a
- * Fibonacci lattice of the square of s and t [SP06], for level glass and an even sky a
- * sunflower. Within a cell light is taken to be as in its middle.
+ * about its normal, each into cells from the far side of the glass round; t is the
+ * share of the light within a ring, s that of the ring's light up to a cell, and the
+ * dots are a Fibonacci lattice of the square of s and t [SP06], for level glass and an
+ * even sky a sunflower. Within a cell the light is assumed uniform, as at its middle.
  */
 #ifndef PP_METHODS_PEPPER_POT_PEPPER_POT_CLOUD_H
 #define PP_METHODS_PEPPER_POT_PEPPER_POT_CLOUD_H

@@ -21,8 +21,8 @@ static void azimuths(const struct pp_pepper_pot *pot, double *low, double *high)
     }
 }
 
-/* dSC / (dgamma dphi) of the header as a product: this factor, which depends on the
- * altitude only, times that of the azimuth and the losses. */
+/* Altitude-dependent factor of dSC / (dgamma dphi) in the header; the others are that
+ * of the azimuth and the losses. */
 static double by_altitude(const struct pp_pepper_pot *pot, double gamma)
 {
     double s = sin(gamma), c = cos(gamma);
@@ -46,7 +46,7 @@ static void place_azimuths(struct pp_pepper_pot *pot)
         }
 }
 
-/* One altitude: left[i] is the light from the left of azimuth i. */
+/* Fills one altitude: left[i] is the light from the left of azimuth i. */
 static void fill_ring(double left[AZIMUTHS + 1], const struct pp_pepper_pot *pot,
                       double gamma)
 {

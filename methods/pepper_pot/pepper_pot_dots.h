@@ -2,7 +2,7 @@
  * window, each worth the same share of the sky component [PLE54].
  *
  * The drawing is the window's own vertical plane at unit distance from the point: (a,
- * b) is seen in the direction a to the right, b up, 1 ahead. A dot stands for a piece
+ * b) is seen in the direction a to the right, b up, 1 ahead. A dot represents a piece
  * of the sky that gives `worth` to the receiver (normal n):
  *
  *     dSC = L(gamma) tau(cos gamma cos phi) (n.u) cos gamma dgamma dphi       [PLE54]
@@ -10,8 +10,8 @@
  * The sky is mapped on to the unit square: t is the share of the light from below an
  * altitude, s the share of that altitude's light from the left of an azimuth, so that
  * equal areas are equal shares. The dots are a Fibonacci lattice of the square: even,
- * without clumps, and with no row along any edge of a window [SP06]. A dot stands for
- * exactly its worth; the error of a count comes from the dots next to the outline.
+ * without clumps, and with no row along any edge of a window [SP06]. A dot is worth
+ * exactly that; the error of a count comes from the dots next to the outline.
  */
 #ifndef PP_METHODS_PEPPER_POT_PEPPER_POT_DOTS_H
 #define PP_METHODS_PEPPER_POT_PEPPER_POT_DOTS_H
@@ -40,11 +40,11 @@ struct pp_pepper_pot {
     double facing_rad; /* azimuth of an upright receiver's normal from straight ahead,
                         * positive to the right */
     double worth;      /* of a dot */
-    double whole;      /* all dots' worth together: what a boundless window gives */
+    double whole;      /* worth of all dots together: the light of a boundless window */
     struct pp_glass_curve losses;           /* of the glass */
-    double below[PP_PEPPER_POT_PANELS + 1]; /* what comes from below even altitudes */
+    double below[PP_PEPPER_POT_PANELS + 1]; /* light from below even altitudes */
     double low_rad, high_rad; /* azimuths from which light reaches the receiver */
-    /* At the nodes between them: the cosine, and what the node weighs. */
+    /* Cosine and weight at the quadrature nodes between the azimuths. */
     double ahead[PP_PEPPER_POT_AZIMUTHS][PP_PEPPER_POT_NODES];
     double weight[PP_PEPPER_POT_AZIMUTHS][PP_PEPPER_POT_NODES];
     int count;

@@ -9,20 +9,19 @@
 #include "model/results/board_sheets.h"
 #include "model/room/world.h"
 
-/* A sheet without windows, for a horizontal receiver or a vertical one that faces the
- * window.
- * Skies other than overcast and uniform, and a worth outside 1e-5 ... 0.1, are refused.
- * The sheet is to be cleared by the caller; empty on failure. */
+/* Fills a sheet without windows, for a horizontal receiver or a vertical one that faces
+ * the window. Refuses skies other than overcast and uniform, and a worth outside 1e-5
+ * ... 0.1. The caller clears the sheet; empty on failure. */
 enum pp_status pp_pepper_pot_sheet_fill_blank(struct pp_pepper_pot_sheet *sheet,
                                               const struct pp_sky *sky, bool glazed,
                                               bool upright, double worth,
                                               struct pp_error *err);
 
-/* With the room's windows as seen from the receiver: a panel for each direction that
- * windows face, with glass and without; one blank panel for a room without openings.
- * Where `pepper-pot` refuses the room the dots are those of `pepper-pot-sky`; PP_BAD_INPUT
- * with the former's reason where that refuses it too. With a worth of 0.1 % the sums are
- * the components by that method. */
+/* Fills the sheet with the room's windows as seen from the receiver: a panel for each
+ * direction that windows face, with glass and without. A room without openings has one
+ * blank panel. If `pepper-pot` refuses the room the dots are those of `pepper-pot-sky`;
+ * if that refuses it too the result is PP_BAD_INPUT with the former's reason. With a
+ * worth of 0.1 % the sums are the components by that method. */
 enum pp_status pp_pepper_pot_sheet_fill_room(struct pp_pepper_pot_sheet *sheet,
                                              const struct pp_world *world,
                                              const struct pp_outside_light *light,

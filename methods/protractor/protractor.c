@@ -25,8 +25,8 @@
 
 enum { GLAZED_90, GLAZED_0, GLAZED_30, GLAZED_60, BARE, DIALS };
 
-/* The protractors that the room's openings need, and by opening the one that serves; NULL:
- * none does. */
+/* Protractors needed for the room's openings, and the one for each opening; NULL: none
+ * is suitable. */
 struct dial_set {
     struct pp_protractor_dial *dials[DIALS];
     const struct pp_protractor_dial *of[];

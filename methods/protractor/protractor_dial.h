@@ -34,7 +34,7 @@ struct pp_protractor_dial {
     struct pp_protractor protractor;
     double range_rad; /* the end of the primary scale */
 
-    /* At even steps of gamma from 0 to the range: F and dF/dgamma. */
+    /* F and dF/dgamma at even steps of gamma from 0 to the range. */
     double primary[PP_DIAL_STEPS + 1], slope[PP_DIAL_STEPS + 1];
 
     struct pp_protractor_semicircle semicircles[PP_DIAL_SEMICIRCLES];

@@ -8,8 +8,8 @@
 #include "methods/protractor/protractor_dial.h"
 #include "model/results/protractor_sheet.h"
 
-/* The slope of an opening in the sense of protractors (rad): 0 level, pi/2 vertical,
- * over pi/2 for an opening whose outer side faces down. */
+/* Slope of an opening as protractors define it (rad): 0 level, pi/2 vertical, over pi/2
+ * for an opening whose outer side faces down. */
 double pp_protractor_read_slope(const struct pp_opening *opening);
 
 /* The protractor for an opening; PP_BAD_INPUT where there is none. */
@@ -18,8 +18,8 @@ enum pp_status pp_protractor_read_choose(struct pp_protractor *protractor,
                                          const struct pp_opening *opening,
                                          struct pp_error *err);
 
-/* Reads the scales for all rectangles that the point sees in the opening. The readings
- * are to be cleared by the caller; empty where the point sees nothing, and on failure. */
+/* Reads the scales for all visible rectangles of the opening. The caller clears the
+ * readings; empty if the point sees nothing, and on failure. */
 enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
                                   const struct pp_protractor_dial *dial,
                                   const struct pp_world *world,
@@ -27,8 +27,9 @@ enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
                                   const struct pp_opening *opening,
                                   struct pp_vec3 point, struct pp_error *err);
 
-/* Works out the components of readings by the published formulae, and their sums; the
- * method, whose formulae may be a reader's, does so on its worksheet instead. */
+/* Calculates the components of readings, and their sums, by the published formulae. The
+ * method does so on its worksheet instead, since its formulae may be the reader's
+ * own. */
 void pp_protractor_read_work(struct pp_protractor_readings *readings);
 
 /* The sums of a rectangle's readings [BRE309]. */

@@ -97,8 +97,7 @@ static bool closed_form(const struct pp_protractor *protractor)
            && protractor->receiver == PP_PROTRACTOR_UP;
 }
 
-/* The context of the integrands below, whose variables are theta, or theta and
- * gamma. */
+/* Context of the integrands below, whose variables are theta, or theta and gamma. */
 struct strip {
     const struct pp_protractor *protractor;
     double gamma;

@@ -1,7 +1,7 @@
 /* protractor_scale.h - the scales of a BRS daylight protractor, for any glass, slope
  * and sky without azimuth.
  *
- * A protractor stands for an endless strip of sky above horizontal edges parallel to
+ * A protractor represents an endless strip of sky above horizontal edges parallel to
  * the glass [BRE309]. In the section square to the glass a sight line has the altitude
  * gamma, from 0 on the horizon in front of the glass over 90 degrees at the zenith to
  * 180 degrees behind it; theta is the angle of a direction out of that section, within
@@ -12,8 +12,8 @@
  *     dSC = L(u) tau(cos i) sin gamma cos^2 theta dtheta dgamma,
  *     sin altitude = cos theta sin gamma,  cos i = cos theta sin(gamma + slope)
  *
- * primary scale     F(gamma), the sum over all theta from 0 to gamma
- * auxiliary scale   CF(gamma, theta), the share of the strip at gamma that lies between
+ * primary scale     F(gamma), the sum over all theta from 0 to gamma auxiliary scale
+ * CF(gamma, theta), the share of the strip at gamma that lies between
  *                   the section and theta, to one side: 1/2 for an endless window
  *
  * Without glass (protractors 9 and 10), with p and q of graded_sky.h:
@@ -23,11 +23,11 @@
  * The horizontal receiver lies at the protractor's centre. Fractions of Eh.
  *
  * For an upright receiver the weight sin gamma cos theta of a direction is replaced by
- * cos gamma cos theta, of one that faces straight ahead, or by sin theta, of one that faces
- * square to the section; that one's scales count one side only, as both sides add to
- * nothing. A receiver at the azimuth psi has cos psi of the first and sin psi of the
- * second. Straight ahead and without glass F is the light of a vertical plane from below
- * an endless skyline of the angle gamma, VSC(0) - VSC(gamma).
+ * cos gamma cos theta, of one that faces straight ahead, or by sin theta, of one that
+ * faces square to the section; that one's scales count one side only, as both sides add
+ * to nothing. A receiver at the azimuth psi has cos psi of the first and sin psi of the
+ * second. Straight ahead and without glass F is the light of a vertical plane from
+ * below an endless skyline of the angle gamma, VSC(0) - VSC(gamma).
  */
 #ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
 #define PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
@@ -51,9 +51,9 @@ struct pp_protractor {
     enum pp_protractor_receiver receiver;
 };
 
-/* One of the ten that were published: 1 to 8 with clear single glass (vertical,
- * horizontal, 30 and 60 degrees), 9 and 10 without; odd numbers for the uniform sky,
- * even ones for the overcast. Fails on any other number. */
+/* Scale of one of the ten published protractors. 1 to 8 have clear single glass
+ * (vertical, horizontal, 30 and 60 degrees), 9 and 10 none. Odd numbers are for the
+ * uniform sky, even ones for the overcast sky. Fails on any other number. */
 enum pp_status pp_protractor_scale_published(struct pp_protractor *protractor,
                                              int number, struct pp_error *err);
 
@@ -61,16 +61,16 @@ enum pp_status pp_protractor_scale_published(struct pp_protractor *protractor,
  * glass than clear single, another slope or sky). */
 int pp_protractor_scale_number(const struct pp_protractor *protractor);
 
-/* The end of the primary scale: what is seen through glass from below, pi - slope with
- * glass, pi without. */
+/* End of the primary scale, up to which light reaches the glass from below: pi - slope
+ * with glass, pi without. */
 double pp_protractor_scale_range(const struct pp_protractor *protractor);
 
 /* dSC / (dtheta dgamma) of the head of this file. */
 double pp_protractor_scale_density(const struct pp_protractor *protractor,
                                    double gamma_rad, double theta_rad);
 
-/* The density at many angles out of the section on one sight line, through a glass whose
- * law is tabulated (NULL: it is asked itself). */
+/* Densities at many angles out of the section on one sight line. losses: the tabulated
+ * transmittance of the glass (NULL: evaluated directly). */
 void pp_protractor_scale_densities(double *densities,
                                    const struct pp_protractor *protractor,
                                    const struct pp_glass_curve *losses,
@@ -78,7 +78,7 @@ void pp_protractor_scale_densities(double *densities,
                                    int count);
 
 /* Primary scale: sky component of an endless strip from the horizon to gamma_rad, 0 to
- * pi (what lies beyond the range adds nothing). Relative error 1e-9. */
+ * pi (angles beyond the range add nothing). Relative error 1e-9. */
 double pp_protractor_scale_primary(const struct pp_protractor *protractor,
                                    double gamma_rad);
 

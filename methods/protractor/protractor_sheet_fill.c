@@ -11,8 +11,8 @@
 
 /* ---- the primary scale ---- */
 
-/* The smallest of the usual divisions, in tenths of a per cent, whose marks are at
- * least apart_rad apart where the scale has that slope. */
+/* Smallest of the usual divisions, in tenths of a per cent, whose marks are at least
+ * apart_rad apart at that slope of the scale. */
 static int division(double slope, double apart_rad)
 {
     static const int usual[] = {1, 2, 5, 10, 20, 50, 100};
@@ -43,7 +43,7 @@ static enum pp_status make_marks(struct pp_protractor_scale *scale,
         enum pp_mark_rank rank = PP_MARK_FINE;
         if (tenths % middle == 0)
             rank = PP_MARK_MIDDLE;
-        /* At an end where the scale meets its mirror image, figures would collide. */
+        /* Figures would collide at an end where the scale meets its mirror image. */
         double left = scale->range_rad - angle;
         if (tenths % label == 0 && angle - labelled > 0.8 * spacing.label_rad
             && left > 0.6 * spacing.label_rad) {

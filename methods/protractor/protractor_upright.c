@@ -1,10 +1,10 @@
-/* protractor_upright.c - `protractor-upright`: direct component at points that stand, by
- * protractors in the manner of the published ones [BRE309].
+/* protractor_upright.c - `protractor-upright`: direct component at vertical receivers,
+ * by protractors in the manner of the published ones [BRE309].
  *
  * Those are for points that face up. For upright receivers there are two, of the same
- * construction (protractor_scale.h): one for a receiver that faces straight to the window
- * and one for a receiver square to that. A receiver that faces psi aside of straight ahead
- * has cos psi of the first reading and sin psi of the second:
+ * construction (protractor_scale.h): one for a receiver that faces straight to the
+ * window and one for a receiver square to that. A receiver that faces psi aside of
+ * straight ahead has cos psi of the first reading and sin psi of the second:
  *
  *   1. the window is cut where the receiver's own plane meets it, which are upright lines
  *   2. both primary scales at the upper and at the lower sight line: i and j
@@ -13,8 +13,8 @@
  *   4. SC = i K cos psi + j J sin psi; ERC the same of the obstruction, times its
  *      luminance factor
  *
- * For vertical openings with clear glass or none, the overcast and the uniform sky. What
- * lies below the horizon is not counted. The figures contain clear single glass.
+ * For vertical openings with clear glass or none, the overcast and the uniform sky.
+ * Light from below the horizon is not counted. The figures contain clear single glass.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -26,7 +26,7 @@
 #include "methods/view/elevation.h"
 #include "methods/view/visible.h"
 
-/* The two protractors of openings with glass, and of those without. */
+/* The two protractors of openings with glass, and of openings without. */
 struct upright_dials {
     struct pp_protractor_dial ahead, aside;
 };
@@ -229,8 +229,8 @@ static void work_part(struct pp_part_steps *terms, struct pp_part *sum,
         pp_part_steps_work(terms, true, &reflected, "externally reflected component");
 }
 
-/* Leaves of the parts what lies before the receiver's own plane, which meets the opening's
- * in the upright lines 90 degrees from the direction that it faces. */
+/* Keeps the parts in front of the receiver's own plane. It crosses the opening's plane
+ * in vertical lines 90 degrees from the direction that the receiver faces. */
 static void cut_by_receiver(struct pp_elevation *elevation, double psi_rad)
 {
     double left = psi_rad > 0.0 ? tan(psi_rad - PP_PI / 2.0) : -INFINITY;

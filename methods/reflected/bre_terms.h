@@ -1,10 +1,10 @@
-/* bre_terms.h - the BRE inter-reflection formula [HLP54], [BRE310] and its terms for one
- * opening.
+/* bre_terms.h - the BRE inter-reflection formula [HLP54], [BRE310] and its terms for
+ * one opening.
  *
- * The formula stands here once: `bre` works it out, `bre-min` divides it, `bre-table` has
- * its last factor, the nomograms have it on scales. As given in [GEEBELEN]. Several
- * openings add up, each with its own W, C, R_fw and R_cw and the common A and R; in R_fw
- * and R_cw the openings of the other walls count with 0.1.
+ * The formula is written here once: `bre` evaluates it, `bre-min` divides it,
+ * `bre-table` uses its last factor, and the nomograms represent it by scales. As given
+ * in [GEEBELEN]. Several openings add up, each with its own W, C, R_fw and R_cw and the
+ * common A and R; in R_fw and R_cw the openings of the other walls count with 0.1.
  */
 #ifndef PP_METHODS_REFLECTED_BRE_TERMS_H
 #define PP_METHODS_REFLECTED_BRE_TERMS_H

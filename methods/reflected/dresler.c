@@ -2,18 +2,18 @@
  * cavities, the room above and the room below the middle of the opening.
  *
  * Dresler derived the reflected component from the interreflection of the room's parts
- * [DRE54]. His own formula could not be had; what stands here is derived from that
- * principle, under these conditions: light from above the horizon falls on the lower part
- * first, light from the ground on the upper part; each part is diffuse, of one reflectance
- * and evenly lit, openings with 0.1; the two exchange light through the level plane, of
- * area S, that parts them. What falls on a part of area A_u reaches the plane by the share
- * S/A_u and that part again by the rest, so that through the plane it reflects
+ * [DRE54]. His own formula was not available; this one is derived from that principle,
+ * under these conditions: light from above the horizon falls on the lower part first,
+ * light from the ground on the upper part; each part is diffuse, of one reflectance and
+ * evenly lit, openings with 0.1; the two exchange light through the level plane, of
+ * area S, that parts them. What falls on a part of area A_u reaches the plane by the
+ * share S/A_u and that part again by the rest, so that through the plane it reflects
  *
  *     k_u = rho_u S/A_u / (1 - rho_u (1 - S/A_u))
  *
- * and so does the lower part. The result is the illuminance of that plane from above, by
- * reflected light. It is that of `split-flux` but that there all that is reflected by one
- * part falls on the other.
+ * and so does the lower part. The result is the illuminance of that plane from above,
+ * by reflected light. It equals that of `split-flux`, except that there all light
+ * reflected by one part falls on the other.
  *
  * For vertical openings, any sky; several add up, each with its own plane. The formula
  * contains the opening's glass and, through Ag, the frame; no dirt, no deterioration of

@@ -6,16 +6,16 @@
  *
  *     DF = sum over the openings, T Ag E_o eta M / S
  *
- * E_o is the light on the glass. For vertical windows its form by the angle of an endless
- * skyline is recalled; it is that of the overcast sky above the skyline, and 0.15 of what
- * the skyline hides (its luminance over that of the sky behind it):
+ * E_o is the light on the glass. For vertical windows its form by the angle of an
+ * endless skyline is recalled; it is that of the overcast sky above the skyline, and
+ * 0.15 of what the skyline hides (its luminance over that of the sky behind it):
  *
  *     VSC(alpha) + 0.15 (VSC(0) - VSC(alpha)) = 31.888 - 18.214 sin alpha + 7.730 cos 2 alpha
  *
  * For other slopes the same rule stands with the sky's exact share on the glass. The
- * published tables of eta could not be had, nor a rule for the ground's light: both are
- * derived here, from the position and the slope of the opening, for a room of three zones
- * of even light, the plane, the ceiling and the walls between them.
+ * published tables of eta were not available, nor a rule for the ground's light. Both
+ * are derived here, from the position and the slope of the opening, for a room of three
+ * zones of even light, the plane, the ceiling and the walls between them.
  *
  *   - Light of the sky falls on the plane by the share d, on the walls by the rest: what
  *     of the open sky's light on the opening's middle goes on to the plane straight, over
@@ -24,8 +24,8 @@
  *   - What does not fall on the plane reaches it by the reflections of the three zones
  *     (reflected/room_zones.h).
  *
- * Glass below the working plane is left out, and what reveals and things in the room
- * take of the light.
+ * Glass below the working plane, and light lost in reveals and on objects in the room,
+ * are neglected.
  */
 #include <math.h>
 #include <stddef.h>
@@ -40,7 +40,7 @@
 #include "methods/refusals.h"
 #include "model/light/sky.h"
 
-/* ---- what enters ---- */
+/* ---- entering light ---- */
 
 static const struct pp_formula_quantity of_glass[] = {
     {"a", PP_UNIT_SQUARE_METRE, "area of the opening above the working plane"},
@@ -233,7 +233,7 @@ static enum pp_status put_light(struct pp_worksheet *sheet,
     return PP_OK;
 }
 
-/* The middle of what of the opening lies above the working plane. */
+/* Middle of the part of the opening above the working plane. */
 static struct pp_vec3 middle_above_plane(const struct pp_world *world,
                                          const struct pp_opening *opening)
 {
@@ -244,7 +244,8 @@ static struct pp_vec3 middle_above_plane(const struct pp_world *world,
     return middle;
 }
 
-/* d of glass behind a well: what has met its sides is taken to be diffuse. */
+/* Puts down d of glass above a well: light that has met the well's sides is assumed
+ * diffuse. */
 static void put_direct_of_well(struct pp_worksheet *sheet, const struct pp_world *world,
                                const struct pp_outside_light *light,
                                const struct pp_opening *opening)

@@ -1,4 +1,4 @@
-/* entering_light.c - C, C_g and u of an opening, put down with what they come from. */
+/* entering_light.c - C, C_g and u of an opening, put down with their quantities. */
 #include "methods/reflected/entering_light.h"
 
 #include "methods/reflected/obstruction.h"

@@ -1,21 +1,20 @@
 /* entering_light.h - the light that enters through an opening, and its division between
  * the upper and the lower part of the room, for `split-flux` and `sphere`.
  *
- * The transmittance tau enters as it is: that of the pane for diffuse light, 0.827 for
- * clear single glass and its stated one for a diffusing pane. The published 0.85 belongs
- * to `bre`, whose factors were made with it.
+ * The transmittance tau is that of the pane for diffuse light, 0.827 for clear single
+ * glass and its stated one for a diffusing pane. The published 0.85 belongs to `bre`,
+ * whose factors were made with it.
  *
  * C is the illuminance of the glass from above the horizon, over Eh, C_g that from the
  * ground. C of a vertical opening under the overcast sky is that of the BRE table
  * (obstruction.h). For other slopes and skies it is printed in [GEEBELEN] with 0.39,
- * which is replaced by the illuminance C_hv of glass of that slope from the open sky, over
- * Eh (sky.h).
+ * which is replaced by the illuminance C_hv of glass of that slope from the open sky,
+ * over Eh (sky.h).
  *
- * Under glass with a well (well.h) C and C_g are what comes through the foot of the well,
- * by its efficiency N. What of that has met the sides of the well comes down from the foot
- * as from a diffuse pane; it is internally reflected light before it meets the room, E_w on
- * the working plane, which the formulae of the room leave out: pp_entering_light_of_well
- * adds it.
+ * For glass with a well (well.h) C and C_g are the light through the foot of the well,
+ * by its efficiency N. Light that has met the sides of the well leaves the foot as from
+ * a diffuse pane. It is internally reflected light before it meets the room, E_w on the
+ * working plane, which the room's formulae omit: pp_entering_light_of_well adds it.
  *
  * Through clear glass, light from above the horizon falls on the lower part of the room
  * and light from the ground on the upper one. A diffusing pane sends the share u of all
@@ -65,8 +64,8 @@ enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                                  const struct pp_opening *opening,
                                  struct pp_error *err);
 
-/* Adds E_w, by that formula, to the irc that stands on the sheet, whose value is given;
- * returns the sum, irc itself of an opening without a well. */
+/* Adds E_w, by that formula, to the irc on the sheet, whose value is given. Returns the
+ * sum, or irc itself for an opening without a well. */
 double pp_entering_light_of_well(struct pp_worksheet *sheet,
                                  const struct pp_formula *E_w,
                                  const struct pp_world *world,

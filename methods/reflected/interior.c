@@ -13,7 +13,8 @@ static double twice_area(const struct pp_polygon *polygon, struct pp_vec3 o,
                       pp_vec_cross(pp_vec_sub(a, o), pp_vec_sub(b, o)));
 }
 
-/* Where the edge from a to b meets the level plane at z; z lies between them. */
+/* Point where the edge from a to b crosses the level plane at z; z lies between a and
+ * b. */
 static struct pp_vec3 level_crossing_point(struct pp_vec3 a, struct pp_vec3 b, double z)
 {
     return pp_vec_along(a, (z - a.z) / (b.z - a.z), pp_vec_sub(b, a));
@@ -101,8 +102,8 @@ static void add_split(struct sums *lower, struct sums *upper,
     add_reflecting_area(upper, share * (outline->area_m2 - below_m2), reflectance);
 }
 
-/* Adds the covers of a role's faces but one (-1: of none) in the place of what they
- * cover. PP_ROLE_COUNT: of all roles. */
+/* Adds the covers of a role's faces, instead of the covered areas, except those of face
+ * `left_out` (-1: none excepted). PP_ROLE_COUNT: of all roles. */
 static void add_covers(struct sums *lower, struct sums *upper,
                        const struct pp_world *world, double z, enum pp_role role,
                        int left_out)

@@ -54,8 +54,8 @@ struct pp_interior_parts pp_interior_split(const struct pp_world *world, double 
 struct pp_interior_parts pp_interior_split_without(const struct pp_world *world,
                                                    double z, int left_out);
 
-/* Area of the room's section by the level plane at `z` (m2): its envelope is closed, so
- * that what lies below has the section's area as the sum of its areas seen from above. */
+/* Area of the room's section by the level plane at `z` (m2). Since the envelope is
+ * closed it equals the sum of the areas below, seen from above. */
 double pp_interior_section_m2(const struct pp_world *world, double z);
 
 /* Area of a polygon below the level plane at `z` (m2). For any simple plane polygon; a

@@ -40,7 +40,7 @@ static double reflectance_between(double low, double high, double share)
     return low + share * (high - low);
 }
 
-/* Is the value within the printed range but for rounding? */
+/* True if the value is within the printed range, up to rounding. */
 static bool covers(double low, double high, double value)
 {
     double grain = 1e-9 * high;

@@ -1,16 +1,17 @@
-/* k_factor.c - `k-factor`: average internally reflected component of rooms with rooflights
- * and their wells, in the manner of BRE Digest 310 [BRE310].
+/* k_factor.c - `k-factor`: average internally reflected component of rooms with
+ * rooflights and their wells, in the manner of BRE Digest 310 [BRE310].
  *
  * For windows it is `bre` (bre_terms.h). For level rooflights the same inter-reflection
- * formula has in the place of its C the factor K, the mean daylight factor at the foot of
- * the well, in the plane of the ceiling, as given in [TS93], algorithm 2.43. The Digest's
- * own table of K could not be had: K is worked out here, C by the sky and what hides of
- * it, N by transfer of flux (well.h). All of that light falls on the floor and the walls
- * first, R_fw; what the sides of the well have reflected is internally reflected light
- * already, and what of it falls on the working plane is added.
+ * formula has the factor K in place of C: the mean daylight factor at the foot of the
+ * well, in the plane of the ceiling, as given in [TS93], algorithm 2.43. The Digest's
+ * own table of K was not available. K is calculated here: C by the sky and its
+ * obstructions, N by transfer of flux (well.h). All of that light falls on the floor
+ * and the walls first, R_fw. Light reflected by the sides of the well is internally
+ * reflected already; the part that falls on the working plane is added.
  *
- * Under the CIE overcast sky; glass that slopes is not covered. The figures contain clear
- * single glass and, through W, the frame; no dirt, no deterioration of decorations.
+ * Under the CIE overcast sky; glass that slopes is not covered. The figures contain
+ * clear single glass and, through W, the frame; no dirt, no deterioration of
+ * decorations.
  */
 #include <stddef.h>
 
@@ -94,7 +95,7 @@ static const char *k_factor_refuses(const struct pp_world *world,
     return "slopes; windows and level rooflights only are covered";
 }
 
-/* K, and what it comes from. */
+/* Puts down K and its quantities. */
 static void put_K(struct pp_worksheet *sheet, const struct pp_world *world,
                   const struct pp_outside_light *light,
                   const struct pp_opening *opening, double alpha_rad)

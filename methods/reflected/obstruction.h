@@ -4,9 +4,10 @@
  *
  * The formulae were made for an endless skyline parallel to the window, at the section
  * angle alpha (so that tan altitude = tan alpha cos azimuth). Blocks and other
- * obstructions become the endless skyline that leaves a vertical plane at the opening's
- * centre the same light of the sky, VSC (graded_sky.h). ISO skies count as the overcast
- * sky: the angle stands for a shape, whose VSC has no closed form under those skies.
+ * obstructions are replaced by the endless skyline that leaves a vertical plane at the
+ * opening's centre the same light of the sky, VSC (graded_sky.h). ISO skies count as
+ * the overcast sky: the angle stands for a shape, whose VSC has no closed form under
+ * those skies.
  */
 #ifndef PP_METHODS_REFLECTED_OBSTRUCTION_H
 #define PP_METHODS_REFLECTED_OBSTRUCTION_H
@@ -14,13 +15,13 @@
 #include "model/light/outside_light.h"
 #include "model/room/world.h"
 
-/* alpha of an opening (rad, 0 to pi/2): the angle of its own wall's skyline from the
- * middle of the opening's height; where blocks, free-standing surfaces outside or other
- * parts of the building stand before the opening, the angle by the VSC with all
- * obstructions. What the wall's own thickness hides, a reveal or the facade that the glass
- * stands back from, is none. For a sloping opening the VSC is that of the vertical plane with the
- * same azimuth; the angle of a horizontal opening is 90 degrees times the share of the
- * sky's light that is hidden. */
+/* Obstruction angle alpha of an opening (rad, 0 to pi/2): that of its own wall's
+ * skyline from the mid-height of the opening. If blocks, free-standing surfaces outside
+ * or other parts of the building are in front of the opening, it is the angle by the
+ * VSC with all obstructions. The wall's own thickness, a reveal or the facade in front
+ * of recessed glass, does not count. For a sloping opening the VSC is that of the
+ * vertical plane with the same azimuth. The angle of a horizontal opening is 90 degrees
+ * times the hidden share of the sky's light. */
 enum pp_status pp_obstruction_angle(double *angle_rad, const struct pp_world *world,
                                     const struct pp_outside_light *light,
                                     const struct pp_opening *opening,

@@ -49,7 +49,7 @@ static struct pp_moments moments_of(const struct view *view,
     return sum;
 }
 
-/* Rings turn to the left from above, and so count the other way from below. */
+/* Rings are counter-clockwise seen from above, and so count negative from below. */
 double pp_point_factor(struct pp_vec3 from, struct pp_vec3 normal,
                        const struct pp_region *region, double z)
 {

@@ -1,6 +1,5 @@
-/* point_factor.h - what of the light through a point falls on a level figure straight:
- * of diffuse light, and of the sky's.
- */
+/* point_factor.h - the share of the light through a point that falls directly on a
+ * level region: of diffuse light, and of the sky's. */
 #ifndef PP_METHODS_REFLECTED_POINT_FACTOR_H
 #define PP_METHODS_REFLECTED_POINT_FACTOR_H
 
@@ -9,15 +8,15 @@
 #include "model/geometry/vec.h"
 #include "model/light/sky.h"
 
-/* From a surface at `from`, which sends its light by the cosine about `normal` (unit), the
- * share that falls on the region in the level plane at the height z, 0 to 1: its
- * configuration factor [HSM16]. What lies behind the surface counts for nothing. */
+/* Configuration factor [HSM16]: the share (0 to 1) of light that falls on the region in
+ * the level plane at height z. The light leaves a surface at `from`, by the cosine
+ * about `normal` (unit). The part of the region behind the surface is not counted. */
 double pp_point_factor(struct pp_vec3 from, struct pp_vec3 normal,
                        const struct pp_region *region, double z);
 
-/* Sky light of an unglazed opening at `from`, whose normal points in, that falls straight
- * on the region below, over Eh: 0 to what falls on the opening. The sky has a gradation
- * and no azimuth dependence. */
+/* Sky light of an unglazed opening at `from`, whose normal points in, that falls
+ * directly on the region below, over Eh: from 0 to the light on the opening. The sky
+ * has a gradation and no azimuth dependence. */
 double pp_point_factor_sky(struct pp_vec3 from, struct pp_vec3 normal,
                            const struct pp_region *region, double z,
                            const struct pp_sky *sky);

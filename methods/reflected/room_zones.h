@@ -1,19 +1,19 @@
-/* room_zones.h - the room over the working plane as three zones of even light: the plane,
- * the ceiling and the walls between them.
+/* room_zones.h - the room over the working plane as three zones of even light: the
+ * plane, the ceiling and the walls between them.
  *
- * F is the form factor between plane and ceiling, m that from the walls to each of them,
- * rho_p, rho_c, rho_v the reflectances. Of light on the walls the share u_w comes down on
- * the plane by reflections above it, of light on the ceiling u_c, of light that the plane
- * sends up u_p: with the light phi_v on walls and phi_c on the ceiling,
+ * F is the form factor between plane and ceiling, m that from the walls to each of
+ * them, rho_p, rho_c, rho_v the reflectances. Of light on the walls the share u_w comes
+ * down on the plane by reflections above it, of light on the ceiling u_c, of light that
+ * the plane sends up u_p: with the light phi_v on walls and phi_c on the ceiling,
  *
  *     phi_v = source + rho_v (1 - 2 m) phi_v + rho_c (1 - F) phi_c
  *     phi_c = source + rho_v m phi_v
  *     u     = rho_v m phi_v + rho_c F phi_c
  *
- * solved for a source of 1 on either. A ceiling that is no level plane has the reflectance
- * of the cavity that it makes, and so has what lies below the plane. The walls are as high
- * as their area over the plane's outline; F is that of the rectangle of the plane's area
- * and outline [HSM16]. What stands in the room is left out.
+ * solved for a source of 1 on either. A ceiling that is not a level plane has the
+ * reflectance of its cavity, and so has the space below the plane. The walls are as
+ * high as their area over the plane's outline; F is that of the rectangle with the
+ * plane's area and outline [HSM16]. Objects in the room are neglected.
  */
 #ifndef PP_METHODS_REFLECTED_ROOM_ZONES_H
 #define PP_METHODS_REFLECTED_ROOM_ZONES_H

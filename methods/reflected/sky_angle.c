@@ -50,7 +50,8 @@ const struct pp_formula pp_sky_angle_theta = {
     .quantities = of_theta,
 };
 
-/* From the wall's inner face out to where the wall ends, before the glass or behind it. */
+/* Depth from the wall's inner face to its outer face, whether before or behind the
+ * glass. */
 static double depth_of(const struct pp_opening *opening)
 {
     return opening->reveal_m + opening->recess_m;

@@ -2,11 +2,11 @@
  * visible sky in the vertical section through the middle of an opening.
  *
  * It runs in the plane of the face's inside from the obstruction alpha
- * (reflected/obstruction.h) up to the head of the reveal. Vertical glass without a reveal
- * has 90 degrees less alpha, sloping glass 180 degrees less its slope beta and alpha; what
- * its well takes is told by the well's efficiency (well.h). What
- * stands about level glass takes alpha from both sides: alpha is then 90 degrees times the
- * share of the sky's light that is hidden, so that theta falls to 0 where all is.
+ * (reflected/obstruction.h) up to the head of the reveal. Vertical glass without a
+ * reveal has 90 degrees less alpha, sloping glass 180 degrees less its slope beta and
+ * alpha. Losses in its well enter by the well's efficiency (well.h). For level glass
+ * alpha is subtracted from both sides: it is then 90 degrees times the hidden share of
+ * the sky's light, so that theta is 0 if all is hidden.
  */
 #ifndef PP_METHODS_REFLECTED_SKY_ANGLE_H
 #define PP_METHODS_REFLECTED_SKY_ANGLE_H
@@ -22,7 +22,7 @@ extern const struct pp_formula pp_sky_angle_head, pp_sky_angle_upper[2],
 #define PP_SKY_ANGLE_FORMULAE &pp_sky_angle_head, &pp_sky_angle_theta
 #define PP_SKY_ANGLE_SLOPING_FORMULAE &pp_sky_angle_upper[0], &pp_sky_angle_upper[1]
 
-/* Puts down theta and what it comes from: theta_h and alpha in any case. */
+/* Puts down theta and its quantities: theta_h and alpha in any case. */
 enum pp_status pp_sky_angle(struct pp_worksheet *sheet, const struct pp_world *world,
                             const struct pp_outside_light *light,
                             const struct pp_opening *opening, struct pp_error *err);

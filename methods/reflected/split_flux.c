@@ -1,9 +1,10 @@
-/* split_flux.c - `split-flux`: internally reflected component by splitting the light
- * that enters into what falls on the upper and on the lower part of the room first.
+/* split_flux.c - `split-flux`: internally reflected component by splitting the entering
+ * light into the parts that fall first on the upper and on the lower part of the room.
  *
  * Light from above the horizon falls on the lower part and light from the ground on the
- * upper part, through a diffusing pane by its share u of light that goes up, 1/2 in print
- * (entering_light.h). The result is the lower part's illuminance from the upper, over Eh.
+ * upper part, through a diffusing pane by its share u of light that goes up, 1/2 in
+ * print (entering_light.h). The result is the lower part's illuminance from the upper,
+ * over Eh.
  *
  * For any sky, any slope, and several openings, each with its own parts, which add up.
  * The formula contains the opening's glass and, through Ag, the frame; no dirt, no

@@ -73,7 +73,7 @@ static void form_factors(double factor[BANDS + 1], const struct pp_well_shape *s
     }
 }
 
-/* Solves M x = y in place for a matrix whose rows are led by their diagonals. */
+/* Solves M x = y in place for a diagonally dominant matrix. */
 static void solve(double M[ZONES][ZONES], double y[ZONES])
 {
     for (int i = 0; i < ZONES; i++)
@@ -102,8 +102,9 @@ static double back_of(const struct pp_glass *glass)
     return sum;
 }
 
-/* Bands are alike, so that what one sends to another depends on how far apart they are:
- * by the sections between, whose area over that of a band is `section`,
+/* Bands are equal, so that the exchange between two depends on their distance only. It
+ * is calculated from the sections between them, whose area over that of a band is
+ * `section`:
  *
  *     i to j     section (F(m - 1) - 2 F(m) + F(m + 1)),  m = |i - j| > 0
  *     to itself  1 - 2 section (1 - F(1))

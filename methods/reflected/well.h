@@ -1,10 +1,10 @@
-/* well.h - wells of rooflights: what of the light that enters one at the top leaves it at
- * the foot.
+/* well.h - wells of rooflights: the share of the light entering at the top that leaves
+ * at the foot.
  *
  * A rooflight with a reveal has a well, a straight shaft from the glass down to the
- * ceiling, of the ceiling's reflectance. The hand formulae of the room take its foot for
- * the opening, and the well's sides for no part of the room. Its shape is told by the well
- * index [IES84], which is 1 for a cube:
+ * ceiling, of the ceiling's reflectance. The hand formulae of the room take its foot
+ * for the opening, and the well's sides for no part of the room. Its shape is told by
+ * the well index [IES84], which is 1 for a cube:
  *
  *     w = d (a + b) / (2 a b),   d depth, a and b the sides of the plan
  *
@@ -29,7 +29,7 @@ struct pp_well_shape {
     double sides;                      /* reflectance, 0 to 1 */
 };
 
-/* Shares of what passes the glass, 0 to 1; each N of print. */
+/* Shares of the light through the glass, 0 to 1; N in print. */
 struct pp_well_efficiency {
     double whole;  /* N: leaves the foot */
     double direct; /* N_d: has not met the sides */

@@ -34,7 +34,7 @@ static bool bound_block(struct pp_block_bound *bound, const struct pp_block_view
     }
     /* Sides flush with the room's are set off into the block. */
     bound->distance_m = sqrt(square) - 2.0 * PP_SET_OFF_M;
-    if (near <= view->glass_m) { /* what is beyond the glass may reach anywhere */
+    if (near <= view->glass_m) { /* objects beyond the glass may appear anywhere */
         bound->left = -INFINITY;
         bound->right = bound->high = INFINITY;
         return far >= view->glass_m;

@@ -1,8 +1,8 @@
-/* block_bounds.h - where blocks stand before an opening, in bounds, the nearer ones about
+/* block_bounds.h - bounds of the blocks in front of an opening, roughly the nearer ones
  * first. For elevation.c only.
  *
- * A room may have thousands of blocks outside, of which few are seen: bounds tell which
- * without a look at their sides.
+ * A room may have thousands of blocks outside, few of them visible: bounds find those
+ * without testing their sides.
  */
 #ifndef PP_METHODS_VIEW_BLOCK_BOUNDS_H
 #define PP_METHODS_VIEW_BLOCK_BOUNDS_H
@@ -10,7 +10,7 @@
 #include "model/geometry/frame.h"
 #include "model/room/world.h"
 
-/* A point and what it sees of an opening: directions by x/y and z/y in axes whose y runs
+/* A point and its view of an opening: directions by x/y and z/y in axes whose y runs
  * out through the glass. */
 struct pp_block_view {
     struct pp_vec3 point;
@@ -31,9 +31,9 @@ struct pp_block_bounds {
     struct pp_block_bound *list;
 };
 
-/* Fills empty bounds with the blocks that may be seen, in the order of their distances to
- * within a hundredth of what the nearest one's bears to theirs. The caller clears them,
- * after a failure too. */
+/* Fills empty bounds with the blocks that may be visible, in order of distance,
+ * roughly: to a hundredth of the ratio of the nearest distance to theirs. The caller
+ * clears them, after a failure too. */
 enum pp_status pp_block_bounds_find(struct pp_block_bounds *bounds,
                                     const struct pp_world *world,
                                     const struct pp_block_view *view,

@@ -79,8 +79,8 @@ static enum pp_status add_patch(struct pp_visible *visible,
     return PP_OK;
 }
 
-/* The pieces that are the first with their light, in their order: *first is to be
- * freed. */
+/* Finds the pieces that are the first with their light, in order; the caller frees
+ * *first. */
 static enum pp_status find_lights(int **first, int *count,
                                   const struct pp_occluders *pieces,
                                   struct pp_error *err)
@@ -137,7 +137,7 @@ static enum pp_status divide_by_one_light(struct pp_visible *visible,
     return status;
 }
 
-/* Divides the open part among the lights whose first pieces are given. */
+/* Divides the open part among the lights, given the first piece of each. */
 static enum pp_status divide_by_lights(struct pp_visible *visible,
                                        struct pp_fragments *open,
                                        const struct pp_occluder_rings *rings,

@@ -1,8 +1,8 @@
-/* convex_patches.h - divides the open part of a view by what hides it outside, by convex
- * cuts. For visible.c and patch_builder.c only.
+/* convex_patches.h - divides the open part of a view among the obstructions outside, by
+ * convex cuts. For visible.c and patch_builder.c only.
  *
- * Many times as fast as an overlay and proof against any position of edges; but a
- * patch comes out as convex rings that meet, not as its outline.
+ * Many times as fast as an overlay and robust for any position of edges; but a patch is
+ * returned as adjacent convex rings, not as its outline.
  */
 #ifndef PP_METHODS_VIEW_CONVEX_PATCHES_H
 #define PP_METHODS_VIEW_CONVEX_PATCHES_H

@@ -1,9 +1,10 @@
-/* elevation_cover.h - what is sure to be hidden by the obstructions drawn so far, so that
- * it need not be drawn. For elevation.c only.
+/* elevation_cover.h - areas certainly hidden by the obstructions drawn so far, where
+ * nothing more need be drawn. For elevation.c only.
  *
- * The visible part of the opening is divided into upright columns. Each keeps how high it
- * is covered without a gap from its foot, and the farthest obstruction that was needed for
- * that. Nearly all obstructions stand on the ground, where this is their skyline.
+ * The visible part of the opening is divided into vertical columns. Each stores the
+ * height to which it is covered without a gap from its foot, and the farthest
+ * obstruction needed for that. Nearly all obstructions stand on the ground, where this
+ * is their skyline.
  */
 #ifndef PP_METHODS_VIEW_ELEVATION_COVER_H
 #define PP_METHODS_VIEW_ELEVATION_COVER_H
@@ -23,12 +24,12 @@ struct pp_elevation_cover {
 void pp_elevation_cover_init(struct pp_elevation_cover *cover,
                              const struct pp_elevation_part *seen);
 
-/* Adds an obstruction whose nearest corner is at that distance. */
+/* Adds an obstruction; distance_m is that of its nearest corner. */
 void pp_elevation_cover_add(struct pp_elevation_cover *cover,
                             const struct pp_elevation_part *outline, double distance_m);
 
-/* Is all between two jambs and up to `high` behind what was added, for whatever is at
- * that distance? Never true where it is not. */
+/* True if the whole area between two jambs and up to `high` is hidden for objects at
+ * that distance. Conservative: never true where it is not hidden. */
 bool pp_elevation_cover_hides(const struct pp_elevation_cover *cover, double left,
                               double right, double high, double distance_m);
 

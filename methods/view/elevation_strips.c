@@ -8,8 +8,8 @@
 
 #include "model/base/array.h"
 
-/* One strip and what crosses it. Obstructions are known by their place in the list, the
- * nearest first. */
+/* One strip and the parts that cross it. Obstructions are identified by their index in
+ * the list, the nearest first. */
 struct strip_sweep {
     const struct pp_elevation_part *seen;
     const struct pp_elevation_obstruction *list;
@@ -26,7 +26,8 @@ struct strip_sweep {
 
     int shown_count; /* of the crossing ones, those not wholly behind nearer ones */
     int *shown;
-    int covered_count; /* what these cover of the heights, apart, from below */
+    int covered_count; /* number of disjoint ranges of height that they cover, from
+                        * below */
     double (*covered)[2];
     double *levels; /* their lower and upper edges */
 };
@@ -147,7 +148,8 @@ static bool same_light(double a, double b)
     return a == b || (isnan(a) && isnan(b));
 }
 
-/* The edges of what the strip shows, from below. Returns their number. */
+/* Finds the edges of the visible parts of the strip, from below. Returns their
+ * number. */
 static int find_levels(struct strip_sweep *sweep)
 {
     const struct pp_elevation_part *seen = sweep->seen;
@@ -233,7 +235,7 @@ static enum pp_status add_strips(struct pp_elevation *elevation,
     return status;
 }
 
-/* With nothing before it, the opening is one part. */
+/* Adds an opening without obstructions as one part. */
 static enum pp_status add_whole_opening(struct pp_elevation *elevation,
                                         const struct pp_elevation_part *seen,
                                         struct pp_error *err)

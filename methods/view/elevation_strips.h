@@ -1,9 +1,9 @@
-/* elevation_strips.h - cuts the visible part of an opening by the obstructions before it,
- * all of them upright rectangles (elevation.h).
+/* elevation_strips.h - cuts the visible part of an opening by the obstructions in front
+ * of it, all vertical rectangles (elevation.h).
  *
- * The part is divided by upright strips from jamb to jamb, and each strip by what it
- * shows; neighbours that show the same are joined. A line of edges sweeps across, so that
- * a strip takes the time of the obstructions that cross it, not of all.
+ * The part is divided into vertical strips from jamb to jamb, and each strip by the
+ * obstructions visible in it; equal neighbours are joined. A sweep line crosses the
+ * edges, so that a strip's time depends on the obstructions that cross it, not on all.
  */
 #ifndef PP_METHODS_VIEW_ELEVATION_STRIPS_H
 #define PP_METHODS_VIEW_ELEVATION_STRIPS_H

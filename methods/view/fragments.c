@@ -96,7 +96,7 @@ void pp_fragments_close_ring(struct pp_fragment_ring *ring, double (*xy)[2], int
 
 /* ---- Cuts ---- */
 
-/* A convex ring on its way through several cuts, each of which may add a corner. */
+/* A convex ring during several cuts, each of which may add a corner. */
 struct cut_ring {
     int count;
     double xy[2 * PP_FRAGMENT_CORNERS + 2][2];
@@ -115,8 +115,9 @@ static struct cut_line line_of_edge(const struct pp_fragment_ring *ring, int i)
     return (struct cut_line){a, b, -a * p[0] - b * p[1]};
 }
 
-/* Divides a ring by a line. Above 0: all of it lies where the line is 0 or greater, below
- * 0: where it is 0 or less; 0: in both, and `in` has what is greater, `out` what is less. */
+/* Divides a ring by a line. Above 0: all of it lies where the line is 0 or greater;
+ * below 0: where it is 0 or less. 0: it is divided into `in`, the greater side, and
+ * `out`, the smaller. */
 static int divide_ring(struct cut_ring *in, struct cut_ring *out,
                        const struct cut_ring *whole, struct cut_line line)
 {
@@ -168,7 +169,7 @@ double pp_fragments_area(const struct pp_fragment *fragment)
     return area_of((const double(*)[2])fragment->xy, fragment->count);
 }
 
-/* A fragment divided by a ring: what lies within, and what each edge leaves outside. */
+/* A fragment divided by a ring: the part within, and the part outside each edge. */
 struct cut_parts {
     const struct cut_ring *within; /* one of the two */
     struct cut_ring rings[2];
@@ -214,7 +215,7 @@ static enum pp_status push_ring(struct pp_fragments *fragments, int owner,
     return push(fragments, owner, (const double(*)[2])ring->xy, ring->count, err);
 }
 
-/* Adds what of a fragment lies outside a ring. */
+/* Adds the part of a fragment outside a ring. */
 static enum pp_status add_outside(struct pp_fragments *fragments, int owner,
                                   const struct cut_parts *parts, struct pp_error *err)
 {
@@ -249,7 +250,8 @@ enum pp_status pp_fragments_intersect(struct pp_fragments *result,
     return status;
 }
 
-/* Is the ring nearer than the owner, by the line on which both are at the same depth? */
+/* Line on which the ring and the owner have the same depth; it tells where the ring is
+ * nearer. */
 static struct cut_line nearer_than(const struct pp_fragment_ring *ring,
                                    const struct pp_fragment_ring *owner)
 {
@@ -258,7 +260,7 @@ static struct cut_line nearer_than(const struct pp_fragment_ring *ring,
                              owner->depth[0] - ring->depth[0]};
 }
 
-/* Gives the ring what it hides of a fragment. */
+/* Assigns to the ring the part of a fragment that it hides. */
 static enum pp_status cover_one(struct pp_fragments *fragments, int at,
                                 const struct pp_fragment_ring *rings, int index,
                                 struct pp_error *err)
@@ -292,7 +294,7 @@ enum pp_status pp_fragments_cover(struct pp_fragments *fragments,
                                   struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    /* Backwards: what is added, and what moves to a free place, has had its turn. */
+    /* Runs backwards: fragments added, or moved to a free place, are already done. */
     for (int i = fragments->count - 1; i >= 0 && status == PP_OK; i--)
         status = cover_one(fragments, i, rings, index, err);
     return status;

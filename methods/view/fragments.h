@@ -55,24 +55,25 @@ enum pp_status pp_fragments_append(struct pp_fragments *fragments,
                                    const struct pp_fragments *more,
                                    struct pp_error *err);
 
-/* Adds to `result` what lies within the ring. */
+/* Adds the parts within the ring to `result`. */
 enum pp_status pp_fragments_intersect(struct pp_fragments *result,
                                       const struct pp_fragments *fragments,
                                       const struct pp_fragment_ring *ring,
                                       struct pp_error *err);
 
-/* Keeps what lies outside the ring. */
+/* Keeps the parts outside the ring. */
 enum pp_status pp_fragments_subtract(struct pp_fragments *fragments,
                                      const struct pp_fragment_ring *ring,
                                      struct pp_error *err);
 
-/* The same, and adds to `taken`, unless it is NULL, what lies within. */
+/* Keeps the parts outside the ring, and adds those within to `taken`, unless it is
+ * NULL. */
 enum pp_status pp_fragments_move(struct pp_fragments *taken,
                                  struct pp_fragments *fragments,
                                  const struct pp_fragment_ring *ring,
                                  struct pp_error *err);
 
-/* rings[index] becomes the owner of what lies within it and is free or belongs to a ring
+/* Makes rings[index] the owner of the parts within it that are free or belong to a ring
  * behind it. */
 enum pp_status pp_fragments_cover(struct pp_fragments *fragments,
                                   const struct pp_fragment_ring *rings, int index,

@@ -14,8 +14,8 @@ struct pp_occluder_rings {
     double (*xy)[2];
 };
 
-/* In the order of the pieces, with depths for a view at that distance. The caller clears
- * the rings, after a failure too. */
+/* Finds the rings, in the order of the pieces, with depths for a view at that distance.
+ * The caller clears the rings, after a failure too. */
 enum pp_status pp_occluder_rings_find(struct pp_occluder_rings *rings,
                                       const struct pp_occluders *pieces,
                                       double distance_m, struct pp_error *err);
@@ -30,9 +30,9 @@ enum pp_status pp_occluder_rings_cover(struct pp_fragments *open,
                                        const struct pp_occluder_rings *rings,
                                        struct pp_error *err);
 
-/* Takes out the pieces of which others hide all, within the extent of the scene.
- * one_light: do all pieces give off the same light, so that any may hide another? Else
- * the nearer one hides. */
+/* Removes pieces that others hide entirely, within the extent of the scene. one_light:
+ * all pieces give off the same light, so that any may hide another; otherwise the
+ * nearer one hides. */
 enum pp_status pp_occluder_rings_drop_hidden(struct pp_occluders *pieces,
                                              const struct pp_occluders_scene *scene,
                                              bool one_light, struct pp_error *err);

@@ -64,8 +64,8 @@ static enum pp_status add_occluder_piece(struct pp_occluders *pieces,
     return PP_OK;
 }
 
-/* The four sides of the pyramid through the extent, and a range of depth: a point v
- * inside has normal.v > offset for all of them. */
+/* Four sides of the pyramid through the extent, and a range of depth: a point v inside
+ * has normal.v > offset for all of them. */
 struct sides {
     struct pp_vec3 normal[CUTS];
     double offset[CUTS];

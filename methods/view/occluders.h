@@ -50,8 +50,8 @@ enum pp_status pp_occluders_collect(struct pp_occluders *inside,
                                     const struct pp_occluders_scene *scene,
                                     struct pp_error *err);
 
-/* The directions that a skyline without a distance hides: those neither above the skyline
- * (above.u > 0) nor below the horizon (below.u > 0). */
+/* Directions hidden by a skyline without a distance: neither above the skyline (above.u
+ * > 0) nor below the horizon (below.u > 0). */
 struct pp_band {
     struct pp_vec3 above, below;
 };

@@ -1,5 +1,5 @@
-/* patch_builder.c - removes from an opening's outline what occluders inside hide, and
- * divides the rest by the skylines and obstructions outside.
+/* patch_builder.c - removes the parts of an opening's outline hidden by occluders
+ * inside, and divides the rest among the skylines and obstructions outside.
  *
  * Where half-spaces through the eye suffice (no occluder, at most one skyline), the
  * outline stays one region with half-spaces; else regions are overlaid by GEOS.
@@ -76,8 +76,8 @@ static enum pp_status cover(struct pp_patch_builder *builder, struct pp_region *
     return status;
 }
 
-/* Do the areas of union and sky add up to the whole, and is every piece in the
- * union? */
+/* True if the areas of union and sky sum to the whole, and every piece is in the
+ * union. */
 static bool adds_up(const struct pp_patch_builder *builder, const struct pp_region *all,
                     const struct pp_region *sky)
 {

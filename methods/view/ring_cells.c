@@ -1,4 +1,5 @@
-/* ring_cells.c - halves the extent of fragments, and joins what is left in the cells. */
+/* ring_cells.c - halves the extent of fragments, and joins the remainders of the
+ * cells. */
 #include "methods/view/ring_cells.h"
 
 #include <stdlib.h>
@@ -59,7 +60,8 @@ static enum pp_status in_cells(const struct ring_cells *cells,
                                struct pp_fragments *open, const int *rings, int count,
                                int depth, struct pp_error *err);
 
-/* One half: its fragments, cut out of all, and the rings that reach into it. */
+/* Processes one half: its fragments, clipped from all, and the rings that reach into
+ * it. */
 static enum pp_status in_half(const struct ring_cells *cells, struct pp_fragments *left,
                               const struct pp_fragments *open,
                               const struct extent *half, const int *rings, int count,

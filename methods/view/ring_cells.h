@@ -1,10 +1,10 @@
-/* ring_cells.h - many rings on fragments, cell by cell: each ring meets the fragments of the
- * cells that it reaches into, not all there are. For occluder_rings.c and convex_patches.c
- * only.
+/* ring_cells.h - many rings applied to fragments, cell by cell: each ring meets only
+ * the fragments of the cells that it overlaps. For occluder_rings.c and
+ * convex_patches.c only.
  *
- * The extent of the fragments is halved until a cell has few rings, or halves no longer part
- * them; fragments are cut along the cells' sides. Few rings see no cells, and leave what they
- * would without.
+ * The extent of the fragments is halved until a cell has few rings, or halves no longer
+ * part them; fragments are cut along the cells' sides. With few rings there are no
+ * cells; the result is the same.
  */
 #ifndef PP_METHODS_VIEW_RING_CELLS_H
 #define PP_METHODS_VIEW_RING_CELLS_H
@@ -17,7 +17,7 @@ typedef enum pp_status pp_ring_cells_do(void *data, struct pp_fragments *open,
                                         const int *rings, int count,
                                         struct pp_error *err);
 
-/* Does that with all cells of `open`, which has afterwards what was left in each. */
+/* Applies `act` to all cells of `open`; afterwards `open` has the remainder of each. */
 enum pp_status pp_ring_cells(struct pp_fragments *open,
                              const struct pp_fragment_ring *rings, int count,
                              pp_ring_cells_do *act, void *data, struct pp_error *err);

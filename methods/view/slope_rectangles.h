@@ -43,7 +43,7 @@ struct pp_vec3 pp_slope_rectangles_along(const struct pp_opening *opening,
  * point; 0 below the horizon. */
 double pp_slope_rectangles_altitude(double b, struct pp_angle slope);
 
-/* As seen from the point. On success *rectangles is to be cleared. */
+/* Rectangles as seen from the point. On success the caller clears *rectangles. */
 enum pp_status pp_slope_rectangles_init(struct pp_slope_rectangles *rectangles,
                                         const struct pp_world *world,
                                         const struct pp_outside_light *light,

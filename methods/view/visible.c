@@ -19,8 +19,8 @@ static void find_scene_extent(struct pp_occluders_scene *scene)
     }
 }
 
-/* The intersection of an opening's rectangle with that of the outer end of its reveal;
- * 0 where it is empty, else 4. */
+/* Intersection of an opening's rectangle with that of the outer end of its reveal; 0
+ * corners if empty, else 4. */
 static int rectangle_through(double corners[4][2], const double inner[4][2],
                              const double outer[4][2])
 {

@@ -29,8 +29,8 @@ struct pp_visible_patch {
 
 enum { PP_CORNERS_FEW = 16 };
 
-/* Not to be copied: members point to other members. Several threads may each fill their
- * own. */
+/* Must not be copied: members point to other members. Several threads may each fill
+ * their own. */
 struct pp_visible {
     struct pp_projection view;
     int patch_count; /* 0: the opening is not seen */
@@ -44,9 +44,9 @@ struct pp_visible {
     bool allocated;
 };
 
-/* Through an opening, from a point inside; no patches if the point lies behind the
- * opening or within PP_OCCLUDERS_COPLANAR_M of its plane. On success *visible is to be
- * cleared. */
+/* View through an opening from a point inside; no patches if the point is behind the
+ * opening or within PP_OCCLUDERS_COPLANAR_M of its plane. On success the caller clears
+ * *visible. */
 enum pp_status pp_visible_through(struct pp_visible *visible,
                                   const struct pp_world *world,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
@@ -59,8 +59,8 @@ enum pp_status pp_visible_in_parts(struct pp_visible *visible,
                                    const struct pp_opening *opening, struct pp_vec3 eye,
                                    struct pp_error *err);
 
-/* As pp_visible_through, without obstructions outside: one patch, the part of the opening that no
- * occluder inside hides, or none. */
+/* Works like pp_visible_through, without obstructions outside. Gives one patch, the
+ * part of the opening that no occluder inside hides, or none. */
 enum pp_status pp_visible_opening(struct pp_visible *visible,
                                   const struct pp_world *world,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
@@ -75,9 +75,9 @@ enum pp_status pp_visible_open_part(struct pp_region *region,
                                     const struct pp_opening *opening,
                                     struct pp_vec3 position, struct pp_error *err);
 
-/* In parts, through a rectangle in the air, low to high along the view's axes, from outside: all
- * surfaces in front of the eye are obstructions, except the surface `face`, whose
- * skylines count; -1: no such surface. */
+/* Finds the visible parts, from outside, through a rectangle in the air from low to
+ * high along the view's axes. All surfaces in front of the eye are obstructions, except
+ * the surface `face`, of which only the skylines count; -1: no such surface. */
 enum pp_status pp_visible_in_air(struct pp_visible *visible,
                                  const struct pp_world *world,
                                  const struct pp_projection *view, const double low[2],
@@ -85,8 +85,8 @@ enum pp_status pp_visible_in_air(struct pp_visible *visible,
 
 void pp_visible_clear(struct pp_visible *visible);
 
-/* Luminance factor of an obstruction: its luminance over that of the sky which it
- * hides. Under the overcast sky the reflectance itself, else half the reflectance. */
+/* Luminance factor of an obstruction: its luminance over that of the sky behind it.
+ * Under the overcast sky the reflectance itself, else half of it. */
 double pp_visible_luminance_factor(const struct pp_sky *sky, double reflectance);
 
 #endif

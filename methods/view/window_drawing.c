@@ -10,9 +10,9 @@ static double depth_in(const double *xy, struct pp_vec3 h)
     return h.x * xy[0] + h.y * xy[1] + h.z;
 }
 
-/* Cuts a ring in place by a half-space [SH74]; spare has room for twice its points. A
- * ring that is not convex may run twice along the cut, which changes neither its area
- * nor which points are inside. */
+/* Cuts a ring in place by a half-space [SH74]; spare has space for twice its points. A
+ * non-convex ring may run twice along the cut, which changes neither its area nor the
+ * points inside. */
 static int cut_ring(double (*xy)[2], int count, struct pp_vec3 h, double (*spare)[2])
 {
     int kept = 0;
@@ -144,7 +144,7 @@ static const struct pp_formula_quantity of_hidden[] = {
     {0},
 };
 
-/* No variants: an average is an integral in the place of many counts. */
+/* No variants: an average is an integral instead of many counts. */
 const struct pp_formula pp_window_drawing_sc = {.symbol = "sc",
                                                 .sum = "n w",
                                                 .unit = PP_UNIT_DAYLIGHT_FACTOR,

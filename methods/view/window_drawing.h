@@ -36,7 +36,7 @@ struct pp_window_drawing {
     struct pp_drawn_part *parts; /* do not overlap */
 };
 
-/* To be cleared by the caller; empty on failure. */
+/* Fills the drawing, which the caller clears; empty on failure. */
 enum pp_status pp_window_drawing_init(struct pp_window_drawing *drawing,
                                       const struct pp_world *world,
                                       const struct pp_outside_light *light,

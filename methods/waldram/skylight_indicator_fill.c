@@ -33,7 +33,7 @@ static void place_marks(struct pp_skylight_indicator_sheet *sheet,
     }
 }
 
-/* Extent of the plan over that of the lowest marks. */
+/* Extent of the plan relative to that of the lowest marks. */
 #define REACH_BEYOND 1.06
 
 static enum pp_status fill_indicator_sheet(struct pp_skylight_indicator_sheet *sheet,

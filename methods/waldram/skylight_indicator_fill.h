@@ -17,8 +17,8 @@
 #include "model/results/sheets/skylight_indicator_sheet.h"
 #include "model/room/world.h"
 
-/* Without a site. A sky with azimuth dependence is refused. The sheet is to be cleared
- * by the caller; empty on failure. */
+/* Fills a sheet without a site. Refuses a sky with azimuth dependence. The caller
+ * clears the sheet; empty on failure. */
 enum pp_status pp_skylight_indicator_fill_blank(
     struct pp_skylight_indicator_sheet *sheet, const struct pp_sky *sky,
     struct pp_error *err);

@@ -1,17 +1,17 @@
-/* waldram_overlay.c - `waldram-overlay`: direct component by counting squares on Waldram's
- * diagram without glass [WW23], under an overlay of the glass.
+/* waldram_overlay.c - `waldram-overlay`: direct component by counting squares on
+ * Waldram's diagram without glass [WW23], under an overlay of the glass.
  *
- * Squares without glass are exact at any slope of the opening. What glass lets through
- * depends on altitude and azimuth together, so that no diagram has equal squares with its
- * losses but for level glass. The overlay has the transmittance of the glass, at the slope
- * and in the direction that it faces, over the diagram, and each square counts with that
- * at its middle:
+ * Squares without glass are exact at any slope of the opening. The transmittance of
+ * glass depends on altitude and azimuth together, so that only for level glass can a
+ * diagram with its losses have equal squares. The overlay shows the transmittance of
+ * the glass, at its slope and in its direction, over the diagram; each square is
+ * weighted by the value at its middle:
  *
  *     SC  = sum over the squares of sky, part x tau(i) x 0.1 %
  *     ERC = luminance factor x the same over the squares of obstruction
  *
- * For skies without azimuth dependence, points that face up, and clear glass of any slope
- * and sort, or none. The figures contain the opening's own glass.
+ * For skies without azimuth dependence, points that face up, and clear glass of any
+ * slope and sort, or none. The figures contain the opening's own glass.
  */
 #include <stdlib.h>
 

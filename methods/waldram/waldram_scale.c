@@ -103,7 +103,7 @@ double pp_waldram_scale_x(const struct pp_waldram *waldram, double azimuth_rad)
     return copysign(read_scale(waldram->x, azimuth), azimuth_rad);
 }
 
-/* Is there a closed form of Y? */
+/* True if Y has a closed form. */
 static bool is_closed(const struct pp_waldram *waldram)
 {
     return !waldram->glazed && waldram->sky.kind != PP_SKY_ISO;

@@ -1,7 +1,7 @@
 /* waldram_scale.h - the Waldram diagram: a map of the sky on which equal areas are
  * equal sky components [WW23].
  *
- * Upright lines of the sky stay upright: the abscissa X depends on the azimuth phi
+ * Vertical lines of the sky stay vertical: the abscissa X depends on the azimuth phi
  * alone (from the window's normal), the ordinate Y on the altitude gamma alone,
  *
  *     dSC = L(gamma) sin gamma cos gamma dgamma dphi = dX dY                  [WW23]
@@ -23,8 +23,8 @@
  *
  * Coordinates are fractions of Eh per unit area: a region's area is its sky component.
  *
- * The diagram of an upright receiver, as [BR209] has it for the vertical sky component of
- * a wall: cos i = cos gamma cos phi is a product already, so that without glass
+ * The diagram of an upright receiver, as [BR209] has it for the vertical sky component
+ * of a wall: cos i = cos gamma cos phi is a product already, so that without glass
  *
  *     dVSC = L(gamma) cos^2 gamma dgamma cos phi dphi = dX dY
  *
@@ -70,9 +70,10 @@ enum pp_status pp_waldram_scale_init_upright(struct pp_waldram *waldram,
                                              struct pp_vec3 facing,
                                              struct pp_error *err);
 
-/* The direction of a place of a window's drawing in the diagram's axes: x to the right,
- * y ahead, z up; not of unit length. Ahead is the receiver's normal where it is upright,
- * else out's horizontal part, or of a horizontal opening what is left of along. */
+/* Direction of a point of a window's drawing in the diagram's axes: x to the right, y
+ * ahead, z up; not of unit length. Ahead is the normal of a vertical receiver,
+ * otherwise the horizontal part of `out` or, for a horizontal opening, that of
+ * `along`. */
 struct pp_vec3 pp_waldram_scale_direction(const struct pp_waldram *waldram,
                                           const struct pp_window_axes *axes,
                                           const double xy[2]);

@@ -67,7 +67,7 @@ static void to_squares(struct pp_region *outline, double width, double height)
         }
 }
 
-/* Sets down what was counted. */
+/* Stores the counts. */
 static enum pp_status fill_squares(struct pp_board_piece *piece,
                                    const struct pp_waldram_count *count,
                                    struct pp_error *err)
@@ -209,7 +209,8 @@ enum pp_status pp_waldram_sheet_fill_upright(struct pp_waldram_sheet *sheet,
     return status == PP_OK ? fill_single(sheet, &waldram, err) : status;
 }
 
-/* The sky's piece with its squares, and what hides it; takes the site's figures. */
+/* Fills the sky's piece with its squares, and the obstructions'; takes ownership of the
+ * site's figures. */
 static enum pp_status fill_site_pieces(struct pp_board_window *window,
                                        const struct pp_waldram *waldram,
                                        struct pp_waldram_site *site,

@@ -9,16 +9,16 @@
 #include "model/results/board_sheets.h"
 #include "model/room/world.h"
 
-/* A sheet without windows. A sky with azimuth dependence is refused. The sheet is to be
- * cleared by the caller; empty on failure. */
+/* Fills a sheet without windows. Refuses a sky with azimuth dependence. The caller
+ * clears the sheet; empty on failure. */
 enum pp_status pp_waldram_sheet_fill_blank(struct pp_waldram_sheet *sheet,
                                            const struct pp_sky *sky, bool glazed,
                                            struct pp_error *err);
 
-/* With the room's windows as seen from the receiver: a panel for each direction that
- * windows face, with glass and without; one blank panel for a room without openings.
- * PP_BAD_INPUT with the reason where the method `waldram` refuses the room. The sums
- * are the components by that method. */
+/* Fills the sheet with the room's windows as seen from the receiver: a panel for each
+ * direction that windows face, with glass and without. A room without openings has one
+ * blank panel. PP_BAD_INPUT with the reason if the method `waldram` refuses the room.
+ * The sums are the components by that method. */
 enum pp_status pp_waldram_sheet_fill_room(struct pp_waldram_sheet *sheet,
                                           const struct pp_world *world,
                                           const struct pp_outside_light *light,
@@ -31,17 +31,17 @@ enum pp_status pp_waldram_sheet_fill_upright(struct pp_waldram_sheet *sheet,
                                              const struct pp_sky *sky,
                                              struct pp_error *err);
 
-/* With the sky and the obstructions before a point on the outside of an upright opening of
- * the world, by its index, under the CIE overcast sky: one window of two pieces, of which the
- * sky's is counted. The sum is the vertical sky component. */
+/* Fills the sheet for a point on the outside of a vertical opening, given by its index,
+ * under the CIE overcast sky. It has one window of two pieces, sky and obstructions;
+ * only the sky is counted. The sum is the vertical sky component. */
 enum pp_status pp_waldram_sheet_fill_site(struct pp_waldram_sheet *sheet,
                                           const struct pp_world *world, int opening,
                                           struct pp_vec3 point, struct pp_error *err);
 
-/* Droop lines of horizontal edges that stand at an angle to the window in plan, in place of
- * those of perpendicular ones, on all panels of a filled sheet. The edge is nearest at
- * that azimuth, -pi/2 to pi/2, positive to the right; the lines' level is the altitude
- * there. */
+/* Replaces the droop lines of perpendicular edges by those of horizontal edges at an
+ * angle to the window in plan, on all panels of a filled sheet. The edge is nearest at
+ * that azimuth, -pi/2 to pi/2, positive to the right; the lines are labelled by the
+ * altitude there. */
 enum pp_status pp_waldram_sheet_fill_inclined(struct pp_waldram_sheet *sheet,
                                               double incline_rad, struct pp_error *err);
 

@@ -1,6 +1,6 @@
-/* waldram_site.c - what is before a wall in two upright views, to the right and the left
- * of its normal; they end close to the zenith, where the diagram has next to no area.
- */
+/* waldram_site.c - the view from a wall in two vertical projections, to the right and
+ * the left of its normal. They end close to the zenith, where the diagram has almost no
+ * area. */
 #include "methods/waldram/waldram_site.h"
 
 #include <stdlib.h>
@@ -108,7 +108,7 @@ static enum pp_status add_rings(struct pp_region *region, struct pp_region *outl
     return status;
 }
 
-/* On the plan ahead is y, against which the view's `up` runs. */
+/* On the plan, y points ahead, opposite to the view's `up`. */
 static enum pp_status plan_outline(struct pp_region *outline,
                                    const struct pp_region *region, struct pp_error *err)
 {
@@ -119,7 +119,7 @@ static enum pp_status plan_outline(struct pp_region *outline,
     return status;
 }
 
-/* Where a site is drawn; waldram is NULL for the plan. */
+/* Paper on which a site is drawn; waldram is NULL for the plan. */
 struct site_paper {
     const struct pp_waldram *waldram;
     struct pp_clipper *clipper;
@@ -149,7 +149,7 @@ static enum pp_status add_drawing(struct pp_waldram_site *site,
                                   struct pp_window_drawing *drawing,
                                   struct pp_error *err)
 {
-    struct pp_region figures[2] = {{0}, {0}}; /* the sky's, what hides it */
+    struct pp_region figures[2] = {{0}, {0}}; /* of the sky, and of the obstructions */
     enum pp_status status = PP_OK;
     for (int i = 0; status == PP_OK && i < drawing->count; i++) {
         struct pp_drawn_part *part = &drawing->parts[i];

@@ -1,9 +1,8 @@
-/* waldram_site.h - what a wall's outside sees, drawn for an upright receiver: on its
- * Waldram diagram, and on the plan at unit height that the skylight indicator lies on.
+/* waldram_site.h - the view from a wall's outside, drawn for a vertical receiver: on
+ * its Waldram diagram, and on the plan at unit height used with the skylight indicator.
  *
  * Obstructions are those of the vertical sky component (methods/exact/exterior.h): the
- * skylines of the wall, blocks, surfaces outside and the building's own outer faces.
- */
+ * skylines of the wall, blocks, surfaces outside and the building's own outer faces. */
 #ifndef PP_METHODS_WALDRAM_WALDRAM_SITE_H
 #define PP_METHODS_WALDRAM_WALDRAM_SITE_H
 
@@ -16,17 +15,19 @@ struct pp_waldram_site {
     struct pp_region sky, hidden; /* outlines, cut at azimuth 0 until they are joined */
 };
 
-/* On an upright diagram, in X and Y, for a position on the outside of the surface
- * `face`, which hides nothing. To be cleared by the caller; empty on failure. */
+/* Projects the site on a diagram for vertical planes, in X and Y. The position is on
+ * the outside of the surface `face`, which hides nothing. The caller clears the site;
+ * empty on failure. */
 enum pp_status pp_waldram_site_init(struct pp_waldram_site *site,
                                     const struct pp_waldram *waldram,
                                     const struct pp_world *world,
                                     struct pp_vec3 position, int face,
                                     struct pp_error *err);
 
-/* On the plan one unit above the position: what is seen in direction (x, y, z), x to the
- * right and y ahead, stands at (x/z, y/z), so that the edge of a building lies at its
- * distance over its height; |x/z| and y/z up to `reach`. sky_component is not set. */
+/* Projects the site on the plan one unit above the position. Direction (x, y, z), x to
+ * the right and y ahead, is drawn at (x/z, y/z): the edge of a building is at its
+ * distance divided by its height. |x/z| and y/z are at most `reach`. sky_component is
+ * not set. */
 enum pp_status pp_waldram_site_init_plan(struct pp_waldram_site *site,
                                          const struct pp_world *world,
                                          struct pp_vec3 position, struct pp_vec3 facing,

@@ -12,11 +12,12 @@
 
 enum { DEEPEST = 12 }; /* halvings of one straight edge */
 
-/* In squares, how far the middle of a chord may be from that of its edge before the triangle
- * is added; a quarter of it changes the sums of overlays by 1e-4 of themselves at most. */
+/* Largest distance, in squares, from the middle of a chord to the middle of its edge
+ * before a triangle is added. A quarter of it changes the sums of overlays by at most
+ * 1e-4, relative. */
 static const double NEAR = 0.008;
 
-/* In widths of a square. */
+/* Tolerance, in widths of a square. */
 static const double PLUMB = 1e-9;
 
 void pp_waldram_squares_size(const struct pp_waldram *waldram, double *width,
@@ -181,8 +182,8 @@ struct square_field {
     double *parts;        /* the area within each square, column by column */
 };
 
-/* Adds to each square of a column what lies below the edge from p to q, negative where
- * it runs right. */
+/* Adds to each square of a column the area below the edge from p to q, negative where
+ * it runs to the right. */
 static void add_below(struct square_field *field, int column, const double *p,
                       const double *q)
 {
@@ -211,7 +212,7 @@ static int square_column(const struct square_field *field, double x)
     return whole - (columns < whole);
 }
 
-/* Adds the area of a ring to the squares: by Green's theorem the sum of what lies below
+/* Adds the area of a ring to the squares: by Green's theorem the sum of the areas below
  * its edges. */
 static void add_ring_squares(struct square_field *field, const struct pp_ring *ring)
 {

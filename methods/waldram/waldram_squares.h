@@ -32,7 +32,7 @@ void pp_waldram_squares_size(const struct pp_waldram *waldram, double *width,
                              double *height);
 
 /* Counts the squares of a region of a window's drawing (as for pp_waldram_scale_area).
- * *count is to be cleared by the caller; empty on failure. */
+ * The caller clears *count; empty on failure. */
 enum pp_status pp_waldram_squares_count(struct pp_waldram_count *count,
                                         const struct pp_waldram *waldram,
                                         const struct pp_window_axes *axes,

@@ -1,8 +1,8 @@
 /* array.h - arrays that grow. The one place where the library enlarges a list.
  *
  * `list` is the address of the pointer to the items (a struct item **); counts and
- * capacities are in items, `size` is one item's, in bytes. What fails says PP_SYSTEM
- * and leaves list and capacity as they were.
+ * capacities are in items, `size` is one item's, in bytes. Functions that fail return
+ * PP_SYSTEM and leave list and capacity unchanged.
  */
 #ifndef PP_MODEL_BASE_ARRAY_H
 #define PP_MODEL_BASE_ARRAY_H
@@ -11,8 +11,8 @@
 
 #include "model/base/error.h"
 
-/* Room for `wanted` items (at least 0): where *capacity is less, it is doubled until it
- * is enough. */
+/* Ensures space for `wanted` items (at least 0): doubles *capacity until it is
+ * enough. */
 enum pp_status pp_array_reserve(void *list, int *capacity, int wanted, size_t size,
                                 struct pp_error *err);
 

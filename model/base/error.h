@@ -1,8 +1,7 @@
-/* error.h - how a function says that it could not do its work.
+/* error.h - reporting of errors.
  *
- * What can fail returns a status and takes a struct pp_error last, which may be
- * NULL; the message is one sentence for people and names the file, line or value.
- */
+ * Functions that can fail return a status and take a struct pp_error last, which may be
+ * NULL; the message is one sentence for people and names the file, line or value. */
 #ifndef PP_MODEL_BASE_ERROR_H
 #define PP_MODEL_BASE_ERROR_H
 

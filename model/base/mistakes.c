@@ -64,7 +64,8 @@ void pp_mistakes_add(struct pp_mistakes *mistakes, int line, const char *format,
     mistakes->list[mistakes->count++] = (struct pp_input_mistake){line, text};
 }
 
-/* By insertion, which is stable; there are a thousand at most, mostly in order. */
+/* Sorts by insertion, which is stable; there are at most a thousand mistakes, mostly in
+ * order. */
 void pp_mistakes_sort(struct pp_mistakes *mistakes)
 {
     for (int i = 1; i < mistakes->count; i++) {

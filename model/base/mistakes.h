@@ -7,19 +7,20 @@
 
 struct pp_input_mistake {
     int line;   /* in the file, from 1; 0 where the file as a whole is meant */
-    char *text; /* what is wrong, and what was expected */
+    char *text; /* the mistake, and the expected value */
 };
 
 struct pp_mistakes {
     char *file; /* as the user named it */
     struct pp_input_mistake *list;
     int count;
-    bool truncated; /* more than PP_MISTAKES_MOST of them, or memory was out */
+    bool truncated; /* there were more than PP_MISTAKES_MOST, or memory ran out */
 };
 
 enum { PP_MISTAKES_MOST = 1000 };
 
-/* On the heap, for those who do not see the struct: pepperpot.h. NULL: no memory. */
+/* Allocates the list, for callers that do not see the struct: pepperpot.h. NULL: no
+ * memory. */
 struct pp_mistakes *pp_mistakes_create(const char *file);
 void pp_mistakes_destroy(struct pp_mistakes *mistakes); /* NULL is allowed */
 int pp_mistakes_count(const struct pp_mistakes *mistakes);
@@ -33,7 +34,7 @@ void pp_mistakes_clear(struct pp_mistakes *mistakes);
 void pp_mistakes_add(struct pp_mistakes *mistakes, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* In order of line, mistakes of one line in order of noting. */
+/* Sorts by line; mistakes on one line keep their order. */
 void pp_mistakes_sort(struct pp_mistakes *mistakes);
 
 #endif

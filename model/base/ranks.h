@@ -1,7 +1,7 @@
-/* ranks.h - processes that work at one thing, and the way in which they write to one
- * another, as functions: what brings the messages (MPI, or a test) is not known here.
+/* ranks.h - processes that share work, and their exchange of messages as function
+ * pointers, independent of the transport (MPI, or a test).
  *
- * Rank 0 is the one that the user sees: it alone takes, prints and writes.
+ * Rank 0 alone reads input, prints and writes.
  */
 #ifndef PP_MODEL_BASE_RANKS_H
 #define PP_MODEL_BASE_RANKS_H
@@ -19,9 +19,9 @@ struct pp_ranks {
     enum pp_status (*send)(void *data, int to, const void *bytes, size_t length,
                            struct pp_error *err);
 
-    /* A message that has come, if there is one: *bytes, which are the caller's to free,
-     * *length of them, by *from; else *bytes is NULL. Does not wait. Messages by one
-     * rank come in the order in which they were sent. */
+    /* Receives a message, if one has arrived: *bytes, freed by the caller, of *length
+     * bytes, from rank *from; else *bytes is NULL. Does not wait. Messages from one
+     * rank arrive in the order in which they were sent. */
     enum pp_status (*receive)(void *data, int *from, char **bytes, size_t *length,
                               struct pp_error *err);
 

@@ -6,8 +6,7 @@
 
 #include "model/base/error.h"
 
-/* The most that is read of a pipe, a terminal, or what else is no file and need not
- * end. */
+/* Most bytes read from a pipe, a terminal, or any other stream that need not end. */
 #define PP_READ_FILE_STREAM_MOST ((size_t)512 << 20)
 
 /* Reads the file; path "-" is standard input. On success *bytes is the caller's to

@@ -1,5 +1,5 @@
-/* relative_path.h - the prefix from one folder to another, as what names files relative to a folder
- * needs it when it moves. */
+/* relative_path.h - the prefix from one folder to another, to rewrite relative file
+ * names when they move. */
 #ifndef PP_MODEL_BASE_RELATIVE_PATH_H
 #define PP_MODEL_BASE_RELATIVE_PATH_H
 

@@ -248,9 +248,10 @@ static const char *decimal_end(const char *p)
     return exponent_digits > 0 ? p : NULL;
 }
 
-/* Where digits, without the point, are a whole number below 2^53 and the power of ten
- * is at most 22, both are doubles exactly, so that one multiplication or division
- * rounds as it should: the same double as strtod's. False where that does not hold. */
+/* Converts exactly if the digits, without the point, are an integer below 2^53 and the
+ * power of ten is at most 22. Both are then exact doubles, so one multiplication or
+ * division rounds correctly and gives the same double as strtod. False if that does not
+ * hold. */
 static bool small_decimal(const char *p, const char *end, double *value)
 {
     static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,

@@ -27,9 +27,10 @@ void pp_text_append_list(char *text, size_t room, const char *const *names, int 
  * capitals aside; names longer than 64 bytes are far from everything. */
 int pp_text_edit_distance(const char *a, const char *b);
 
-/* The nearest of `count` names (count < 0: up to a NULL) to what was typed, the first
- * of several as near: at most one letter differs, or a third of the longer's letters;
- * else the first that contains it ("oak": "oak-floor"). NULL where none is like it. */
+/* Nearest of `count` names (count < 0: up to a NULL) to the text typed; the first of
+ * several equally near. At most one letter, or a third of the longer one's letters, may
+ * differ; else it is the first name that contains the text ("oak": "oak-floor"). NULL
+ * if none is similar. */
 const char *pp_text_nearest(const char *typed, const char *const *names, int count);
 
 /* "did you mean NAME?" with NAME between `before` and `after`, which may hold more than
@@ -37,15 +38,15 @@ const char *pp_text_nearest(const char *typed, const char *const *names, int cou
 const char *pp_text_did_you_mean(char *text, size_t room, const char *before,
                                  const char *name, const char *after);
 
-/* Adds `; did you mean "nearest"?` where a name is like what was typed, else
+/* Appends `; did you mean "nearest"?` if a name is similar to the text typed, else
  * nothing. */
 void pp_text_append_nearest(char *text, size_t room, const char *typed,
                             const char *const *names, int count);
 
-/* Fails with PP_BAD_INPUT because `typed` is none of the names. The message begins as
- * `format` and its arguments say ("there is no chart \"paln\"") and goes on with
- * "; did you mean plan?" where a name is like it, else with `otherwise`, or with
- * "; expected a, b or c" where otherwise is NULL. */
+/* Fails with PP_BAD_INPUT because `typed` is not one of the names. The message begins
+ * with `format` and its arguments ("there is no chart \"paln\""). It continues with ";
+ * did you mean plan?" if a name is similar, else with `otherwise`, or with "; expected
+ * a, b or c" if otherwise is NULL. */
 enum pp_status pp_text_unknown(struct pp_error *err, const char *typed,
                                const char *const *names, int count,
                                const char *otherwise, const char *format, ...)
@@ -78,11 +79,11 @@ static inline bool pp_text_is_white(char c)
  * forms, surrogates and numbers above U+10FFFF are none. Reads no byte behind a NUL. */
 int pp_text_letter(const char *text, size_t left, int32_t *letter);
 
-/* Has the text no control characters (which a terminal would obey)? */
+/* True if the text has no control characters, which a terminal would obey. */
 bool pp_text_is_plain(const char *text);
 
-/* A copy of what a user wrote, fit for a message: control characters as '?', and cut
- * to some 40 letters with "..." behind. Returns text. */
+/* Copy of a user's text for a message: control characters become '?', and it is cut to
+ * some 40 letters followed by "...". Returns text. */
 const char *pp_text_excerpt(char *text, size_t size, const char *written);
 
 /* Reads the whole of text as one decimal number with a point ("2.6", "-.5", "1e-3"),

@@ -22,7 +22,7 @@ struct pool_worker {
 struct pp_thread_pool {
     int size;
     struct pool_worker *workers; /* without the caller */
-    int started;                 /* number of these */
+    int started;                 /* number of workers started */
 
     pthread_mutex_t mutex; /* of open, dismissed, number and at_work */
     pthread_cond_t come;   /* there is work, or the pool is dismissed */
@@ -95,8 +95,8 @@ int pp_thread_pool_size(const struct pp_thread_pool *pool)
     return pool->size;
 }
 
-/* Takes indices until there are none. No index is taken after one whose work has
- * stopped the rest, but what was taken is done, so that those that are done are the first. */
+/* Runs indices until there are none. No index is started after one that stopped the
+ * rest, but started ones are finished, so that the finished ones are the first. */
 static void run_indices(struct pp_thread_pool *pool, int worker)
 {
     while (!atomic_load(&pool->stopped)) {
@@ -134,7 +134,8 @@ static void *worker_main(void *data)
     return NULL;
 }
 
-/* Starts workers until there are `wanted`. Signals are for the program's own thread. */
+/* Starts workers until there are `wanted`. Signals are left to the program's own
+ * thread. */
 static void start_workers(struct pp_thread_pool *pool, int wanted)
 {
     sigset_t all, before;

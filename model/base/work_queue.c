@@ -1,4 +1,4 @@
-/* work_queue.c - the threads of one process, which enter what they have done in the results. */
+/* work_queue.c - the threads of one process, which store their results. */
 #include "model/base/work_queue.h"
 
 #include "model/base/clock.h"

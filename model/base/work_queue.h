@@ -1,13 +1,15 @@
-/* work_queue.h - numbered work for threads and other processes; the results, as bytes, are
- * collected in the order of the numbers.
+/* work_queue.h - numbered work for threads and other processes; the results, as bytes,
+ * are collected in order.
  *
  * The bytes of an index depend on the index alone, so that results are the same for any
- * number of threads and ranks, whichever of them works an index out, and how often. Hence
- * no call waits for a silent rank: its indices are assigned again when no others are left.
+ * number of threads and ranks, whichever of them works an index out, and how often.
+ * Hence no call waits for a silent rank: its indices are assigned again when no others
+ * are left.
  *
- * Over ranks (ranks.h) rank 0 assigns chunks, works too, and alone collects results. The
- * others make the same call with the same `work`, which ends for them as interrupted: the
- * rest of the program is rank 0's. A process may run one queue over ranks.
+ * Over ranks (ranks.h) rank 0 assigns chunks, works too, and alone collects results.
+ * The others make the same call with the same `work`, which ends for them as
+ * interrupted: the rest of the program is rank 0's. A process may run one queue over
+ * ranks.
  */
 #ifndef PP_MODEL_BASE_WORK_QUEUE_H
 #define PP_MODEL_BASE_WORK_QUEUE_H

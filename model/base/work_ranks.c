@@ -21,7 +21,7 @@
 /* Between two looks for a message; and between two questions of who was told to wait. */
 static const double look_s = 0.0005, ask_again_s = 0.1;
 
-/* A rank that asks and hears nothing for as long gives up: rank 0 is dead. */
+/* Time after which a rank without an answer gives up: rank 0 is dead. */
 static const double given_up_s = 60.0;
 
 /* Chunks for each thread of all ranks, if none took longer than another. */
@@ -248,7 +248,7 @@ static bool do_index(void *data, int worker, int index)
     return true;
 }
 
-/* Tells rank 0 what an index gave, and forgets it. */
+/* Sends the result of an index to rank 0, and frees it. */
 static enum pp_status tell(const struct pp_ranks *ranks, int index,
                            struct pp_work_result *result, struct pp_error *err)
 {
@@ -280,7 +280,8 @@ static enum pp_status do_chunk(struct following *following, struct pp_thread_poo
     return status;
 }
 
-/* Asks rank 0, and waits for what it says; OVER where it says nothing for long. */
+/* Requests work from rank 0, and waits for its answer; OVER if there is none for
+ * long. */
 static enum pp_status ask(const struct pp_ranks *ranks, int threads, struct head *said,
                           struct pp_error *err)
 {

@@ -9,8 +9,8 @@
 enum pp_status pp_work_ranks_lead(const struct pp_work_queue *queue, int *next,
                                   struct pp_error *err);
 
-/* Another rank: asks for work and does it, until rank 0 has no more or falls silent; then
- * fails with PP_INTERRUPTED. */
+/* Runs another rank: requests work and does it, until rank 0 has no more or is silent;
+ * then fails with PP_INTERRUPTED. */
 enum pp_status pp_work_ranks_follow(const struct pp_work_queue *queue,
                                     struct pp_error *err);
 

@@ -3,8 +3,8 @@
 
 #include <stdlib.h>
 
-/* A rank is given up once it has been silent for longer than this, and than some times
- * the longest that any index took: a matter of time only, what is taken stays. */
+/* A rank is given up after a silence longer than this, and than some times the longest
+ * time of any index. This affects time only: collected results stay. */
 static const double silence_s = 0.5, silence_times = 3.0;
 
 struct slot {
@@ -86,7 +86,7 @@ void pp_work_results_work(const struct pp_work_queue *queue, int worker, int ind
     }
 }
 
-/* Takes what has nothing missing before it. */
+/* Collects the results that have no missing ones before them. */
 static void collect_results(struct pp_work_results *results)
 {
     const struct pp_work_queue *queue = results->queue;

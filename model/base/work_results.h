@@ -25,9 +25,9 @@ void pp_work_results_destroy(struct pp_work_results *results); /* NULL is allowe
 void pp_work_results_work(const struct pp_work_queue *queue, int worker, int index,
                           struct pp_work_result *result);
 
-/* Stores the result of an index and takes ownership of its bytes; then collects all results
- * that follow one another from the first, and asks whether to go on. A second result of an
- * index is dropped. */
+/* Stores the result of an index and takes ownership of its bytes; then collects all
+ * consecutive results from the first, and checks whether to continue. A second result
+ * of an index is dropped. */
 void pp_work_results_enter(struct pp_work_results *results, int index,
                            const struct pp_work_result *result);
 

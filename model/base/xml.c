@@ -70,7 +70,8 @@ static const char *here(const struct xml_builder *b)
     return b->text.bytes + (offset < b->text.length ? offset : b->text.length);
 }
 
-/* The last byte before here that is one of these; the start of the text if none is. */
+/* Last byte before here that is one of these; the start of the text if there is
+ * none. */
 static const char *last(const struct xml_builder *b, const char *bytes)
 {
     const char *p = here(b);
@@ -323,7 +324,7 @@ static void on_doctype(void *context, const xmlChar *name, const xmlChar *extern
     xmlStopParser(b->parser); /* before it reads the declarations */
 }
 
-/* The text ends too early, or in a comment or the like. */
+/* Reports a text that ends too early, or inside a comment or similar. */
 static void note_end(struct xml_builder *b)
 {
     const char *p = b->text.unended, *end = b->text.bytes + b->text.length;

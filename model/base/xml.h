@@ -19,7 +19,8 @@
 enum {
     PP_XML_DEPTH_MOST = 64,      /* elements within elements; libxml2 refuses 256 */
     PP_XML_ATTRIBUTES_MOST = 64, /* of an element */
-    /* From < to >. The parser compares each attribute of a tag with all others. */
+    /* Most bytes from < to >. The parser compares each attribute of a tag with all
+     * others. */
     PP_XML_TAG_BYTES_MOST = 1 << 16
 };
 

@@ -2,8 +2,8 @@
 #ifndef PP_MODEL_BASE_XML_SENTENCE_H
 #define PP_MODEL_BASE_XML_SENTENCE_H
 
-/* Where the cause of a mistake lies: at the first byte that the parser has not read, at
- * the tag before it, or at the quotation mark before it. */
+/* Position of the cause of a mistake: the first byte not yet parsed, the tag before it,
+ * or the quotation mark before it. */
 enum pp_xml_cause { PP_XML_HERE, PP_XML_TAG, PP_XML_QUOTE };
 
 struct pp_xml_sentence {
@@ -11,8 +11,8 @@ struct pp_xml_sentence {
     enum pp_xml_cause cause;
 };
 
-/* The sentence for an error of libxml2 (xmlParserErrors); at: the first byte that the
- * parser has not read, of a text that begins at start and goes on at least to there. */
+/* Sentence for an error of libxml2 (xmlParserErrors). at: the first byte not yet
+ * parsed, of a text that begins at start and extends at least to there. */
 struct pp_xml_sentence pp_xml_sentence_of_error(int error, const char *at,
                                                 const char *start);
 

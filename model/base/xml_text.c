@@ -82,7 +82,7 @@ static enum pp_status convert(struct pp_xml_text *text, const char *name,
         pp_xml_text_clear(text);
         return PP_OK;
     }
-    /* No encoding needs more than three bytes of UTF-8 for one of its own. */
+    /* Every encoding needs at most three bytes of UTF-8 for one of its own bytes. */
     xmlBufferPtr in = xmlBufferCreateStatic((void *)text->bytes, text->length);
     xmlBufferPtr out = xmlBufferCreateSize(3 * text->length + 64);
     bool has_memory = in && out;
@@ -176,7 +176,7 @@ static bool letters_are_sound(const struct pp_xml_text *text,
     return true;
 }
 
-/* Behind the > of the tag that starts at p; NULL where it has none. */
+/* Position after the > of the tag that starts at p; NULL: the tag has no end. */
 static const char *tag_end(const char *p, const char *end)
 {
     char quote = '\0';
@@ -191,8 +191,8 @@ static const char *tag_end(const char *p, const char *end)
     return NULL;
 }
 
-/* Behind the comment, CDATA section, processing instruction or tag that starts at p; NULL
- * where it has no end. */
+/* Position after the comment, CDATA section, processing instruction or tag that starts
+ * at p; NULL: it has no end. */
 static const char *markup_end(const char *p, const char *end, bool *is_tag)
 {
     static const char *const skipped[][2] = {

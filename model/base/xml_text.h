@@ -16,11 +16,11 @@ struct pp_xml_text {
     char *converted;     /* holds the bytes if they are not the file's own */
 };
 
-/* Notes the first mistake that makes parsing useless or slow: a wrong or unknown
+/* Reports the first mistake that makes parsing useless or slow: a wrong or unknown
  * encoding, a NUL byte, a tag of more than PP_XML_TAG_BYTES_MOST, an empty file. The
- * encoding is that of the byte order mark, else the declared one; UTF-8 that is declared
- * as UTF-16, as editors save such files, is read as UTF-8. The text refers to `bytes`.
- * Fails when memory is out. */
+ * encoding is that of the byte order mark, else the declared one. UTF-8 that is
+ * declared as UTF-16, as saved by some editors, is read as UTF-8. The text refers to
+ * `bytes`. Fails if out of memory. */
 enum pp_status pp_xml_text_read(struct pp_xml_text *text, const char *bytes,
                                 size_t length, const struct pp_xml_format *format,
                                 struct pp_mistakes *mistakes, struct pp_error *err);

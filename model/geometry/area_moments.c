@@ -23,7 +23,7 @@ void pp_area_moments_add_edge(struct pp_area_moments *moments, const double a[2]
     moments->high = fmax(moments->high, fmax(a[1], b[1]));
 }
 
-/* Is b the tip of a spike, where the line runs to and back? */
+/* True if b is the tip of a spike, where the line runs there and back. */
 static bool is_spike(const double a[2], const double b[2], const double c[2])
 {
     double to[2] = {b[0] - a[0], b[1] - a[1]}, back[2] = {c[0] - b[0], c[1] - b[1]};

@@ -1,5 +1,5 @@
-/* area_moments.h - area, centroid and bounding box of plane figures, and of the parts
- * that cuts leave of them.
+/* area_moments.h - area, centroid and bounding box of plane figures, and of their parts
+ * after cuts.
  *
  * Each is a sum over edges a to b, with c = a_x b_z - a_z b_x:
  *

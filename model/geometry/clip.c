@@ -3,8 +3,8 @@
 
 #include <stdbool.h>
 
-/* Where an edge meets the plane: reckoned from the end that comes first in x, y, z, so
- * that neither the edge's direction nor the plane's changes a bit of it. */
+/* Intersection of an edge with the plane. It is calculated from the end that comes
+ * first in x, y, z, so that reversing the edge or the plane gives the same bits. */
 static struct pp_vec3 edge_crossing(struct pp_vec3 a, double depth_a, struct pp_vec3 b,
                                     double depth_b)
 {

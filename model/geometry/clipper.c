@@ -57,7 +57,8 @@ static enum pp_status fail_geos(struct pp_clipper *clipper, const char *what,
 
 /* ---- regions of rings ---- */
 
-/* Does the ring turn one way at every corner, by more than rounding, and round once? */
+/* True if the ring turns the same way at every corner, by more than rounding, and once
+ * in all. */
 static bool ring_is_convex(const double (*xy)[2], int count)
 {
     int left = 0, right = 0, over = 0;
@@ -142,7 +143,7 @@ static GEOSGeometry *faces_of(GEOSContextHandle_t geos, const double (*xy)[2],
     return faces;
 }
 
-/* Is the face's inside that of the line, by crossings? */
+/* True if the face's interior is inside the line, by the number of crossings. */
 static bool is_crossed_oddly(GEOSContextHandle_t geos, const GEOSGeometry *face,
                              const struct pp_region *line)
 {

@@ -17,10 +17,10 @@ struct pp_clipper;
 enum pp_status pp_clipper_create(struct pp_clipper **clipper, struct pp_error *err);
 void pp_clipper_destroy(struct pp_clipper *clipper); /* NULL is allowed */
 
-/* From now on unions, intersections and differences round coordinates to multiples of
- * `grid` (greater than 0), which makes them proof against edges that all but coincide
- * (snap rounding). 2^-50 of the largest coordinate is fine enough to cost no accuracy.
- * 0, as at first: no rounding. */
+/* Makes unions, intersections and differences round coordinates to multiples of `grid`
+ * (greater than 0). Such snap rounding makes them robust against edges that almost
+ * coincide. 2^-50 of the largest coordinate is fine enough to cost no accuracy. 0, the
+ * default: no rounding. */
 void pp_clipper_set_grid(struct pp_clipper *clipper, double grid);
 
 /* The figure of one ring, in either direction; fewer than three points or no area give
@@ -69,7 +69,7 @@ enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
                                       const struct pp_region *region,
                                       struct pp_error *err);
 
-/* Has the ring an area, and does it nowhere meet itself? */
+/* Tests whether the ring has an area and nowhere meets itself. */
 enum pp_status pp_clipper_ring_is_simple(bool *simple, struct pp_clipper *clipper,
                                          const double (*xy)[2], int count,
                                          struct pp_error *err);

@@ -24,7 +24,7 @@ void pp_curve_list_clear(struct pp_curve_list *curves); /* leaves none */
 /* Adds a point to a curve that has room for it, unless it is the one before. */
 void pp_curve_add_point(struct pp_curve *curve, const double xy[2]);
 
-/* Adds a curve, whose points are from then on the list's; they are freed on failure. */
+/* Adds a curve and takes ownership of its points, which are freed on failure. */
 enum pp_status pp_curve_list_add(struct pp_curve_list *curves, struct pp_curve curve,
                                  struct pp_error *err);
 

@@ -118,8 +118,8 @@ static double perimeter(const double (*xy)[2], int count)
     return sum;
 }
 
-/* Appends one ring, turned the way `outer` asks for; one that is less than two steps of
- * the grid wide is rounding and left out. */
+/* Appends one ring, oriented by `outer`; a ring less than two steps of the grid wide is
+ * rounding and left out. */
 static bool append_ring(struct pp_region *region, GEOSContextHandle_t geos,
                         const GEOSGeometry *line, bool outer, double grid)
 {

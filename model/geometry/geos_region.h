@@ -1,9 +1,9 @@
 /* geos_region.h - rings and regions to GEOS and back.
  *
  * A region goes to GEOS as a multipolygon and comes back from it ring by ring, each
- * outer ring followed by its own holes. What GEOS leaves of lower dimension (points
- * and lines where two figures only touch) is dropped. The only file that includes GEOS's
- * header. Inside model/geometry/ only.
+ * outer ring followed by its own holes. Parts of lower dimension (points and lines
+ * where two figures only touch) are dropped. The only file that includes GEOS's header.
+ * Inside model/geometry/ only.
  */
 #ifndef PP_MODEL_GEOMETRY_GEOS_REGION_H
 #define PP_MODEL_GEOMETRY_GEOS_REGION_H

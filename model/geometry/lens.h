@@ -1,5 +1,5 @@
-/* lens.h - how fisheye lenses draw: the distance from the picture's middle by the angle from
- * the lens's axis, over that of 90 degrees.
+/* lens.h - projections of fisheye lenses: the distance from the picture's middle by the
+ * angle from the lens's axis, relative to that at 90 degrees.
  *
  *     equidistant     theta / (pi/2)
  *     equisolid       sin(theta/2) / sin(pi/4)     equal solid angles, equal areas

@@ -169,7 +169,7 @@ static double space_edge_distance(const struct pp_polygon *polygon,
     return least;
 }
 
-/* As ring_encloses, seen along the axis that the normal is nearest to. */
+/* Tests like ring_encloses, projected along the axis nearest to the normal. */
 static bool polygon_encloses(const struct pp_polygon *polygon, struct pp_vec3 point)
 {
     struct pp_vec3 n = polygon->normal;

@@ -65,8 +65,8 @@ void pp_polygon_flatten(const struct pp_vec3 *vertices, int count,
 
 enum pp_side { PP_OUTSIDE, PP_INSIDE, PP_ON_EDGE };
 
-/* Where a point of the plane lies in a ring (either way round): on its edge if nearer
- * to it than `tolerance` (m). */
+/* Side of a ring (of either orientation) on which a point of the plane lies: on its
+ * edge if nearer to it than `tolerance` (m). */
 enum pp_side pp_polygon_ring_side(const double (*xy)[2], int count, double x, double y,
                                   double tolerance);
 
@@ -75,7 +75,7 @@ enum pp_side pp_polygon_ring_side(const double (*xy)[2], int count, double x, do
 double pp_polygon_ring_edge_distance(const double (*xy)[2], int count, double x,
                                      double y, double nearest[2]);
 
-/* Where a point's foot on the polygon's plane lies, as pp_polygon_ring_side. */
+/* Side for a point's projection on the polygon's plane, like pp_polygon_ring_side. */
 enum pp_side pp_polygon_side(const struct pp_polygon *polygon, struct pp_vec3 point,
                              double tolerance);
 

@@ -18,8 +18,8 @@ struct stretches {
     int count;
 };
 
-/* Where the plane `level` above the one through `origin` with this normal cuts the
- * polygon, as stretches along `line`. list has room for half the vertices. */
+/* Intersection of the polygon with the plane `level` above the one through `origin`
+ * with this normal, as stretches along `line`. list has space for half the vertices. */
 static void cut_polygon(struct stretches *cuts, const struct pp_polygon *polygon,
                         struct pp_vec3 origin, struct pp_vec3 normal, double level,
                         struct pp_vec3 line)
@@ -64,7 +64,7 @@ static void intersect(struct stretches *both, const struct stretches *a,
     }
 }
 
-/* Are there vertices clearly on both sides of the other's plane? */
+/* True if vertices are clearly on both sides of the other's plane. */
 static bool straddles(const struct pp_polygon *polygon, const struct pp_polygon *plane)
 {
     bool above = false, below = false;
@@ -96,7 +96,7 @@ enum pp_status pp_polygons_cross(bool *cross, const struct pp_polygon *a,
         return pp_fail_memory(err);
     struct stretches common = {buffers, 0}, next = {buffers + space, 0},
                      both = {buffers + 2 * space, 0};
-    /* From one origin, so that stretches along the line can be compared. */
+    /* Both use one origin, so that stretches along the line can be compared. */
     struct pp_vec3 origin = pp_polygon_middle(a);
     double b_level = pp_vec_dot(b->normal, pp_vec_sub(pp_polygon_middle(b), origin));
     for (int k = 0; k < 4; k++) {
@@ -120,8 +120,8 @@ enum pp_status pp_polygons_cross(bool *cross, const struct pp_polygon *a,
         *cross = to - from > PP_SAME_M;
         if (!*cross || !where)
             continue;
-        /* On both planes, at the middle of the stretch: along the line from its point
-         * nearest to the origin. */
+        /* Point on both planes at the middle of the stretch: from the line's point
+         * nearest to the origin, along the line. */
         double c = pp_vec_dot(a->normal, b->normal);
         struct pp_vec3 foot = pp_vec_sub(b->normal, pp_vec_scale(a->normal, c));
         *where = pp_vec_along(pp_vec_along(origin, b_level / (1.0 - c * c), foot),

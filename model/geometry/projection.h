@@ -1,9 +1,9 @@
 /* projection.h - a plane as seen from a point: the frame in which directions are drawn.
  *
- * Whatever is seen from the eye is projected centrally on to a plane at distance_m,
- * where straight edges stay straight. A direction is there the point (x, y), metres
- * along `along` and `up` from the foot of the eye's perpendicular. Points of space are
- * (X, Y, Z) in the same axes with the eye at the origin, Z the depth along `toward`.
+ * The view from the eye is projected centrally on to a plane at distance_m, where
+ * straight edges stay straight. A direction is the point (x, y) there, metres along
+ * `along` and `up` from the foot of the eye's perpendicular. Points of space are (X, Y,
+ * Z) in the same axes with the eye at the origin, Z the depth along `toward`.
  */
 #ifndef PP_MODEL_GEOMETRY_PROJECTION_H
 #define PP_MODEL_GEOMETRY_PROJECTION_H
@@ -33,7 +33,7 @@ static inline struct pp_vec3 pp_projection_direction(const struct pp_projection 
                   pp_vec_dot(v, view->toward));
 }
 
-/* From the view's axes to the room's: the vector from the eye. */
+/* Converts a vector from the eye from the view's axes to the room's. */
 static inline struct pp_vec3 pp_projection_to_room(const struct pp_projection *view,
                                                    struct pp_vec3 own)
 {

@@ -1,9 +1,8 @@
-/* region.h - plane figures with holes, and what sums over their rings tell: area, extent,
- * what lies inside.
+/* region.h - plane figures with holes, and quantities by sums over their rings: area,
+ * extent, points inside.
  *
- * Coordinates are plain pairs in whatever plane the caller means (the working plane, an
- * opening's own plane). Figures are made and cut by model/geometry/clipper.h.
- */
+ * Coordinates are plain pairs in any plane of the caller's choice (the working plane,
+ * an opening's own plane). Figures are made and cut by model/geometry/clipper.h. */
 #ifndef PP_MODEL_GEOMETRY_REGION_H
 #define PP_MODEL_GEOMETRY_REGION_H
 

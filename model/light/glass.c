@@ -83,7 +83,8 @@ double pp_glass_reflectance(const struct pp_glass *glass, double cos_incidence)
     return reflectance;
 }
 
-/* tau(cos i) 2 cos i, whose integral over cos i is the diffuse transmittance. */
+/* Integrand tau(cos i) 2 cos i, whose integral over cos i is the diffuse
+ * transmittance. */
 static int diffuse_integrand(unsigned dim, const double *cos_i, void *glass,
                              unsigned fdim, double *value)
 {
@@ -116,8 +117,8 @@ struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal
     return pp_glass_scaled(pp_glass_panes(panes, n, kl), normal);
 }
 
-/* pp_glass_panes(1, 1.52, 0.02), worked out once: the integral takes 10 us, and a room of
- * a thousand windows asks for this pane a million times. */
+/* Stored result of pp_glass_panes(1, 1.52, 0.02): the integral takes 10 us, and a room
+ * of a thousand windows needs this pane a million times. */
 struct pp_glass pp_glass_clear_single(void)
 {
     return (struct pp_glass){.panes = 1,

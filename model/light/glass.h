@@ -1,4 +1,4 @@
-/* glass.h - how much light a glazing lets through, by angle of incidence.
+/* glass.h - transmittance and reflectance of a glazing by angle of incidence.
  *
  * Clear glass is a stack of like plane panes with Fresnel reflection at each face and
  * absorption between, each polarisation on its own [TS93]:
@@ -7,8 +7,8 @@
  *     a = exp(-KL / cos r),  sin i = n sin r
  *     a pane behind a stack: T = T1 T2 / (1 - R1 R2),  R = R1 + T1^2 R2 / (1 - R1 R2)
  *
- * A glazing of which only the normal transmittance t is known is t/tau(0) of such a
- * stack. A diffusing one is Lambertian and has a hemispherical transmittance only.
+ * A glazing with only a normal transmittance t has t/tau(0) of such a stack. A
+ * diffusing one is Lambertian and has a hemispherical transmittance only.
  */
 #ifndef PP_MODEL_LIGHT_GLASS_H
 #define PP_MODEL_LIGHT_GLASS_H
@@ -39,21 +39,21 @@ struct pp_glass pp_glass_panes(int panes, double n, double kl);
  * diffusing panes. */
 struct pp_glass pp_glass_scaled(struct pp_glass glass, double normal);
 
-/* As pp_glass_panes, but with the normal transmittance `normal`, in (0, 1]. */
+/* Panes as of pp_glass_panes, with the normal transmittance `normal`, in (0, 1]. */
 struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal);
 
 /* Hemispherical transmittance in (0, 1]. */
 struct pp_glass pp_glass_diffusing(double transmittance);
 
-/* At the cosine of the angle of incidence, 0 to 1. A diffusing pane answers with its
- * hemispherical transmittance. */
+/* Transmittance at the cosine of the angle of incidence, 0 to 1. For a diffusing pane,
+ * its hemispherical transmittance. */
 double pp_glass_transmittance(const struct pp_glass *glass, double cos_incidence);
 
 /* Specular reflectance, the same from both sides; at most 1 - transmittance.
  * A diffusing pane answers with 0.1, of a diffuse kind. */
 double pp_glass_reflectance(const struct pp_glass *glass, double cos_incidence);
 
-/* Both at once. */
+/* Calculates both at once. */
 void pp_glass_optics(const struct pp_glass *glass, double cos_incidence,
                      double *transmittance, double *reflectance);
 

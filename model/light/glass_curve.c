@@ -41,7 +41,7 @@ void pp_glass_curve_init(struct pp_glass_curve *curve, const struct pp_glass *gl
     }
 }
 
-/* Is the law itself to be asked? */
+/* True if the law itself is to be evaluated. */
 static bool is_grazing(double cosine)
 {
     return !(cosine * PP_GLASS_CURVE_STEPS >= PP_GLASS_CURVE_GRAZING);

@@ -23,7 +23,7 @@
 #define PP_GRADED_SKY_OVERCAST 2
 #define PP_GRADED_SKY_UNIFORM 0
 
-/* Luminance over that of the zenith, (1). */
+/* Luminance over that of the zenith, by (1). */
 double pp_graded_sky_luminance(double b, double sin_altitude);
 
 /* Luminance of the zenith, 1/sr: 9/(7 pi) overcast, 1/pi uniform. */
@@ -40,8 +40,8 @@ double pp_graded_sky_on_plane(double b, double beta_rad);
  * angle alpha in the section, 0 to pi/2: p (1 - sin alpha) + q cos^2 alpha. */
 double pp_graded_sky_over_skyline(double b, double alpha_rad);
 
-/* The alpha of an illuminance; 0 for more than that of the open sky, pi/2 for less
- * than 0. */
+/* Skyline angle alpha for an illuminance; 0 for more than that of the open sky, pi/2
+ * for less than 0. */
 double pp_graded_sky_skyline(double b, double share);
 
 /* Horizontal illuminance by the sky below a plane that rises at the angle gamma from a

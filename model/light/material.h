@@ -51,8 +51,8 @@ struct pp_material {
     struct pp_rgb diffuse; /* reflectance; of glass: of its frame */
     struct pp_rgb gloss;   /* reflectance of the lobe or the mirror */
     double roughness[2];   /* along `grain` and across it; equal: isotropic */
-    struct pp_vec3 grain;  /* direction whose part in the surface the first roughness
-                            * goes along; zero where both are equal */
+    struct pp_vec3 grain;  /* direction of the first roughness, projected on the
+                            * surface; zero if both are equal */
 
     struct pp_rgb through_diffuse; /* translucent: transmittances */
     struct pp_rgb through_gloss;
@@ -85,9 +85,9 @@ struct pp_material pp_material_plastic(struct pp_rgb colour, double specular,
 struct pp_material pp_material_metal(struct pp_rgb colour, double specular,
                                      double along, double across);
 
-/* After Radiance's `trans`: of the light that is not reflected white (`specular`), the
- * share `trans` goes through, of which the share `through_specular` straight on or as a
- * gloss; all by the colour. */
+/* Material after Radiance's `trans`. Of the light not reflected white (`specular`), the
+ * share `trans` is transmitted. Of that, the share `through_specular` goes straight on
+ * or as a gloss. All are multiplied by the colour. */
 struct pp_material pp_material_trans(struct pp_rgb colour, double specular,
                                      double roughness, double trans,
                                      double through_specular);
@@ -101,23 +101,23 @@ struct pp_material pp_material_mirror(struct pp_rgb reflectance);
 struct pp_material pp_material_glazing(const struct pp_glass *glass, double clear_share,
                                        double dirt, double frame);
 
-/* After Radiance's `glass`: one pane of transmissivity `transmissivity` (what a single
- * straight passage leaves), of refractive index n > 1. */
+/* Material after Radiance's `glass`: one pane of transmissivity `transmissivity`
+ * (transmittance of a single straight passage), of refractive index n > 1. */
 struct pp_material pp_material_pane(struct pp_rgb transmissivity, double n);
 
 /* Black surfaces that give off light from their front. */
 struct pp_material pp_material_light(struct pp_rgb radiance);
 struct pp_material pp_material_glow(struct pp_rgb radiance);
 
-/* One through which rays pass. */
+/* Material through which rays pass. */
 struct pp_material pp_material_air(void);
 
 /* The reflectance that hand methods use: diffuse and gloss together, weighted as the
  * eye weights colours; of glass 0.1. */
 double pp_material_reflectance(const struct pp_material *material);
 
-/* A finish of the table (finishes.h), coloured and glossy as it is, of which all is
- * multiplied so that pp_material_reflectance is `reflectance`. */
+/* Finish of the table (finishes.h), with its colour and gloss, scaled so that
+ * pp_material_reflectance is `reflectance`. */
 struct pp_finish;
 struct pp_material pp_material_finish(const struct pp_finish *finish,
                                       double reflectance);

@@ -1,11 +1,11 @@
 /* outside_light.h - the light that comes to a building from outside: sky and ground.
  *
- * It is no part of a room's geometry: what solves a room is given it beside the room,
- * and another light on the same room costs no more than itself.
+ * It is not part of a room's geometry but a separate argument of all methods and
+ * simulations, so that a room can be calculated under another light at no other cost.
  *
  * All of it is over Eh, the horizontal illuminance of the open sky. The ground is an
- * endless diffuse plane; where nothing shades it its exitance is its reflectance. An unobstructed plane whose normal has the height n_z has the
- * illuminance
+ * endless diffuse plane; where nothing shades it its exitance is its reflectance. An
+ * unobstructed plane whose normal has the height n_z has the illuminance
  *
  *     E = Es + rho_ground (1 - n_z)/2
  *

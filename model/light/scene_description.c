@@ -219,7 +219,7 @@ enum pp_status pp_scene_description_add_shape(struct pp_scene_description *scene
 
 /* ---- patterns ---- */
 
-/* The skies of skybright.cal [WS98], in its names: gamma is the angle from the sun, zt
+/* Skies of skybright.cal [WS98], with its names: gamma is the angle from the sun, zt
  * that of the sun and eta that of the direction from the zenith.
  *
  *     clear         Lz (0.91 + 10 exp(-3 gamma) + 0.45 cos^2 gamma)

@@ -80,8 +80,8 @@ static struct pp_rgb quadrature(const struct sources *sources)
     return pp_rgb_scale(sum, PP_PI / ((double)RINGS * TURNS));
 }
 
-/* The material of the sky where it is one whole hemisphere of PP_PATTERN_SKY, whose Eh
- * is its factor; else NULL. */
+/* Material of the sky if it is one whole hemisphere of PP_PATTERN_SKY, whose Eh is its
+ * factor; else NULL. */
 static const struct pp_material *known_sky(const struct pp_scene_description *scene)
 {
     const struct pp_shape *whole = NULL;

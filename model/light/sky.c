@@ -41,7 +41,7 @@ bool pp_sky_has_azimuth(const struct pp_sky *sky)
     return sky->kind == PP_SKY_ISO && (sky->c != 0.0 || sky->e != 0.0);
 }
 
-/* (1 + 2z)/3 mixed with the ground's luminance, as skybright.cal has it. */
+/* Sky (1 + 2z)/3 blended with the ground's luminance, as in skybright.cal. */
 static double faded_luminance(double fade, double z)
 {
     double weight = pow(z + 1.01, 10.0);

@@ -1,8 +1,8 @@
-/* sky.h - the luminance of the sky, as the methods and the simulation see it: graded
- * skies (overcast, uniform: graded_sky.h) and those of ISO 15469.
+/* sky.h - the luminance of the sky, for the methods and the simulation: graded skies
+ * (overcast, uniform: graded_sky.h) and those of ISO 15469.
  *
- * A sky is normalised by its own unobstructed horizontal illuminance Eh, so that
- * the illuminance of a receiver is a daylight factor without further division:
+ * A sky is normalised by its own unobstructed horizontal illuminance Eh, so that the
+ * illuminance of a receiver is a daylight factor without further division:
  *
  *     graded     L = Lz (1 + b sin altitude)/(1 + b)                    [MS42]
  *                overcast b = 2, uniform b = 0
@@ -26,9 +26,9 @@ enum pp_sky_kind { PP_SKY_OVERCAST, PP_SKY_UNIFORM, PP_SKY_ISO };
 struct pp_sky {
     enum pp_sky_kind kind;
     int iso;              /* 1 to 15 for PP_SKY_ISO, else 0 */
-    double gradation;     /* b of graded_sky.h; of an ISO sky that of the overcast one,
-                           * which stands in for it where an obstruction becomes an
-                           * angle and where light is only guessed */
+    double gradation;     /* b of graded_sky.h. An ISO sky has that of the overcast one,
+                           * which replaces it where an obstruction becomes an angle and
+                           * where light is only estimated */
     struct pp_vec3 sun;   /* towards the sun, unit length; zenith where there is none */
     double a, b, c, d, e; /* ISO 15469, zero elsewhere */
     double per_horizontal; /* L / Eh (1/sr) where the relative luminance is 1 */
@@ -39,21 +39,21 @@ struct pp_sky {
 struct pp_sky pp_sky_overcast(void);
 struct pp_sky pp_sky_uniform(void);
 
-/* The overcast sky as Radiance's gensky has it over a ground of that reflectance (0 to
- * 1): Lg is it times Eh over pi. */
+/* Overcast sky of Radiance's gensky over a ground of that reflectance (0 to 1): Lg is
+ * it times Eh over pi. */
 struct pp_sky pp_sky_faded(double ground_reflectance);
 
 /* A graded sky: uniform for b = 0, and any other is taken for an overcast one. Rooms
  * have the two above; others show that nothing assumes their b. */
 struct pp_sky pp_sky_graded(double b);
 
-/* ISO 15469 sky of type 1 to 15 with the sun in direction sun (unit, above the
- * horizon; not looked at by types that have no sun). Fails on any other type and on
- * a sun below the horizon. */
+/* ISO 15469 sky of type 1 to 15 with the sun in direction sun (unit, above the horizon;
+ * ignored by types without a sun). Fails on any other type and on a sun below the
+ * horizon. */
 enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
                           struct pp_error *err);
 
-/* Does the luminance of ISO type `type` depend on where the sun stands? */
+/* True if the luminance of ISO type `type` depends on the position of the sun. */
 bool pp_sky_iso_has_sun(int type);
 
 /* Does the luminance change with azimuth? */

@@ -48,7 +48,7 @@ static void sum_strips(struct net *net)
         net->above[i] /= net->above[STRIPS];
 }
 
-/* Where a rising table of count + 1 shares reaches one, in its steps. */
+/* Position, in steps, of `share` in a rising table of count + 1 shares. */
 static double share_position(const double *shares, int count, double share)
 {
     int low = 0, high = count;

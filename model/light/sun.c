@@ -38,7 +38,8 @@ static double wrapped(double value, double whole)
 
 struct pp_sun pp_sun_at(double n, double latitude_rad, double longitude_rad)
 {
-    /* On the ecliptic: mean longitude L, mean anomaly g, longitude l, obliquity ep. */
+    /* Position on the ecliptic: mean longitude L, mean anomaly g, longitude l,
+     * obliquity ep. */
     double L = 280.460 + 0.9856474 * n;
     double g = (357.528 + 0.9856003 * n) * PP_RAD;
     double l = (L + 1.915 * sin(g) + 0.020 * sin(2.0 * g)) * PP_RAD;

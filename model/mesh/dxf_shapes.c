@@ -25,7 +25,7 @@ static enum pp_status dxf_number(double *number, const struct pp_dxf_entity *e,
                               err);
 }
 
-/* A whole number; what is none, or too large for one, is 0. */
+/* Reads a whole number; 0 if it is not one, or too large. */
 static enum pp_status count_of(int *count, const struct pp_dxf_entity *e, int code,
                                struct pp_error *err)
 {
@@ -98,7 +98,7 @@ enum pp_status pp_dxf_shapes_face(const struct pp_dxf_entity *e, struct pp_error
 
 /* ---- Outlines that are raised ---- */
 
-/* In the entity's own axes, at its elevation. */
+/* Outline in the entity's own axes, at its elevation. */
 struct outline {
     struct pp_vec3 *list;
     int count, space;
@@ -253,7 +253,8 @@ static enum pp_status read_polyface(const struct pp_dxf_entity *e, struct pp_err
     return status;
 }
 
-/* The corners of the polyline, in its own axes; those of a spline's frame are left out. */
+/* Reads the corners of the polyline, in its own axes, without those of a spline's
+ * frame. */
 static enum pp_status read_corners(struct outline *outline,
                                    const struct pp_dxf_entity *e, bool arcs_count,
                                    struct pp_error *err)

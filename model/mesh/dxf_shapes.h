@@ -6,15 +6,15 @@
 #include "model/mesh/dxf_tags.h"
 #include "model/mesh/mesh_triangles.h"
 
-/* From the coordinates of an entity to the file's: p = origin + x axes[0] + y axes[1]
- * + z axes[2]. */
+/* Transformation from an entity's coordinates to the file's: p = origin + x axes[0] + y
+ * axes[1] + z axes[2]. */
 struct pp_dxf_move {
     struct pp_vec3 origin, axes[3];
 };
 
 struct pp_vec3 pp_dxf_shapes_moved(const struct pp_dxf_move *move, struct pp_vec3 p);
 
-/* One entity of a file: its tags are from ... to - 1, the first says what it is. */
+/* One entity of a file: tags from ... to - 1, of which the first is its type. */
 struct pp_dxf_entity {
     struct pp_mesh_triangles *mesh;
     const struct pp_dxf_tags *tags;
@@ -29,8 +29,8 @@ enum pp_status pp_dxf_shapes_point(struct pp_vec3 *point,
                                    const struct pp_dxf_entity *entity, int first,
                                    struct pp_error *err);
 
-/* The entity's own axes, whose z is its extrusion (210), in the file's, by the arbitrary
- * axis algorithm of. */
+/* Entity's own axes, whose z is its extrusion (210), in the file's coordinates, by the
+ * arbitrary axis algorithm of the DXF reference. */
 enum pp_status pp_dxf_shapes_axes(struct pp_dxf_move *move,
                                   const struct pp_dxf_entity *entity,
                                   struct pp_error *err);

@@ -1,8 +1,8 @@
 /* dxf_tags.h - a DXF file as its list of tags: group code and value, two lines each.
  * Inside model/mesh/ only.
  *
- * After the DXF reference of AutoCAD 2000: a group code says what its value is; 0 begins
- * an entity or a section, whose name it is.
+ * After the DXF reference of AutoCAD 2000: a group code defines the meaning of its
+ * value; 0 begins an entity or a section and gives its name.
  */
 #ifndef PP_MODEL_MESH_DXF_TAGS_H
 #define PP_MODEL_MESH_DXF_TAGS_H

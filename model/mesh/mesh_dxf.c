@@ -24,7 +24,7 @@ static bool is(const struct pp_dxf_tag *tag, const char *name)
     return strcmp(tag->value, name) == 0;
 }
 
-/* Where the section's tags begin and end, but for its name; false: there is none. */
+/* Range of the section's tags without its name; false: no such section. */
 static bool find_section(int range[2], const struct dxf *dxf, const char *name)
 {
     const struct pp_dxf_tag *list = dxf->tags.list;
@@ -102,7 +102,7 @@ static enum pp_status find_block(int range[2], struct pp_vec3 *base, bool *found
     return PP_OK;
 }
 
-/* From the block's coordinates to those that the insert stands in. */
+/* Transformation from the block's coordinates to those of the insert. */
 static enum pp_status move_of(struct pp_dxf_move *move, const struct pp_dxf_entity *e,
                               struct pp_vec3 base, struct pp_error *err)
 {
@@ -183,7 +183,7 @@ static enum pp_status read_insert(struct dxf *dxf, const struct pp_dxf_entity *e
                : status;
 }
 
-/* Surfaces that are not read. What is raised by a thickness (39) is one too. */
+/* Refuses surfaces that cannot be read, including those raised by a thickness (39). */
 static enum pp_status refuse_dxf_entity(const struct pp_dxf_entity *e,
                                         struct pp_error *err)
 {

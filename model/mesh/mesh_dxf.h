@@ -1,11 +1,11 @@
 /* mesh_dxf.h - the surfaces of a DXF file of text, of AutoCAD R12 and later.
  *
- * Of ENTITIES are read: 3DFACE; POLYLINE that is a polyface or a polygon mesh; LWPOLYLINE and
- * POLYLINE with a thickness, raised by that along their own normal, with a lid where they
- * are closed; INSERT, by the entities of its block, moved, scaled and turned. Entities that
- * hold a surface which is not read (3DSOLID, REGION, MESH, ...), arcs in outlines that are raised,
- * and blocks that are repeated or from another file are refused by name and line; lines,
- * texts and the like are passed over. The unit is $INSUNITS.
+ * ENTITIES that are read: 3DFACE; POLYLINE that is a polyface or a polygon mesh;
+ * LWPOLYLINE and POLYLINE with a thickness, extruded along their own normal, with a lid
+ * if closed; INSERT, by the entities of its block, moved, scaled and turned. Refused by
+ * name and line are entities with an unsupported surface (3DSOLID, REGION, MESH, ...),
+ * arcs in extruded outlines, and blocks that are repeated or from another file. Lines,
+ * texts and similar entities are ignored. The unit is $INSUNITS.
  */
 #ifndef PP_MODEL_MESH_MESH_DXF_H
 #define PP_MODEL_MESH_MESH_DXF_H

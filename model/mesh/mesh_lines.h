@@ -1,5 +1,5 @@
-/* mesh_lines.h - a file of lines, one after another, and what is wrong on one of them.
- * Inside model/mesh/ only. */
+/* mesh_lines.h - a file read line by line, and errors on its lines. Inside model/mesh/
+ * only. */
 #ifndef PP_MODEL_MESH_MESH_LINES_H
 #define PP_MODEL_MESH_MESH_LINES_H
 
@@ -11,7 +11,7 @@
 /* Lines end with LF, CR LF or CR; `text` is not owned, and is cut by zeros as it is
  * read. */
 struct pp_mesh_lines {
-    char *text; /* what is left, with a 0 behind it */
+    char *text; /* the remaining text, followed by a 0 */
     size_t left;
     int line;         /* the last that was read, from 1 */
     const char *file; /* as messages call it; not owned */
@@ -25,7 +25,8 @@ enum pp_status pp_mesh_lines_fail(const struct pp_mesh_lines *lines, int line,
                                   struct pp_error *err, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* The same for what mesh_triangles.h says of a corner or a face; PP_OK where `why` is NULL. */
+/* Fails with the message of mesh_triangles.h on a corner or a face; PP_OK if `why` is
+ * NULL. */
 enum pp_status pp_mesh_lines_say(const struct pp_mesh_lines *lines, int line,
                                  const char *why, struct pp_error *err);
 

@@ -1,10 +1,10 @@
 /* mesh_obj.h - the faces of a Wavefront OBJ file.
  *
- * Read are v and f, the latter with v, v/vt, v//vn and v/vt/vn, indices from 1 or,
- * negative, from the last v back, and any number of corners; a line that ends with \ goes
- * on in the next. Curves and surfaces that are free-form (curv, curv2, surf) are refused
- * by name; what is no surface (groups, materials, normals, points, lines, ...) is passed
- * over. The file has no unit.
+ * It reads v and f, the latter with v, v/vt, v//vn and v/vt/vn, indices from 1 or,
+ * negative, from the last v back, and any number of corners. A line that ends with \
+ * continues on the next. Free-form curves and surfaces (curv, curv2, surf) are refused
+ * by name; other statements (groups, materials, normals, points, lines, ...) are
+ * ignored. The file has no unit.
  */
 #ifndef PP_MODEL_MESH_MESH_OBJ_H
 #define PP_MODEL_MESH_MESH_OBJ_H

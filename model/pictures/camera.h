@@ -1,4 +1,4 @@
-/* camera.h - from where and how a picture looks at a scene.
+/* camera.h - viewpoint and projection of a picture.
  *
  * Views are Radiance's [WS98], so that its programs read ours: a picture runs from 0 to
  * 1 across and from 0 to 1 down; its middle lies in the direction of view.
@@ -47,8 +47,8 @@ enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
 bool pp_camera_ray(const struct pp_camera *camera, double x, double y,
                    struct pp_vec3 *from, struct pp_vec3 *to);
 
-/* Where in the picture a point is seen (x or y may lie outside 0 to 1), and how far
- * along its ray; false where it is behind the view or has no place. */
+/* Position of a point in the picture (x or y may lie outside 0 to 1), and its distance
+ * along its ray. False if it is behind the view or cannot be projected. */
 bool pp_camera_project(const struct pp_camera *camera, struct pp_vec3 point, double *x,
                        double *y, double *distance_m);
 

@@ -100,7 +100,7 @@ int pp_false_colour_scale_levels(const struct pp_false_colour_scale *scale,
         }
         return count;
     }
-    /* Equal steps, ten of them or so. */
+    /* Uses equal steps, about ten of them. */
     double step = round_number(round_above((scale->high - scale->low) / 12.0));
     for (double i = ceil(scale->low / step - 1e-9); count < PP_FALSE_COLOUR_LEVELS_MOST;
          i++) {

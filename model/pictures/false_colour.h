@@ -1,4 +1,4 @@
-/* false_colour.h - numbers as colours: a scale, its round levels, a picture in it.
+/* false_colour.h - false colours: a scale, its round levels, a picture in it.
  *
  * Colours are those of [GREEN11]: from black to white by way of all hues, ever lighter
  * to the eye, so that a black and white copy keeps the order; the darkest and the
@@ -18,10 +18,10 @@ struct pp_false_colour_scale {
     bool logarithmic;
 };
 
-/* A scale for the picture, whose luminances times `unit` are the values: rounded
- * outwards to 1, 2, 5 and their decades from what all but the darkest and lightest
- * half per cent of the pixels have; over four decades at most; from 0 where it is
- * linear. Pixels that are black or no number do not count. */
+/* Fits a scale to the picture, whose values are luminances times `unit`. Its ends are
+ * rounded outwards to 1, 2, 5 and their decades from the range of all but the darkest
+ * and lightest half per cent of the pixels. It has at most four decades, and begins at
+ * 0 if it is linear. Pixels that are black or NaN do not count. */
 enum pp_status pp_false_colour_scale_fit(struct pp_false_colour_scale *scale,
                                          const struct pp_picture *picture, double unit,
                                          bool logarithmic, struct pp_error *err);
@@ -33,7 +33,7 @@ enum { PP_FALSE_COLOUR_LEVELS_MOST = 40 };
 int pp_false_colour_scale_levels(const struct pp_false_colour_scale *scale,
                                  double levels[PP_FALSE_COLOUR_LEVELS_MOST]);
 
-/* Where on the scale a value is, 0 to 1; values off the scale are at its end. */
+/* Position of a value on the scale, 0 to 1; values off the scale are at its end. */
 double pp_false_colour_scale_at(const struct pp_false_colour_scale *scale,
                                 double value);
 

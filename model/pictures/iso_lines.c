@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Without tags: neighbours whose values differ by more than this, in natural
+/* Threshold without tags: neighbours that differ by more than this, in natural
  * logarithms, show two surfaces. Chosen by trial. */
 static const double edge_log = 0.3;
 
@@ -32,7 +32,7 @@ static bool alike(const struct log_picture *field, size_t a, size_t b)
 
 /* ---- smoothing ---- */
 
-/* Along rows (step 1) or columns (step: the width), from field->logs to out. */
+/* Smooths along rows (step 1) or columns (step: the width), from field->logs to out. */
 static void smooth_along(const struct log_picture *field, double *out, bool rows,
                          double deviation)
 {
@@ -107,9 +107,9 @@ static enum pp_status make_field(struct log_picture *field,
 
 /* ---- squares ---- */
 
-/* Edges between neighbouring pixels are numbered 2 i (to the right of pixel i) and
- * 2 i + 1 (below it). A line runs through a square from one edge to another, with what
- * is brighter on its left; next[] leads from each edge to the one after. */
+/* Edges between neighbouring pixels are numbered 2 i (to the right of pixel i) and 2 i
+ * + 1 (below it). A line crosses a square from one edge to another, with the brighter
+ * side on its left; next[] leads from each edge to the following one. */
 struct squares {
     const struct log_picture *field;
     double level; /* logarithm */
@@ -124,7 +124,8 @@ static void link_edges(struct squares *squares, int from, int to)
     squares->entered[to] = true;
 }
 
-/* One square, whose upper left pixel is x, y. Corners run clockwise as seen. */
+/* Adds the lines of one square, whose upper left pixel is x, y. Corners run clockwise
+ * as seen. */
 static void cross_square(struct squares *squares, int x, int y)
 {
     const struct log_picture *field = squares->field;
@@ -154,8 +155,8 @@ static void cross_square(struct squares *squares, int x, int y)
     if (count_in == 1) {
         link_edges(squares, in[0], out[0]);
     } else if (count_in == 2) {
-        /* Two bright corners across: joined where the middle is bright. in[0] is before
-         * out[0] where corner 0 is dark. */
+        /* Two opposite bright corners are joined if the middle is bright. in[0] is
+         * before out[0] where corner 0 is dark. */
         bool joined = mean > squares->level;
         bool swapped = above[0] ? !joined : joined;
         link_edges(squares, in[0], out[swapped ? 1 : 0]);

@@ -13,9 +13,9 @@
 
 /* Adds the lines of `count` levels (above 0, ascending, in the unit of pixels'
  * luminance times `unit`). Points are in pixels, from the upper left corner; the middle
- * of the first pixel is (0.5, 0.5). `tags` (may be NULL) says row by row what each
- * pixel shows. `smooth` is the standard deviation of the smoothing, in pixels; lines
- * shorter than `shortest` pixels are left out. */
+ * of the first pixel is (0.5, 0.5). `tags` (may be NULL) identifies the surface in each
+ * pixel, row by row. `smooth` is the standard deviation of the smoothing, in pixels;
+ * lines shorter than `shortest` pixels are left out. */
 enum pp_status pp_iso_lines(struct pp_curve_list *lines,
                             const struct pp_picture *picture, const int *tags,
                             double unit, const double *levels, int count, double smooth,

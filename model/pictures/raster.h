@@ -5,7 +5,7 @@
 #include "model/pictures/picture.h"
 #include "model/pictures/tone.h"
 
-/* Limit of both sides: that of cairo's images. */
+/* Limit of both sides: the limit of cairo's images. */
 enum { PP_RASTER_SIDE_MOST = 32767 };
 
 struct pp_raster {

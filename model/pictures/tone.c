@@ -12,9 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Trimming the histogram ends when it takes less than this share of what is left of the
- * histogram. [LRP97] have the same share of the whole, which can be half of what is
- * left where little is. */
+/* Trimming ends when it removes less than this share of the remaining histogram.
+ * [LRP97] use the same share of the whole, which can be half of a small remainder. */
 static const double tolerance = 0.025;
 
 /* Share of the histogram that is spread evenly over its bins: chosen by trial. */
@@ -86,11 +85,11 @@ static double display_log(double below, double all)
     return log(PP_TONE_DISPLAY_LEAST) + display_range * below / all;
 }
 
-/* Cuts the histogram down to the ceiling at which the curve shows no more contrast than
- * the scene has, nor than the eye sees in it: the lower of the two ceilings of [LRP97].
- * The eye's ceiling alone would let dark parts of the display, where the eye sees less,
- * have more contrast than the scene. Returns how much was cut; *total is how much is
- * left. */
+/* Cuts the histogram down to the ceiling at which the curve shows at most the contrast
+ * of the scene, and at most that visible to the eye in it: the lower of the two
+ * ceilings of [LRP97]. The eye's ceiling alone would give dark parts of the display,
+ * where the eye sees less, more contrast than the scene. Returns the amount cut; *total
+ * is the remainder. */
 static double trim(double bins[PP_TONE_BINS], const struct pp_tone *tone, double *total)
 {
     double below = 0.0, cut = 0.0, all = *total;

@@ -1,9 +1,10 @@
 /* tone.h - tone mapping: from the light in a picture to the light of a screen or paper.
  *
- * Three ways: an exposure set by hand; one by the picture, which makes its geometric
- * mean a middle grey; or the curve of [LRP97], which spreads contrast over the
- * luminances that occur but shows no more of it than there is, nor than an eye adapted
- * to the scene would see: surfaces that look alike there look alike in the picture.
+ * There are three ways: an exposure set by hand; an automatic one, which makes the
+ * geometric mean a middle grey; or the curve of [LRP97]. That curve spreads contrast
+ * over the luminances that occur, but limits it to that of the scene and to that
+ * visible to an eye adapted to it. Surfaces that look alike there look alike in the
+ * picture.
  *
  * Luminances are cd/m2, from the picture's grey (rgb.h) times `unit`.
  */
@@ -35,13 +36,13 @@ enum { PP_TONE_BINS = 100 };
 struct pp_tone {
     double unit;
     double white; /* of the first two ways; 0: the curve */
-    /* Logarithms of display luminance at PP_TONE_BINS + 1 equal steps of that of the
-     * scene's. */
+    /* Logarithms of display luminance at PP_TONE_BINS + 1 equal steps of the logarithm
+     * of the scene's. */
     double low, step, curve[PP_TONE_BINS + 1];
 };
 
-/* Looks at the whole picture. Pixels that are black or no number don't count; a picture
- * of nothing else is shown black. */
+/* Prepares from the whole picture. Pixels that are black or NaN do not count; a picture
+ * of such pixels only is shown black. */
 enum pp_status pp_tone_prepare(struct pp_tone *tone, const struct pp_picture *picture,
                                const struct pp_tone_options *options,
                                struct pp_error *err);

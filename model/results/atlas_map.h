@@ -1,8 +1,7 @@
-/* atlas_map.h - how far a method is from the truth over the rooms of an atlas, by one
- * number that is known of them or by two, as it is drawn.
+/* atlas_map.h - errors of a method over the rooms of an atlas, by one or two of the
+ * rooms' features, as drawn.
  *
- * studies/research/atlas/atlas_mapping.h fills it; charts/atlas_chart.h draws it.
- */
+ * studies/research/atlas/atlas_mapping.h fills it; charts/atlas_chart.h draws it. */
 #ifndef PP_MODEL_RESULTS_ATLAS_MAP_H
 #define PP_MODEL_RESULTS_ATLAS_MAP_H
 
@@ -16,7 +15,7 @@ enum {
 
 /* Classes of a number, between edges; the last edge may be INFINITY. */
 struct pp_atlas_scale {
-    const char *words; /* what the number is; not owned */
+    const char *words; /* name of the number; not owned */
     int count;         /* of classes; 1 and no words: there is no such scale */
     double edges[PP_ATLAS_CLASSES + 1]; /* rising */
 };
@@ -32,7 +31,7 @@ struct pp_atlas_map {
     const char *column; /* of the method: "df.exact+bre"; not owned */
     bool averages;      /* over working planes, not at points */
     int rooms;          /* that were asked, in all */
-    int blind; /* values left out, as the truth of them is not well enough known */
+    int blind;          /* values left out because their true value is too uncertain */
     struct pp_atlas_scale across, up; /* up.count 1: a map by one number */
 
     /* Quantiles of class u up and a across at u PP_ATLAS_CLASSES + a: in the room as it

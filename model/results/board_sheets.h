@@ -1,5 +1,5 @@
 /* board_sheets.h - the data of the drawing board's sheets, Waldram's diagram and the
- * pepper-pot: the windows seen from a point, and what was counted of them. */
+ * pepper-pot: the windows seen from a point, and their counts. */
 #ifndef PP_MODEL_RESULTS_BOARD_SHEETS_H
 #define PP_MODEL_RESULTS_BOARD_SHEETS_H
 
@@ -24,7 +24,7 @@ struct pp_board_piece {
     double factor;            /* luminance factor of the obstruction; 1 for the sky */
     double counted;           /* squares or dots within */
     int square_count;
-    struct pp_counted_square *squares; /* each of them; NULL of dots */
+    struct pp_counted_square *squares; /* all squares; NULL for dots */
 };
 
 struct pp_board_window {
@@ -43,15 +43,15 @@ struct pp_board_face {
     bool overhead;    /* is it a ceiling? else a wall */
 };
 
-/* Sets the window's sky and external by its counted squares or dots; `worth` is that of
- * one, a fraction of Eh. */
+/* Sets the window's sky and external from its counted squares or dots; `worth` is that
+ * of one, a fraction of Eh. */
 void pp_board_sheets_window_sum(struct pp_board_window *window, double worth);
 
 /* Adds the windows' sky and external to *sky and *external. */
 void pp_board_sheets_windows_add(const struct pp_board_window *windows, int count,
                                  double *sky, double *external);
 
-/* Does an obstruction hide a piece of any of them? */
+/* True if an obstruction hides a piece of any of them. */
 bool pp_board_sheets_windows_hidden(const struct pp_board_window *windows, int count);
 
 /* The rectangle around all pieces, joined to the one given. */
@@ -67,7 +67,7 @@ void pp_board_sheets_windows_destroy(struct pp_board_window *windows, int count)
  * (methods/waldram/waldram_sheet_fill.h); a chart draws it
  * (charts/drawing_board/waldram_chart.h). */
 
-/* One diagram, with the windows that face one way. */
+/* One diagram with the windows that face one direction. */
 struct pp_waldram_panel {
     struct pp_board_face face;
     bool glazed;                   /* with the losses of clear single vertical glass */
@@ -113,7 +113,7 @@ struct pp_pepper_pot_dot {
     bool counted; /* in a window */
 };
 
-/* One diagram, with the windows that face one way. */
+/* One diagram with the windows that face one direction. */
 struct pp_pepper_pot_panel {
     struct pp_board_face face;
     bool glazed;    /* with the losses of clear single glass */
@@ -130,7 +130,7 @@ struct pp_pepper_pot_sheet {
     bool blank;       /* no room, no point */
     bool upright;     /* is the receiver a vertical plane? else horizontal, face up */
     bool aslant;      /* or neither? */
-    bool any;         /* the dots are those of `pepper-pot-sky` */
+    bool any;         /* the dots are those of `pepper-pot-sky`, for any slope */
     struct pp_vec3 point;
     struct pp_sky sky;
     double worth; /* of a dot, fraction of Eh */

@@ -1,16 +1,15 @@
-/* common_error.h - the standard error of a sum of readings whose errors are in part one and
- * the same: points that were traced together share some of the light that they found.
+/* common_error.h - the standard error of a sum of readings with correlated errors:
+ * points simulated together share some of their light.
  *
- * `common` is the share of the readings' variance that they have in common, 0 (they are
- * independent) to 1 (they go wrong together, each by its own standard error).
- */
+ * `common` is the correlated share of the readings' variance, from 0 (they are
+ * independent) to 1 (fully correlated, each by its own standard error). */
 #ifndef PP_MODEL_RESULTS_COMMON_ERROR_H
 #define PP_MODEL_RESULTS_COMMON_ERROR_H
 
 #include <math.h>
 
-/* Standard error of a sum, from the sum of the terms' standard errors and that of their
- * squares. */
+/* Standard error of a sum, from the sum of the terms' standard errors and the sum of
+ * their squares. */
 static inline double pp_common_error(double sum, double squares, double common)
 {
     return sqrt((1.0 - common) * squares + common * sum * sum);

@@ -10,15 +10,15 @@
 
 struct pp_daylight_plan {
     char name[48]; /* of the figures contoured: "exact+bre" */
-    bool direct;   /* these are the sky and externally reflected component, without what
-                    * the room reflects; else they are daylight factors */
+    bool direct;   /* true: the sky and externally reflected component, without light
+                    * reflected in the room; false: daylight factors */
     struct pp_curve_list
         contours;               /* levels are daylight factors, fractions; ascending */
     struct pp_curve_list below; /* outlines of the parts below each level, as in dark */
-    struct pp_curve_list bands; /* of sampled figures: closed outlines, each with the
-                                  * level of its band, which an even-odd fill of all that
-                                  * have it covers: the figure is within one standard
-                                  * error of the level there */
+    struct pp_curve_list bands; /* of sampled figures: closed outlines with the level of
+                                 * their band; an even-odd fill of all outlines of a
+                                 * level covers places whose figure is within one
+                                 * standard error of the level */
     struct pp_curve_list no_sky; /* the no-sky line: sky can be seen from its left */
     struct pp_curve_list dark;   /* closed outlines of the parts that see no sky at all:
                                 * outer ones counter-clockwise, holes clockwise */

@@ -1,9 +1,8 @@
-/* dimension.h - what kind of quantity a figure is: a length, an area, an angle, per cent
- * of the sky's light (a daylight factor), a ratio.
+/* dimension.h - the dimension of a quantity: a length, an area, an angle, per cent of
+ * the sky's light (a daylight factor), a ratio.
  *
- * A number fits degrees, per cent or neither, but no metres: 1 - alpha / 90 is good, A +
- * 3 of an area A is not.
- */
+ * A plain number may be added to degrees or per cent, but not to metres: 1 - alpha / 90
+ * is valid, A + 3 with an area A is not. */
 #ifndef PP_MODEL_RESULTS_DIMENSION_H
 #define PP_MODEL_RESULTS_DIMENSION_H
 

@@ -186,7 +186,7 @@ bool pp_document_has_head(const struct pp_document_table *table)
     return false;
 }
 
-/* ---- what it says ---- */
+/* ---- its texts ---- */
 
 void pp_document_texts(const struct pp_document *document,
                        void (*tell)(void *closure, const char *text), void *closure)

@@ -1,10 +1,10 @@
-/* document.h - what a report says, in order: headings, paragraphs, tables and pictures.
- * How it is set is for whoever sets it: as a page of HTML (reports/page/document_html.h) or
- * on sheets of paper (charts/document/document_sheets.h).
+/* document.h - the content of a report, in order: headings, paragraphs, tables and
+ * pictures. It is laid out as a page of HTML (reports/page/document_html.h) or on
+ * sheets of paper (charts/document/document_sheets.h).
  *
- * A document is added to at its end: what is added goes to the last table, the last row of
- * it and that row's last cell. Texts are copied; their formats are printf's. Where memory
- * is out the rest is left out, which pp_document_status tells.
+ * A document grows at its end: additions go to the last table, its last row and that
+ * row's last cell. Texts are copied; their formats are printf's. When memory runs out
+ * the rest is left out, as pp_document_status reports.
  */
 #ifndef PP_MODEL_RESULTS_DOCUMENT_H
 #define PP_MODEL_RESULTS_DOCUMENT_H
@@ -19,14 +19,15 @@ enum pp_tone {
     PP_TONE_SOFT, /* a remark, which stands back */
     PP_TONE_GOOD,
     PP_TONE_BAD,
-    PP_TONE_VERDICT, /* a paragraph: what all comes to */
+    PP_TONE_VERDICT, /* a paragraph: the overall result */
     PP_TONE_CODE,    /* a paragraph: as it would be typed */
 };
 
 enum pp_document_column_kind {
     PP_COLUMN_WORDS,   /* to the left, as many lines as they take */
     PP_COLUMN_NUMBERS, /* to the right, on one line */
-    PP_COLUMN_LABELS, /* to the left, on one line, standing back: what a row is about */
+    PP_COLUMN_LABELS,  /* to the left, on one line, in a lighter tone: the subject of a
+                       * row */
 };
 
 struct pp_document_column {
@@ -42,14 +43,14 @@ struct pp_document_cell {
 
 enum pp_document_row_kind {
     PP_ROW_CELLS,
-    PP_ROW_GROUP,  /* one cell all across: what the rows below are about */
+    PP_ROW_GROUP,  /* one cell across all columns: the subject of the rows below */
     PP_ROW_REMARK, /* one cell all across, standing back: belongs to the group above */
 };
 
 struct pp_document_row {
     enum pp_document_row_kind kind;
-    struct pp_document_cell *cells; /* as many as there are columns, or the one; fewer
-                                     * are empty ones */
+    struct pp_document_cell *cells; /* one for each column, or a single one; missing
+                                     * ones are empty */
     int cell_count;
 };
 
@@ -71,7 +72,7 @@ struct pp_document_block {
     enum pp_document_block_kind kind;
     enum pp_tone tone; /* of a paragraph */
     int level;         /* of a heading: 1 the title, 2 a chapter, 3 a part of one */
-    char *text;        /* of a picture: what it shows. NULL of a table */
+    char *text;        /* caption of a picture; NULL for a table */
     struct pp_document_table table;
     int picture; /* its number among those that whoever sets the document is given */
 };

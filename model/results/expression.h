@@ -1,18 +1,18 @@
-/* expression.h - the right side of a formula as it stands in print, parsed once and
- * worked out as often as wanted.
+/* expression.h - the right side of a formula as printed, parsed once and evaluated any
+ * number of times.
  *
  *     sum     = product { (+|-) product }
  *     product = power { [*|/] power }        from left to right; side by side: times
  *     power   = [-] power | primary [ ^ power ]
  *     primary = number | name | function ( sum {, sum} ) | ( sum )
  *
- * A minus binds looser than ^ and tighter than *. A name is a letter with letters,
- * digits, _ and ' behind it. Functions: sqrt, exp, ln, log10, abs; sin, cos, tan of
+ * A minus binds looser than ^ and tighter than *. A name is a letter followed by
+ * letters, digits, _ and '. Functions: sqrt, exp, ln, log10, abs; sin, cos, tan of
  * degrees; asin, acos, atan to degrees; min, max, sum of any number of arguments. pi is
- * known. Nothing else is: no assignment, no loop, no file.
+ * predefined. There is nothing else: no assignment, no loop, no file.
  *
- * Each quantity has a dimension (dimension.h), which is carried along: what is added
- * must be alike.
+ * Each quantity has a dimension (dimension.h), which is checked: terms of a sum must
+ * have the same one.
  */
 #ifndef PP_MODEL_RESULTS_EXPRESSION_H
 #define PP_MODEL_RESULTS_EXPRESSION_H
@@ -64,7 +64,7 @@ enum pp_operation_kind {
 /* A step of the work, in postfix order. */
 struct pp_operation {
     unsigned char kind;  /* enum pp_operation_kind */
-    unsigned char count; /* of arguments, of a function with any number of them */
+    unsigned char count; /* number of arguments of a function with any number of them */
     short column;        /* in the text, from 0 */
     union {
         double number;
@@ -86,10 +86,10 @@ struct pp_expression_mistake {
     char what[256]; /* "expected \")\", for the \"(\" in column 12" */
 };
 
-/* Parses the text, whose names are those of the list of `count`. `shift` is added to the
- * columns that messages mention: where the text begins in what the user wrote. False,
- * with a mistake: what it is no expression of these names, is too long, divides by 0, or
- * adds what is not alike. */
+/* Parses the text, whose names are those of the list of `count`. `shift` is added to
+ * the columns in messages: the column of the text in the user's input. False, with a
+ * mistake, if it is not an expression of these names, is too long, divides by 0, or
+ * adds different dimensions. */
 bool pp_expression_parse(struct pp_expression *expression, const char *text, int shift,
                          const struct pp_expression_name *names, int count,
                          struct pp_expression_mistake *mistake);

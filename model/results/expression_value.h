@@ -4,9 +4,9 @@
 
 #include "model/results/expression.h"
 
-/* Works the expression out; values[i] is that of the i-th name of the list. A fault is
- * the first operation without a result, such as a division by 0: `what` as in "divides
- * by nothing", static, and its column; what is NULL where there is none. fault may be
+/* Evaluates the expression; values[i] is that of the i-th name of the list. A fault is
+ * the first operation without a result, such as a division by 0. `what` is as in
+ * "divides by nothing", static, with its column; NULL if there is none. fault may be
  * NULL. The result follows IEEE 754 in any case. */
 struct pp_expression_fault {
     const char *what;

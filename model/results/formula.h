@@ -1,14 +1,15 @@
-/* formula.h - a published formula as data: its text is what the program works out, what
- * --explain prints and what the manual shows.
+/* formula.h - a published formula as data: the program evaluates its text, --explain
+ * prints it and the manual shows it.
  *
  *     const struct pp_formula bre = {
  *         .symbol = "irc", .sum = "0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)", ...};
  *
  * The sum is an expression (expression.h) in the units of print (steps.h): daylight
- * factors in per cent, angles in degrees, lengths in metres. The values that go in and
- * come out are in the program's units: fractions, radians, metres. A formula that comes
- * to a fraction must therefore be multiplied by 100 in its text, or its result is 100
- * times too low. A reader's variant of a formula is another sum of its quantities.
+ * factors in per cent, angles in degrees, lengths in metres. The values of its
+ * quantities and its result are in the program's units: fractions, radians, metres. A
+ * formula whose result is a fraction must therefore be multiplied by 100 in its text,
+ * or its result is 100 times too low. A reader's variant of a formula is another sum of
+ * the same quantities.
  */
 #ifndef PP_MODEL_RESULTS_FORMULA_H
 #define PP_MODEL_RESULTS_FORMULA_H
@@ -34,12 +35,12 @@ struct pp_formula {
     bool fixed; /* it enters a table, or is one of several by the case: no variant */
 };
 
-/* Would a variant of that symbol stand in this formula's place, its quantities
- * allowing? */
+/* True if a variant of that symbol can replace this formula, if its quantities
+ * allow. */
 bool pp_formula_is_open(const struct pp_formula *formula, const char *symbol);
 
-/* Can what an expression comes to stand for the formula's left side? Hidden units of its
- * numbers aside: degrees become per cent in the average daylight factor. */
+/* True if the expression's dimension fits the formula's left side, apart from hidden
+ * units of its numbers: degrees become per cent in the average daylight factor. */
 bool pp_formula_comes_out(const struct pp_formula *formula,
                           const struct pp_expression *expression);
 
@@ -55,7 +56,7 @@ double pp_formula_value(const struct pp_formula *formula, const double *values);
 /* A reader's sum for a symbol. */
 struct pp_formula_variant {
     char symbol[32], sum[PP_EXPRESSION_MOST + 1];
-    int shift; /* column of the sum in what the reader wrote, from 0 */
+    int shift; /* column of the sum in the reader's text, from 0 */
 };
 
 /* The formulae of a method, parsed once for many points. The list ends with NULL; NULL
@@ -68,8 +69,8 @@ enum pp_status pp_formulary_create(struct pp_formulary **formulary,
                                    struct pp_error *err);
 void pp_formulary_destroy(struct pp_formulary *formulary);
 
-/* A formula parsed: that of the formulary (which may be NULL) or, where it is not in it,
- * the published one, parsed into `spare`. *sum is its text; *own: a reader's. */
+/* Parsed formula: that of the formulary (which may be NULL) or, if it has none, the
+ * published one, parsed into `spare`. *sum is its text; *own: true for a reader's. */
 const struct pp_expression *pp_formulary_find(const struct pp_formulary *formulary,
                                               const struct pp_formula *formula,
                                               struct pp_expression *spare,

@@ -13,10 +13,10 @@ struct pp_lattice {
     int *receivers;    /* [row * columns + column]; -1: none stands there */
 };
 
-/* Do the receivers face up at one height, in two or more evenly spaced columns and rows,
- * half of whose crossings or more have one? Places without one (walls of an L, furniture)
- * are let out. *lattice is to be cleared; empty where they do not. Fails for lack of
- * memory only. */
+/* Finds a lattice: receivers that face up at one height, in two or more evenly spaced
+ * columns and rows, with a receiver at half or more of the crossings. Places without
+ * one (walls of an L, furniture) are omitted. The caller clears *lattice; empty if
+ * there is none. Fails only if out of memory. */
 enum pp_status pp_lattice_find(struct pp_lattice *lattice,
                                const struct pp_receiver *receivers, int count,
                                struct pp_error *err);

@@ -15,7 +15,7 @@ struct pp_lit_area {
     double plane_m;            /* z of the plane */
     struct pp_region plane;    /* of the room at that height; may be empty */
     struct pp_curve_list line; /* lit to its left */
-    struct pp_curve_list dark; /* closed outlines of what is not lit: outer ones
+    struct pp_curve_list dark; /* closed outlines of the unlit area: outer ones
                                 * counter-clockwise, holes clockwise */
     double plane_m2, lit_m2;
     double error_m2; /* of lit_m2, by the tolerance of the line */
@@ -23,9 +23,9 @@ struct pp_lit_area {
 
 void pp_lit_area_clear(struct pp_lit_area *area);
 
-/* Zones of the loss between two lit shares of a room, as surveyors of rights of light
- * count it: quarters of the room's area, in the order in which the last of them would be
- * lost. A loss in the front zone leaves less than a quarter lit. */
+/* Zones of the loss between two lit shares of a room, as used by rights-of-light
+ * surveyors: quarters of the room's area, in the order in which the last of them would
+ * be lost. A loss in the front zone leaves less than a quarter lit. */
 enum pp_lit_zone {
     PP_ZONE_FRONT,
     PP_ZONE_FIRST,
@@ -37,8 +37,8 @@ enum pp_lit_zone {
 struct pp_lit_loss {
     double zones_m2[PP_ZONE_COUNT]; /* 0 where nothing is lost */
     double
-        equivalent_m2; /* of first zone: the zones' areas times 3/2, 1, 1/2 and 1/4, as
-                           * practice has it (recalled; no text at hand) */
+        equivalent_m2; /* first-zone equivalent: the zones' areas times 3/2, 1, 1/2 and
+                        * 1/4, as in practice (recalled; no text at hand) */
 };
 
 struct pp_lit_loss pp_lit_area_loss(double plane_m2, double before_m2, double now_m2);
@@ -51,11 +51,11 @@ struct pp_lit_change {
     struct pp_lit_loss loss;
 };
 
-/* before_m2 NAN: not known; all of them NAN: nothing is. */
+/* before_m2 NAN: unknown; the result is all NAN: nothing is known. */
 struct pp_lit_change pp_lit_area_change(double plane_m2, double before_m2,
                                         double now_m2);
 
-/* Adds what is known of a room to a sum of rooms, of which nothing is known at first. */
+/* Adds a room's known values to a sum over rooms, which has none at first. */
 void pp_lit_area_add(struct pp_lit_change *sum, const struct pp_lit_change *room);
 
 /* "front zone", ... */

@@ -34,7 +34,7 @@ enum pp_nomogram_quantity {
     PP_NOMOGRAM_SLOPE,       /* of the glass, 0 horizontal, radians */
     PP_NOMOGRAM_WALLS,       /* mean reflectance of the walls */
     PP_NOMOGRAM_LOSS,        /* mean reflectance R, by 1/(1 - R) */
-    PP_NOMOGRAM_GAIN,        /* glass over what is lost, W/(A (1 - R)): a ratio */
+    PP_NOMOGRAM_GAIN,        /* glass over losses, W/(A (1 - R)): a ratio */
     PP_NOMOGRAM_LIGHT,       /* on the glass, as it counts, over Eh */
     PP_NOMOGRAM_FACTOR,      /* of the place of a point */
     PP_NOMOGRAM_PLACE,       /* of a point: its share of the depth or half breadth */
@@ -64,8 +64,9 @@ struct pp_nomogram {
     struct pp_nomogram_edge edges[PP_NOMOGRAM_EDGES];
 };
 
-/* The factor of a point's place, of IV: a straight-edge from the place's stem through a
- * curve, that of the room's depth (or half its breadth) q in ranges of the light, gives it. */
+/* Factor for a point's place, on IV. A straight-edge from the stem of places through a
+ * curve gives it; the curve is for the room's depth (or half its width) q in ranges of
+ * the light. */
 struct pp_nomogram_place {
     double q, share, factor;  /* as set and read */
     double x, y;              /* of q on its curve */
@@ -113,8 +114,8 @@ struct pp_nomogram_sheet {
     struct pp_nomogram nomogram;
     struct pp_nomogram_scale scales[PP_NOMOGRAM_STEMS];
     struct pp_nomogram_scale curve;           /* of IV, from end to end; else empty */
-    const struct pp_formula *const *formulae; /* what is worked out before it is set, of
-                                               * IV; ends with NULL; NULL: nothing */
+    const struct pp_formula *const *formulae; /* formulae calculated before setting, on
+                                               * IV; ends with NULL; NULL: none */
     const char *name;                         /* the room's, or NULL; not owned */
     bool blank;                               /* no room */
     int window_count;

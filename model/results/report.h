@@ -14,7 +14,7 @@
 #include "model/results/steps.h"
 #include "model/room/world.h"
 
-/* The levels (fractions) whose share of the plane is told. */
+/* Levels (fractions) whose share of the plane is reported. */
 enum { PP_PLANE_LEVELS = 3 };
 extern const double pp_plane_levels[PP_PLANE_LEVELS];
 
@@ -31,16 +31,16 @@ struct pp_column {
     struct pp_reading average; /* over the whole working plane */
     struct pp_reading
         margin_average;      /* over the plane inside 0.5 m (plane_margin.h); */
-    bool has_margin_average; /* if that was asked for */
+    bool has_margin_average; /* true if requested */
     bool of_all_surfaces; /* the average is over the room's surfaces: not to be compared
                                 * with those over its working plane */
     bool has_plane;       /* a daylight factor at every point of the grid? */
-    struct pp_plane_reading plane; /* then what it says of the plane */
+    struct pp_plane_reading plane; /* its results for the plane */
     struct pp_reading *points;     /* one for each receiver; NULL: of the room only */
     struct pp_band_ends average_band; /* of the average, where that is known */
-    struct pp_band_ends *bands;       /* one for each point; NULL: none is known */
-    double common, common_near; /* the share of these points' variance that is common
-                                       * (common_error.h): to all, and to those near each other */
+    struct pp_band_ends *bands;       /* one for each point; NULL: none */
+    double common, common_near;       /* correlated share of these points' variance
+                                 * (common_error.h): among all, and among neighbours */
 };
 
 struct pp_method_options; /* methods/method.h */
@@ -48,25 +48,25 @@ struct pp_method_options; /* methods/method.h */
 struct pp_report {
     const struct pp_world *world;            /* not owned */
     struct pp_outside_light light;           /* from outside, on that world */
-    const struct pp_method_options *options; /* not owned; NULL: nothing asked for */
+    const struct pp_method_options *options; /* not owned; NULL: defaults */
     const struct pp_receiver *receivers;     /* not owned */
     struct pp_receiver *more_receivers; /* list that is freed with the report; NULL:
                                               * none */
     int receiver_count;
     int grid_points;       /* that the columns' `plane` speaks of; 0: there is none */
     bool grid_of_standard; /* EN 17037's, not the receivers themselves */
-    struct pp_column *columns; /* in order of component, then as asked for */
+    struct pp_column *columns; /* in order of component, then of selection */
     int column_count;
     bool finished;        /* false: interrupted; the columns so far are good */
     bool explain;         /* are the methods to set down their steps? */
-    int threads;          /* for the methods; 0: as many as there are processors */
-    const char *no_bands; /* why no column has bands; NULL: some have, or nobody asked
-                           * for them. Kept with the sentences */
-    const char *stand_in; /* the usual methods do not cover the room: what stands in for
-                           * them; NULL: they do. Kept with the sentences */
-    const char *missed_error; /* where the simulation's standard errors are larger than
-                               * what was asked for; NULL: they are not, or nothing was
-                               * asked for. Kept with the sentences */
+    int threads;          /* for the methods; 0: one for each processor */
+    const char *no_bands; /* reason why no column has bands; NULL: some have, or none
+                           * were requested. Kept with the sentences */
+    const char *stand_in; /* replacement for the default methods if these do not cover
+                           * the room; NULL: they do. Kept with the sentences */
+    const char *missed_error; /* places where the simulation's standard errors exceed
+                               * the target; NULL: none, or no target. Kept with the
+                               * sentences */
     char **sentences;         /* that readings' why points to, where it is not static */
     int sentence_count;
     struct pp_steps **steps; /* that readings' steps point to */

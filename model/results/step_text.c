@@ -11,7 +11,7 @@
 
 enum { DIGITS = 4 /* significant digits at least */ };
 
-/* what is less than this is printed as a bare 0 */
+/* smaller values are printed as a bare 0 */
 static const double least = 1e-7;
 
 static const struct printed_unit {
@@ -27,8 +27,8 @@ static const struct printed_unit {
     [PP_UNIT_LUX] = {1, " lx", " lx"},
 };
 
-/* Decimals that show DIGITS significant digits, and what a unit has at least; of what
- * was counted in tenths those. */
+/* Decimals that show DIGITS significant digits, and at least those of the unit; for
+ * values counted in tenths, those of the count. */
 static int decimals_of(double value, const struct pp_calculation_step *step)
 {
     int decimals = units[step->unit].decimals;
@@ -95,7 +95,7 @@ void pp_step_text_formula(char *text, size_t room,
 
 /* ---- values put in ---- */
 
-/* Is the name a function's, or pi? */
+/* True if the name is a function's, or pi. */
 static bool is_known_word(const char *name, int length)
 {
     const char *const *functions = pp_expression_functions();
@@ -118,8 +118,8 @@ static const struct pp_calculation_step *step_named(const struct pp_steps *steps
     return NULL;
 }
 
-/* The value of a step, for a formula: degrees with their sign, what is negative in
- * parentheses. */
+/* Appends the value of a step, for a formula: degrees with their sign, negative values
+ * in parentheses. */
 static void append_step_value(char *text, size_t room,
                               const struct pp_calculation_step *step)
 {
@@ -147,7 +147,7 @@ void pp_step_text_put_in(char *text, size_t room, const struct pp_steps *steps,
                          int index)
 {
     const char *formula = steps->list[index].formula;
-    bool ends_operand = false; /* what stands last could be multiplied */
+    bool ends_operand = false; /* the last item could be multiplied */
     int values = 0, pieces = 0;
     text[0] = '\0';
     for (const char *at = formula; *at;) {

@@ -17,7 +17,7 @@ double pp_steps_printed_unit(enum pp_step_unit unit)
                                            : 1.0;
 }
 
-/* One more step at the end of the list; NULL where there is no list or no memory. */
+/* Appends a step to the list; NULL without a list or memory. */
 static struct pp_calculation_step *next(struct pp_steps *steps)
 {
     if (!steps)

@@ -1,10 +1,10 @@
-/* steps.h - a calculation as it would be set out on paper: the figures that were read
- * or put in, and those worked out of them, each with its formula and unit, in order.
+/* steps.h - a calculation as set out on paper: the figures that were read or put in,
+ * and those calculated from them, each with its formula and unit, in order.
  *
- * A formula is written in the figures as they are printed: per cent, degrees, metres,
- * in the language of expression.h, with the symbols of steps before it (the latest of a
- * name counts). Whoever recomputes a step from the printed figures gets its printed
- * value, give or take their rounding; a test does so.
+ * A formula is written in the figures as printed: per cent, degrees, metres, in the
+ * language of expression.h, with the symbols of steps before it (the latest of a name
+ * counts). Recomputing a step from the printed figures gives its printed value, up to
+ * their rounding; a test does so.
  */
 #ifndef PP_MODEL_RESULTS_STEPS_H
 #define PP_MODEL_RESULTS_STEPS_H
@@ -12,9 +12,9 @@
 #include <stdarg.h>
 #include <stdbool.h>
 
-/* A value is stored in the program's unit; printed, and in the texts of formulae, it is in
- * the unit of print. The two differ for daylight factors and angles only: a formula for a
- * daylight factor of 2 % has to come to 2, and the program stores 0.02. */
+/* Unit of a value. It is stored in the program's unit and printed, as in the texts of
+ * formulae, in the unit of print. The two differ for daylight factors and angles only:
+ * a formula for a daylight factor of 2 % must give 2, and the program stores 0.02. */
 enum pp_step_unit {
     /* A daylight factor, a component of one, or another illuminance over the horizontal one
      * of the open sky. Stored as a fraction; printed, and in formula texts, per cent. */
@@ -27,7 +27,7 @@ enum pp_step_unit {
     PP_UNIT_LUX,
 };
 
-/* The unit of print over that of storage: 100 for daylight factors, 1/PP_RAD for angles,
+/* Unit of print over that of storage: 100 for daylight factors, 1/PP_RAD for angles,
  * else 1. */
 double pp_steps_printed_unit(enum pp_step_unit unit);
 
@@ -64,9 +64,9 @@ void pp_steps_add_v(struct pp_steps *steps, enum pp_step_unit unit, double value
                     const char *symbol, const char *formula, const char *what,
                     va_list args) __attribute__((format(printf, 6, 0)));
 
-/* Sets down a sum of daylight factors: symbol = symbol_1 + symbol_2 + ..., on as many
- * lines as it takes, of the terms up to `count` that there are from step `first` on; 0 of
- * none. */
+/* Puts down a sum of daylight factors: symbol = symbol_1 + symbol_2 + ..., on as many
+ * lines as needed, over the terms up to `count` that exist from step `first` on; 0 if
+ * there are none. */
 void pp_steps_add_sum(struct pp_steps *steps, int first, int count, const char *symbol,
                       const char *what);
 

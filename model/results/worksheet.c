@@ -1,5 +1,5 @@
-/* worksheet.c - figures by name, the latest first; formulae worked out of them and set
- * down with the numbers of the parts they speak of. */
+/* worksheet.c - figures by name, the latest first; formulae evaluated from them and put
+ * down with the numbers of their parts. */
 #include "model/results/worksheet.h"
 
 #include <assert.h>

@@ -1,9 +1,9 @@
-/* worksheet.h - a calculation on paper: figures are put down by name, and formulae worked
- * out of those above them.
+/* worksheet.h - a calculation on paper: figures are put down by name, and formulae are
+ * evaluated from those above them.
  *
- * What is computed and what --explain prints is one thing: pp_worksheet_work takes its
- * values from the sheet by the names in the formula's text. Figures go in and come out in
- * the program's units (fractions, radians, metres); the text's are those of print.
+ * The program computes what --explain prints: pp_worksheet_work takes its values from
+ * the sheet by the names in the formula's text. Figures go in and come out in the
+ * program's units (fractions, radians, metres); the text's are those of print.
  */
 #ifndef PP_MODEL_RESULTS_WORKSHEET_H
 #define PP_MODEL_RESULTS_WORKSHEET_H
@@ -17,11 +17,11 @@
 
 enum { PP_WORKSHEET_MOST = 40, PP_WORKSHEET_PLACES = 64 };
 
-/* Zero it, and set what is known, to begin with. */
+/* Worksheet; initialise it with zeros and set the known members. */
 struct pp_worksheet {
     struct pp_steps *steps;               /* where steps are set down; NULL: nowhere */
     const struct pp_formulary *formulary; /* not owned; NULL: all as published */
-    /* The first sum of a reader's variant without a result: what it does, as the end of a
+    /* First sum of a reader's variant without a result: the reason, as the end of a
      * sentence ("divides by nothing"), and the column in its text. */
     struct pp_expression_fault fault;
     bool varied; /* has a reader's variant been worked out? */
@@ -45,8 +45,8 @@ void pp_worksheet_put_v(struct pp_worksheet *sheet, enum pp_step_unit unit,
                         double value, const char *symbol, const char *what,
                         va_list args) __attribute__((format(printf, 5, 0)));
 
-/* Puts down a figure without a step: what a reader's variant may need and the published
- * formula leaves out. */
+/* Puts down a figure without a step: a quantity for readers' variants that the
+ * published formula does not use. */
 void pp_worksheet_know(struct pp_worksheet *sheet, enum pp_step_unit unit, double value,
                        const char *symbol);
 

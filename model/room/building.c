@@ -41,8 +41,7 @@ static enum pp_status parse(struct pp_building **building, const char *bytes,
     pp_xml_clear(&xml);
     pp_mistakes_sort(mistakes);
 
-    /* No room of a file that breaks off can be judged: its missing parts may have
-     * followed. */
+    /* A truncated file gives no valid room: missing parts may have followed. */
     if (whole)
         *building = made;
     else
@@ -64,8 +63,8 @@ enum pp_status pp_building_parse(struct pp_building **building, const char *byte
     return parse(building, bytes, length, NULL, mistakes, err);
 }
 
-/* The folder that a path leads to, with the / behind it: "" for the one that we are in. To be
- * freed; NULL: no memory. */
+/* Folder of a path, with the / after it: "" for the current one. The caller frees it;
+ * NULL: out of memory. */
 static char *folder_of(const char *path)
 {
     const char *end = strrchr(path, '/');
@@ -305,8 +304,8 @@ enum pp_status pp_building_block_footprint(struct pp_vec3 **corners, int *count,
                         reach_m[0], err);
 }
 
-/* Takes out all boxes and surfaces of blocks of that name. *like: a box with what they
- * have in common, without a name. False: there was none. */
+/* Removes all boxes and surfaces of blocks with that name. *like: a box with their
+ * common properties, without a name. False: there were none. */
 static bool take_out(struct pp_block *like, struct pp_room *room, const char *name)
 {
     int kept = 0;

@@ -1,5 +1,5 @@
-/* building.h - a room file, read: a room, or a building of several on one site. world.h goes on
- * from its rooms to their worlds. */
+/* building.h - a parsed room file: a room, or a building of several rooms on one site.
+ * world.h makes worlds of its rooms. */
 #ifndef PP_MODEL_ROOM_BUILDING_H
 #define PP_MODEL_ROOM_BUILDING_H
 
@@ -10,7 +10,7 @@
 #include "model/base/mistakes.h"
 #include "model/room/world.h"
 
-/* One room as the file describes it: names, lengths and lines, nothing resolved. */
+/* One room as described in the file: names, lengths and lines, unresolved. */
 struct pp_room;
 
 /* A line in plan. */
@@ -21,11 +21,11 @@ struct pp_mirror_line {
 /* Contents of one file: one room, or a building of several. */
 struct pp_building;
 
-/* Reads a room file; path "-" is standard input. Mistakes in the file's form or
- * values go to mistakes (PP_BAD_INPUT); a file that can't be read at all is
- * PP_SYSTEM (or PP_BAD_INPUT where it does not exist). *building is made even when
- * there are mistakes, as far as the file could be understood, so that pp_world_create
- * can find the rest of them; NULL where nothing could be. */
+/* Reads a room file; path "-" is standard input. Mistakes in the file's form or values
+ * go to mistakes (PP_BAD_INPUT); an unreadable file is PP_SYSTEM (or PP_BAD_INPUT if it
+ * does not exist). *building is made even if there are mistakes, as far as the file
+ * could be understood, so that pp_world_create can find the rest of them; NULL if
+ * nothing could. */
 enum pp_status pp_building_read(struct pp_building **building, const char *path,
                                 struct pp_mistakes *mistakes, struct pp_error *err);
 
@@ -46,26 +46,26 @@ const char *pp_building_name(
 int pp_building_room_count(const struct pp_building *building);
 struct pp_room *pp_building_room(struct pp_building *building, int index);
 
-/* Where that room stands among all of the file, of any state, from 0. */
+/* Index of that room among all rooms of the file, of any state, from 0. */
 int pp_building_place(const struct pp_building *building, int index);
 
-/* Number of windows, rooflights and openings before those of that room in the file, in
- * rooms of any state. */
+/* Number of windows, rooflights and openings before those of that room in the file,
+ * over rooms of any state. */
 int pp_building_openings_before(const struct pp_building *building, int index);
 
-/* Does the file say of anything that it stands there in one state only? */
+/* True if the file has anything that exists in one state only. */
 bool pp_building_has_states(const struct pp_building *building);
 
-/* The rooms as they are in that state, PP_STATE_EXISTING or PP_STATE_PROPOSED, in place
- * of those there are, whose pointers are void; a building that has just been read is as
- * proposed. Fails only where memory is out. */
+/* Replaces the rooms, whose pointers become invalid, by the rooms in that state,
+ * PP_STATE_EXISTING or PP_STATE_PROPOSED. A building just read is in the proposed
+ * state. Fails only if out of memory. */
 enum pp_status pp_building_set_state(struct pp_building *building,
                                      enum pp_site_state state, struct pp_error *err);
 
-/* The rooms that there are in both states, with what stands there in both, and the mirror
- * image of those that have a place, in place of all else; as pp_building_set_state. The
- * line is in the building's axes (m), its ends apart. PP_BAD_INPUT where rooms stand on
- * both sides of it, or none has a place. */
+/* Replaces all rooms by those that exist in both states, with their common
+ * surroundings, and by the mirror image of those with a place; otherwise like
+ * pp_building_set_state. The line is in the building's axes (m), its ends apart.
+ * PP_BAD_INPUT if rooms stand on both sides of it, or none has a place. */
 enum pp_status pp_building_mirror(struct pp_building *building,
                                   const struct pp_mirror_line *line,
                                   struct pp_error *err);
@@ -102,8 +102,8 @@ enum pp_status pp_building_divide_block(struct pp_building *building, const char
                                         const struct pp_building_cell *cells, int count,
                                         struct pp_error *err);
 
-/* Up to `most` names of blocks, the building's or a lone room's; not owned. Returns how
- * many. */
+/* Gives up to `most` names of blocks, the building's or a lone room's; not owned.
+ * Returns their number. */
 int pp_building_block_names(const struct pp_building *building, const char **names,
                             int most);
 

@@ -30,7 +30,7 @@ double pp_corrections_maintenance(enum pp_dirt edition,
                                   enum pp_surroundings surroundings, enum pp_work work,
                                   double slope_rad);
 
-/* By enum pp_dirt: the key in docs/SOURCES.md. */
+/* Keys in docs/SOURCES.md, by enum pp_dirt. */
 extern const char *const pp_corrections_editions[];
 
 /* D, the share of the internally reflected component that the deterioration of

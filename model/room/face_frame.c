@@ -12,7 +12,7 @@ enum pp_status pp_face_frame_init(struct pp_face_frame *frame,
 {
     int count = face->outline.count;
     *frame = (struct pp_face_frame){.face = face, .count = count, .convex = true};
-    /* Where the face is not quite plane, from its best plane. */
+    /* A face that is not quite plane uses its best-fit plane. */
     frame->origin = face->outline.vertices[0];
     double height = pp_polygon_height(&face->outline, frame->origin);
     if (fabs(height) > PP_ROUNDING_M)

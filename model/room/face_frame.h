@@ -23,9 +23,9 @@ void pp_face_frame_clear(struct pp_face_frame *frame);
 struct pp_vec3 pp_face_frame_point(const struct pp_face_frame *frame, double x,
                                    double y);
 
-/* Moves vertices of the ring that stick out by no more than the tolerance (m) on to the
- * frame's edge. Then *out_m is how far the farthest vertex still sticks out, at
- * `where`; *out_m2 is the area that does, where no vertex does but the ring still
+/* Moves vertices of the ring that stick out by at most the tolerance (m) on to the
+ * frame's edge. *out_m is then the distance by which the farthest vertex, at `where`,
+ * still sticks out. *out_m2 is the area outside if no vertex is outside but the ring
  * reaches over a recess. Both 0: the ring lies within. */
 enum pp_status pp_face_frame_fit(const struct pp_face_frame *frame,
                                  struct pp_clipper *clipper, double (*xy)[2], int count,

@@ -23,8 +23,8 @@ enum pp_status pp_face_less_openings(struct pp_region *region,
                                      const struct pp_world *world, int face,
                                      struct pp_error *err);
 
-/* The point at xy: the polygon's or one of those openings' own corner where there is
- * one within 0.1 um, the clipper's rounding. */
+/* Point at xy: a corner of the polygon or of one of those openings if it is within 0.1
+ * um, the clipper's rounding. */
 struct pp_vec3 pp_face_less_openings_corner(const struct pp_face_axes *axes,
                                             const double xy[2],
                                             const struct pp_polygon *polygon,

@@ -1,7 +1,7 @@
 /* keyhole.c - see keyhole.h.
  *
- * Of the holes not yet joined, the next is that whose corner lies nearest to a corner
- * of the outline so far with no edge in between: that pair of corners is the bridge.
+ * The next hole to be joined is the one with a corner nearest to a corner of the
+ * current outline, with no edge in between; these corners form the bridge.
  */
 #include "model/room/keyhole.h"
 
@@ -17,7 +17,8 @@ typedef double point[2];
 static struct pp_face_axes axes_of(const struct pp_polygon *face)
 {
     struct pp_face_axes axes = {.origin = face->vertices[0]};
-    /* Along the first edge: upright walls then have upright coordinates. */
+    /* The first axis runs along the first edge: vertical walls then have vertical
+     * coordinates. */
     axes.a = pp_vec_unit(pp_vec_sub(face->vertices[1], face->vertices[0]));
     axes.b = pp_vec_cross(face->normal, axes.a);
     return axes;
@@ -35,7 +36,7 @@ static bool same(const double *a, const double *b)
     return a[0] == b[0] && a[1] == b[1];
 }
 
-/* Is the corner `at` of a line, figure on its left, open towards p? */
+/* True if the corner `at` of a line, with the figure on its left, is open towards p. */
 static bool opens(const struct closed_line *line, int at, const double *p)
 {
     const double *before = line->xy[(at + line->count - 1) % line->count];

@@ -23,7 +23,7 @@ static inline struct pp_vec3 pp_placement_turn(struct pp_vec3 p, double angle_ra
     return pp_vec(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
 }
 
-/* A position of the room's axes in the building's, and the other way. */
+/* Converts a position from the room's axes to the building's, and back. */
 static inline struct pp_vec3 pp_placement_to_building(const struct pp_placement *place,
                                                       struct pp_vec3 p)
 {

@@ -174,7 +174,7 @@ const char *pp_position_receiver_fault(const struct pp_world *world,
         return "lies in furniture, a column or a partition";
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        /* On the wall behind a door, too. */
+        /* Wider at a door, to include a point on the wall behind it. */
         double near_m = surface->role == PP_COVER ? 2.0 * PP_TOUCH_M : PP_TOUCH_M;
         if (!(fabs(pp_polygon_height(&surface->outline, position)) < near_m
               && pp_polygon_distance(&surface->outline, position) < near_m))

@@ -10,7 +10,8 @@
  * the answer may be either. */
 bool pp_position_in_room(const struct pp_world *world, struct pp_vec3 point);
 
-/* The room's own bounds, and whether what has these corners comes within 2 mm of them. */
+/* Bounds of the room, and whether an object with these corners comes within 2 mm of
+ * them. */
 struct pp_bounds3 pp_position_bounds(const struct pp_world *world);
 bool pp_position_is_near(const struct pp_bounds3 *room, const struct pp_vec3 *corners,
                          int count);

@@ -1,6 +1,6 @@
-/* room.h - a room as its file describes it, to be copied and changed. Nothing is
- * checked here: pp_world_create finds the mistakes of a changed room, as those of a
- * file's. */
+/* room.h - a room as described by its file, to be copied and changed. Nothing is
+ * checked here: pp_world_create finds the mistakes of a changed room like those of a
+ * file. */
 #ifndef PP_MODEL_ROOM_ROOM_H
 #define PP_MODEL_ROOM_ROOM_H
 
@@ -15,12 +15,12 @@ enum pp_status pp_room_copy(struct pp_room **copy, const struct pp_room *room,
                             struct pp_error *err);
 void pp_room_destroy(struct pp_room *room); /* of copies only; NULL is allowed */
 
-/* Openings have the file's order, which is that of the world's openings too. */
+/* Openings have the order of the file, which is also that of the world's openings. */
 int pp_room_opening_count(const struct pp_room *room);
 
 enum pp_opening_kind { PP_WINDOW, PP_ROOFLIGHT, PP_OPENING };
 
-/* Where a rectangular opening lies, in metres. */
+/* Place of a rectangular opening (m). */
 struct pp_opening_place {
     double left_m, width_m;  /* of a window, as its file has them; of a rooflight x */
     double sill_m, height_m; /* of a window; of a rooflight y and its depth */
@@ -39,7 +39,7 @@ struct pp_room_opening pp_room_opening_at(const struct pp_room *room, int index)
 /* Moves and resizes a window or a rooflight. */
 void pp_room_set_place(struct pp_room *room, int index, struct pp_opening_place place);
 
-/* One more opening like the one at index, behind all others. */
+/* Appends a copy of the opening at index, with another place. */
 enum pp_status pp_room_repeat_opening(struct pp_room *room, int index,
                                       struct pp_opening_place place,
                                       struct pp_error *err);
@@ -67,8 +67,8 @@ void pp_room_take_sky(struct pp_room *room, const struct pp_room *other);
  * reflectance. */
 void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance);
 
-/* Gives the ground outside this reflectance; open: it is lit by the whole sky everywhere,
- * else it lies in the shadow of what stands on it. */
+/* Sets the reflectance of the ground outside; open: it is lit by the whole sky
+ * everywhere, else it lies in the shadow of objects on it. */
 void pp_room_set_ground(struct pp_room *room, double reflectance, bool open);
 
 /* Puts one more skyline before a wall, so far away that its angle (rad, 0 to less than

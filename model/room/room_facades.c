@@ -29,7 +29,7 @@ static bool has_facade(const struct pp_room *room, const char *wall)
     return false;
 }
 
-/* Puts the facade at the end; takes it away again where it goes through the room. */
+/* Appends the facade; removes it again if it crosses the room. */
 static enum pp_status try_facade(struct pp_room *room, struct pp_facade_part facade,
                                  bool *good, struct pp_error *err)
 {

@@ -1,6 +1,6 @@
 /* room_light.h - the light from outside that a room's file describes: its sky, and the
- * reflectance of its ground. A world has none of it: what solves a world is given the
- * light beside it. */
+ * reflectance of its ground. A world does not contain it: it is a separate argument of
+ * methods and simulations. */
 #ifndef PP_MODEL_ROOM_ROOM_LIGHT_H
 #define PP_MODEL_ROOM_ROOM_LIGHT_H
 

@@ -1,13 +1,13 @@
-/* room_parts.h - a room as its file describes it, part by part: the reader (read/)
+/* room_parts.h - a room as described by its file, part by part: the reader (read/)
  * fills it, and world.c resolves it. Inside model/room/ only.
  *
  * Angles are radians, everything else is as in the file. Every part has the line of its
  * element. A number that the file left out and that has no default is NAN; a string is
  * NULL. Lists are grown by the reader and owned by the room.
  *
- * A part that the reader found a mistake in is left out: nothing further is to be said
- * of it. A plan or envelope left out so (line 0) leaves nothing to be judged by it; the
- * reader has noted why, as it notes that a room has neither or both.
+ * A part with a mistake is left out by the reader, so that nothing further is reported
+ * about it. If a plan or envelope is left out (line 0), nothing can be checked against
+ * it; the reader has reported why, and also reports a room with neither or both.
  */
 #ifndef PP_MODEL_ROOM_ROOM_PARTS_H
 #define PP_MODEL_ROOM_ROOM_PARTS_H
@@ -44,8 +44,8 @@ struct pp_face_part {
     enum pp_role role;
     char *name;
     double reflectance;             /* NAN: the finishes' */
-    const struct pp_finish *finish; /* by which the reflectance was given; NULL: by a
-                                     * number; likewise below */
+    const struct pp_finish *finish; /* source of the reflectance; NULL: a number; the
+                                     * same below */
     struct pp_vertices vertices;
     int line;
 };
@@ -140,9 +140,9 @@ struct pp_surface_part {
     bool is_front;        /* of another room's facade, normal towards that room */
     bool is_shade; /* fixed by a window of another room in a wall of one front with one
                     * of this room's */
-    bool is_of_room;   /* a side of what stands in it: nothing of it is outside */
+    bool is_of_room;   /* a side of an object in the room: entirely inside */
     bool is_of_site;   /* given by the building, for all of its rooms, or by another
-                           * of them */
+                        * room */
     bool is_of_block;  /* of its roof, or of its walls over a footprint */
     bool is_on_ground; /* its z is above the ground's level, which may stand behind it
                            * in the file: only while that is read */
@@ -202,7 +202,7 @@ struct pp_shared_mesh {
 /* Triangles of a file that stand outside: p = corner + R(rotate) scale q, q with z up. */
 struct pp_mesh_part {
     struct pp_shared_mesh *file;
-    char *path; /* as the room file has it */
+    char *path; /* as in the room file */
     char *name; /* NULL where not given */
     struct pp_vec3 corner;
     double scale; /* metres of one unit */
@@ -233,7 +233,7 @@ struct pp_room {
     enum pp_site_state state;
     struct pp_site_part site; /* the building's where the room has none */
     bool site_is_own;         /* it has */
-    struct pp_sky_part sky;   /* likewise */
+    struct pp_sky_part sky;   /* of the same form */
     struct pp_plan_part plan;
     double floor, walls, ceiling; /* reflectances */
     const struct pp_finish *floor_finish, *walls_finish, *ceiling_finish;

@@ -24,14 +24,14 @@ static bool starts(const char *at, const char *end, const char *word)
     return (size_t)(end - at) >= length && memcmp(at, word, length) == 0;
 }
 
-/* Behind the next `word`, or the end. */
+/* Position after the next `word`, or the end. */
 static const char *behind(const char *at, const char *end, const char *word)
 {
     const char *found = memmem(at, (size_t)(end - at), word, strlen(word));
     return found ? found + strlen(word) : end;
 }
 
-/* Behind the ">" of the tag that begins at `at`. */
+/* Position after the ">" of the tag that begins at `at`. */
 static const char *behind_tag(const char *at, const char *end)
 {
     char quote = 0;
@@ -232,7 +232,7 @@ enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
     return pp_fail_memory(err);
 }
 
-/* As it stands in an attribute, whatever its quotes. */
+/* Writes text as an attribute's value, valid in either kind of quotes. */
 static void put_escaped(FILE *out, const char *text)
 {
     for (; *text; text++)

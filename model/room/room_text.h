@@ -14,8 +14,8 @@ enum pp_text_edit_kind {
     PP_TEXT_REMOVE /* the opening is left out */
 };
 
-/* One edit of the opening-th window, rooflight or opening of the file, from 0, whatever
- * room of a building it is in; of windows and rooflights only. */
+/* One edit of the opening-th window, rooflight or opening of the file, from 0, over all
+ * rooms of a building. Edits apply to windows and rooflights only. */
 struct pp_text_edit {
     enum pp_text_edit_kind kind;
     int opening;
@@ -30,13 +30,13 @@ enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
                                  const struct pp_text_edit *edits, int edit_count,
                                  struct pp_error *err);
 
-/* The text with `way` put before the path of each mesh that is relative, as relative_path.h has
- * it of a room file that moves. *moved is the caller's. */
+/* Rewrites the text with `way` put before the relative path of each mesh, as described
+ * in relative_path.h for a room file that moves. *moved is the caller's. */
 enum pp_status pp_room_text_move(char **moved, size_t *moved_length, const char *text,
                                  size_t length, const char *way, struct pp_error *err);
 
-/* The opening's own element as the edit (of PP_TEXT_SET or PP_TEXT_ADD) has it, from
- * "<" to ">"; the caller's. */
+/* Element of the opening after the edit (PP_TEXT_SET or PP_TEXT_ADD), from "<" to ">";
+ * the caller's. */
 enum pp_status pp_room_text_element(char **element, const char *text, size_t length,
                                     const struct pp_text_edit *edit,
                                     struct pp_error *err);

@@ -1,4 +1,4 @@
-/* room_use.h - what a room is used as, by which criteria tell what bears on it. */
+/* room_use.h - the use of a room, by which criteria apply or not. */
 #ifndef PP_MODEL_ROOM_ROOM_USE_H
 #define PP_MODEL_ROOM_ROOM_USE_H
 
@@ -24,8 +24,8 @@ enum pp_room_use {
     PP_USE_COUNT
 };
 
-/* As room files write them, by enum pp_room_use, that of PP_USE_UNKNOWN being
- * "unknown"; ends with NULL. */
+/* Words of room files by enum pp_room_use; PP_USE_UNKNOWN is "unknown"; ends with
+ * NULL. */
 extern const char *const pp_room_use_words[];
 
 #endif

@@ -14,7 +14,7 @@
 #include "model/geometry/clipper.h"
 #include "model/geometry/tolerance.h"
 
-/* One edge of one face that goes through the plane. */
+/* One edge of a face that crosses the plane. */
 struct plane_crossing {
     int low, high;   /* numbers of the edge's corners, below and above the plane */
     bool upward;     /* does the face run up it? */
@@ -220,7 +220,7 @@ enum pp_status pp_section_cut(struct pp_region *region, const struct pp_world *w
     return status;
 }
 
-/* A corner of a face, by its place; those of one place have one number. */
+/* Corner of a face, by its place; corners at one place have the same number. */
 struct corner {
     struct pp_vec3 place;
     int at; /* in the list of all faces' vertices */

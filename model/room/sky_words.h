@@ -1,5 +1,5 @@
-/* sky_words.h - a sky in words, as a room file's <sky> and the command line's --sky
- * have it: "overcast", "uniform", "iso-1" to "iso-15", and where the sun stands. */
+/* sky_words.h - a sky in words, as in a room file's <sky> and the command line's --sky:
+ * "overcast", "uniform", "iso-1" to "iso-15", and the position of the sun. */
 #ifndef PP_MODEL_ROOM_SKY_WORDS_H
 #define PP_MODEL_ROOM_SKY_WORDS_H
 
@@ -29,8 +29,8 @@ void pp_sky_words_set_type(struct pp_sky_part *part, int index);
 enum pp_status pp_sky_words_parse(struct pp_sky_part *part, const char *spec,
                                   struct pp_error *err);
 
-/* The sky itself, in the axes of a room whose +y points to the bearing north_rad.
- * PP_BAD_INPUT where it needs a sun that is not given. */
+/* Sky in the axes of a room whose +y points to the bearing north_rad. PP_BAD_INPUT if
+ * it needs a sun that is not given. */
 enum pp_status pp_sky_words_sky(struct pp_sky *sky, const struct pp_sky_part *part,
                                 double north_rad, struct pp_error *err);
 

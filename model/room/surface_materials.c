@@ -102,7 +102,7 @@ struct pp_material pp_surface_materials_pane(const struct pp_world *world, int i
     return material;
 }
 
-/* Behind *end, which goes on. */
+/* Writes the number at *end and advances *end. */
 static void put_material_number(double **end, double number)
 {
     *(*end)++ = number + 0.0;

@@ -14,7 +14,8 @@
 struct pp_material pp_surface_materials_of(const struct pp_world *world, int surface,
                                            bool front);
 
-/* The same, but matt and grey, as hand methods and daylight factors have it. */
+/* Material of a surface without gloss and colour, as used by hand methods and daylight
+ * factors. */
 struct pp_material pp_surface_materials_matt(const struct pp_world *world, int surface,
                                              bool front);
 
@@ -26,10 +27,10 @@ struct pp_material pp_surface_materials_matt(const struct pp_world *world, int s
  *   M   maintenance: the share of the light that dirt leaves
  *   K   the share that curtains leave
  *
- * All that simulates has it from here: the tracer, its cache, photons, pictures and the
- * Radiance export as a material, seen from inside or outside and named "glazing";
- * radiosity, which has no materials of scenes, as the two shares of the light at a cosine
- * of incidence. Hand methods have theirs from methods/allowance.h. */
+ * All simulations use these functions. The tracer, its cache, photons, pictures and the
+ * Radiance export use a material, seen from inside or outside and named "glazing".
+ * Radiosity, which has no scene materials, uses the two shares of the light at a cosine
+ * of incidence. Hand methods use methods/allowance.h. */
 struct pp_material pp_surface_materials_pane(const struct pp_world *world, int opening,
                                              bool inside);
 double pp_surface_materials_pane_straight(const struct pp_opening *opening,
@@ -50,15 +51,15 @@ struct pp_material_key pp_surface_materials_key(const struct pp_material *materi
 bool pp_surface_materials_same(const struct pp_material *a,
                                const struct pp_material *b);
 
-/* All materials of a world, and which of them each surface has. */
+/* All materials of a world, and the index of each surface's. */
 struct pp_surface_materials {
     struct pp_material *list;
     int count;
     int (*sides)[2]; /* front and back, by surface, then by opening's pane */
 };
 
-/* Materials that are the same are one of the list, as a rule; with `matt` those of
- * surfaces are matt and grey. */
+/* Makes the materials; equal ones are as a rule one entry. With `matt` those of
+ * surfaces are without gloss and grey. */
 enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
                                          const struct pp_world *world, bool matt,
                                          struct pp_error *err);

@@ -50,10 +50,10 @@ struct pp_surface {
     double front,
         back;        /* reflectance of the side the normal points to, and the other */
     double exitance; /* emitted by each side by itself, over Eh */
-    const struct pp_finish *finish; /* named in the file: of the front, and of both
+    const struct pp_finish *finish; /* named in the file: for the front, and for both
                                      * sides of blocks and free-standing surfaces; NULL:
-                                     * grey and without gloss. The reflectance is that
-                                     * of `front` anyhow */
+                                     * grey and without gloss. The reflectance is always
+                                     * that of `front` */
     int owner;     /* reveal: its opening; cover: its wall's surface; block: its block;
                     * facade: its facade; skyline: its skyline; shade of a window of the room: its
                     * opening; else -1 */
@@ -97,9 +97,9 @@ struct pp_opening {
     bool faces_open_out; /* has no face a part beyond its glass? */
 };
 
-/* One endless obstruction parallel to a wall, from the ground up. With a distance it is a
- * wall, which stands among the surfaces too: as long as it takes to be endless for what the
- * room sees of it (skylines.c). Without one it hides directions. */
+/* One endless obstruction parallel to a wall, from the ground up. If it has a distance
+ * it is also a wall among the surfaces, long enough to appear endless from the room
+ * (skylines.c). Otherwise it hides directions. */
 struct pp_skyline {
     int face;          /* its wall; outline.normal points away from the skyline */
     double angle_rad;  /* above the horizontal from the middle of the wall's openings */
@@ -155,8 +155,8 @@ struct pp_world_mesh {
     int line;
 };
 
-/* The outside of a wall and of what continues it beyond the room; its pieces stand
- * among the surfaces. */
+/* Outside of a wall and its continuation beyond the room; its pieces are among the
+ * surfaces. */
 struct pp_facade {
     int face;                  /* its wall */
     struct pp_vec3 corners[4]; /* the rectangle that it fills but for its openings:
@@ -176,7 +176,7 @@ struct pp_garden {
     int line;
 };
 
-/* Where light is measured. */
+/* Point at which light is calculated. */
 struct pp_receiver {
     struct pp_vec3 position;
     struct pp_vec3 normal; /* unit */
@@ -185,7 +185,7 @@ struct pp_receiver {
 
 enum pp_surroundings { PP_RURAL, PP_URBAN, PP_INDUSTRIAL };
 enum pp_work { PP_CLEAN, PP_DIRTY }; /* that is done in the room */
-/* Whose figures of dirt on glass: of smoky towns, or of cleaner air. */
+/* Edition of the figures for dirt on glass: of smoky towns, or of cleaner air. */
 enum pp_dirt { PP_DIRT_BRE309, PP_DIRT_BS8206 };
 
 struct pp_world {
@@ -202,8 +202,8 @@ struct pp_world {
                          * deterioration of decorations leaves; 1: they are as new */
 
     double ground_level_m; /* z of the ground outside */
-    bool ground_is_open; /* lit by the whole sky everywhere; else it lies in the shadow
-                            * of what stands on it */
+    bool ground_is_open; /* lit by the whole sky everywhere; else shadowed by objects on
+                          * it */
 
     struct pp_surface *surfaces; /* the envelope's faces first */
     int surface_count, face_count;
@@ -231,7 +231,7 @@ struct pp_world {
     int receiver_count;
 };
 
-/* Number of surfaces before those of meshes, which are the last. */
+/* Number of surfaces before those of meshes, which come last. */
 int pp_world_before_meshes(const struct pp_world *world);
 
 /* The surface behind surface i; behind a side of a block, the first that is none. */
@@ -240,7 +240,7 @@ int pp_world_next_but_blocks(const struct pp_world *world, int i);
 /* A room as its file describes it (building.h). */
 struct pp_room;
 
-/* Resolves a room. Mistakes in what it describes go to mistakes (PP_BAD_INPUT, and no
+/* Resolves a room. Mistakes in its description go to mistakes (PP_BAD_INPUT, and no
  * world). */
 enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *room,
                                struct pp_mistakes *mistakes, struct pp_error *err);

@@ -9,8 +9,8 @@
 #include "reports/parts/print_reliability.h"
 #include "reports/gains_report.h"
 
-/* { "of": "south, line 9", "line": 9, "figure": 30.1, "unit": "%", "wanted": 27,
- * "bound": "least", "verdict": "met" } and whatever else there is. */
+/* Object { "of": "south, line 9", "line": 9, "figure": 30.1, "unit": "%", "wanted": 27,
+ * "bound": "least", "verdict": "met" } with any further members. */
 static struct json_object *finding_object(const struct pp_finding *finding,
                                           double external_lux)
 {

@@ -6,7 +6,8 @@
 
 #include "reports/assess/assess_text.h"
 
-/* One object a room ("pepperpot-assess-1"), an array of them if there are several. */
+/* Writes one object per room ("pepperpot-assess-1"), an array of them for several
+ * rooms. */
 enum pp_status pp_assess_json(const struct pp_assessments *assessments, FILE *out,
                               struct pp_error *err);
 

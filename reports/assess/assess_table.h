@@ -5,7 +5,7 @@
 
 #include "reports/assess/assess_text.h"
 
-/* As text `width` columns wide (60 or more). */
+/* Writes text `width` columns wide (60 or more). */
 enum pp_status pp_assess_table(const struct pp_assessments *all, int width, FILE *out,
                                struct pp_error *err);
 

@@ -5,7 +5,8 @@
 
 #include "reports/assess/assess_text.h"
 
-/* Where something else is judged too, a finding on each line, as pp_assess_csv. */
+/* Writes a finding on each line, like pp_assess_csv, if other criteria are assessed as
+ * well. */
 enum pp_status pp_assess_table_csv(const struct pp_assessments *all, FILE *out,
                                    struct pp_error *err);
 

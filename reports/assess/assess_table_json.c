@@ -90,7 +90,7 @@ static struct json_object *sum_object(const struct pp_lit_change *sum)
     return pp_json_whole(object, good);
 }
 
-/* A line a room, and the sum of those that are judged. */
+/* Adds a line for each room, and the sum of the assessed ones. */
 static struct json_object *rights_object(const struct pp_site_table *table)
 {
     struct json_object *object = json_object_new_object(),

@@ -25,7 +25,8 @@ struct layout {
 
 /* ---- cells ---- */
 
-/* Rounded so that only what is all but sure is called certain. */
+/* Writes the verdict, rounded so that only a practically certain one is called
+ * certain. */
 static void write_verdict(char cell[CELL], const struct pp_finding *finding)
 {
     const char *word = pp_finding_verdict(finding->verdict);
@@ -171,7 +172,7 @@ static void print_answer(const struct pp_answer *answer, struct layout layout,
 
 /* ---- a room ---- */
 
-/* Is the finding one that another criterion decides, which was asked for too? */
+/* True if another selected criterion decides the finding. */
 static bool is_left_to_another(const struct pp_assessment *assessment,
                                const struct pp_finding *finding)
 {

@@ -14,7 +14,7 @@ struct pp_assessments {
     const struct pp_study_options *options; /* not owned */
 };
 
-/* As text `width` columns wide (60 or more). */
+/* Writes text `width` columns wide (60 or more). */
 enum pp_status pp_assess_text(const struct pp_assessments *assessments, int width,
                               bool utf8, FILE *out, struct pp_error *err);
 

@@ -9,8 +9,8 @@
 
 enum { PP_FINDING_CELL = 40 }; /* bytes */
 
-/* "3.16 +-0.02 %" or "3.16 (2.80-3.50) %", the error rounded up to what can be shown;
- * empty where there is no figure. */
+/* Writes "3.16 +-0.02 %" or "3.16 (2.80-3.50) %", the error rounded up to the digits
+ * shown; empty without a figure. */
 void pp_finding_cells_figure(char cell[PP_FINDING_CELL],
                              const struct pp_finding *finding, bool utf8);
 

@@ -10,7 +10,7 @@
 
 enum { TEXT = 1600, REGIME = 400, NAMED_POINTS = 4 };
 
-/* A middle that is farther from 1 is said to be a bias. */
+/* Deviation of a middle from 1 that is reported as a bias. */
 static const double bias_least = 0.05;
 
 /* "the average use exact+bre, corrected 2.2 %", "17 points (1.5,0.5: 3.1 %; ...) use
@@ -124,7 +124,7 @@ static bool add_advice_points(struct json_object *object,
     return good;
 }
 
-/* The average's as a number, those of points as a list, per cent. */
+/* Adds the average as a number and the points as a list, per cent. */
 static bool add_corrected(struct json_object *object, const struct pp_advice_item *item)
 {
     if (!item->corrected)

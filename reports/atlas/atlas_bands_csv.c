@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* The rows end with five of these. */
+/* Number of conditions at the end of each row. */
 enum { CONDITIONS = PP_BAND_CONDITIONS };
 
 static void put_number(double value, FILE *out)

@@ -7,8 +7,9 @@
 
 #include "studies/bands/atlas_bands.h"
 
-/* A line for each column, and below it one for each regime: rooms fitted and tested, the
- * share of these in the band, how far from 95 % it may be, and the verdict. */
+/* Prints a line for each column, and below it one for each regime: rooms fitted and
+ * tested, the share of tested rooms in the band, its tolerated distance from 95 %, and
+ * the verdict. */
 void pp_atlas_bands_text(const struct pp_atlas_bands *bands, FILE *out);
 
 #endif

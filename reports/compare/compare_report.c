@@ -1,5 +1,5 @@
-/* compare_report.c - prints values, causes with their shares, what else it may be, what is
- * left, and what to set right. */
+/* compare_report.c - prints values, causes with their shares, other explanations, the
+ * remainder, and advice. */
 #include "reports/compare/compare_report.h"
 
 #include <math.h>
@@ -50,7 +50,7 @@ static const char *level(const struct pp_compared *compared, int cause)
                                                         : "perhaps";
 }
 
-/* By how much, of a difference of logarithms; per cent. */
+/* Converts a difference of logarithms to per cent. */
 static double per_cent(double logarithm)
 {
     return 100.0 * (exp(logarithm) - 1.0);
@@ -168,7 +168,7 @@ static void append_left(char text[TEXT_BYTES], const struct pp_compared *compare
                        " Not all sets that may be likely have been traced.");
 }
 
-/* Does the other program's noise explain what is left? */
+/* Appends whether the other program's noise explains the remainder. */
 static void append_over(char text[TEXT_BYTES], const struct pp_left_over *over)
 {
     if (pp_left_over_is_noise(over))

@@ -89,7 +89,7 @@ static void put_table(const struct pp_document_table *table, FILE *out)
 static void put_picture(const struct pp_document_block *block,
                         const struct pp_svg_picture *picture, FILE *out)
 {
-    /* Behind the declaration, which a page has not. */
+    /* Skips the XML declaration, which an HTML page does not contain. */
     const char *svg = memmem(picture->bytes, picture->length, "<svg", 4);
     fputs("<figure>", out);
     if (svg)

@@ -9,7 +9,7 @@
 void pp_html_begin(const char *title, const char *more_style, FILE *out);
 void pp_html_end(FILE *out);
 
-/* Text with what is markup escaped, and bytes that are no UTF-8 replaced. */
+/* Writes text with markup escaped, and bytes that are not UTF-8 replaced. */
 void pp_html_text(const char *text, FILE *out);
 
 #endif

@@ -95,8 +95,8 @@ static void add_work(struct works *works, const char *place)
         works->list[works->count++] = (struct work){key, work};
 }
 
-/* Adds the works of the keys between square brackets, several of which have ", " between
- * them. */
+/* Adds the works for the keys between square brackets; several keys are separated by ",
+ * ". */
 static void add_works(void *closure, const char *text)
 {
     for (const char *open = text; (open = strchr(open, '[')) != NULL; open++) {

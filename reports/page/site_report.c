@@ -107,7 +107,7 @@ static void put_site_row(struct pp_document *document, const struct pp_site_row 
         pp_document_cell(document, PP_TONE_PLAIN, "%s", "");
 }
 
-/* of: what the second column names; NULL: there is none. */
+/* of: title of the second column; NULL: no such column. */
 static void put_rows(struct pp_document *document, const char *title, const char *of,
                      const char *unit, const struct pp_site_row *rows, int count)
 {

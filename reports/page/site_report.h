@@ -1,13 +1,14 @@
-/* site_report.h - what the report on the rooms of a site says, as a document. */
+/* site_report.h - the content of the report on the rooms of a site, as a document. */
 #ifndef PP_REPORTS_PAGE_SITE_REPORT_H
 #define PP_REPORTS_PAGE_SITE_REPORT_H
 
 #include "model/results/document.h"
 #include "reports/assess/assess_text.h"
 
-/* A drawing, whose number is its place in the list. */
+/* Drawing, whose number is its index in the list. */
 struct pp_site_picture {
-    int room; /* whose, among the assessments; PP_SITE_WHOLE: of a site as a whole */
+    int room; /* index of its room among the assessments; PP_SITE_WHOLE: of the whole
+               * site */
     const char *title; /* "Plan: daylight factors"; not owned */
 };
 
@@ -21,15 +22,15 @@ struct pp_site_report {
     const struct pp_site_picture *pictures; /* in the order of the rooms */
     int picture_count;
 
-    /* The work that a key (or "KEY, page 3") stands for, and the key as listed; NULL:
-     * none. */
+    /* Work for a key (or "KEY, page 3"), and the key as listed; NULL: none. */
     const char *(*work_of)(const char *place, const char **key);
 };
 
-/* Verdicts, drawings of the site and windows and rooms before and after; a chapter of each
- * room: inputs and what is assumed, drawings, daylight factors by hand with their bands and
- * traced with their standard errors, verdicts, what would help; and how it was made.
- * document is to be cleared in any case. */
+/* Writes the verdicts, and drawings of the site and of windows and rooms before and
+ * after. A chapter for each room follows: inputs and assumptions, drawings, daylight
+ * factors by hand with their bands and simulated with their standard errors, verdicts,
+ * and possible improvements. The last chapter is on how it was made. The caller clears
+ * document in any case. */
 enum pp_status pp_site_report(struct pp_document *document,
                               const struct pp_site_report *report,
                               struct pp_error *err);

@@ -4,8 +4,7 @@
 
 #include "studies/criteria/finding.h"
 
-/* By which a figure is multiplied to be printed: factors and shares in per cent, angles
- * in degrees. */
+/* Factor for printing a figure: factors and shares in per cent, angles in degrees. */
 double pp_figure_scale(enum pp_figure kind);
 
 /* "%", "degrees", "m2"; "" of a plain number. Static. */

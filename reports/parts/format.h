@@ -10,20 +10,20 @@
 /* The names of components in JSON and CSV: "sc", "erc", "irc", "df". */
 extern const char *const pp_component_names[PP_COMPONENT_COUNT];
 
-/* For people: "sky component". */
+/* Titles for readers: "sky component". */
 extern const char *const pp_component_titles[PP_COMPONENT_COUNT];
 
-/* A number by a format of printf to the right of so many columns, or a dash where there
- * is none. */
+/* Writes a number by a printf format, right-aligned in this many columns, or a dash if
+ * there is none. */
 void pp_format_cell(double value, const char *format, int width, FILE *out);
 
 /* The fields that every CSV is put together with [RFC4180]. */
 
-/* A field, in quotes where it holds what would end it; NULL is an empty one. */
+/* Writes a field, in quotes if it contains a separator; NULL is an empty one. */
 void pp_format_csv_field(const char *text, FILE *out);
 
-/* A comma and a number of ten significant digits; nothing behind the comma for what is
- * not finite. */
+/* Writes a comma and a number of ten significant digits; nothing after the comma if it
+ * is not finite. */
 void pp_format_csv_number(double number, FILE *out);
 
 /* Text that others wrote (names, paths), made fit to print. */

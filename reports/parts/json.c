@@ -111,7 +111,7 @@ bool pp_json_simulation(struct json_object *object,
     return good;
 }
 
-/* The rooms' objects as one: the array of them, or the only one. NULL: no memory. */
+/* Joins the rooms' objects: the array of them, or the only one. NULL: out of memory. */
 static struct json_object *gather_room_objects(pp_json_room *room, const void *all,
                                                int count, bool several)
 {

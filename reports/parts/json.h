@@ -18,13 +18,13 @@ enum { PP_JSON_STYLE = JSON_C_TO_STRING_SPACED | JSON_C_TO_STRING_NOSLASHESCAPE 
 bool pp_json_add(struct json_object *object, const char *key,
                  struct json_object *value);
 
-/* Ten significant digits; what is not finite is null. */
+/* Adds a number of ten significant digits; null if it is not finite. */
 bool pp_json_number(struct json_object *object, const char *key, double number);
 
-/* The object if all of it is there; otherwise it is freed, and NULL. */
+/* Returns the object if it is complete; otherwise frees it and returns NULL. */
 struct json_object *pp_json_whole(struct json_object *object, bool good);
 
-/* To the end of an array; `value` is handed over as above. */
+/* Appends `value` to an array and takes ownership of it, as above. */
 bool pp_json_append(struct json_object *array, struct json_object *value);
 
 /* An array of numbers, each as above, on one line. */

@@ -83,7 +83,7 @@ static struct json_object *skyline_of(const struct pp_world *world, int index)
     return pp_json_whole(object, good);
 }
 
-/* left, right, up and down: how far it goes on beyond its wall, as drawn from outside. */
+/* left, right, up and down: extent beyond its wall, as drawn from outside. */
 static struct json_object *facade_of(const struct pp_world *world, int index)
 {
     const struct pp_facade *facade = &world->facades[index];

@@ -1,5 +1,5 @@
-/* json_room.h - what is assumed of a room, as JSON: enough to make a report of the results
- * without the room file. */
+/* json_room.h - the assumed data of a room, as JSON: enough to make a report of the
+ * results without the room file. */
 #ifndef PP_REPORTS_PARTS_JSON_ROOM_H
 #define PP_REPORTS_PARTS_JSON_ROOM_H
 

@@ -50,7 +50,7 @@ void pp_print_wrapped(const char *text, int column, int indent, int width, FILE 
     fputc('\n', out);
 }
 
-/* Who is told the facts. */
+/* Receiver of the facts. */
 struct listener {
     pp_print_fact *tell;
     void *closure;
@@ -187,7 +187,7 @@ static void describe_opening(const struct pp_world *world,
         pp_text_append(text, TEXT_BYTES, ", curtains %.3g", opening->curtains);
 }
 
-/* Openings of which the same is to be said stand together. */
+/* Openings with the same description are grouped. */
 static void tell_openings(const struct pp_world *world, const struct listener *listener)
 {
     for (int i = 0; i < world->opening_count; i++) {

@@ -17,7 +17,7 @@ void pp_print_title(const struct pp_world *world, const char *file, FILE *out);
 void pp_print_assumed(const struct pp_world *world,
                       const struct pp_outside_light *light, int width, FILE *out);
 
-/* One of them: "room", "5.00 x 4.50 m, ...". */
+/* Receives one fact: "room", "5.00 x 4.50 m, ...". */
 typedef void pp_print_fact(void *closure, const char *label, const char *text);
 
 /* Hands them on, one by one. */

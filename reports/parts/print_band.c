@@ -7,8 +7,8 @@
 #include "model/base/text.h"
 #include "reports/parts/print.h"
 
-/* A range that ends below this is of what is practically zero, half a unit of the last
- * decimal that is printed, and says nothing: 0.0021 % had 0.00207 to 0.00208 %. */
+/* Bands that end below this are practically zero, half a unit of the last printed
+ * decimal, and say nothing: 0.0021 % had 0.00207 to 0.00208 %. */
 static const double LEAST_END = 5e-5;
 
 static bool is_shown(struct pp_band_ends band)
@@ -16,7 +16,7 @@ static bool is_shown(struct pp_band_ends band)
     return pp_band_is_known(band) && band.high >= LEAST_END;
 }
 
-/* Bands are known to two or three digits: decimals that show both ends so. */
+/* Bands are accurate to two or three digits: decimals that show both ends so. */
 static int decimals_of(double high)
 {
     return high < 1e-4 ? 4 : high < 0.09995 ? 2 : 1;
@@ -41,7 +41,7 @@ struct pp_band_ends pp_print_band_at(const struct pp_column *column, int index,
     return is_shown(band) ? band : pp_band_none();
 }
 
-/* More than they are known to. */
+/* Rounds to four digits, more than the accuracy. */
 static double four_digits(double value)
 {
     char text[32];

@@ -98,8 +98,8 @@ static bool is_listed(const char *names, const char *name)
     return false;
 }
 
-/* Does the reason begin with the name of one of its columns ("bre: ...")? Those of
- * pairs do, and are their part's. */
+/* True if the reason begins with the name of one of its columns ("bre: ..."). Those of
+ * pairs do, and belong to one of their parts. */
 static bool names_itself(const char *names, const char *why)
 {
     char first[64];
@@ -161,8 +161,8 @@ static void note_decorations(const struct pp_report *report, int width, FILE *ou
     pp_print_wrapped(text, 4, 4, width, out);
 }
 
-/* Does a method speak of the daylight factor in one step, and leave out what is asked
- * for? */
+/* True if a method gives the daylight factor in one step, and so ignores the
+ * decorations. */
 static bool leaves_decorations(const struct pp_report *report)
 {
     for (int i = 0; i < report->column_count; i++) {
@@ -190,8 +190,7 @@ static bool says_something(const struct pp_report *report)
     return false;
 }
 
-/* Where no method that was asked for answers, one that answers for any sky and any
- * opening. */
+/* If no selected method gives a value, suggests one for any sky and any opening. */
 static void print_hint(const struct pp_report *report, int width, FILE *out)
 {
     bool any_df = false;

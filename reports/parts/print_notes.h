@@ -1,4 +1,4 @@
-/* print_notes.h - what the table of a report leaves unsaid: why values are missing. */
+/* print_notes.h - notes below the table of a report: why values are missing. */
 #ifndef PP_REPORTS_PARTS_PRINT_NOTES_H
 #define PP_REPORTS_PARTS_PRINT_NOTES_H
 
@@ -18,7 +18,8 @@ const struct pp_reading *pp_print_notes_reading(const struct pp_report *report,
 bool pp_print_notes_is_zero(const struct pp_report *report,
                             enum pp_component component);
 
-/* One note for each reason, with the columns that give it. False when memory is out. */
+/* Prints one note for each reason, with the columns that give it. False: out of
+ * memory. */
 bool pp_print_notes(const struct pp_report *report, int width, FILE *out);
 
 #endif

@@ -97,7 +97,7 @@ static bool add_coordinate(struct pp_table *table, const struct pp_report *repor
     return true;
 }
 
-/* Adds "; points at x = 1.50, z = 0.85" and the like to a sentence. */
+/* Appends "; points at x = 1.50, z = 0.85" or similar to a sentence. */
 static void say_constants(const struct pp_report *report, char *text, size_t room)
 {
     static const char *const names[] = {"x", "y", "z"};

@@ -8,10 +8,9 @@
 #include "reports/parts/table.h"
 #include "model/results/report.h"
 
-/* Adds the key columns: the coordinates that change from point to point, and for points
- * on a line the distance from the wall that all windows are in. What stays the same is
- * said in a sentence that is printed at once, above the table. False when memory is
- * out. */
+/* Adds the key columns: the coordinates that differ between points and, for points on a
+ * line, the distance from the wall with all windows. Constant coordinates are printed
+ * at once in a sentence above the table. False: out of memory. */
 bool pp_print_places(struct pp_table *table, const struct pp_report *report, int width,
                      FILE *out);
 

@@ -1,6 +1,5 @@
-/* print_reliability.h - what is said of hand figures that cannot be relied on, below a
- * table and in JSON.
- */
+/* print_reliability.h - warnings about unreliable hand figures, below a table and in
+ * JSON. */
 #ifndef PP_REPORTS_PARTS_PRINT_RELIABILITY_H
 #define PP_REPORTS_PARTS_PRINT_RELIABILITY_H
 
@@ -14,9 +13,9 @@
 void pp_print_reliability(const struct pp_reliability *reliability, int width,
                           FILE *out);
 
-/* Adds "reliability": { "relied_on": false, "why": "...", "kinds": [{ "kind": "outside",
- * "measure": 0.8, "of": "the average", "low": 0.96, "high": 4.6 }], "grounds": "..." },
- * what there is of it. */
+/* Adds "reliability": { "relied_on": false, "why": "...", "kinds": [{ "kind":
+ * "outside", "measure": 0.8, "of": "the average", "low": 0.96, "high": 4.6 }],
+ * "grounds": "..." }, as far as available. */
 bool pp_print_reliability_json(struct json_object *object,
                                const struct pp_reliability *reliability);
 

@@ -113,8 +113,8 @@ static int group_end(const struct pp_table *table, int first)
     return end;
 }
 
-/* A group whose columns are narrower than its short title has a wider first one, so
- * that titles keep apart. */
+/* Widens the first column of a group that is narrower than its short title, so that
+ * titles stay apart. */
 static void widen_groups(struct pp_table *table)
 {
     for (int i = table->key_count, next; i < table->column_count; i = next) {

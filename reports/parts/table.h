@@ -23,7 +23,7 @@ struct pp_table {
     int column_count;
     int key_count; /* columns at the start that every panel repeats */
     int row_count;
-    const char *last_label; /* stands for the keys of the last row, below a rule; NULL:
+    const char *last_label; /* replaces the keys of the last row, below a rule; NULL:
                              * the last row is like the others */
 };
 

@@ -10,10 +10,11 @@
 /* The style of the charts (CSS). */
 extern const char pp_validate_dots_style[];
 
-/* A figure of HTML for one group of cases: three rows of dots, one dot a case, for the
- * difference and its two parts, in per cent of what was expected, with the median of each.
- * What is beyond 100 % stands at the edge. Cases without parts, or that expect less than
- * 0.01 % daylight factor, have no dots; a group of such has no figure. */
+/* Writes an HTML figure for one group of cases: three rows of dots, one dot per case,
+ * for the difference and its two parts, in per cent of the expected value, with the
+ * median of each. Dots beyond 100 % are at the edge. Cases without parts, or with less
+ * than 0.01 % daylight factor expected, have no dots; a group of such cases has no
+ * figure. */
 void pp_validate_dots(const struct pp_known_cases *cases, const char *group, FILE *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* validate_known.h - answers beside what is known otherwise, as text, JSON and CSV. */
+/* validate_known.h - results beside known values, as text, JSON and CSV. */
 #ifndef PP_REPORTS_VALIDATE_VALIDATE_KNOWN_H
 #define PP_REPORTS_VALIDATE_VALIDATE_KNOWN_H
 
@@ -13,9 +13,9 @@ struct pp_known_result {
     struct pp_known_cases cases;
 };
 
-/* Each case with the answer, what was expected, their difference, its limit and the
- * verdict, by group; and how many are right. The last
- * sentence is wrapped at `width`; lines before it take up to 80 columns. */
+/* Prints each case with the result, the expected value, their difference, its limit and
+ * the verdict, by group, and the number of correct ones. The last sentence is wrapped
+ * at `width`; lines before it take up to 80 columns. */
 void pp_validate_known_text(const struct pp_known_result *result, int width, FILE *out);
 enum pp_status pp_validate_known_json(const struct pp_known_result *result, FILE *out,
                                       struct pp_error *err);

@@ -9,7 +9,8 @@
 #include "reports/page/html.h"
 #include "reports/validate/validate_dots.h"
 
-/* Bins of difference over limit (pp_known_case_share), from -1.5 to 1.5; what is beyond stands in the last. */
+/* Bins of difference over limit (pp_known_case_share), from -1.5 to 1.5; values beyond
+ * are in the last. */
 enum { BINS = 31 };
 
 static const double BIN_MOST = 1.5;
@@ -26,7 +27,7 @@ struct group {
     int bins[BINS];
 };
 
-/* Beside that of all pages (html.h). */
+/* Style in addition to that of all pages (html.h). */
 static const char more_style[] =
     ".verdict.bad{border-color:var(--bad)}\n"
     "td:first-child,th:first-child{text-align:left;white-space:normal}\n"

@@ -117,7 +117,7 @@ void pp_validate_parts_print_all(const struct pp_overall *list, int count, FILE 
 
 /* ---- for programs ---- */
 
-/* Under the names "assumption" and so on, behind what the names begin with. */
+/* Adds the parts under names that start with `begin` ("assumption" and so on). */
 static bool add_parts(struct json_object *object, const char *begin,
                       const struct pp_error_parts *parts)
 {

@@ -18,7 +18,7 @@ void pp_validate_parts_print_all(const struct pp_overall *list, int count, FILE 
 /* Note on the tables' contents, for the end of a text with any. */
 extern const char pp_validate_parts_note[];
 
-/* Adds what is known of the parts to the object of a comparison; false: memory is out. */
+/* Adds the known parts to the object of a comparison; false: out of memory. */
 bool pp_validate_parts_json(struct json_object *object,
                             const struct pp_comparison *one);
 bool pp_validate_parts_json_all(struct json_object *object,

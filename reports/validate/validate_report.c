@@ -43,7 +43,7 @@ static void print_comparison(const struct pp_comparison *one,
     fputc('\n', out);
 }
 
-/* Where nothing stands outside, all agree that nothing comes from there. */
+/* Without obstructions outside, all agree that their light is zero. */
 static bool is_nothing(const struct pp_comparison *list, int count,
                        enum pp_component component)
 {

@@ -1,4 +1,4 @@
-/* validate_report.h - what `validate` found of rooms, as text, JSON and CSV. */
+/* validate_report.h - results of `validate` for rooms, as text, JSON and CSV. */
 #ifndef PP_REPORTS_VALIDATE_VALIDATE_REPORT_H
 #define PP_REPORTS_VALIDATE_VALIDATE_REPORT_H
 
@@ -7,7 +7,7 @@
 #include "studies/research/validation/comparison.h"
 #include "reports/df_result.h"
 
-/* Rooms, each with its comparisons, and all of them together. */
+/* Rooms, each with its comparisons, and the comparison over all of them. */
 struct pp_validation {
     const struct pp_results *results;
     struct pp_comparison **rooms; /* one list a result */

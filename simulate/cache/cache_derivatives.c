@@ -4,8 +4,8 @@
 
 #include <math.h>
 
-/* An edge whose ends are seen under a smaller angle (its sine, squared) is in line with
- * the place. */
+/* An edge seen under a smaller angle (its sine, squared) counts as in line with the
+ * place. */
 static const double IN_LINE = 1e-16;
 
 /* int_0^1 t^m / Q^n dt, Q = a t^2 + 2 b t + c. */
@@ -62,8 +62,8 @@ static const struct pp_cache_hemisphere_cell *nearer(
     return p->distance_m <= q->distance_m ? p : q;
 }
 
-/* Where direction u meets the plane of the surface seen in the cell; at the cell's
- * distance where that is far from it. */
+/* Intersection of direction u with the plane of the surface seen in the cell. Uses the
+ * cell's distance if the intersection is far from it. */
 static struct pp_vec3 on_surface(const struct pp_cache_hemisphere *h,
                                  const struct pp_cache_hemisphere_cell *cell,
                                  struct pp_vec3 u)

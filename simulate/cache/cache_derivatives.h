@@ -1,9 +1,9 @@
-/* cache_derivatives.h - how irradiance changes with the place and the turn of a
+/* cache_derivatives.h - derivatives of irradiance with the position and the normal of a
  * surface.
  *
- * The cells of the hemisphere are taken for patches of constant radiance that stand
- * where their rays ended. With r from the place to points of a patch's outline, ccw
- * seen from above the surface with normal n, its irradiance is L times
+ * The cells of the hemisphere are treated as patches of constant radiance at the ends
+ * of their rays. With r from the place to points of a patch's outline, ccw seen from
+ * above the surface with normal n, its irradiance is L times
  *
  *     S = sum over edges of 1/2 n . (r0 x e) I1,   I1 = int_0^1 dt / |r0 + t e|^2   (1)
  *
@@ -35,13 +35,13 @@
 
 #include "simulate/cache/cache_hemisphere.h"
 
-/* In the frame (a, b) of the hemisphere. */
+/* Derivatives in the frame (a, b) of the hemisphere. */
 struct pp_irradiance_change {
     double along[3][2];  /* of red, green, blue: gradient with the place, 1/m */
     double turned[3][2]; /* with the normal, 1/rad */
     double curvature[3]; /* luminance's second derivatives aa, ab, bb, 1/m2 */
-    /* Where cells are noisy, each by itself: the noise of the gradient, on either axis,
-     * over that of the irradiance, 1/m, and that of the curvature, 1/m2. */
+    /* Noise, if the noise of cells is independent: that of the gradient on either axis
+     * over that of the irradiance (1/m), and that of the curvature (1/m2). */
     double along_noise, curvature_noise;
 };
 

@@ -11,8 +11,8 @@ static const double MOST_TURN = 0.0603;
  * by trial, as is the next. */
 static const double STEP = 4.0;
 
-/* A place this far behind the record, over its smaller radius, may not see what the
- * record has seen. */
+/* Distance behind the record, over its smaller radius, from which a place may not see
+ * the same surroundings. */
 static const double BEHIND = 0.05;
 
 static const double NEVER = 1e30;

@@ -18,11 +18,11 @@ struct pp_cache_entry {
     struct pp_cache_record is;
     struct pp_vec3 a, b; /* the frame (a, b, normal) that sectors count about */
     double horizon_m[PP_CACHE_SECTORS];
-    double along_noise; /* of the gradient over that of the value, 1/m */
+    double along_noise; /* of the gradient, over that of the value, 1/m */
     double curvature;   /* greatest second derivative over the value, as far as it is
                          * sure to be more than noise, 1/m2 */
 
-    /* Value that is read: that of `is`, or the smoothed one (cache_smooth.h). */
+    /* Value in use: that of `is`, or the smoothed one (cache_smooth.h). */
     struct pp_rgb value;
     struct pp_vec3 along[3];
 };
@@ -30,7 +30,7 @@ struct pp_cache_entry {
 /* Value and gradients as the record has them. */
 void pp_cache_entry_unsmooth(struct pp_cache_entry *entry);
 
-/* A place that is asked for. */
+/* Place of a request. */
 struct pp_cache_place {
     struct pp_vec3 point, normal;
     enum pp_space space;

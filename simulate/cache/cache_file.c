@@ -66,7 +66,7 @@ static bool is_unit(struct pp_vec3 v)
     return is_finite(v) && fabs(pp_vec_dot(v, v) - 1.0) < 1e-6;
 }
 
-/* False where the numbers can't be those of a record. */
+/* Reads an entry; false if the numbers cannot be those of a record. */
 static bool take_entry(const unsigned char **at, struct pp_cache_entry *entry)
 {
     struct pp_cache_record *is = &entry->is;

@@ -20,9 +20,9 @@
 enum pp_status pp_cache_file_pack(const struct pp_irradiance_cache *cache, char **bytes,
                                   size_t *length, struct pp_error *err);
 
-/* Gives a cache that has no records those of a file; `title` is what messages call it.
- * PP_BAD_INPUT, and the cache is as before, if the file is cut off, damaged, of another
- * version, or of another scene, another light or other options. */
+/* Fills an empty cache with the records of a file; `title` is its name in messages.
+ * PP_BAD_INPUT, with the cache unchanged, if the file is truncated, damaged, of another
+ * version, or of another scene, light or options. */
 enum pp_status pp_cache_file_unpack(struct pp_irradiance_cache *cache,
                                     const char *bytes, size_t length, const char *title,
                                     struct pp_error *err);

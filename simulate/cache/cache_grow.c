@@ -1,11 +1,11 @@
 /* cache_grow.c - requests, and records made batch by batch until they are met.
  *
  * Requests come in a scattered order, so that the first records stand far apart and
- * later ones between them. They are looked at in chunks; of those in a chunk that no
- * record covers, a batch is taken, its members not too near to each other; all are
- * worked out from the cache as it is, entered in order, and the rest of the chunk is
- * looked at again. First come the records that light what is seen, then those of what
- * is seen. */
+ * later ones between them. They are processed in chunks. A batch is chosen from the
+ * requests of a chunk that no record covers, with its members not too near to each
+ * other. All are calculated from the current cache and entered in order, then the rest
+ * of the chunk is examined again. Records of surfaces that light the visible ones come
+ * first, then those of visible surfaces. */
 #include "simulate/cache/cache_grow.h"
 
 #include <math.h>
@@ -20,19 +20,19 @@
 
 enum {
     CHUNK = 1 << 16,
-    LOOK = 1 << 10,       /* open requests that are looked at before a batch is taken */
+    LOOK = 1 << 10,       /* open requests examined before a batch is chosen */
     RAY_CHUNK = 1 << 12,  /* rays that are followed before their requests are kept */
     MOST_AHEAD = 1 << 20, /* requests that have room before their rays are followed */
-    /* At most, that look for the surfaces which light the requests; surfaces that they
-     * miss have their light by paths. */
+    /* Most rays that search for the surfaces that light the requests. Surfaces that
+     * they miss are lit by paths. */
     EXPANSION_RAYS = 8192,
-    /* Surfaces that one ray of a picture may ask for: at a pane its frame, on either
-     * side, what the glass mirrors, and what stands behind. */
+    /* Most surfaces requested by one ray of a picture: at a pane its frame, on either
+     * side, the mirrored surface, and the surface behind. */
     RAY_REQUESTS = 6,
 };
 
-/* Two members of a batch stand no nearer than this share of the radius expected there.
- * Chosen by trial. */
+/* Least distance between two members of a batch, over the radius expected there. Chosen
+ * by trial. */
 static const double APART = 0.7;
 /* The radius expected where there is no record yet, over the scene's size. Chosen by
  * trial. */
@@ -121,8 +121,7 @@ struct request_rays {
     struct ray_requests *requests; /* of the chunk's rays */
 };
 
-/* Follows a ray without next-event estimation, and notes where it asks for
- * irradiance. */
+/* Follows a ray without next-event estimation, and notes its requests. */
 static bool trace_one(void *data, int worker, int i)
 {
     (void)worker;
@@ -203,7 +202,7 @@ enum pp_status pp_cache_grow_request_point(struct pp_irradiance_cache *cache,
     return status;
 }
 
-/* Requests whose hemispheres are looked over, by rays about them in turn. */
+/* Requests whose hemispheres are searched by rays from them in turn. */
 struct looked_over {
     const struct pp_irradiance_cache *cache;
     const struct pp_cache_request *requests;
@@ -241,8 +240,8 @@ enum pp_status pp_cache_grow_request_hemisphere(struct pp_irradiance_cache *cach
     return request_along(cache, ray_about, &over, RAYS, 1, err);
 }
 
-/* For the new requests of depth 0, requests of depth 1 of the surfaces that light
- * them. */
+/* Creates requests of depth 1 on the surfaces that light the new requests of depth
+ * 0. */
 static enum pp_status expand(struct pp_irradiance_cache *cache, struct pp_error *err)
 {
     const struct pp_cache_layer *seen = &cache->layers[0];
@@ -342,8 +341,8 @@ static bool stands_apart(const struct pp_cache_request *request,
     return true;
 }
 
-/* The first open requests that stand apart. Those that are covered by now leave the
- * list; hardly more of it is looked at than a batch needs. */
+/* Chooses the first open requests that are far enough apart, and removes those covered
+ * by now from the list. Examines hardly more of the list than a batch needs. */
 static int choose_open_requests(struct pp_irradiance_cache *cache,
                                 struct pp_cache_layer *layer,
                                 const struct pp_cache_request *chosen[])
@@ -398,7 +397,7 @@ static bool compute_one(void *data, int worker, int i)
     return true;
 }
 
-/* One batch of the open requests. */
+/* Adds one batch of the open requests. */
 static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
                             struct pp_error *err)
 {
@@ -423,7 +422,7 @@ static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
     return status;
 }
 
-/* The depth whose requests come next; -1: all are met. */
+/* Depth whose requests come next; -1: all are met. */
 static int depth_at_work(const struct pp_irradiance_cache *cache)
 {
     for (int depth = PP_CACHE_DEPTHS - 1; depth >= 0; depth--)
@@ -458,8 +457,8 @@ static enum pp_status step(struct pp_irradiance_cache *cache, struct pp_error *e
         return PP_OK;
     if (!layer->again)
         return pp_cache_smooth_layer(layer, cache->pool, err);
-    /* Neighbours have limited each other: is every request still covered? Each gets a
-     * record of its own at last, so that this comes to an end. */
+    /* Neighbours have limited each other's radii, so requests may be uncovered again.
+     * This terminates, since each can get a record of its own. */
     layer->again = false;
     layer->next = 0;
     return pp_cache_layer_rebuild_tree(layer, err);

@@ -1,7 +1,7 @@
 /* cache_grow.h - requests to an irradiance cache, and how it grows until they are met.
  *
- * The cache grows in a fixed order: in batches whose records are all worked out from
- * the cache as it was before, and entered in their order. The same scene, options and
+ * The cache grows in a fixed order: in batches whose records are all calculated from
+ * the cache before the batch, and entered in order. The same scene, options and
  * requests give the same records to the bit, for any number of threads and length of
  * the slices.
  */
@@ -14,18 +14,17 @@
  * at the same time. */
 typedef bool pp_cache_ray(const void *list, size_t number, struct pp_light_ray *ray);
 
-/* Requests the places that `count` rays of a picture will ask for, through glass and by
- * mirrors too. Their order decides that of the records: a scattered one is best, and is
- * made here. May be called again, before or after growing; once the cache is done, it
- * forgets the requests that it has met when new ones come. The records made for these
- * may shrink earlier ones: whoever requests in parts does so until nothing new is
- * made. */
+/* Requests the places that `count` rays of a picture need, through glass and by mirrors
+ * too. Their order decides that of the records: a scattered one is best, and is made
+ * here. May be called again, before or after growing. Once the cache is done, new
+ * requests replace those already met. The new records may shrink earlier ones: a caller
+ * that requests in parts must repeat until no new record is made. */
 enum pp_status pp_cache_grow_request_rays(struct pp_irradiance_cache *cache,
                                           pp_cache_ray *ray_of, const void *list,
                                           size_t count, struct pp_error *err);
 
-/* Requests the places that rays from a point's hemisphere will ask for at depth 1 (a
- * sensor point, whose own irradiance is not interpolated). normal: unit. */
+/* Requests the places that rays from a point's hemisphere need at depth 1 (a sensor
+ * point, whose own irradiance is not interpolated). normal: unit. */
 enum pp_status pp_cache_grow_request_hemisphere(struct pp_irradiance_cache *cache,
                                                 struct pp_vec3 point,
                                                 struct pp_vec3 normal,
@@ -42,7 +41,7 @@ enum pp_status pp_cache_grow(struct pp_irradiance_cache *cache, double seconds,
                              struct pp_error *err);
 bool pp_cache_grow_done(const struct pp_irradiance_cache *cache);
 
-/* 0 to 1, by the requests looked at so far. */
+/* Progress, 0 to 1, by the requests examined so far. */
 double pp_cache_grow_progress(const struct pp_irradiance_cache *cache);
 
 #endif

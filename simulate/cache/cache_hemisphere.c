@@ -11,9 +11,9 @@
  * away, so that gradients stay finite. */
 static const double NEAREST_M = 1e-6;
 
-/* The standard error wanted of an irradiance, over itself; and the most passes over all
- * cells. 0.05 is as smooth as 0.03 and half its work: the office by --engine cache
- * takes 0.7 s instead of 1.5. */
+/* Target standard error of an irradiance, relative; and the most passes over all cells.
+ * 0.05 is as smooth as 0.03 and takes half its work: the office by --engine cache takes
+ * 0.7 s instead of 1.5. */
 static const double ERROR = 0.05;
 static const double PASSES_MOST = 16.0;
 
@@ -28,7 +28,7 @@ struct pp_vec3 *pp_cache_hemisphere_corners(int side)
     return corners;
 }
 
-/* One ray more into cell k, as path `index`. */
+/* Sends one more ray into cell k, as path `index`. */
 static void send(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
                  const struct pp_cache_place *place, int k, uint32_t index)
 {
@@ -52,10 +52,10 @@ static void send(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
                                   pp_rgb_sub(radiance, cell->radiance));
 }
 
-/* The cells' first paths, in random order. The paths of a sequence that come one after
- * the other are dealt out evenly, so that where one brings much the next brings little:
- * would neighbours have such, then what they say of a cell would say something of its
- * own ray. */
+/* Assigns the cells' first paths in random order. Successive paths of a sequence are
+ * spread evenly, so that a small contribution follows a large one. If neighbouring
+ * cells had such paths, estimates from a cell's neighbours would depend on its own
+ * ray. */
 static void shuffle(struct pp_cache_hemisphere *h, uint64_t seed)
 {
     for (uint32_t k = 0; k < (uint32_t)(h->side * h->side); k++) {
@@ -105,10 +105,10 @@ static void supersample(struct pp_cache_hemisphere *h, struct pp_radiance_state 
     }
 }
 
-/* The passes over all cells that bring the irradiance's standard error to about ERROR,
- * by the first rays of every second row, from `first` on: by how much cells differ from
- * the next in their row. What changes across the hemisphere counts too, so that the
- * error is taken to be rather too large than too small. */
+/* Passes over all cells that reduce the irradiance's standard error to about ERROR,
+ * estimated from the first rays of every second row, from `first` on: by the
+ * differences between neighbouring cells of a row. Real changes across the hemisphere
+ * count too, so that the error is overestimated rather than underestimated. */
 static int passes_by(const struct pp_cache_hemisphere *h, int first)
 {
     int n = h->side;
@@ -127,11 +127,11 @@ static int passes_by(const struct pp_cache_hemisphere *h, int first)
     return (int)fmax(fmin(more * more, PASSES_MOST), 1.0);
 }
 
-/* Where few of the rays bring most of the light, as far from a window, more are sent
- * into all cells. The passes over even rows are decided by the odd ones, and the other
- * way round: if a row's own rays had a say, it would have more of them where they
- * happen to differ much, which is where they are bright, and the mean would be drawn
- * down (by 1.0 % in a dark corner of the deep office, with 256 cells). */
+/* Sends more rays into all cells if a few rays carry most of the light, as they do far
+ * from a window. The odd rows decide the passes over the even ones, and vice versa. If
+ * a row's own rays decided, it would have more of them where they happen to vary much,
+ * and so are bright. That would bias the mean low (by 1.0 % in a dark corner of the
+ * deep office, with 256 cells). */
 static void add_passes(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
                        const struct pp_cache_place *place, const int passes[2],
                        uint32_t index)

@@ -1,10 +1,10 @@
-/* cache_hemisphere.h - the light that comes to a surface, by a hemisphere of rays.
+/* cache_hemisphere.h - the irradiance of a surface, by a hemisphere of rays.
  *
  * Stratified: the unit square is cut into side x side cells and laid on the hemisphere
- * [SC97], so that every cell counts the same for the irradiance: one ray goes into
- * each, more into those that differ from their neighbours, and into all while the
- * irradiance is not sure enough. Cells touch as they do in the square, which is what
- * the derivatives need (cache_derivatives.h).
+ * [SC97], so that every cell has the same weight in the irradiance. Each cell gets one
+ * ray, cells that differ from their neighbours get more, and so do all while the
+ * irradiance is too uncertain. Cells are adjacent as in the square, as the derivatives
+ * require (cache_derivatives.h).
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_HEMISPHERE_H
 #define PP_SIMULATE_CACHE_CACHE_HEMISPHERE_H

@@ -16,7 +16,7 @@ struct newcomer {
     struct pp_cache_entry *entry;
 };
 
-/* A radius is no more than the other record's plus the distance to that. */
+/* Limits a radius to the other record's radius plus the distance to it. */
 static void limit(struct pp_cache_entry *entry, const struct pp_cache_entry *by,
                   double distance_m)
 {

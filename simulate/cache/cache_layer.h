@@ -1,8 +1,8 @@
 /* cache_layer.h - the records of one depth, and the requests for them. Inside simulate/
  * only.
  *
- * Depth 0 has the records of surfaces that are seen, depth 1 those of surfaces that
- * light these.
+ * Depth 0 has the records of visible surfaces, depth 1 those of surfaces that light
+ * these.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_LAYER_H
 #define PP_SIMULATE_CACHE_CACHE_LAYER_H
@@ -10,7 +10,7 @@
 #include "simulate/cache/cache_octree.h"
 #include "simulate/cache/cache_record.h"
 
-/* A place whose irradiance is wanted. */
+/* Place whose irradiance is requested. */
 struct pp_cache_request {
     struct pp_cache_place place;
     float
@@ -28,7 +28,7 @@ struct pp_cache_layer {
     int request_count, request_capacity, next;
     int *open; /* of the chunk of requests that begins at `next`: those not covered */
     int open_count;
-    bool again; /* have records come in since the first request was looked at? */
+    bool again; /* records have been added since the first request was examined */
 };
 
 /* Fits an entry in: limits its radii and its neighbours' by each other's [KBPZ06], and
@@ -47,7 +47,7 @@ enum pp_status pp_cache_layer_put(struct pp_cache_layer *layer,
 enum pp_status pp_cache_layer_rebuild_tree(struct pp_cache_layer *layer,
                                            struct pp_error *err);
 
-/* Weighted mean of the records whose ellipses hold the place; false where there are
+/* Weighted mean of the records whose ellipses contain the place; false if there are
  * none. */
 bool pp_cache_layer_read(const struct pp_cache_layer *layer,
                          const struct pp_cache_place *place, struct pp_rgb *value);

@@ -1,8 +1,9 @@
 /* cache_octree.h - the records by place: an octree of the scene's box. Inside simulate/
  * only.
  *
- * A record stands in every cell of about its own size that its ellipse's box touches,
- * so that all whose ellipses may hold a point are met on one way from the root down.
+ * A record is stored in every cell of about its own size that its ellipse's box
+ * touches, so that one path down from the root meets all records whose ellipses may
+ * contain a point.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_OCTREE_H
 #define PP_SIMULATE_CACHE_CACHE_OCTREE_H

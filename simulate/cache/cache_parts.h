@@ -6,7 +6,7 @@
 #include "simulate/cache/cache_layer.h"
 
 enum {
-    PP_CACHE_DEPTHS = 2, /* records for what is seen; for what lights that */
+    PP_CACHE_DEPTHS = 2, /* records of visible surfaces; of surfaces that light these */
     PP_CACHE_BATCH = 32  /* records worked out from the same state of the cache */
 };
 
@@ -21,7 +21,7 @@ struct pp_irradiance_cache {
     double size_m;  /* of the scene, or of its room */
     struct pp_sobol sobol;
     struct pp_cache_layer layers[PP_CACHE_DEPTHS];
-    int expanded; /* requests of depth 0 for which those of depth 1 have been made */
+    int expanded; /* requests of depth 0 whose requests of depth 1 have been made */
     int expanded_rays; /* that have been traced for it */
     struct pp_ambient ambient;
 };

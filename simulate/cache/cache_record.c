@@ -8,9 +8,8 @@
 /* An ellipse is no longer than this many times its width. Chosen by trial. */
 static const double LONGEST = 3.0;
 
-/* For the derivatives, surfaces nearer than this many of the smallest radii count as
- * this far away: nearer still, the gradient would be the noise of their rays. Chosen by
- * trial. */
+/* Least distance of surfaces in the derivatives, over the smallest radius. For nearer
+ * surfaces the gradient would be the noise of their rays. Chosen by trial. */
 static const double NEAREST = 4.0;
 
 /* Rays lower than this sine of altitude tell how far the surface is clear. Chosen by
@@ -118,8 +117,8 @@ static double limit_by_gradient(double radius, double value, const double along[
     return change * radius > value ? value / change : radius;
 }
 
-/* Where the radii may be no smaller, the gradient may: over the ellipse it is not to
- * change the value by more than all of it. Beside an edge it grows without bound. */
+/* Limits the gradient where radii cannot be smaller: over the ellipse it changes the
+ * value by at most the value itself. Next to an edge the gradient is unbounded. */
 static void limit_gradient(struct pp_cache_record *is, double value,
                            const double along[2], const double axes[2][2])
 {
@@ -131,7 +130,7 @@ static void limit_gradient(struct pp_cache_record *is, double value,
         is->along[c] = pp_vec_scale(is->along[c], value / most);
 }
 
-/* The greatest second derivative, less what may be noise. */
+/* Greatest second derivative, less the part that may be noise. */
 static double sure_curvature(const double curvature[3], double noise)
 {
     double mean = 0.5 * (curvature[0] + curvature[2]);

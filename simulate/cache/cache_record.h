@@ -23,19 +23,18 @@ void pp_cache_record_compute(const struct pp_cache_record_settings *settings,
                              struct pp_cache_hemisphere_cell *cells,
                              struct pp_cache_entry *entry);
 
-/* The ellipse within which a record is good, of its relative second derivatives aa, ab,
- * bb (1/m2) [SWJ12]:
+/* Ellipse of validity of a record, from its relative second derivatives aa, ab, bb
+ * (1/m2) [SWJ12]:
  *
  *     R_i = (4 error / (pi |l_i|))^(1/4),
  *
  * l_i the eigenvalues: then the integral of the error over a disc of that radius is
  * `error`. The smaller radius comes first; axes as parts along a and b.
  *
- * The radius used is smaller, or larger, where one of these limits is met, in this order:
- * at most most_m (here); the larger one at most three times the smaller (here); the
- * gradient changes the value by at most all of it (pp_cache_record_compute); at least
- * least_m (there); at most that of a neighbour plus the distance to it
- * (pp_cache_layer_add). */
+ * The radius is then limited, in this order: at most most_m (here); the larger one at
+ * most three times the smaller (here); the gradient changes the value by at most all of
+ * it (pp_cache_record_compute); at least least_m (there); at most that of a neighbour
+ * plus the distance to it (pp_cache_layer_add). */
 void pp_cache_record_ellipse(const double curvature[3], double error, double most_m,
                              double radii_m[2], double axes[2][2]);
 

@@ -11,12 +11,12 @@ static const double NEAR = 2.0;
  * both sees something else: an outlier. */
 static const double OUTLIER = 4.0;
 
-/* Where light may depart from its tangent by this many times the noise, a neighbour has
- * no weight. */
+/* A neighbour has no weight where light may depart from its tangent by this many times
+ * the noise. */
 static const double MOST_DEPARTURE = 10.0;
 
-/* The noise of a gradient over the radius, over that of the value, is taken for no less
- * than this and no more than its inverse. */
+/* Limit of the noise of a gradient over the radius, over that of the value; its inverse
+ * is the upper limit. */
 static const double LEAST_NOISE = 1e-3;
 
 /* The fit of one record. */
@@ -24,7 +24,7 @@ struct fit {
     const struct pp_cache_layer *layer;
     const struct pp_cache_entry *entry;
     int number;         /* of the record */
-    int *met;           /* by record: the last one whose neighbours it was among */
+    int *met;           /* by record: the last one that had it as a neighbour */
     double matrix[6];   /* symmetric: 00 01 02 11 12 22; of E, R dE/da, R dE/db */
     double right[3][3]; /* by channel */
 };
@@ -133,7 +133,7 @@ static void smooth(struct fit *fit, struct pp_cache_entry *entry)
     entry->value = pp_rgb(fmax(x[0][0], 0.0), fmax(x[1][0], 0.0), fmax(x[2][0], 0.0));
 }
 
-/* Records that the pool's workers fit: each reads what the others say as they are. */
+/* Records that the pool's workers fit; each fit reads the others' original values. */
 struct fitting {
     struct pp_cache_layer *layer;
     int *met; /* of a fit, by worker */

@@ -1,11 +1,11 @@
-/* cache_smooth.h - records fitted to their neighbours, which takes their noise away.
+/* cache_smooth.h - noise reduction by fitting records to their neighbours.
  *
- * A record is a few hundred rays: its value is some per cent off at random, and by its
- * gradient more than that over its radius, the more the nearer things stand. Read as
- * they are, records show as faint discs, above all where a room is dark and in its
- * corners. But the irradiance is smooth over an ellipse: what neighbours say of a place
- * helps to find its value and gradient. Each record is fitted, by weighted least
- * squares, to what it says itself and to its neighbours' values,
+ * A record comes from a few hundred rays. Its value has a random error of some per
+ * cent; its gradient adds more over the radius, the more the nearer surfaces are.
+ * Without smoothing, records show as faint discs, mainly in dark rooms and in corners.
+ * But the irradiance is smooth over an ellipse, so that neighbours help to find a
+ * place's value and gradient. Each record is fitted, by weighted least squares, to its
+ * own estimate and to its neighbours' values,
  *
  *     (E - E0)^2 + (grad E - grad E0)^2/g^2 + (noise M grad E)^2
  *     + sum of w (E + grad E . d - E')^2
@@ -19,8 +19,8 @@
  *   C      the record's curvature, as far as it is more than the noise of its rays
  *   c      the share by which light may depart from its tangent over the distance d
  *
- * Where light changes quickly neighbours have no weight, and none where they see
- * something else altogether.
+ * Neighbours have no weight where light changes quickly, or where their surroundings
+ * are entirely different.
  *
  * Measured when it was introduced: the median error of the interpolated irradiance fell
  * from 0.71 to 0.3 % in the example studio, from 0.8 to 0.5 % in the office.

@@ -20,7 +20,7 @@ enum {
     PLANE_VERTEX = INT32_MAX / 8, /* of the random numbers for a point of the plane */
 };
 
-/* The least standard error that is wanted, as the tracer's: 0.002 % daylight factor. */
+/* Least standard error aimed at, as in the tracer: 0.002 % daylight factor. */
 static const double LEAST_ERROR = 2e-5;
 
 /* Estimator of the internally reflected light at a point. */
@@ -45,9 +45,9 @@ struct pp_cached_points {
     const struct pp_opening_store *store;
     struct pp_irradiance_cache *cache;
     struct pp_cached_options options;
-    struct cached_point *points; /* the receivers, then the average if it is wanted */
+    struct cached_point *points; /* the receivers, then the average if requested */
     int point_count, receiver_count;
-    bool grown; /* is the cache done, and what is interpolated read? */
+    bool grown; /* true once the cache is done and interpolated values are read */
     struct pp_planner *planner;
 };
 
@@ -289,8 +289,8 @@ void pp_cached_points_read(const struct pp_cached_points *points, int index,
         readings[PP_IRC].std_error = readings[PP_DF].std_error = NAN;
 }
 
-/* Once the cache is done, what is not sampled; where it has no record after all, that
- * is sampled too. */
+/* Reads unsampled values once the cache is done; where it has no record after all, they
+ * are sampled too. */
 static void read_cache(struct pp_cached_points *points)
 {
     for (int i = 0; i < points->point_count; i++) {

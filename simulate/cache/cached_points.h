@@ -3,14 +3,14 @@
  *
  * Light of the sky and of surfaces outside is sampled at the point itself, by
  * next-event estimation of its windows, and never interpolated. Internally reflected
- * light comes by a hemisphere of rays at the point; the irradiance of the surfaces that
- * these meet is read from the cache (depth 1). Only on request is the point's own
- * irradiance, too, read from the cache (depth 0). In a cache of no bounces nothing is
- * reflected, but for its ambient constant.
+ * light is found by a hemisphere of rays at the point; the irradiance of the surfaces
+ * that these meet is read from the cache (depth 1).
  *
- * The standard error is that of the sampling at the point, from 32 independent
- * randomisations; what the cache has wrong is not in it. What is interpolated has none:
- * PP_IRC and PP_DF of such a point.
+ * The point's own irradiance is read from the cache (depth 0) only on request. Without
+ * bounces a cache has no reflected light except its ambient constant. The standard
+ * error is that of the sampling at the point, from 32 independent randomisations; it
+ * does not include errors of the cache. Interpolated values have none: PP_IRC and PP_DF
+ * of such a point.
  */
 #ifndef PP_SIMULATE_CACHE_CACHED_POINTS_H
 #define PP_SIMULATE_CACHE_CACHED_POINTS_H
@@ -20,20 +20,20 @@
 #include "simulate/cache/irradiance_cache.h"
 
 struct pp_cached_options {
-    double error; /* wanted standard error over the daylight factor, never under 0.00002
+    double error; /* target standard error over the daylight factor, never under 0.00002
                    * of Eh; 0: by samples */
     long samples; /* paths in each randomisation instead; 0: not set */
     bool average; /* over the working plane too */
     bool interpolate;
     uint64_t seed;
-    int threads; /* 0: as many as the machine has processors */
+    int threads; /* 0: one for each processor */
 };
 
 struct pp_cached_points;
 
-/* Copies what it needs of receivers; scene (of a world), store (may be NULL) and cache
- * must live as long as the points. The light is that of the cache. Makes its requests
- * to the cache. */
+/* Copies the needed data of receivers; scene (of a world), store (may be NULL) and
+ * cache must outlive the points. The light is that of the cache. Makes its requests to
+ * the cache. */
 enum pp_status pp_cached_points_create(
     struct pp_cached_points **points, const struct pp_light_scene *scene,
     const struct pp_opening_store *store, struct pp_irradiance_cache *cache,
@@ -47,8 +47,8 @@ enum pp_status pp_cached_points_advance(struct pp_cached_points *points, double 
 bool pp_cached_points_done(const struct pp_cached_points *points);
 double pp_cached_points_progress(const struct pp_cached_points *points); /* 0 to 1 */
 
-/* The largest standard error, of what is sampled, over daylight factor of any point;
- * NAN before there is any. */
+/* Largest standard error of sampled values over the daylight factor at any point; NAN
+ * before there is any. */
 double pp_cached_points_error(const struct pp_cached_points *points);
 
 /* readings[PP_SC] ... readings[PP_DF] of receiver `index`; of the average for -1. */

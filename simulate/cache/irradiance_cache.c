@@ -100,7 +100,7 @@ bool pp_irradiance_cache_value(const struct pp_irradiance_cache *cache,
         *value = pp_rgb_scale(cache->options.constant, PP_PI);
         return true;
     }
-    /* With a limit of bounces each depth has light of its own. */
+    /* With a limit of bounces the light differs by depth. */
     if (bounces >= 0 && depth >= PP_CACHE_DEPTHS)
         return false;
     int layer = depth < PP_CACHE_DEPTHS ? depth : PP_CACHE_DEPTHS - 1;
@@ -216,7 +216,7 @@ enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **result,
     status = pp_thread_pool_create(&cache->pool, options->threads, err);
     if (status == PP_OK)
         status = make_irradiance_cache(cache, err);
-    cache->options.materials = NULL; /* the caller's: `left_out` has what they say */
+    cache->options.materials = NULL; /* the caller's; `left_out` has its result */
     if (status != PP_OK) {
         pp_irradiance_cache_destroy(cache);
         return status;
@@ -259,7 +259,7 @@ uint64_t pp_irradiance_cache_hash_options(const struct pp_irradiance_cache *cach
     return hash;
 }
 
-/* ---- looked at ---- */
+/* ---- reading ---- */
 
 const struct pp_ambient *pp_irradiance_cache_ambient(struct pp_irradiance_cache *cache)
 {

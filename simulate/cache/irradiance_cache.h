@@ -1,15 +1,14 @@
-/* irradiance_cache.h - diffuse inter-reflection from irradiance records, worked out at
+/* irradiance_cache.h - diffuse inter-reflection from irradiance records, calculated at
  * few places and interpolated between them.
  *
  * After Ward, Rubinstein and Clear [WRC88]: the indirect irradiance of diffuse surfaces
- * changes slowly, so it is worked out where it is wanted and no record covers the place
- * yet, by a hemisphere of rays, and kept as a record. Each record has its translational
- * and rotational gradients [WH92] and an ellipse of validity from the Hessian [SWJ12];
- * a place within such ellipses has the weighted mean of what their records say. Direct
- * light (sources, windows) is never kept.
+ * changes slowly. It is calculated by a hemisphere of rays at requested places that no
+ * record covers yet, and stored as a record. Each record has its translational and
+ * rotational gradients [WH92] and an ellipse of validity from the Hessian [SWJ12]; a
+ * place within such ellipses has the weighted mean of their records.
  *
- * The caller requests what it will look at, then lets the cache grow (cache_grow.h),
- * then reads it:
+ * Direct light (sources, windows) is never stored. The caller requests places, then
+ * lets the cache grow (cache_grow.h), then reads it:
  *
  *     pp_irradiance_cache_create(&cache, scene, environment, store, &light, &options, err);
  *     pp_cache_grow_request_rays(cache, ray_of, list, ray_count, err);
@@ -27,8 +26,8 @@
 #include "model/base/error.h"
 #include "simulate/transport/radiance.h"
 
-/* By their usual names; in Radiance's letters -aa, -ar, -ad, -as, -ab, -av,
- * -ai and -ae. */
+/* Options by their usual names; in Radiance -aa, -ar, -ad, -as, -ab, -av, -ai and
+ * -ae. */
 struct pp_cache_options {
     double accuracy;  /* -aa: the smaller, the nearer records stand; above 0 to 1 */
     int resolution;   /* -ar: records come no nearer to each other than the scene's
@@ -37,14 +36,14 @@ struct pp_cache_options {
                        * rounded up to a square */
     int supersamples; /* -as: more rays where neighbouring cells differ; 0 up */
     int bounces;      /* -ab: diffuse reflections on the way, at most; -1: no limit */
-    struct pp_rgb constant; /* -av: radiance that stands for the light of more bounces
-                             * than those, and for all of materials left out */
+    struct pp_rgb constant; /* -av: radiance that replaces the light of further bounces,
+                             * and all light of materials left out */
     const char *const *materials; /* by name, as the scene names them; not owned, copied
                                    * by create */
     int material_count;
     bool only; /* -ai: only these take part; else (-ae) these do not */
     uint64_t seed;
-    int threads; /* 0: as many as the machine has processors */
+    int threads; /* 0: one for each processor */
 };
 
 /* 0.1, 128, 1024, 256, -1, black, none left out, seed 0. */
@@ -58,9 +57,9 @@ enum pp_status pp_irradiance_cache_check_options(const struct pp_cache_options *
 
 struct pp_irradiance_cache;
 
-/* scene, environment (of a world; NULL: of a description) and store (may be NULL) must
- * live as long as the cache. Of `light`, `bounces`
- * is not looked at: options->bounces counts. Checks options. */
+/* Creates a cache. scene, environment (of a world; NULL: of a description) and store
+ * (may be NULL) must outlive it. `bounces` of `light` is ignored: options->bounces
+ * counts. Checks options. */
 enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **cache,
                                           const struct pp_light_scene *scene,
                                           const struct pp_environment *environment,
@@ -71,8 +70,8 @@ enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **cache,
 void pp_irradiance_cache_destroy(
     struct pp_irradiance_cache *cache); /* NULL is allowed */
 
-/* For struct pp_radiance_state, with `bounces` -1 there: the cache ends the paths.
- * While it is read it must not grow. Belongs to the cache. */
+/* Ambient light for struct pp_radiance_state, whose `bounces` must be -1: the cache
+ * ends the paths. The cache owns it and must not grow while it is read. */
 const struct pp_ambient *pp_irradiance_cache_ambient(struct pp_irradiance_cache *cache);
 
 /* The irradiance at a place; false where no record covers it. `depth` as in struct
@@ -81,11 +80,12 @@ bool pp_irradiance_cache_value(const struct pp_irradiance_cache *cache,
                                struct pp_vec3 point, struct pp_vec3 normal,
                                enum pp_space space, int depth, struct pp_rgb *value);
 
-/* One of the records, for markers and checks. */
+/* One record, for markers and checks. */
 struct pp_cache_record {
     struct pp_vec3 point, normal; /* normal: unit */
     enum pp_space space;
-    int depth;                /* 0: made for what is seen; 1: for what lights that */
+    int depth;                /* 0: made for visible surfaces; 1: for surfaces that
+                               * light these */
     struct pp_rgb value;      /* irradiance */
     struct pp_vec3 along[3];  /* of red, green, blue: the translational gradient, per
                                * metre, in the surface */
@@ -104,7 +104,7 @@ enum pp_space pp_irradiance_cache_hit_space(const struct pp_irradiance_cache *ca
                                             const struct pp_light_hit *hit,
                                             struct pp_vec3 normal);
 
-/* A number that depends on the options that decide what a record says. */
+/* Hash of the options that affect the values of records. */
 uint64_t pp_irradiance_cache_hash_options(const struct pp_irradiance_cache *cache);
 
 #endif

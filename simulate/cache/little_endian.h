@@ -1,6 +1,5 @@
-/* little_endian.h - numbers as bytes of a file, least significant first, on any machine,
- * and a hash of these.
- */
+/* little_endian.h - numbers as bytes of a file, least significant first, on any
+ * machine, and their hash. */
 #ifndef PP_SIMULATE_CACHE_LITTLE_ENDIAN_H
 #define PP_SIMULATE_CACHE_LITTLE_ENDIAN_H
 

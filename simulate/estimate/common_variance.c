@@ -17,12 +17,12 @@ double pp_common_variance_of_all(const struct pp_planner *planner, int count)
     return common;
 }
 
-/* Points of which each is asked with those about it. */
+/* Points, each of which is evaluated with its neighbours. */
 struct neighbourhood {
     const struct pp_planner *planner;
     const struct pp_vec3 *places;
-    int count, step; /* of the points, every step-th is asked */
-    double *common;  /* of those that are asked */
+    int count, step; /* of the points, every step-th is evaluated */
+    double *common;  /* of the evaluated points */
 };
 
 /* The points nearest to one, itself among them; how many there are. */

@@ -1,7 +1,6 @@
-/* common_variance.h - the share of their variance that the points of a planner have in
- * common (model/results/common_error.h), 0 to 1: where they share what they are sampled
- * by, they go wrong together.
- */
+/* common_variance.h - the correlated share of the variance of a planner's points
+ * (model/results/common_error.h), 0 to 1: points that share samples have correlated
+ * errors. */
 #ifndef PP_SIMULATE_ESTIMATE_COMMON_VARIANCE_H
 #define PP_SIMULATE_ESTIMATE_COMMON_VARIANCE_H
 

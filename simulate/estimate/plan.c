@@ -4,8 +4,8 @@
 
 #include <math.h>
 
-/* The plan is for this share of the error that is wanted, since its variances are
- * estimates. Chosen by trial. */
+/* Share of the target error for which is planned, since the variances are estimates.
+ * Chosen by trial. */
 static const double PLANNED_SHARE = 0.92;
 
 /* The cost of a path beside its rays, in rays. Chosen by trial. */
@@ -19,16 +19,17 @@ static const double SKEWNESS_SQUARED = 1.5;
 /* Exponent of the fall of a mean's third moment with its paths, on the safe side. */
 static const double THIRD_FALL = 2.0;
 
-/* Paths for the sake of skewness and of what was not found: no more in a
- * randomisation. */
+/* Most paths of a randomisation that are added for skewness and for the bound on light
+ * not found. */
 enum { SURE_PATHS = 1 << 11, PILOT_PATHS = 1 << 9, GROWTH = 4 };
 
-/* A pilot with an error of more than so many times the wanted one does not know the value
- * either, which that is a share of. To be planned well it takes a sixth of the work. */
+/* A pilot whose error is more than this many times the target is too vague: even the
+ * value, of which the target is a share, is uncertain. It takes a sixth of the work of
+ * a good plan. */
 static const double VAGUE = 5.0;
 
-/* A half grows to so many times its randomisations, if at all, and at most: 16 figures
- * tell a variance to 36 %. */
+/* Factors by which a half's randomisations grow, if at all: the least and the most. 16
+ * values determine a variance to 36 %. */
 static const double LEAST_ADDED = 1.5, MOST_ADDED = 4.0;
 
 /* Predicted statistics of randomisations of some numbers of paths. */
@@ -82,7 +83,7 @@ static double skewness_squared(const struct outlook *outlook)
     return variance > 0.0 ? third * third / (variance * variance * variance) : 0.0;
 }
 
-/* The bound on what is not found, of the last value. */
+/* Bound on the light not found, of the last value. */
 static double unfound_bound(const struct outlook *outlook)
 {
     const struct pp_sampler *sampler = outlook->pilot->sampler;
@@ -163,7 +164,8 @@ static bool is_limited(const struct outlook *outlook)
     return false;
 }
 
-/* From the outlook on, the cheapest paths and randomisations for the variance alone. */
+/* Searches, from the outlook on, for the cheapest paths and randomisations that reach
+ * the variance alone. */
 static struct outlook reach_variance(struct outlook at, double allowed,
                                      int *randomisations)
 {

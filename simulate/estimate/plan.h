@@ -1,19 +1,19 @@
-/* plan.h - how many paths a point needs, judged by a pilot.
+/* plan.h - number of paths that a point needs, estimated from a pilot.
  *
- * The value's variance is to come down to what is wanted, by the cheapest numbers of
- * paths of each estimator. Two more things are asked for, since a standard error is
- * worth little without them:
+ * The value's variance is to reach the target by the cheapest numbers of paths of each
+ * estimator. There are two more conditions, without which a standard error is worth
+ * little:
  *
  *     - the randomisations are near normal: their skewness is below 1.2, or the mean
  *       of 32 and their standard deviation go together so far that intervals of two
  *       standard errors hold less than 94 %
- *     - what no path has found is bounded below half of the error that is wanted
+ *     - the bound on light not found is below half of the target error
  *
- * A pilot that has seen too little for a plan is to grow first. All this is decided by
- * paths that the value does not contain, so that no value is chosen for what it is. Where
- * the outcome falls short, the randomisations of even number get more by what those of
- * odd number show, and the other way round: either half's mean is free of what decided
- * on its size, and so is the mean of both.
+ * A pilot that is too small for a plan grows first. All decisions are based on paths
+ * that do not enter the value, so that values are not selected by their size. If the
+ * result falls short, randomisations of even number are added by the variance of the
+ * odd ones, and vice versa. Each half's mean is then independent of its size, and so is
+ * the mean of both.
  */
 #ifndef PP_SIMULATE_ESTIMATE_PLAN_H
 #define PP_SIMULATE_ESTIMATE_PLAN_H
@@ -38,9 +38,9 @@ static inline uint32_t pp_plan_most(const struct pp_sampler *sampler, int estima
     return most > 0 ? most : PP_MOST_PATHS;
 }
 
-/* Allocates samples from a pilot run, for a standard error `wanted` of the last value.
- * Returns true, with a larger pilot in *grown, if the pilot is too small and may_grow; else
- * false, with the *plan. */
+/* Allocates samples from a pilot run, for the standard error `wanted` of the last
+ * value. Returns true, with a larger pilot in *grown, if the pilot is too small and
+ * may_grow; else false, with the *plan. */
 bool pp_plan_grows(const struct pp_sampled *pilot, double wanted, bool may_grow,
                    struct pp_counts *grown, struct pp_plan *plan);
 

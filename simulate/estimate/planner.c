@@ -16,15 +16,16 @@
 enum {
     STEP = 1024, /* most paths of a randomisation at a time */
     BLOCK = 64,  /* randomisations at a time, where points share something of each */
-    APART = 64   /* bytes between what two threads write to, for their caches */
+    APART = 64   /* bytes between data written by two threads, for their caches */
 };
 
-/* By the clock, each round is planned for this share of the error of the last. */
+/* Share of the last round's error for which each round is planned, if run by the
+ * clock. */
 static const double ROUND_SHARE = 0.7;
 
 /* ---- making ---- */
 
-/* The randomisations of a stage: `count` in all, fresh but for those that are there. */
+/* Makes the randomisations of a stage: `count` in all; existing ones are kept. */
 static enum pp_status make_randomisations(struct pp_planned_point *point,
                                           enum pp_planner_stage stage, int count,
                                           struct pp_error *err)
@@ -148,7 +149,7 @@ void pp_planner_restart(struct pp_planner *planner, int points)
                (size_t)planner->points[i].randomisations[PP_FINAL]
                    * sizeof **planner->points[i].stages);
     planner->point_count = points;
-    begin_planned_points(planner, NULL); /* all that it needs is there */
+    begin_planned_points(planner, NULL); /* completes only what is missing */
 }
 
 /* ---- stages ---- */
@@ -159,8 +160,8 @@ static double pilot_value(const struct pp_planner *planner, int index)
     return fabs(pp_spread_of_value(&pilot, planner->sampler->values - 1).mean);
 }
 
-/* By error, what the options want for what the pilot has found; by the clock, a share
- * of the pilot's own. */
+/* Target standard error. If run by error it follows from the options and the pilot's
+ * value; if run by the clock it is a share of the pilot's error. */
 static double wanted_error(const struct pp_planner *planner, int index)
 {
     const struct pp_planner_options *options = &planner->options;
@@ -203,8 +204,8 @@ static bool foresee_all(struct pp_planner *planner)
     return grows;
 }
 
-/* The paths that each point needs, planned by its pilot. By the clock there are more in
- * each round, until all points have as many as there can be. */
+/* Plans the paths of each point by its pilot. If run by the clock each round has more,
+ * until all points have as many as possible. */
 static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *err)
 {
     bool again = planner->stage == PP_FINAL, grows = !again;
@@ -248,8 +249,8 @@ static int larger_half(const struct pp_planned_point *point)
     return point->halves[0] > point->halves[1] ? point->halves[0] : point->halves[1];
 }
 
-/* Once: more randomisations where the error is above what is wanted, in each half by
- * what the other one shows. */
+/* Adds randomisations once where the error exceeds the target, to each half by the
+ * variance of the other. */
 static enum pp_status top_up(struct pp_planner *planner, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
@@ -291,7 +292,8 @@ static bool is_done(const struct pp_planner *planner, int index, int r)
     return true;
 }
 
-/* Lists those of the block that are not done; *most: how many a point has, at most. */
+/* Lists the unfinished randomisations of the block; *most: the greatest number at one
+ * point. */
 static enum pp_status list_block(struct pp_planner *planner, int *most,
                                  struct pp_error *err)
 {
@@ -312,7 +314,7 @@ static enum pp_status list_block(struct pp_planner *planner, int *most,
     return PP_OK;
 }
 
-/* Has what the units of this pass share made ready. */
+/* Prepares the samples shared by the units of this pass. */
 static enum pp_status prepare_shared_samples(const struct pp_planner *planner,
                                              struct pp_error *err)
 {

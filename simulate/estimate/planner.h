@@ -1,16 +1,16 @@
 /* planner.h - the stages, passes and threads of a sampler's work.
  *
- * To reach an error, a pilot of a few paths at every point shows how variable the point
- * is, grows where it has seen too little, and is thrown away; the paths that it asks for
- * (plan.h) are then run with fresh seeds. So no value is chosen for its own error, and
- * it has no bias; nor has the error that is stated. That may come out larger than
- * wanted, or smaller. By the caller's clock, rounds of twice the paths follow as long as
- * the caller likes, each planned by the pilot alone.
+ * To reach an error, a pilot of a few paths at every point estimates its variance,
+ * grows if it is too small, and is discarded; the planned paths (plan.h) are then run
+ * with fresh seeds. So values are not selected by their own error, and neither they nor
+ * their stated errors are biased. The error may be larger or smaller than the target.
+ * If run by the caller's clock, rounds of twice the paths follow as long as the caller
+ * continues, each planned by the pilot alone.
  *
  * The caller holds the loop: advance until done. By error or by samples the values
- * depend on the sampler alone, to the bit, whatever the number of threads and the length
- * of the slices; a point's do not depend on which others there are, but for the greatest
- * value where `least_share` is set.
+ * depend on the sampler alone, to the bit, whatever the number of threads and the
+ * length of the slices; a point's do not depend on the other points, except through the
+ * greatest value if `least_share` is set.
  */
 #ifndef PP_SIMULATE_ESTIMATE_PLANNER_H
 #define PP_SIMULATE_ESTIMATE_PLANNER_H
@@ -40,8 +40,8 @@ enum pp_status pp_planner_create(struct pp_planner **planner,
                                  struct pp_error *err);
 void pp_planner_destroy(struct pp_planner *planner); /* NULL is allowed */
 
-/* The client has other points now, no more than when the planner was created: all is
- * forgotten but the work that was done. By samples only. */
+/* Resets the planner to other points, at most as many as when it was created, and keeps
+ * only the count of work. Only if run by samples. */
 void pp_planner_restart(struct pp_planner *planner, int points);
 
 /* Works for about `seconds` (by the clock; at least one step of one randomisation). */

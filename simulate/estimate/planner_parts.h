@@ -1,4 +1,4 @@
-/* planner_parts.h - what a planner holds. Inside simulate/estimate/ only. */
+/* planner_parts.h - members of a planner. Inside simulate/estimate/ only. */
 #ifndef PP_SIMULATE_ESTIMATE_PLANNER_PARTS_H
 #define PP_SIMULATE_ESTIMATE_PLANNER_PARTS_H
 
@@ -8,12 +8,12 @@ enum pp_planner_stage { PP_PILOT, PP_FINAL, PP_FINISHED };
 
 struct pp_planned_point {
     uint64_t seed;
-    struct pp_counts counts;            /* wanted of each randomisation of the stage */
+    struct pp_counts counts;            /* target for each randomisation of the stage */
     struct pp_plan plan;                /* by the pilot, */
     bool grows;                         /* unless that has to grow first */
     struct pp_randomisation *stages[2]; /* the pilot's, and those that count */
     int randomisations[2];
-    int halves[2]; /* of those that count: wanted of even and of odd number */
+    int halves[2]; /* targets of even and of odd number, of those that count */
 };
 
 struct pp_planner_unit {
@@ -34,7 +34,7 @@ struct pp_planner {
     enum pp_planner_stage stage;
     bool topped_up;
     double greatest; /* value by the pilots, where the options ask for a share of it */
-    double round;    /* by the clock: the share of the pilot's error that is wanted */
+    double round;    /* by the clock: the target as a share of the pilot's error */
     struct pp_planner_unit *units; /* of this pass */
     int unit_count, unit_capacity, next_unit;
     int block; /* where points share: the first randomisation of this pass */

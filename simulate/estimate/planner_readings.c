@@ -1,4 +1,5 @@
-/* planner_readings.c - how far a planner has come, and what its points have so far. */
+/* planner_readings.c - the progress of a planner, and the current values of its
+ * points. */
 #include <math.h>
 
 #include "simulate/estimate/planner_parts.h"

@@ -1,7 +1,7 @@
-/* sampler.h - what is sampled: points whose values are sums of expectations, each the
- * mean over random paths. The daylight factors of a room's points, the irradiances of
- * sensors and the pixels of a picture are samplers; the planner (planner.h) gives each
- * of them its paths.
+/* sampler.h - interface of sampled quantities: points whose values are sums of
+ * expectations, each the mean over random paths. The daylight factors of a room's
+ * points, the irradiances of sensors and the pixels of a picture are samplers; the
+ * planner (planner.h) gives each of them its paths.
  *
  * A randomisation of a point is one scramble of the Sobol net (sobol.h) for each
  * estimator. Randomisations are independent and alike, so that their spread is the
@@ -33,7 +33,7 @@ struct pp_randomisation {
     long leaks;                    /* rays lost between the edges of two surfaces */
 };
 
-/* The paths that are asked for: `first` to `end` of the sequence. */
+/* Range of requested paths: `first` to `end` of the sequence. */
 struct pp_path_range {
     int point, randomisation, estimator;
     struct pp_sobol_sequence sequence;
@@ -42,7 +42,7 @@ struct pp_path_range {
 
 struct pp_sampler {
     int estimators; /* of each point */
-    int values;     /* read from the sums; of the last one an error is wanted */
+    int values;     /* read from the sums; the target error is for the last one */
 
     /* Exponent of the fall of an estimator's variance of the mean with its paths, n to
      * the minus this. */
@@ -65,11 +65,11 @@ struct pp_sampler {
     /* And of a randomisation more than PP_RANDOMISATIONS (plan.h), beside its paths. */
     double cost_of_more;
 
-    /* Makes the samples that points share, before paths are followed: for the
+    /* Makes the samples that points share, before paths are followed. They are for
      * randomisations `first` to first + count - 1 of a stage, which have seeds of their
-     * own, and of each the greatest number of paths by estimator. What was made ready
-     * before is wanted no more, but for the same `first` of the same stage. pool: the
-     * threads at work. NULL: nothing. */
+     * own, and for the greatest number of paths of each by estimator. Earlier samples
+     * are no longer needed, except for the same `first` of the same stage. pool: the
+     * threads to use. NULL: none to make. */
     enum pp_status (*prepare)(const void *client, int stage, int first, int count,
                               const struct pp_counts *wanted,
                               struct pp_thread_pool *pool, struct pp_error *err);
@@ -93,9 +93,9 @@ struct pp_sampler {
     double (*part)(const void *client, int point,
                    const struct pp_randomisation *randomisation, int estimator);
 
-    /* An upper bound on what so many paths of each estimator, over all randomisations,
-     * may have missed of a value without a trace in its spread. found: bit i is set
-     * where the randomisations of value i differ. NULL: nothing. */
+    /* Upper bound on light that this many paths of each estimator, over all
+     * randomisations, may have missed without a trace in the spread of a value. found:
+     * bit i is set if the randomisations of value i differ. NULL: no bound. */
     double (*bound)(const void *client, int point, int value, unsigned found,
                     const double *paths);
 };

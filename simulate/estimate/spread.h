@@ -6,12 +6,12 @@
  *
  * s their standard deviation: the fraction is the variance of Student's t with R - 1
  * degrees of freedom, so that one and two standard errors hold 69 and 95 % although s
- * is itself estimated. b is the sampler's bound on light that no path has found: no
- * spread shows it.
+ * is itself estimated. b is the sampler's bound on light that no path has found, which
+ * no spread shows.
  *
- * Where the planner has added to one half of the randomisations, those of even or of
- * odd number, by what the other half shows, the value is the mean of the two halves'
- * means, whatever their sizes: so neither half's weight hangs on its own value.
+ * If the planner has added to one half of the randomisations, those of even or of odd
+ * number, by the variance of the other half, the value is the mean of the two halves'
+ * means, whatever their sizes: so neither half's weight depends on its own value.
  */
 #ifndef PP_SIMULATE_ESTIMATE_SPREAD_H
 #define PP_SIMULATE_ESTIMATE_SPREAD_H
@@ -28,9 +28,9 @@ struct pp_sampled {
     int count;
 };
 
-/* Over the randomisations that have paths of all estimators: the value, the variance and
- * third central moment of one, how many there are, and the standard error without b (NAN
- * for fewer than four). */
+/* Statistics over the randomisations that have paths of all estimators: the value, the
+ * variance and third central moment of one, their number, and the standard error
+ * without b (NAN for fewer than four). */
 struct pp_spread {
     double mean, variance, third, std_error;
     int count;
@@ -39,12 +39,12 @@ struct pp_spread {
 struct pp_spread pp_spread_of_value(const struct pp_sampled *sampled, int value);
 struct pp_spread pp_spread_of_part(const struct pp_sampled *sampled, int estimator);
 
-/* The variance of the last value over the randomisations of even (0) or odd number, all
- * of which are done. */
+/* Variance of the last value over the randomisations of even (0) or odd number, all
+ * finished. */
 double pp_spread_variance_of_half(const struct pp_sampled *sampled, int half);
 
-/* The values whose randomisations differ, by bits, as pp_sampler.bound asks for; and
- * all their paths by estimator. */
+/* Bits of the values whose randomisations differ, for pp_sampler.bound; and all their
+ * paths by estimator. */
 unsigned pp_spread_found(const struct pp_sampled *sampled);
 void pp_spread_paths(const struct pp_sampled *sampled, double *paths);
 
@@ -54,20 +54,20 @@ struct pp_path_work {
     long long paths, rays, leaks;
 };
 
-/* Adds that of all randomisations. */
+/* Adds the work of all randomisations. */
 void pp_spread_add_work(const struct pp_sampled *sampled, struct pp_path_work *work);
 
-/* The share of the variance of the last value that `count` points have in common, 0 to 1
- * (common_error.h), by the randomisations that all of them have: 0 for fewer than eight of
- * these or fewer than two points. */
+/* Correlated share of the variance of the last value over `count` points, 0 to 1
+ * (common_error.h), by the randomisations that all of them have: 0 for fewer than eight
+ * of these or fewer than two points. */
 double pp_spread_common(const struct pp_sampled *points, int count);
 
 /* The factor sqrt((R - 1)/(R - 3)) above, for R > 3. */
 double pp_spread_student(int count);
 
-/* All values, each with its standard error, which is NAN where fewer than four
- * randomisations are wanted; NAN with a reason until four (or as many as are wanted) are
- * begun. */
+/* All values with their standard errors, which are NAN if fewer than four
+ * randomisations are requested. Values are NAN with a reason until four (or as many as
+ * requested) are begun. */
 void pp_spread_readings(const struct pp_sampled *sampled,
                         struct pp_reading readings[PP_VALUES_MOST]);
 

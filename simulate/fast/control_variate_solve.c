@@ -29,10 +29,12 @@ struct variate_patch {
     bool back;
     bool in_figure;                /* is the centre in the surface's outline? */
     double own;                    /* exitance without exchange: M + rho E */
-    double exchanged;              /* and what comes by that, before it is smoothed */
+    double exchanged;              /* and the light by that exchange, before
+                                    * smoothing */
     int seen[LOBE_SAMPLES];        /* patches that its rays meet; -1: none */
-    int sides[OPENING_SAMPLES];    /* those of niches that directions to mouths meet, */
-    double worth[OPENING_SAMPLES]; /* and what of their exitance the patch gets */
+    int sides[OPENING_SAMPLES];    /* niche sides met by directions to mouths, */
+    double worth[OPENING_SAMPLES]; /* and the share of their exitance that the patch
+                                    * receives */
     int side_count;
 };
 
@@ -145,7 +147,7 @@ struct noting {
     const struct pp_control_variate *variate;
 };
 
-/* Nothing yet: what they give off is worked out by the exchange. */
+/* Adds nothing yet: the sides' exitance is calculated by the exchange. */
 static double note_side(void *of, const struct pp_light_hit *side, double worth)
 {
     const struct noting *noting = of;
@@ -224,8 +226,8 @@ static void exchange(double *values, const struct variate_patch *patches, int co
     }
 }
 
-/* The patch so many columns and rows from number i of the grid; NULL: none is there, or
- * it lies beside the figure. */
+/* Patch at this offset in columns and rows from number i of the grid; NULL: none, or it
+ * lies outside the figure. */
 static const struct variate_patch *neighbour(const struct variate_patch *patches,
                                              const struct pp_control_variate_grid *grid,
                                              int i, int columns, int rows)
@@ -269,8 +271,8 @@ static void smooth(struct pp_control_variate *variate, struct variate_patch *pat
     }
 }
 
-/* Patches beside the figure (outside the corner of an L) get the mean of those in it,
- * for the interpolation. */
+/* Gives patches outside the figure (beyond the corner of an L) the mean of those in it,
+ * for interpolation. */
 static void fill_beside(struct pp_control_variate *variate,
                         const struct variate_patch *patches,
                         const struct pp_control_variate_grid *grid)

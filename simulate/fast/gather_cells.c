@@ -25,7 +25,7 @@ struct cell_face {
     int first, columns, rows; /* in a net; the last lanes of a face may be empty */
     double a0, b0; /* the lower corner of the first cell, along the part's a and b */
     double width_m, height_m; /* of a cell */
-    bool plain;               /* do cells fill it, and has it no opening? */
+    bool plain;               /* true if cells fill it and it has no opening */
 };
 
 struct pp_gather_cells {

@@ -1,21 +1,23 @@
-/* gather_cells.h - the control variate of path.h, integrated by area sampling of cells of the
- * room's surfaces, combined with cosine sampling by the balance heuristic.
+/* gather_cells.h - the control variate of path.h, integrated by area sampling of cells
+ * of the room's surfaces, combined with cosine sampling by the balance heuristic.
  *
- * What a receiver at x gathers of G is its mean over the cosine lobe, or the integral over the
- * room's surfaces of G(y) k(x, y), k = cos cos' / (pi r2). Rays of the lobe find by chance alone
- * what is small, far and bright, such as the floor at the window from the depth of a room. A
- * point in each cell of the surfaces, of area A, finds that always, but for what is near, where
- * k is large and varies within the cell. So cells gather
+ * The contribution of G to a receiver at x is its mean over the cosine lobe, or the
+ * integral over the room's surfaces of G(y) k(x, y), k = cos cos' / (pi r2). Rays of
+ * the lobe find small, far and bright areas only by chance, such as the floor at the
+ * window from the depth of a room. A point in each cell of the surfaces, of area A,
+ * always finds them, except near ones, where k is large and varies within the cell. So
+ * cells gather
  *
  *     (G - g) / (1 + c k A)                                                            (1)
  *
- * and the rest of G is left to the lobe's rays, by the balance heuristic of [VG95] as if with c
- * rays per cell. g is the least value of G: what is the same everywhere makes
- * no noise in the lobe. The sum has no bias, whatever c and g. All cells of a net have their
- * point at the same place but mirrored from one to the next, which takes away what is linear
- * in it; G there serves all who gather.
+ * and the rest of G is left to the lobe's rays, by the balance heuristic of [VG95] as
+ * if with c rays per cell. g is the least value of G: a uniform part makes no noise in
+ * the lobe. The sum has no bias, whatever c and g. All cells of a net have their point
+ * at the same place but mirrored from one to the next, which cancels errors linear in
+ * it; G there is used by all receivers.
  *
- * Only where shared_density.h serves, too: no point is hidden. Sides of niches have no cells.
+ * Used only where shared_density.h is, since no point is hidden there. Sides of niches
+ * have no cells.
  */
 #ifndef PP_SIMULATE_FAST_GATHER_CELLS_H
 #define PP_SIMULATE_FAST_GATHER_CELLS_H
@@ -26,8 +28,8 @@
 
 struct pp_gather_cells;
 
-/* For the convex room of a scene of which G is known; both must live as long. On success
- * *cells is the caller's. */
+/* Makes cells for the convex room of a scene with a known G; both must outlive *cells.
+ * On success *cells is the caller's. */
 enum pp_status pp_gather_cells_create(struct pp_gather_cells **cells,
                                       const struct pp_light_scene *scene,
                                       const struct pp_control_variate *variate,

@@ -106,9 +106,10 @@ struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
     return e;
 }
 
-/* Through the openings, of the paths from the present index on, one or a run. The sums that
- * there are go in and out as a share of the paths, a power of two: so they come out as if
- * every path had been added by itself, to the bit. */
+/* Adds light through the openings for the paths from the present index on, one or a
+ * run. Existing sums are divided by the number of paths, a power of two, and multiplied
+ * afterwards: the result is the same to the bit as if every path were added by
+ * itself. */
 static void add_direct(struct pp_path_state *state, const struct pp_start *start,
                        struct pp_vec3 point, int paths, struct pp_light *light)
 {
@@ -137,7 +138,8 @@ static void add_glass(struct pp_path_state *state, const struct pp_start *start,
     light->part[PP_IRC] += e.rest.g;
 }
 
-/* Where there is no room: by the sky's and the ground's own directions. */
+/* Adds the direct light in the open, without a room, from directions of the sky and the
+ * ground. */
 static void add_open_direct(struct pp_path_state *state, const struct pp_start *start,
                             struct pp_light *light)
 {
@@ -154,7 +156,7 @@ void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
     for (; !scene->has_room && state->light.index < end; state->light.index++)
         add_open_direct(state, start, light);
     while (state->light.index < end) {
-        /* One sample of images outside goes with each call. */
+        /* Each call includes one sample of images outside. */
         bool runs = !start->anywhere && scene->window_image_count == 0;
         int paths = runs ? pp_path_run_from(state->light.index, end, PP_RUN_MOST) : 1;
         double u[2];
@@ -168,8 +170,8 @@ void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
     }
 }
 
-/* G where the ray has come, if that is a surface and wants to be gathered; what `cells` leave
- * of it. */
+/* G at the end of the ray, if that is a surface to be gathered; with `cells`, the part
+ * left over by the cells. */
 static double gathered(struct pp_path_state *state, const struct pp_light_ray *ray,
                        const struct pp_convex_nearest *nearest, bool cells)
 {
@@ -181,7 +183,7 @@ static double gathered(struct pp_path_state *state, const struct pp_light_ray *r
     return cells ? pp_gather_cells_left(state->cells, ray, &met, guess) : guess;
 }
 
-/* The paths of a run of indices; state->light.index is the first of them. */
+/* Gathers over a run of path indices, of which state->light.index is the first. */
 static void gather_run(struct pp_path_state *state, const struct pp_start *start,
                        const struct pp_frame *frame, int count, double *sum)
 {

@@ -1,6 +1,6 @@
 /* path.h - the daylight factor at a point, by random paths.
  *
- * It is split into three expectations, each sampled on its own. With B the true
+ * It is the sum of three expectations, each sampled on its own. With B the true
  * exitance of the room's surfaces,
  *
  *     B = M + rho (E + K B)                                                        (1)
@@ -10,40 +10,39 @@
  *
  *     direct      light that comes in by an opening straight to the point, by
  *                 next-event estimation
- *     gather      the mean of G over the cosine lobe of the point, in a convex room by
- *                 cells (gather_cells.h) but for what they leave
+ *     gather      the mean of G over the cosine lobe of the point, in a convex
+ *                 room by cells (gather_cells.h) except for their remainder
  *     correction  the mean of B - G over that lobe, with
  *
  *                     B - G = (M - G) + rho (E + K G) + rho K (B - G)              (2)
  *
  *                 followed along a path: at each surface met the first two terms of
- *                 (2) by several directions, K G by cells too, then on by one of
- *                 these
+ *                 (2) by several directions, K G by cells too, then by one of these
  *
  * Their sum is unbiased whatever G; a good G leaves a correction of little variance.
- * That is the noise of the samples at each surface, and grows with the light there. So
- * the direction that goes on is drawn in proportion to the G that it has met, as in the
- * importance resampling of [TCE05], and whether it goes on at all depends, by Russian
- * roulette, on what G says that it brings.
+ * That variance is the noise of the samples at each surface, and grows with the light
+ * there. So the direction that continues is drawn in proportion to the G that it has
+ * met, as in the importance resampling of [TCE05]. Russian roulette ends it by its
+ * expected contribution according to G.
  *
  * Without G the correction is plain path tracing. Where receivers share light
- * (shared_density.h) most of the correction is what shared points bring, and a path goes
- * on only with what is left to it.
+ * (shared_density.h) most of the correction comes from shared points, and a path
+ * continues only with the remainder.
  *
- * Directions to the openings of an empty convex room are directions to the mouths of their
- * niches: those that end on a side bring its G, with the direct light, and rays from the
- * room that come to a side bring none. Small and bright, sides were found by few rays:
- * rooms with reveals took up to ten times longer.
+ * Directions to the openings of an empty convex room are directions to the mouths of
+ * their niches: those that end on a side add its G to the direct light, and rays from
+ * the room that reach a side add none. Since sides are small and bright, few rays found
+ * them: rooms with reveals took up to ten times longer.
  *
  * Paths are those of the light transport (transport/light_path.h), in the scene of a
- * world with every finish diffuse: indoors, every surface gets the light of the openings
- * by next-event estimation; a ray of the cosine lobe that reaches an opening counts
- * nothing for light that comes in by it, and is reflected by glass and frame.
+ * world with every finish diffuse: indoors, every surface gets the light of the
+ * openings by next-event estimation; a ray of the cosine lobe that reaches an opening
+ * counts nothing for light that comes in by it, and is reflected by glass and frame.
  *
- * What glass reflects of other openings to the point itself is sampled with the direct
- * light, by the openings' images, and the correction's own rays leave it out: they found
- * it so seldom that of a hundred points in rooms with windows in several walls one ended
- * with three to fifteen times the error that was wanted.
+ * Light of other openings reflected by glass to the point itself is sampled with the
+ * direct light, by the openings' images, and excluded from the correction's own rays.
+ * These found it so seldom that one in a hundred points, in rooms with windows in
+ * several walls, ended with three to fifteen times the target error.
  *
  * All light is over Eh.
  */
@@ -57,8 +56,8 @@
 #include "simulate/transport/irradiance.h"
 #include "simulate/transport/radiance_state.h"
 
-/* Light by what the point first sees: PP_SC, PP_ERC, PP_IRC of
- * model/results/reading.h. */
+/* Light by component, from the first surface seen by the point: PP_SC, PP_ERC, PP_IRC
+ * of model/results/reading.h. */
 struct pp_light {
     double part[3];
 };
@@ -73,15 +72,15 @@ struct pp_path_state {
     const struct pp_gather_cells *cells;    /* not owned; NULL: rays gather all */
     const double *net;         /* of the cells, in this randomisation; not owned */
     bool glass;                /* are openings sampled by their images in glass? */
-    struct pp_glass_view view; /* of these, from the last point */
+    struct pp_glass_view view; /* images seen from the last point */
 };
 
-/* For paths in that scene and light; the sequence is still to be set. */
+/* State for paths in that scene and light; the caller still sets the sequence. */
 struct pp_path_state pp_path_state(const struct pp_light_scene *scene,
                                    const struct pp_environment *environment,
                                    const struct pp_control_variate *variate);
 
-/* Where paths start: at a point, or anywhere on the working plane. */
+/* Start of paths: a point, or anywhere on the working plane. */
 struct pp_start {
     bool anywhere;
     struct pp_vec3 position; /* in the scene's coordinates */
@@ -114,13 +113,13 @@ void pp_path_correction(struct pp_path_state *state, const struct pp_start *star
 double pp_path_gather_cells(const struct pp_path_state *state,
                             const struct pp_start *start);
 
-/* By one of the points that receivers share; where state->shared is not NULL the mean of
- * these is a part of the correction. */
+/* Estimate by one of the shared points; if state->shared is not NULL their mean is a
+ * part of the correction. */
 double pp_path_shared(const struct pp_path_state *state, const struct pp_start *start,
                       const struct pp_shared_light *shared);
 
-/* B - G where something was met, one sample: by a path, or, given others that are shared
- * and independent of it, by one step of (2) and what those bring there. */
+/* One sample of B - G at a surface that was met: by a path or, given other shared
+ * points independent of it, by one step of (2) and the light of those points. */
 double pp_path_residual(struct pp_path_state *state, const struct pp_light_hit *met,
                         const struct pp_shared_light *others, int count);
 

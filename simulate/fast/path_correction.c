@@ -15,15 +15,15 @@ enum {
     OPENINGS = 4,
     LOBES = 8,
     FIRST_LOBES = 4,    /* from the point itself, where nothing is shared */
-    MOST_LOBES = LOBES, /* as all of these a power of two, PP_RUN_MOST or less */
+    MOST_LOBES = LOBES, /* all of these must be a power of two, PP_RUN_MOST or less */
     /* A path ends here where nothing ever absorbs: in an enclosure that reflects all.
      * With a reflectance of 0.99 one path in 10^70 comes so far. */
     MOST_BOUNCES = 1 << 14
 };
 
-/* Chance of a path to go on, for what is left of the importance that it had at its first
- * surface. Measured: 0.6 and 1 are as good for points of their own; with 1 those that
- * share take 8 % longer. */
+/* Probability with which a path continues, for the remaining share of its importance at
+ * its first surface. Measured: 0.6 and 1 are equally good for points of their own; with
+ * 1 shared points take 8 % longer. */
 static const double GOING_ON = 0.6;
 
 /* An arm is drawn as if the control variate were nowhere below this share of its mean
@@ -34,9 +34,9 @@ static const double LEAST_SHARE = 0.5;
 struct path_arm {
     struct pp_light_ray ray;
     double throughput;
-    double importance; /* what it brings by G, about: its own share of several */
+    double importance; /* approximate contribution by G: its own share of several */
     struct pp_light_hit met;
-    bool at_once; /* has it come there without meeting an opening? */
+    bool at_once; /* true if it got there without meeting an opening */
 };
 
 /* Arms that leave one place together. */
@@ -45,7 +45,7 @@ struct path_fan {
     struct pp_frame frame; /* z: of their cosine lobe */
     uint32_t lobes;        /* how many */
     double throughput;     /* of all */
-    bool gathers; /* is G wanted of those, too, that come to a surface at once? */
+    bool gathers; /* true if G is also gathered by arms that reach a surface at once */
     bool cells;   /* is it gathered by cells as well? */
     bool glass;   /* are openings sampled from there by their images in glass? */
 };
@@ -57,7 +57,7 @@ struct fan_rays {
     bool known; /* are the nearest planes? */
 };
 
-/* Draws the rays of paths from the present index on, as many as there is room for. All
+/* Draws the rays of paths from the present index on, as many as there is space for. All
  * leave from one place. */
 static void draw_rays(const struct pp_path_state *state, const struct path_fan *fan,
                       int vertex, int paths, struct fan_rays *rays)
@@ -71,8 +71,8 @@ static void draw_rays(const struct pp_path_state *state, const struct path_fan *
                                          count, rays->nearest);
 }
 
-/* A path that the glass of the pane has mirrored to what it has now met leaves the light of
- * an opening there out. */
+/* Excludes an opening's light from a path that the glass of the pane has mirrored to
+ * the opening. */
 static void leave_out_image(const struct pp_light_scene *scene, int pane,
                             const struct pp_light_hit *met, struct pp_light_path *path)
 {
@@ -82,10 +82,10 @@ static void leave_out_image(const struct pp_light_scene *scene, int pane,
         path->sampled = PP_DIRECTLY_SAMPLED_ALL;
 }
 
-/* Follows the ray until it meets a surface of the room, past glass and frames; false if
- * the path ends before. Light that comes in on the way is added to *sum. nearest:
- * the ray's plane; NULL: not known. glass: is that of openings left out which show in the
- * glass that it meets first? */
+/* Follows the ray to a surface of the room, past glass and frames; false if the path
+ * ends before. Light that enters on the way is added to *sum. nearest: the ray's plane;
+ * NULL: unknown. glass: exclude openings that are mirrored in the first glass that it
+ * meets. */
 static bool to_surface(struct pp_path_state *state, struct path_arm *arm,
                        const struct pp_convex_nearest *nearest, bool glass, int vertex,
                        double *sum)
@@ -118,9 +118,9 @@ static bool to_surface(struct pp_path_state *state, struct path_arm *arm,
     return there;
 }
 
-/* One of the arms, drawn by u in (0, 1), goes on for all of them. The noise that a path
- * finds at a surface grows with the light there: so an arm is drawn in proportion to what
- * it brings by G, and whichever goes on brings about as much noise. */
+/* Chooses one arm by u in (0, 1), which continues for all arms. The noise of a path at
+ * a surface grows with the light there. So an arm's probability is proportional to its
+ * contribution by G, and each choice contributes about equal noise. */
 static struct path_arm choose_path_arm(const struct path_arm *arms, int count, double u)
 {
     double mean = 0.0, total = 0.0, below = 0.0, share[MOST_LOBES];
@@ -141,7 +141,7 @@ static struct path_arm choose_path_arm(const struct path_arm *arms, int count, d
     return arm;
 }
 
-/* Light of G gathered by the fan's own rays where the arm has come to. */
+/* Light of G gathered by the fan's own rays at the arm's vertex. */
 static double gathered(const struct pp_path_state *state, const struct path_fan *fan,
                        const struct path_arm *arm, double guess)
 {
@@ -153,8 +153,9 @@ static double gathered(const struct pp_path_state *state, const struct path_fan 
                       : guess;
 }
 
-/* K G by the arms of the fan, the rays from `first` on, each of which comes to a surface or
- * ends; one of them goes on as *arm with the throughput of all. False if none does. */
+/* K G by the arms of the fan, the rays from `first` on, each of which reaches a surface
+ * or ends. One of them continues as *arm with the throughput of all. False if none
+ * does. */
 static bool spread(struct pp_path_state *state, const struct path_fan *fan,
                    const struct fan_rays *rays, int first, int vertex,
                    struct path_arm *arm, double *sum)
@@ -190,8 +191,8 @@ static bool spread(struct pp_path_state *state, const struct path_fan *fan,
     return count > 0;
 }
 
-/* E + K G of a surface, over several directions; one of these goes on as *arm with the
- * whole throughput; false if that ends before. */
+/* E + K G of a surface, over several directions. One of these continues as *arm with
+ * the whole throughput; false if it ends before. */
 static bool bounce(struct pp_path_state *state, struct path_arm *arm, int vertex,
                    uint32_t openings, uint32_t lobes, double *sum)
 {
@@ -232,8 +233,8 @@ static bool survives(const struct pp_path_state *state, struct path_arm *arm,
     return u < chance;
 }
 
-/* One step of (2) where the arm has come to, times its throughput, with the arm on its
- * way to the next surface; false if it ends before. */
+/* Adds one step of (2) at the arm's vertex, times its throughput, and turns the arm to
+ * its next surface. False if the arm ends before. */
 static bool step(struct pp_path_state *state, struct path_arm *arm, int vertex,
                  double *sum)
 {
@@ -247,7 +248,7 @@ static bool step(struct pp_path_state *state, struct path_arm *arm, int vertex,
     return arm->throughput > 0.0 && bounce(state, arm, vertex, openings, lobes, sum);
 }
 
-/* B - G where the arm has come to, times its throughput. */
+/* B - G at the arm's vertex, times its throughput. */
 static double residual(struct pp_path_state *state, struct path_arm *arm, int vertex)
 {
     double sum = 0.0, first = arm->importance;
@@ -257,8 +258,8 @@ static double residual(struct pp_path_state *state, struct path_arm *arm, int ve
     return sum;
 }
 
-/* Is the residual at the surface that the arm has come to left to this ray? A part of it
- * is shared, where the ray has come straight. */
+/* True if the residual at the arm's vertex must be sampled by this ray. A part of it is
+ * shared if the ray arrived directly. */
 static bool is_left(const struct pp_path_state *state, const struct path_arm *arm,
                     int vertex)
 {
@@ -291,7 +292,7 @@ double pp_path_residual(struct pp_path_state *state, const struct pp_light_hit *
     return reached && is_left(state, &arm, 1) ? sum + residual(state, &arm, 2) : sum;
 }
 
-/* By one path, whose rays are those from `first` on. */
+/* Correction by one path, whose rays begin at index `first`. */
 static double correction(struct pp_path_state *state, const struct path_fan *fan,
                          const struct fan_rays *rays, int first)
 {

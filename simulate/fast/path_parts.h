@@ -1,4 +1,4 @@
-/* path_parts.h - what the estimators of path.h have in common; for them alone. */
+/* path_parts.h - common parts of the estimators of path.h, for them alone. */
 #ifndef PP_SIMULATE_FAST_PATH_PARTS_H
 #define PP_SIMULATE_FAST_PATH_PARTS_H
 
@@ -19,7 +19,7 @@ static inline int pp_path_run_from(uint32_t index, uint32_t end, uint32_t most)
     return (int)count;
 }
 
-/* Value of the guess G where a ray has come to. */
+/* Value of the control variate G at the end of a ray. */
 static inline double pp_path_guess(const struct pp_path_state *state,
                                    const struct pp_light_hit *met)
 {

@@ -6,17 +6,17 @@
 
 #include "simulate/scene/light_scene_parts.h"
 
-/* A patch is drawn in proportion to its area and the root of its G, as if G were nowhere
- * below this share of its mean. The noise of D goes with G, but so does the light of the
- * receivers near by, whose relative error counts. Measured in the deep office: a constant
- * density takes half as many points again, G itself twice as many. */
+/* Least share of the mean of G with which a patch is drawn. Patches are drawn in
+ * proportion to area times the root of G. The noise of D grows with G, but so does the
+ * light of nearby receivers, whose relative error counts. Measured in the deep office:
+ * a constant density takes half as many points again, G itself twice as many. */
 static const double LEAST_SHARE = 0.1;
 
-/* And so many times less often under the working plane, which receivers as a rule look
- * up from. Chosen by trial. */
+/* Factor for patches below the working plane, which receivers usually face away from.
+ * Chosen by trial. */
 static const double BELOW_SHARE = 0.15;
 
-/* Where a patch lies. */
+/* Place of a patch. */
 struct density_patch {
     int part;
     double a, b; /* its lower corner, along the part's a and b */
@@ -28,10 +28,10 @@ struct pp_shared_density {
     const struct pp_control_variate *variate; /* not owned */
     struct density_patch *patches;
     double *values; /* p by patch, 1/m2 */
-    double *below;  /* by patch: the probability of those before it */
+    double *below;  /* by patch: the cumulative probability of those before it */
 };
 
-/* In such a room the fronts of the envelope have all patches. */
+/* In such a room all patches are on the fronts of the envelope. */
 static void place_patches(struct pp_shared_density *density)
 {
     const struct pp_light_scene *scene = density->scene;

@@ -8,9 +8,9 @@
 #include "simulate/sampling/hash.h"
 
 enum {
-    /* The first points follow paths to their end; the others take what comes by more than
-     * one reflection from so many before them, which are independent of them. Chosen by
-     * trial. */
+    /* The first points follow paths to their end. The others get light of more than one
+     * reflection from this many earlier points, which are independent of them. Chosen
+     * by trial. */
     FIRST_BLOCK = 32,
     MOST_OTHERS = 128,
 };
@@ -19,7 +19,7 @@ enum {
 struct shared_set {
     struct pp_shared_light *list;
     int count, capacity;
-    double *net; /* of the path's cells; NULL: none, or not wanted yet */
+    double *net; /* of the path's cells; NULL: none, or not needed yet */
     long rays, leaks;
 };
 
@@ -68,7 +68,7 @@ void pp_shared_light_destroy(struct pp_shared_lights *lights)
     free(lights);
 }
 
-/* A point with what `count` others bring there. */
+/* Draws a point, with the light of `count` other points there. */
 static struct pp_shared_light draw_point(struct pp_path_state *state,
                                          const struct pp_shared_light *others,
                                          int count)

@@ -16,7 +16,7 @@
 #include "simulate/fast/shared_light.h"
 #include "simulate/transport/light_images.h"
 
-/* The estimators, and the sums of their paths; those of direct light are by component,
+/* Estimators, and the sums of their paths; those of direct light are by component,
  * PP_SC to PP_IRC. */
 enum { DIRECT, GATHER, CORRECTION, SHARED, ESTIMATORS };
 enum {
@@ -24,13 +24,13 @@ enum {
     SUM_GATHER = 3,
     SUM_CORRECTION = 4,
     SUM_SHARED = 5,
-    SUM_CELLS = 6 /* what cells gather, no sum over paths */
+    SUM_CELLS = 6 /* gathered by cells, not a sum over paths */
 };
 
-/* Points that receivers share in one randomisation: as many as leave about this over the
- * square of the error that is wanted, measured in rooms of several depths, and no fewer than
- * these, since what a few leave takes more randomisations: with 8 a grid at 3 % took 1.8
- * times the work of one at 1 %. */
+/* Points that receivers share in one randomisation. About this number over the square
+ * of the target error remain, measured in rooms of several depths. At least 64 are
+ * used, since fewer need more randomisations: with 8 a grid at 3 % took 1.8 times the
+ * work of one at 1 %. */
 enum { LEAST_SHARED = 64, MOST_SHARED = 1 << 12 };
 static const double SHARED_VARIANCE = 0.0033;
 
@@ -39,13 +39,13 @@ static const double SHARED_VARIANCE = 0.0033;
  * it. A third or twice the cost changes the work of 8, 17 or 384 by about a tenth. */
 static const double SHARED_COST = 1.0;
 
-/* Openings of less than this share of the inside surface light it in spots that few paths
- * find: a pilot of a few sees none, and plans for too few. Pilot and least number of paths
- * then rise until they are like those of a room with the second share, by up to
- * SPOTTED_MOST. At an error of 0.5 % in three rooms with slits of 0.05 to 0.1 m, whose share
- * is 0.0008 to 0.0044, the averages of 12 seeds had over twice the error that was wanted with
- * 42, 8 and 50 %, the worst 23 times; of 90 averages it is now 5, the worst 4.2 times, for
- * half as much time again. */
+/* Share of the inside surface below which openings light it in spots that few paths
+ * find: a small pilot sees none, and plans too few paths. Pilot and least number of
+ * paths then rise until they are like those of a room with the second share, by up to
+ * SPOTTED_MOST. At an error of 0.5 %, in three rooms with slits of 0.05 to 0.1 m
+ * (shares of 0.0008 to 0.0044), the averages of 12 seeds had over twice the target
+ * error in 42, 8 and 50 % of cases, the worst 23 times. Now 5 of 90 averages do, the
+ * worst 4.2 times, for half as much time again. */
 static const double SPOTTED_SHARE = 0.015, SPOTTED_LIKE = 0.06;
 enum { SPOTTED_MOST = 16 };
 
@@ -65,7 +65,7 @@ struct pp_tracer {
     struct pp_gather_cells *cells;     /* NULL there too, */
     struct pp_shared_lights *shared;   /* and this */
     struct pp_sobol sobol;
-    struct traced_point *points; /* the receivers, then the average if it is wanted */
+    struct traced_point *points; /* the receivers, then the average if requested */
     int point_count, receiver_count;
     bool every_ray, direct; /* as in the options */
     struct pp_sampler sampler;
@@ -204,13 +204,13 @@ static double tracer_bound(const void *client, int point, int component, unsigne
     const struct pp_tracer *tracer = client;
     /* A receiver takes 1 shared point on the average. */
     double reflected = paths[tracer->points[point].shares ? SHARED : CORRECTION];
-    if (tracer->scene->glass_image_count > 0) /* what glass shows of others */
+    if (tracer->scene->glass_image_count > 0) /* other openings mirrored in glass */
         reflected = fmin(reflected, PP_GLASS_CHANCE * paths[DIRECT]);
     return pp_unsampled_of_component(&tracer->points[point].most, component, found,
                                      paths[DIRECT], reflected);
 }
 
-/* Where the correction is each point's own. */
+/* Sampler in which each point has its own correction. */
 static const struct pp_sampler sampler = {
     .estimators = SHARED,
     .values = PP_COMPONENT_COUNT,
@@ -226,9 +226,9 @@ static const struct pp_sampler sampler = {
     .bound = tracer_bound,
 };
 
-/* Points for receivers to share in a randomisation, at most: a power of two that leaves
- * them a third of the variance that is wanted in a room like the deep office. Where that
- * is not enough, there are more randomisations. */
+/* Most points for receivers to share in a randomisation: a power of two that leaves a
+ * third of the target variance in a room like the deep office. If that is not enough
+ * there are more randomisations. */
 static uint32_t most_shared(double error)
 {
     uint32_t most = LEAST_SHARED;
@@ -273,14 +273,15 @@ static struct pp_sampler of_direct_light(void)
     return direct;
 }
 
-/* Where a part of it is shared. The lobe then has little to correct. */
+/* Sampler in which a part of the correction is shared. The lobe then has little to
+ * correct. */
 static struct pp_sampler sharing(double error)
 {
     struct pp_sampler shared = sampler;
     shared.estimators = ESTIMATORS;
     shared.fall[SHARED] = 1.05;
     shared.pilot = (struct pp_counts){{4, 8, 2, 8}};
-    /* With 8 shared points a single one may make most of a point's error. */
+    /* With only 8 shared points one of them may cause most of a point's error. */
     shared.least = (struct pp_counts){{4, 8, 4, 16}};
     /* Half as many take a fifth off a grid at 1 %, with standard errors as true. Where the
      * correction is a point's own, twice as many values would be a third less sure. */

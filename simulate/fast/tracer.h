@@ -20,21 +20,22 @@
 #include "simulate/scene/environment.h"
 #include "simulate/scene/light_scene_of_world.h"
 
-/* No smaller standard error is wanted, over Eh: 0.002 % daylight factor. */
+/* Smallest standard error that is aimed at, over Eh: 0.002 % daylight factor. */
 #define PP_TRACER_LEAST_ERROR 0.00002
 
 struct pp_tracer_options {
     double
-        error; /* wanted standard error over the daylight factor, at every point; never
-                * under PP_TRACER_LEAST_ERROR. 0: go by samples or the caller's clock alone */
+        error; /* target standard error over the daylight factor, at every point; never
+                * under PP_TRACER_LEAST_ERROR. 0: by samples or the caller's clock
+                * alone */
     long samples; /* paths a point in each randomisation instead of error; 0: not set */
     uint64_t seed;
-    int threads;    /* 0: as many as the machine has processors */
+    int threads;    /* 0: one for each processor */
     bool average;   /* the average over the working plane too */
     bool alone;     /* points share no light: sooner for ten points or less at 1 % */
     bool direct;    /* sky and externally reflected component alone; the error is over
                      * their sum then, and nothing else can be read */
-    bool every_ray; /* trace also the rays whose end is known beforehand: for checks */
+    bool every_ray; /* also trace rays whose end is known beforehand, for checks */
 };
 
 struct pp_tracer;
@@ -72,9 +73,9 @@ struct pp_tracer_work {
 };
 struct pp_tracer_work pp_tracer_work(const struct pp_tracer *tracer);
 
-/* The share of the variance of their daylight factors that receivers have in common, 0 to 1
- * (common_variance.h): all of them; and those that are near each other. What is near takes
- * the same light of shared points, so that the latter is much larger where that light makes
+/* Correlated share of the variance of the receivers' daylight factors, 0 to 1
+ * (common_variance.h): among all of them; and among neighbours. Neighbours get the same
+ * light of shared points, so that the latter is much larger where that light causes
  * most of the variance. */
 double pp_tracer_common(const struct pp_tracer *tracer);
 double pp_tracer_common_near(const struct pp_tracer *tracer);

@@ -1,12 +1,12 @@
-/* path_trace.h - the light along a ray, by the textbook's path tracing.
+/* path_trace.h - the light along a ray, by textbook path tracing.
  *
  * This is the plain calculation of simulated light in the scene of a room: one loop and
  * next-event estimation of the openings. docs/theory.md explains it step by step. The
  * tracer of simulate/fast/ and the transport of simulate/transport/ calculate the same
- * faster, with control variates, shared points and weights of several samplers; tests hold
- * them against this.
+ * faster, with control variates, shared points and weights of several samplers; tests
+ * hold them against this.
  *
- * Words and letters are those of [PJH23]:
+ * Terms and symbols are those of [PJH23]:
  *
  *     L       radiance along the ray, the result
  *     beta    throughput of the path so far: product of BSDF x cosine / pdf
@@ -23,28 +23,28 @@
  * externally and internally reflected component. */
 enum pp_path_first { PP_FIRST_NONE, PP_FIRST_SKY, PP_FIRST_OUTSIDE, PP_FIRST_INSIDE };
 
-/* One side of a surface that is lit; normal: unit, of that side. */
+/* One lit side of a surface; normal: unit, on that side. */
 struct pp_lit_point {
     struct pp_vec3 point, normal;
     enum pp_space space;
 };
 
-/* One sample of the radiance along the ray. counted: was light that comes through the
- * openings straight to where the ray begins sampled there already? aims: are openings
- * sampled along the path? Not on a path that has left the room by an opening: each of its
- * surfaces would begin another such path. *first may be NULL. */
+/* One sample of the radiance along the ray. counted: light straight through the
+ * openings was already sampled at the ray's origin. aims: openings are sampled along
+ * the path. Must be false once a path has left the room by an opening, since each of
+ * its surfaces would begin another such path. *first may be NULL. */
 struct pp_rgb pp_path_trace_radiance(struct pp_path_walk *walk, struct pp_light_ray ray,
                                      bool counted, bool aims,
                                      enum pp_path_first *first);
 
-/* One sample of the irradiance through the room's openings. *first (may be NULL): what the
- * light met first outside, PP_FIRST_SKY if nothing. */
+/* One sample of the irradiance through the room's openings. *first (may be NULL): the
+ * first surface outside that the light met, or PP_FIRST_SKY. */
 struct pp_rgb pp_path_trace_openings(struct pp_path_walk *walk,
                                      const struct pp_lit_point *at,
                                      enum pp_path_first *first);
 
-/* pi times the radiance in a direction of the point's cosine lobe: one sample of its
- * irradiance by what rays meet. counted, first: as above. */
+/* One sample of the irradiance by the surfaces that rays meet: pi times the radiance in
+ * a direction of the point's cosine lobe. counted, first: as above. */
 struct pp_rgb pp_path_trace_lobe(struct pp_path_walk *walk,
                                  const struct pp_lit_point *at, bool counted,
                                  enum pp_path_first *first);

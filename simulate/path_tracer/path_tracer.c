@@ -14,7 +14,7 @@
 /* The estimators; the sums of their paths are by component, PP_SC to PP_IRC. */
 enum { DIRECT, REFLECTED, ESTIMATORS };
 
-/* Least standard error that is wanted, over Eh: 0.002 % daylight factor. */
+/* Least standard error aimed at, over Eh: 0.002 % daylight factor. */
 static const double LEAST_ERROR = 0.00002;
 
 struct plain_point {
@@ -27,14 +27,14 @@ struct plain_point {
 struct pp_path_tracer {
     const struct pp_light_scene *scene;
     const struct pp_environment *environment;
-    struct plain_point *points; /* the receivers, then the average if it is wanted */
+    struct plain_point *points; /* the receivers, then the average if requested */
     int point_count, receiver_count;
     struct pp_planner *planner;
 };
 
 /* ---- one path ---- */
 
-/* Where it begins. */
+/* Start of a path. */
 static struct pp_lit_point lit_point(struct pp_path_walk *walk,
                                      const struct plain_point *point)
 {
@@ -70,7 +70,7 @@ static void add_path(struct pp_path_walk *walk, const struct plain_point *point,
 
 /* ---- the sampler ---- */
 
-/* Sums of the reflected light stand behind those of the direct light. */
+/* Offsets of the sums of direct and of reflected light. */
 enum { DIRECT_SUMS = 0, REFLECTED_SUMS = 3 };
 
 static void begin_thread(const void *client, void *state)

@@ -1,8 +1,8 @@
 /* path_tracer.h - daylight factors of a room by plain path tracing.
  *
- * The same expectations, options and readings as the tracer's (simulate/fast/tracer.h),
- * by the loop of path_trace.c and nothing else: slower, and easy to check. Tests hold the
- * tracer against it.
+ * It has the same expectations, options and readings as the tracer
+ * (simulate/fast/tracer.h), but uses only the loop of path_trace.c: slower, and easy to
+ * check. Tests hold the tracer against it.
  *
  * At a point in a room the daylight factor is
  *
@@ -27,11 +27,11 @@
 
 struct pp_path_tracer_options {
     double
-        error; /* wanted standard error over the daylight factor, at every point; 0: go
-                   * by samples or the caller's clock alone */
+        error; /* target standard error over the daylight factor, at every point; 0: by
+                * samples or the caller's clock alone */
     long samples; /* paths a point in each randomisation instead of error; 0: not set */
     uint64_t seed;
-    int threads;  /* 0: as many as the machine has processors */
+    int threads;  /* 0: one for each processor */
     bool average; /* the average over the working plane too */
 };
 

@@ -1,5 +1,5 @@
-/* path_walk.h - what one path needs as it goes on: random numbers, rays, and a direction of
- * a surface's BSDF. For path_trace.c.
+/* path_walk.h - state of one path: random numbers, rays, and a direction of a surface's
+ * BSDF. For path_trace.c.
  *
  * Points are measured from the scene's centre.
  */

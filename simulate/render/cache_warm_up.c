@@ -18,7 +18,7 @@ struct pp_cache_warm_up {
     struct pp_irradiance_cache *cache;
     struct pp_render view; /* camera and scene, without a picture */
     int step;              /* a part has every step-th pixel of every step-th row */
-    int part;              /* the next one to be shown; step^2 of them are a round */
+    int part;              /* the next part to show; step^2 of them are a round */
     bool first;            /* is it the first round? */
     size_t before;         /* records when the round began */
     bool done;
@@ -88,9 +88,9 @@ static enum pp_status show(const struct pp_cache_warm_up *warm_up, int number,
     return pp_cache_grow_request_rays(warm_up->cache, ray_of, &part, count, err);
 }
 
-/* Once the cache has all that it was shown: the next part, and behind the last one
- * another round, unless this one has brought no record. A single part needs no second
- * round: the cache has looked at all its requests again. */
+/* Shows the next part once the cache covers the last one, and after the last part
+ * another round, unless this one made no record. A single part needs no second round:
+ * the cache has checked all its requests again. */
 static enum pp_status show_next_part(struct pp_cache_warm_up *warm_up,
                                      struct pp_error *err)
 {

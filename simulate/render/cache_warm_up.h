@@ -1,10 +1,10 @@
 /* cache_warm_up.h - fills the irradiance cache for a picture before rendering.
  *
- * As Radiance's overture does: the cache grows until it has what the middles of all
- * pixels ask for, so that the picture interpolates between records and does not
- * extrapolate; then it may be the ambient store. A large picture is processed in
- * parts, first each pixel of a coarser one, over and over until no new record is made:
- * memory is that of one part.
+ * As Radiance's overture does: the cache grows until it covers the requests of the
+ * middles of all pixels, so that the picture interpolates between records and does not
+ * extrapolate; then it may be used as the ambient store. A large picture is processed
+ * in parts, first each pixel of a coarser one, over and over until no new record is
+ * made: memory is that of one part.
  */
 #ifndef PP_SIMULATE_RENDER_CACHE_WARM_UP_H
 #define PP_SIMULATE_RENDER_CACHE_WARM_UP_H

@@ -20,7 +20,7 @@ enum {
     ERRORS = 12
 };
 
-/* ---- what it is a checkpoint of ---- */
+/* ---- identity of a render ---- */
 
 static uint64_t hash_light(uint64_t hash, const struct pp_radiance_options *light)
 {

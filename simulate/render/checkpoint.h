@@ -1,4 +1,4 @@
-/* checkpoint.h - a render that is not done, kept in a file.
+/* checkpoint.h - an unfinished render saved in a file.
  *
  * Least significant byte first:
  *
@@ -34,8 +34,8 @@ enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
                                    const char **cache, size_t *cache_length,
                                    struct pp_error *err);
 
-/* Takes up a render of the same scene and options, whole or not at all; PP_BAD_INPUT
- * where the bytes are those of another, of another version, cut off or damaged. */
+/* Resumes a render of the same scene and options, entirely or not at all. PP_BAD_INPUT
+ * if the bytes are of another render or version, truncated or damaged. */
 enum pp_status pp_checkpoint_resume(struct pp_render *render,
                                     const unsigned char *bytes, size_t length,
                                     struct pp_error *err);

@@ -22,7 +22,7 @@ static const double deviation = 0.5, reach = 1.5;
 
 /* ---- one pixel ---- */
 
-/* Where in the picture (in pixels) the sample of the pixel at x, y lies. */
+/* Position of a pixel's sample in the picture (in pixels). */
 static void place_sample(const struct pp_render *render,
                          const struct pp_radiance_state *state, int x, int y,
                          double place[2])
@@ -125,7 +125,7 @@ static void begin_render_state(const void *client, void *state)
         .walk = {.scene = render->scene, .environment = render->environment}};
 }
 
-/* One sample of what the ray shows; false: nothing. */
+/* One sample of the value along the ray; false: no value. */
 static bool sample_ray(const struct pp_render *render, struct render_state *state,
                        const struct pp_light_ray *ray, struct pp_rgb *value)
 {
@@ -243,7 +243,7 @@ static int tag_of_pixel(const struct pp_render *render, int x, int y)
     return hit.tag;
 }
 
-/* ---- all of them ---- */
+/* ---- tiles ---- */
 
 struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile)
 {
@@ -268,7 +268,7 @@ static bool show_pixel(void *data, int worker, int i)
     return true;
 }
 
-/* Paths of (pixel, randomisation) by any thread, then what the pixels show. */
+/* Follows the paths of (pixel, randomisation) by any thread, then sets the pixels. */
 static enum pp_status draw_tile(struct pp_render *render, int tile,
                                 struct pp_error *err)
 {

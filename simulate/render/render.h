@@ -43,9 +43,10 @@ struct pp_render_options {
     struct pp_radiance_options light;
     const struct pp_opening_store *store; /* not owned; NULL: none */
     const struct pp_ambient *ambient;     /* not owned; NULL: none */
-    uint64_t ambient_hash;                /* a hash of what the ambient store holds */
+    uint64_t ambient_hash;                /* hash of the contents of the ambient
+                                           * store */
     uint64_t seed;
-    int threads; /* 0: as many as the machine has processors */
+    int threads; /* 0: one for each processor */
 };
 
 struct pp_render;
@@ -67,14 +68,14 @@ bool pp_render_done(const struct pp_render *render);
 /* Share of the tiles that are done. */
 double pp_render_progress(const struct pp_render *render);
 
-/* The picture so far, owned by the render; what is not done is black. A pixel where
- * there is nothing to show is NAN: outside a fisheye's circle, outside a room that is
- * cut, and, of irradiances, where most of it shows glass or sky. Of a pixel on the
- * circle's edge the part outside is black. */
+/* Picture so far, owned by the render; unfinished parts are black. A pixel without a
+ * value is NAN: outside a fisheye's circle, outside a room that is cut and, in pictures
+ * of irradiance, where most of it shows glass or sky. In a pixel on the circle's edge
+ * the part outside is black. */
 const struct pp_picture *pp_render_picture(const struct pp_render *render);
 
-/* The standard errors of its pixels, by channel; NULL where there are none. What a cache
- * has wrong is not in them. */
+/* Standard errors of its pixels, by channel; NULL if there are none. Errors of a cache
+ * are not included. */
 const struct pp_picture *pp_render_errors(const struct pp_render *render);
 
 /* The picture to keep, once it is done, and its errors (empty where there are none):
@@ -82,8 +83,8 @@ const struct pp_picture *pp_render_errors(const struct pp_render *render);
 void pp_render_take_picture(struct pp_render *render, struct pp_picture *picture,
                             struct pp_picture *errors);
 
-/* Row by row, the tag (light_scene.h) of what each pixel's middle shows, glass
- * included; -1: nothing. */
+/* Tag (light_scene.h) of the object at each pixel's middle, glass included, row by row;
+ * -1: nothing. */
 const int *pp_render_tags(const struct pp_render *render);
 
 struct pp_render_work {
@@ -103,9 +104,9 @@ struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile);
 bool pp_render_camera_ray(const struct pp_render *render, const double place[2],
                           struct pp_light_ray *ray);
 
-/* The allowance for the deterioration of the room's decorations, on internally
- * reflected light: of irradiances; radiances are those of surfaces as their finishes
- * say, and have 1. */
+/* Allowance for the deterioration of the room's decorations, on internally reflected
+ * light, for irradiances; 1 for radiances, which are those of surfaces with their
+ * stated finishes. */
 double pp_render_decorations(const struct pp_render *render);
 
 #endif

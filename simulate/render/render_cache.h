@@ -7,8 +7,8 @@
 /* A number that depends on all records of a cache, for ambient_hash. */
 uint64_t pp_render_cache_hash(const struct pp_irradiance_cache *cache);
 
-/* Where in the picture, in pixels, the records of depth 0 are seen: not through glass.
- * *xy is the caller's to free. */
+/* Positions in the picture (pixels) of records of depth 0 that are visible other than
+ * through glass. The caller frees *xy. */
 enum pp_status pp_render_cache_positions(const struct pp_render *render,
                                          const struct pp_irradiance_cache *cache,
                                          double (**xy)[2], int *count,

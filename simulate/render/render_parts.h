@@ -13,8 +13,8 @@ struct pp_render {
     struct pp_render_options options;         /* samples: a power of two */
     struct pp_planner *planner;
     struct pp_render_tile tile;        /* at hand */
-    enum pp_space eye_space;           /* of all rays but those of a parallel view */
-    struct pp_picture picture, errors; /* errors: empty where none are wanted */
+    enum pp_space eye_space;           /* of all rays except those of a parallel view */
+    struct pp_picture picture, errors; /* errors: empty if not requested */
     int *tags;
     int tiles_across, tile_count;
     unsigned char *tile_done; /* 1: it is */

@@ -134,8 +134,9 @@ double pp_gloss_sample(const struct pp_gloss *gloss, struct pp_vec3 i, double u,
 {
     double r = sqrt(-log(u)), sine, cosine;
     sincos(2.0 * PP_PI * v, &sine, &cosine);
-    /* One of two opposite slopes may mirror light down, near grazing incidence nearly
-     * always: then the other is drawn, twice as often. */
+    /* Near grazing incidence usually only one of two opposite slopes mirrors light
+     * down. That slope is then used, with half its weight since it is drawn twice as
+     * often. */
     struct pp_vec3 opposite;
     double weight = mirrored(gloss, i, r * cosine, r * sine, o);
     double other = mirrored(gloss, i, -r * cosine, -r * sine, &opposite);

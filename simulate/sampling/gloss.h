@@ -31,8 +31,8 @@
 #include "model/base/error.h"
 #include "model/geometry/vec.h"
 
-/* Is a gloss of these roughnesses a mirror? A smaller one counts as SMOOTH = 0.001
- * where the other is not. */
+/* True if a gloss of these roughnesses is a mirror. A smaller one counts as SMOOTH =
+ * 0.001 if the other is not. */
 bool pp_gloss_is_mirror(double along, double across);
 
 enum { PP_GLOSS_COSINES = 33, PP_GLOSS_AZIMUTHS = 9 };
@@ -48,7 +48,7 @@ struct pp_gloss {
 enum pp_status pp_gloss_init(struct pp_gloss *gloss, double along, double across,
                              struct pp_error *err);
 
-/* Would pp_gloss_init make the same of these roughnesses? */
+/* True if pp_gloss_init would give the same for these roughnesses. */
 bool pp_gloss_is_of(const struct pp_gloss *gloss, double along, double across);
 
 /* s in a unit direction of the surface's frame: x along the first roughness, z off the

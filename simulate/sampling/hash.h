@@ -43,7 +43,7 @@ static inline uint64_t pp_hash_vec(uint64_t seed, struct pp_vec3 part)
     return pp_hash_double(seed, part.z);
 }
 
-/* For one number or for lanes of them (lanes.h). */
+/* Works on one number or on lanes of them (lanes.h). */
 #define PP_HASH_MIX32(x)                                                               \
     do {                                                                               \
         x ^= x >> 16;                                                                  \

@@ -1,10 +1,10 @@
 /* lanes.h - arithmetic on several numbers at once.
  *
  * The compiler's own vectors: an operator works on each number by itself, so that the
- * results are those of the same operations one by one, to the bit. A function is compiled
- * twice by writing its body once as PP_LANES_BODY and calling that from a plain function
- * and from one that is PP_LANES_WIDE, for processors with registers of 256 bits;
- * pp_lanes_are_wide says whether this is one.
+ * results are those of the same operations one by one, to the bit. A function is
+ * compiled twice: its body is written once as PP_LANES_BODY and called from a plain
+ * function and from one marked PP_LANES_WIDE, for processors with registers of 256
+ * bits. pp_lanes_are_wide tests the processor.
  */
 #ifndef PP_SIMULATE_SAMPLING_LANES_H
 #define PP_SIMULATE_SAMPLING_LANES_H
@@ -46,7 +46,7 @@ static inline bool pp_lanes_are_wide(void)
 #define PP_LANES_CHOOSE(mask, a, b)                                                    \
     ((pp_lanes)(((mask) & (pp_lanes_mask)(a)) | (~(mask) & (pp_lanes_mask)(b))))
 
-/* Directions of a run, the first `count` of them in use. */
+/* Directions of a run, of which the first `count` are used. */
 struct pp_lanes_directions {
     double x[PP_RUN_MOST], y[PP_RUN_MOST], z[PP_RUN_MOST];
 };

@@ -17,7 +17,7 @@ PP_LANES_BODY void sample(const struct pp_frame *frame, const double *u1,
     b = 2.0 * b - 1.0;
     pp_lanes_mask is_a = LANES_MAGNITUDE(a) > LANES_MAGNITUDE(b);
     pp_lanes r = PP_LANES_CHOOSE(is_a, a, b), other = PP_LANES_CHOOSE(is_a, b, a);
-    /* Where r is 0, so is the other. */
+    /* If r is 0, other is 0 as well. */
     pp_lanes_mask some = r != 0.0;
     pp_lanes over = PP_LANES_CHOOSE(some, r, other + 1.0);
     pp_lanes angle = PP_PI / 4.0 * (other / over);

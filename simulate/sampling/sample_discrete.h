@@ -49,10 +49,10 @@ static inline int pp_sample_discrete_of(double (*importance)(const void *data, i
     return chosen;
 }
 
-/* Estimated importances may be wrong, so that a share of the probability is spread evenly.
- * Without it a window that brought 7 % of a point's light, under a clear sky, had 0.5 % of the
- * directions; of 6,400 values in 40 random rooms 14 were off by more than 4 standard errors,
- * with it 3. */
+/* Share of the probability that is spread evenly, since estimated importances may be
+ * wrong. Without it a window with 7 % of a point's light, under a clear sky, had 0.5 %
+ * of the directions; of 6,400 values in 40 random rooms 14 were off by more than 4
+ * standard errors, with it 3. */
 #define PP_SAMPLE_DISCRETE_UNIFORM 0.1
 
 static inline double pp_sample_discrete_estimate(const void *estimates, int i)

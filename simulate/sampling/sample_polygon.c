@@ -15,16 +15,16 @@ static const double LEAST_WEIGHT = 0.05;
  * by trial. */
 static const double NEAR_DIAGONALS = 0.6;
 
-/* The importance of a rectangle whose middle is nearer than this many of its diagonals is
- * guessed by its solid angle: that of a long one is another near its end than at its
- * middle. */
+/* Distance, in diagonals, below which the importance of a rectangle is estimated by its
+ * solid angle: that of a long rectangle differs between its end and its middle. */
 static const double GUESSED_DIAGONALS = 1.0;
 
-/* An opening is chosen as if what it brings had this weight at least: the guess of it may be
+/* Least weight with which an opening is chosen, since the estimate of its light may be
  * wrong. */
 static const double LEAST_CHOICE = 0.1;
 
-/* For that guess no point is nearer to its plane: it is above 0 for all that see it. */
+/* Least height over an opening's plane in that estimate; above 0 for all points that
+ * see the opening. */
 static const double LEAST_HEIGHT_M = 1e-3;
 
 /* Triangles of smaller solid angle are sampled by area: there Arvo's formulae lose
@@ -119,7 +119,8 @@ double pp_sample_polygon_importance(const struct pp_target *target, struct pp_ve
     if (target->rectangle
         && square < GUESSED_DIAGONALS * GUESSED_DIAGONALS * diagonal_squared(target))
         return importance_when_near(target, from, n, brightness, weight);
-    /* Between the far field and the half space that a near opening fills. */
+    /* Interpolates between the far field and the half space that a near opening
+     * fills. */
     double slant = pp_target_height(target, from) / length;
     double solid = target->area_m2 * pp_max(slant, 0.05) / (square + target->area_m2);
     return solid * pp_max(weight, LEAST_CHOICE);

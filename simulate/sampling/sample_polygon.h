@@ -4,8 +4,8 @@
  * Fajardo and King [URENA13], a triangle by Arvo's [ARVO95b]; where the opening looks
  * small both by area. On top of the map a bilinear density over the unit square [PJH23]
  * makes the sampling follow, corner to corner, the cosine at the receiving surface and
- * the brightness behind the opening (importance sampling). The guess of that brightness
- * affects the variance alone: the inverse density that comes with a direction is exact,
+ * the brightness behind the opening (importance sampling). The estimate of that
+ * brightness affects the variance alone: the inverse density of a direction is exact,
  * and every direction to the opening has one.
  */
 #ifndef PP_SIMULATE_SAMPLING_SAMPLE_POLYGON_H
@@ -44,7 +44,7 @@ static inline struct pp_vec3 pp_target_point(const struct pp_target *target, dou
     return pp_vec_along(pp_vec_along(target->corner, x, target->along), y, target->up);
 }
 
-/* A guess of the luminance outside the openings, over that of the horizon. */
+/* Estimated luminance outside the openings, over that of the horizon. */
 struct pp_brightness {
     double ground;    /* below the horizon */
     double gradation; /* above it 1 + gradation sin altitude */
@@ -61,13 +61,13 @@ struct pp_polygon_sampler {
     double corner_weight[2][2]; /* [v][u], their mean is 1 */
 };
 
-/* Is there any direction from this side of a surface at `from` with normal n to the
- * side of the target that gives light? */
+/* True if any direction leads from this side of a surface, at `from` with normal n, to
+ * the side of the target that gives light. */
 bool pp_sample_polygon_in_sight(const struct pp_target *target, struct pp_vec3 from,
                                 struct pp_vec3 n);
 
-/* A guess of the light that the target brings to `from`, for choosing one of several:
- * never 0 for one that is in sight. */
+/* Estimated light of the target at `from`, for choosing one of several: never 0 for a
+ * visible one. */
 double pp_sample_polygon_importance(const struct pp_target *target, struct pp_vec3 from,
                                     struct pp_vec3 n, struct pp_brightness brightness);
 

@@ -19,7 +19,7 @@ static const struct joe_kuo joe_kuo[PP_SOBOL_DIMENSIONS - 1] = {
     {3, 2, {1, 1, 1}}, {4, 1, {1, 1, 3, 3}},
 };
 
-/* For one number or for lanes of them. */
+/* Works on one number or on lanes of them. */
 #define REVERSE_IN_BYTES(x)                                                            \
     do {                                                                               \
         x = (x >> 1 & UINT32_C(0x55555555)) | (x & UINT32_C(0x55555555)) << 1;         \
@@ -36,7 +36,7 @@ static const struct joe_kuo joe_kuo[PP_SOBOL_DIMENSIONS - 1] = {
         x ^= x * UINT32_C(0x53a22864);                                                 \
     } while (0)
 
-/* Within the file, so that the compiler may inline them. */
+/* Static, so that the compiler may inline it. */
 static uint32_t reverse_bits(uint32_t x)
 {
     REVERSE_IN_BYTES(x);

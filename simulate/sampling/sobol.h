@@ -16,12 +16,12 @@
 
 enum {
     PP_SOBOL_DIMENSIONS = 6,
-    PP_SOBOL_KEPT = 3, /* vertices whose seeds are worked out once: most of the draws of
-                        * light paths, of which a sequence has a dozen */
+    PP_SOBOL_KEPT = 3, /* vertices whose seeds are calculated once: most of the draws of
+                        * light paths, about a dozen in a sequence */
 };
 
-/* The sequence itself: for each dimension and each byte of the index (both with their
- * bits reversed) what it adds. The same for all; 24 kB. */
+/* The sequence itself: the summand for each dimension and each byte of the index (both
+ * with their bits reversed). The same for all; 24 kB. */
 struct pp_sobol {
     uint32_t table[PP_SOBOL_DIMENSIONS][4][256];
 };
@@ -44,15 +44,15 @@ void pp_sobol_sequence_init(struct pp_sobol_sequence *sequence,
 void pp_sobol_sequence_draw(const struct pp_sobol_sequence *sequence, uint32_t index,
                             int vertex, int count, double u[]);
 
-/* The same of `count` points from index `first` on, sooner: u[k][i] is coordinate k of
- * point first + i. count: 1, 2, 4, 8 or 16; first: a multiple of it. Of u, what lies
- * behind the last point's may be overwritten. */
+/* Draws `count` points from index `first` on at once: u[k][i] is coordinate k of point
+ * first + i. count: 1, 2, 4, 8 or 16; first: a multiple of it. The part of u after the
+ * last point may be overwritten. */
 void pp_sobol_sequence_draw_run(const struct pp_sobol_sequence *sequence,
                                 uint32_t first, int count, int vertex, int dimensions,
                                 double u[][PP_RUN_MOST]);
 
-/* The scramble alone: a number whose bits are reversed (the first binary digit lowest);
- * digit k of the result depends on digits 0 to k only. */
+/* The scramble alone, of a number whose bits are reversed (the first binary digit
+ * lowest); digit k of the result depends on digits 0 to k only. */
 uint32_t pp_sobol_owen_scramble_reversed(uint32_t reversed, uint32_t seed);
 
 #endif

@@ -14,8 +14,8 @@ static const double IN_PLANE_M = 1e-9;
 /* A ray may start so far behind a plane: in a corner it is rounding. */
 static const double BEHIND_M = 1e-5;
 
-/* Normals whose product is greater than this are those of one plane, or of two that
- * rounding might take for one. */
+/* Product of normals above which they belong to one plane, or to two that rounding
+ * might confuse. */
 static const double SAME_NORMAL = 1.0 - 1e-6;
 
 struct convex_plane {
@@ -23,7 +23,7 @@ struct convex_plane {
     double offset_m;       /* normal . x of its points */
     int part;
     int first, count; /* of its panes, in the list */
-    bool niches;      /* has one of them a reveal? */
+    bool niches;      /* true if one of them has a reveal */
 };
 
 struct pp_convex_room {
@@ -315,15 +315,14 @@ int pp_convex_room_behind_mouth(const struct pp_pane *pane, struct pp_vec3 at,
     return x_m < y_m ? pane->sides[right] : pane->sides[2 + top];
 }
 
-/* The point brought to the plane that it lies in but for rounding. */
+/* Moves a point on to its plane, to remove rounding. */
 static struct pp_vec3 on_plane(struct pp_vec3 normal, double offset_m,
                                struct pp_vec3 point)
 {
     return pp_vec_along(point, offset_m - pp_vec_dot(normal, point), normal);
 }
 
-/* The part that a ray meets which has come to a point of the mouth of a niche; moves the
- * point there. */
+/* Part met by a ray beyond a point of a niche's mouth; moves the point there. */
 static int go_in(const struct pp_light_scene *scene, const struct pp_pane *pane,
                  struct pp_vec3 to, double *distance_m, struct pp_vec3 *point)
 {

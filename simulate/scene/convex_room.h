@@ -1,13 +1,13 @@
-/* convex_room.h - what a ray meets in an empty convex room, by its planes alone.
+/* convex_room.h - intersection of a ray with an empty convex room, by its planes alone.
  *
  * Any two points of such a room see each other, and a ray in it ends on the nearest of
- * the planes that it runs towards: on a pane of that plane's, or else on its face. A few
- * multiplications do what the ray kernels do for any scene, in double precision.
+ * the planes that it runs towards: on a pane of that plane's, or else on its face. A
+ * few multiplications do what the ray kernels do for any scene, in double precision.
  *
- * The depth of an opening with a reveal, a niche, is no part of the room meant here: its
- * mouth lies in the face. A ray that passes a rectangular mouth ends on the pane or on one
- * of the niche's four sides; of other niches' sides, and of rays that start in a niche, the
- * kernels know.
+ * The depth of an opening with a reveal, a niche, is not part of the room in this
+ * sense: its mouth lies in the face. A ray that passes a rectangular mouth ends on the
+ * pane or on one of the niche's four sides. Sides of other niches, and rays that start
+ * in a niche, are left to the kernels.
  */
 #ifndef PP_SIMULATE_SCENE_CONVEX_ROOM_H
 #define PP_SIMULATE_SCENE_CONVEX_ROOM_H
@@ -24,8 +24,8 @@ struct pp_world;
  * vertex lies behind the plane of a face. */
 bool pp_convex_room_is(const struct pp_world *world);
 
-/* Gives the sides of every niche that is a box to its pane, and the other way round. Once
- * the scene's parts and panes are there; in any room. */
+/* Links the sides of every box-shaped niche to its pane, and vice versa. Call after the
+ * scene's parts and panes are added; in any room. */
 void pp_convex_room_find_niches(struct pp_light_scene *scene);
 
 static inline bool pp_convex_room_has_niche(const struct pp_pane *pane)
@@ -38,8 +38,9 @@ static inline bool pp_convex_room_has_niche(const struct pp_pane *pane)
 int pp_convex_room_behind_mouth(const struct pp_pane *pane, struct pp_vec3 at,
                                 struct pp_vec3 to, double *further_m);
 
-/* Once the scene's parts and panes are there. On success *room is the caller's; NULL
- * where the scene's world is no such room, or has two faces in one plane. */
+/* Creates the room after the scene's parts and panes are added. On success *room is the
+ * caller's; NULL if the scene's world is no such room, or has two faces in one
+ * plane. */
 enum pp_status pp_convex_room_create(struct pp_convex_room **room,
                                      const struct pp_light_scene *scene,
                                      struct pp_error *err);
@@ -53,8 +54,8 @@ bool pp_convex_room_encloses(const struct pp_convex_room *room, struct pp_vec3 p
 struct pp_light_ray pp_convex_room_sight(const struct pp_convex_room *room,
                                          struct pp_vec3 point);
 
-/* The plane that a ray comes to first, by its index, and how far off; -1: none, or the
- * ray starts outside, or in a niche or near its mouth. */
+/* Index of the first plane that a ray meets, and its distance; -1: none, or the ray
+ * starts outside, or in a niche or near its mouth. */
 struct pp_convex_nearest {
     int plane;
     double distance_m;

@@ -8,8 +8,8 @@
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/round.h"
 
-/* A quadrangle is a rectangle whose opposite edges and right angles differ by less than
- * this share. */
+/* Relative tolerance of opposite edges and right angles within which a quadrangle is a
+ * rectangle. */
 static const double SAME_SHAPE = 1e-6;
 
 /* ---- gathered ---- */

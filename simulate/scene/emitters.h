@@ -1,5 +1,5 @@
-/* emitters.h - concentrated emitters, which next-event estimation samples: which sides
- * of which parts they are, and directions to them.
+/* emitters.h - concentrated emitters, sampled by next-event estimation: their sides of
+ * parts, and directions to them.
  *
  * Plane emitters are sampled as openings are (sample_polygon.h), spheres by the cone of
  * directions that they fill, distant ones by their own cone, cones and rings by area.
@@ -51,7 +51,7 @@ enum pp_status pp_emitters_add_distant(struct pp_light_scene *scene,
                                        const struct pp_shape *shape,
                                        struct pp_error *err);
 
-/* Once all emitters are there: their targets get their triangles. */
+/* Links the triangles of targets, after all emitters are added. */
 void pp_emitters_link_triangles(struct pp_light_scene *scene);
 
 /* An emitter as seen from one point of a surface. */
@@ -83,8 +83,8 @@ bool pp_emitters_sample(const struct pp_emitter_sampler *sampler, double u, doub
 double pp_emitters_pdf(const struct pp_emitter_sampler *sampler,
                        struct pp_vec3 direction);
 
-/* A guess of the light that an emitter brings to a point, for choosing one of several;
- * not 0 where it brings any. */
+/* Estimated light of an emitter at a point, for choosing one of several; not 0 if it
+ * contributes any. */
 double pp_emitters_importance(const struct pp_emitter *emitter,
                               const struct pp_light_scene *scene, struct pp_vec3 from,
                               struct pp_vec3 n);

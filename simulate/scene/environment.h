@@ -1,14 +1,14 @@
 /* environment.h - the light of a ray that leaves the scene: sky, ground, skylines.
  *
- * A light from outside (model/light/outside_light.h) worked out for one scene. It is an
- * argument of all that integrates: a second one on the same scene costs some
- * microseconds, and nothing of the scene is built again.
+ * A light from outside (model/light/outside_light.h) prepared for one scene. It is an
+ * argument of all integrators: a second one on the same scene costs some microseconds,
+ * and the scene is not rebuilt.
  *
  * Light is given as pi times luminance over the horizontal illuminance Eh of the open
  * sky, so that the mean over a cosine lobe is an illuminance over Eh.
  *
- * A ground that is no surface of the scene (scene_ground.h) is an endless diffuse plane
- * under the open sky: rho below the horizon. A skyline without a distance
+ * A ground that is not a surface of the scene (scene_ground.h) is an endless diffuse
+ * plane under the open sky: rho below the horizon. A skyline without a distance
  * (scene_skylines.h) gives off
  *
  *     rho (Ev + rho_ground / 2)

@@ -1,5 +1,6 @@
-/* light_scene.c - what rays meet in a light scene, its materials and its environment.
- * light_scene_of_description.c and light_scene_of_world.c make the parts. */
+/* light_scene.c - intersection of rays with a light scene, its materials and its
+ * environment. light_scene_of_description.c and light_scene_of_world.c make the
+ * parts. */
 #include "simulate/scene/light_scene.h"
 
 #include <math.h>
@@ -48,7 +49,8 @@ enum pp_space pp_light_scene_space(const struct pp_light_scene *scene,
 {
     if (!scene->has_room)
         return PP_ANYWHERE;
-    /* In the depth of a reveal a point is outside the envelope and still may see in. */
+    /* A point inside a reveal is outside the envelope, but may still see into the
+     * room. */
     return pp_position_in_room(scene->world, point) ? PP_INDOORS : PP_ANYWHERE;
 }
 
@@ -93,7 +95,7 @@ static bool is_rough(const struct pp_material *material)
            && !pp_gloss_is_mirror(material->roughness[0], material->roughness[1]);
 }
 
-/* The number of the gloss of these roughnesses, worked out if it is a new one. */
+/* Number of the gloss with these roughnesses, which is calculated if it is new. */
 static enum pp_status find_gloss(struct pp_light_scene *scene,
                                  const double roughness[2], int *number,
                                  struct pp_error *err)
@@ -118,7 +120,7 @@ static bool has_one_glass(const struct pp_material *material)
            && pp_glass_is_same(&material->glass[0], &material->glass[2]);
 }
 
-/* Curves take 16 kB each: of a scene with more sorts of glass the rest is asked by its law. */
+/* Most tabulated curves, 16 kB each; further kinds of glass use the law itself. */
 enum { CURVES_MOST = 64 };
 
 /* Like glass has one curve. */
@@ -233,9 +235,8 @@ static void refine(const struct pp_light_scene *scene, const struct pp_light_par
         hit->normal = pp_vec_scale(hit->normal, -1.0);
 }
 
-/* Below the room's own plan, at the level of a ground that is higher than its floor,
- * there is no ground; it matters to rays that start in a reveal, of which it isn't known
- * that they are indoors. */
+/* There is no ground below the room's own plan if it is higher than the floor; this
+ * matters to rays that start in a reveal, which are not known to be indoors. */
 static bool is_under_roof(const struct pp_light_scene *scene, struct pp_vec3 point)
 {
     static const double OVER_GROUND_M = 1e-3;
@@ -244,8 +245,8 @@ static bool is_under_roof(const struct pp_light_scene *scene, struct pp_vec3 poi
     return pp_position_in_room(scene->world, point);
 }
 
-/* Is the ground nearer along the ray than what it has met at hit->distance_m? Then that
- * becomes the ground's. A surface that lies on the ground, to single precision, hides
+/* True if the ground is nearer along the ray than hit->distance_m, which then becomes
+ * the ground's distance. A surface that lies on the ground, to single precision, hides
  * it. */
 static bool meets_ground(const struct pp_light_scene *scene,
                          const struct pp_light_ray *ray, struct pp_light_hit *hit)
@@ -278,7 +279,7 @@ enum pp_meeting pp_light_scene_meet_outside(const struct pp_light_scene *scene,
     return meets_ground(scene, ray, hit) ? PP_MEETS_GROUND : PP_MEETS_ENVIRONMENT;
 }
 
-/* In an empty convex room; false where the ray starts outside. */
+/* Nearest hit in an empty convex room; false if the ray starts outside. */
 static bool meet_convex(const struct pp_light_scene *scene,
                         const struct pp_light_ray *ray,
                         const struct pp_convex_nearest *nearest,
@@ -378,8 +379,7 @@ struct pp_rgb pp_light_scene_distant_radiance(const struct pp_light_scene *scene
         pp_scene_description_pattern_value(&scene->patterns[material->pattern], u));
 }
 
-/* The extended distant source that fills the smallest angle, of those in which u
- * lies. */
+/* Smallest extended distant source, by angle, among those in direction u. */
 static int distant_in(const struct pp_light_scene *scene, struct pp_vec3 u)
 {
     int found = -1;
@@ -398,7 +398,7 @@ struct pp_rgb pp_light_scene_environment(const struct pp_light_scene *scene,
                                          struct pp_vec3 u, bool *is_sky)
 {
     bool sky = false;
-    double light = 0.0; /* pi L, as environment.h has it */
+    double light = 0.0; /* pi L, as in environment.h */
     if (scene->world)
         light = pp_environment_light(environment, u, &sky);
     if (is_sky)

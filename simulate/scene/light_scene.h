@@ -1,10 +1,10 @@
-/* light_scene.h - any scene as light sees it: shapes, materials, sky and lamps.
+/* light_scene.h - any scene prepared for tracing: shapes, materials, sky and lamps.
  *
  * Made from a room's world (light_scene_of_world.h) or from a description
  * (light_scene_of_description.h), whose distant sources are part of the scene; a
- * world's light from outside is not (environment.h). Once made it is only read: any number of threads may
- * ask. Points and directions are the scene's own; the shift and rounding for the ray
- * kernels stay within.
+ * world's light from outside is not (environment.h). Once made it is only read, by any
+ * number of threads. Points and directions are the scene's own; the shift and rounding
+ * for the ray kernels stay within.
  *
  * Light of a world is over Eh: radiances per steradian, irradiances as daylight
  * factors. Light of a description has the description's unit.
@@ -29,12 +29,12 @@ struct pp_triangles;
 
 void pp_light_scene_destroy(struct pp_light_scene *scene); /* NULL is allowed */
 
-/* Where a ray runs, as far as that is known. In a world, a ray that is indoors can't
- * see the back of the room's envelope: if it does, it has leaked between the edges of
- * two surfaces and counts nothing. A description's rays run anywhere. */
+/* Space in which a ray runs, if known. In a world an indoor ray cannot see the back of
+ * the room's envelope. If it does it has leaked between the edges of two surfaces and
+ * counts as nothing. Rays of a description run anywhere. */
 enum pp_space { PP_ANYWHERE, PP_INDOORS, PP_OUTDOORS };
 
-/* Where a point lies: PP_ANYWHERE in a description's scene. */
+/* Space of a point: PP_ANYWHERE in a description's scene. */
 enum pp_space pp_light_scene_space(const struct pp_light_scene *scene,
                                    struct pp_vec3 point);
 
@@ -71,8 +71,8 @@ int pp_light_scene_material_count(const struct pp_light_scene *scene);
 const struct pp_material *pp_light_scene_material(const struct pp_light_scene *scene,
                                                   int material);
 
-/* The box round all that is not infinitely far away; where `room` is wanted, of a world
- * that round the room alone. All zero where there is nothing. */
+/* Bounding box of everything not infinitely far away; with `room`, in a world, of the
+ * room alone. All zero if there is nothing. */
 struct pp_bounds3 pp_light_scene_bounds(const struct pp_light_scene *scene, bool room);
 
 /* The light from outside, worked out for the scene of a world, which must live as
@@ -103,14 +103,15 @@ bool pp_light_scene_nearest(const struct pp_light_scene *scene, struct pp_vec3 f
                             const struct pp_lanes_directions *to, int count,
                             struct pp_convex_nearest *nearest);
 
-/* The ray's first meeting. hit->distance_m is its distance in any case, INFINITY for
- * the sky and the like; hit->part is -1 where it meets none; point and normal are those
- * of a part or of the ground, all else is of a part. */
+/* First intersection of the ray. hit->distance_m is always set, INFINITY for sky and
+ * similar ends; hit->part is -1 if the ray meets no part. point and normal are those of
+ * a part or of the ground; the other members are set for a part only. */
 enum pp_meeting pp_light_scene_meet(const struct pp_light_scene *scene,
                                     const struct pp_light_ray *ray,
                                     struct pp_light_hit *hit);
 
-/* The same by the ray kernels alone, without what is known of convex rooms. */
+/* First intersection by the ray kernels alone, without the shortcut for convex
+ * rooms. */
 enum pp_meeting pp_light_scene_trace(const struct pp_light_scene *scene,
                                      const struct pp_light_ray *ray,
                                      struct pp_light_hit *hit);
@@ -121,7 +122,7 @@ enum pp_meeting pp_light_scene_meet_by(const struct pp_light_scene *scene,
                                        const struct pp_convex_nearest *nearest,
                                        struct pp_light_hit *hit);
 
-/* The same for a ray that is known to meet no part. */
+/* First intersection of a ray that is known to meet no part. */
 enum pp_meeting pp_light_scene_meet_outside(const struct pp_light_scene *scene,
                                             const struct pp_light_ray *ray,
                                             struct pp_light_hit *hit);
@@ -136,14 +137,15 @@ struct pp_rgb pp_light_scene_environment(const struct pp_light_scene *scene,
 struct pp_rgb pp_light_scene_distant_radiance(const struct pp_light_scene *scene, int i,
                                               struct pp_vec3 u);
 
-/* Once all parts are there: the structure for the ray kernels, from the triangles of
- * the parts by number and the scene's round shapes. The scene's hash too. */
+/* Builds the structure for the ray kernels after all parts are added, from the
+ * triangles of the parts by number and the scene's round shapes. Also sets the scene's
+ * hash. */
 enum pp_status pp_light_scene_add_rays(struct pp_light_scene *scene,
                                        const struct pp_triangles *triangles,
                                        struct pp_error *err);
 
-/* Once all materials and parts are there: works out the glosses that they have and the
- * curves of their glass, and which parts are matt. */
+/* Calculates the glosses and glass curves after all materials and parts are added, and
+ * marks the diffuse parts. */
 enum pp_status pp_light_scene_add_laws(struct pp_light_scene *scene,
                                        struct pp_error *err);
 

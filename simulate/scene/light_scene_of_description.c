@@ -26,8 +26,8 @@ static bool is_polygon(const struct pp_shape *shape)
     return shape->kind == PP_SHAPE_POLYGON;
 }
 
-/* The box round all shapes, and the mean of their points as the centre: there, where
- * most of them are, single precision is best. */
+/* Measures the box round all shapes, and their centre as the mean of their points,
+ * where most of them are and single precision is best. */
 static void measure_described_scene(struct pp_light_scene *scene,
                                     const struct pp_scene_description *from)
 {

@@ -11,7 +11,8 @@ enum pp_status pp_light_scene_of_world(struct pp_light_scene **scene,
                                        const struct pp_world *world,
                                        struct pp_error *err);
 
-/* The same with every finish diffuse, as the tracer and the hand methods have it. */
+/* Makes the scene with every finish diffuse, as used by the tracer and the hand
+ * methods. */
 enum pp_status pp_light_scene_of_world_matt(struct pp_light_scene **scene,
                                             const struct pp_world *world,
                                             struct pp_error *err);

@@ -1,4 +1,4 @@
-/* light_scene_parts.c - what the part of a scene that a ray has met does to it. */
+/* light_scene_parts.c - scattering and transmission at the part that a ray has met. */
 #include "simulate/scene/light_scene_parts.h"
 
 void pp_light_scene_parts_lobes(const struct pp_light_scene *scene,

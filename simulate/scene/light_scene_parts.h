@@ -25,10 +25,11 @@ struct pp_light_part {
     int material[2]; /* of front and back */
     int tag;
     int round;        /* which of the round shapes; -1: plane */
-    int window;       /* whose pane; -1: none */
-    int niche;        /* of which rectangular opening's it is a side; -1: of none */
+    int window;       /* index of its pane's opening; -1: none */
+    int niche;        /* index of the rectangular opening of whose niche it is a side;
+                       * -1: none */
     int emitter[2];   /* of front and back; -1: not a concentrated emitter */
-    int mirror;       /* in whose plane it mirrors; -1: none */
+    int mirror;       /* index of the mirror in its plane; -1: none */
     int reflector[2]; /* of front and back; -1: none */
     unsigned char space[2]; /* enum pp_space of rays that leave front and back */
     bool envelope;          /* of a room: its back is not seen from inside */
@@ -45,15 +46,15 @@ struct pp_light_scene {
     double size_m;                /* greatest coordinate of the room */
     struct pp_pane *panes;
     int pane_count;
-    bool has_niches; /* has one of them a reveal? */
+    bool has_niches; /* true if one of them has a reveal */
     struct pp_vec3 (*pane_triangles)[3];
     struct pp_vec3 (*plane)[3]; /* the working plane's triangles */
     int plane_count;
     double plane_area_m2;
     struct pp_scene_skylines skylines;
     struct pp_scene_ground ground;
-    double decorations;   /* allowance on what is reflected inside, no matter of paths;
-                         * 1: of a description too */
+    double decorations;   /* allowance on internally reflected light, not applied to
+                           * paths; 1 also for a description */
     double most_exitance; /* the greatest of any surface's own */
     bool reflects;        /* does any surface that the room sees? */
 
@@ -72,8 +73,7 @@ struct pp_light_scene {
     struct pp_shape *rounds;
     int round_count;
     struct pp_rays *rays;
-    struct pp_convex_room
-        *convex; /* what its rays indoors meet; NULL: the kernels tell */
+    struct pp_convex_room *convex; /* for rays indoors; NULL: use the kernels */
 
     struct pp_emitter *emitters;
     int emitter_count;
@@ -122,7 +122,7 @@ static inline struct pp_vec3 pp_light_scene_parts_point(
     return pp_vec_along(pp_vec_along(foot, a, part->a), b, part->b);
 }
 
-/* Where a ray runs that leaves a hit, on the side that was met or through the part. */
+/* Space of a ray that leaves a hit, on the side that was met or through the part. */
 static inline enum pp_space pp_light_scene_parts_space(
     const struct pp_light_scene *scene, const struct pp_light_hit *hit, bool through)
 {
@@ -135,8 +135,8 @@ void pp_light_scene_parts_lobes(const struct pp_light_scene *scene,
                                 const struct pp_light_hit *hit, struct pp_vec3 to,
                                 struct pp_lobes *lobes);
 
-/* The ray goes on straight through the part that it has met, or as that mirrors it; *light
- * is multiplied by what the part lets through, or mirrors. False where that is none. */
+/* Continues the ray straight through the part that it has met, or mirrors it; *light is
+ * multiplied by the transmittance or reflectance. False if that is 0. */
 bool pp_light_scene_parts_pass(const struct pp_light_scene *scene,
                                const struct pp_light_hit *hit, struct pp_light_ray *ray,
                                struct pp_rgb *light);

@@ -22,7 +22,7 @@ static bool is_unobstructed(const struct pp_world *world,
     return true;
 }
 
-/* From inside a reveal its sides may hide any pane. */
+/* The sides of a reveal may hide any pane from points inside it. */
 static bool has_reveals(const struct pp_world *world)
 {
     for (int i = 0; i < world->opening_count; i++)

@@ -31,8 +31,8 @@ static inline const struct pp_target *pp_openings_aim(const struct pp_pane *pane
     return mouths ? &pane->mouth : &pane->target;
 }
 
-/* Fills scene->panes from scene->world; triangles: those of all parts, with the
- * openings' own from `first` on. */
+/* Fills scene->panes from scene->world; triangles: those of all parts, the openings'
+ * own from `first` on. */
 enum pp_status pp_openings_find(struct pp_light_scene *scene,
                                 const struct pp_triangles *triangles, int first,
                                 struct pp_error *err);
@@ -42,21 +42,22 @@ enum pp_status pp_openings_find(struct pp_light_scene *scene,
 enum { PP_OPENINGS_KEPT = 16 };
 
 struct pp_openings_shares {
-    struct pp_vec3 point, normal; /* whose they are; a normal of no length: nobody's */
+    struct pp_vec3 point, normal; /* of the viewing surface; a normal of zero length: no
+                                   * surface */
     bool mouths;
     double of[PP_OPENINGS_KEPT];
 };
 
-/* Who looks at openings, and at what of them. */
+/* Viewer of openings. */
 struct pp_openings_viewer {
     struct pp_brightness brightness; /* outside, as it is guessed */
     struct pp_vec3 point, normal;    /* of one side of a surface */
     bool mouths;                     /* mouths of niches, or panes */
 };
 
-/* The opening that u in [0, 1) falls to, in proportion to what each may bring to the
- * viewer, and its probability; -1: none can bring anything. shares: of one scene and
- * brightness, at first all zero. */
+/* Chooses an opening by u in [0, 1), in proportion to its possible light at the viewer,
+ * with its probability; -1: none can contribute. shares: of one scene and brightness,
+ * initially all zero. */
 int pp_openings_choose(const struct pp_light_scene *scene,
                        const struct pp_openings_viewer *viewer,
                        struct pp_openings_shares *shares, double u,

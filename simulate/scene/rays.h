@@ -13,8 +13,8 @@
 
 struct pp_rays;
 
-/* Copies triangles and round shapes (round.h); none of either is allowed. Round shapes
- * are met exactly; their indices follow those of the triangles. */
+/* Copies triangles and round shapes (round.h), possibly none of either. Round shapes
+ * are intersected exactly; their indices follow those of the triangles. */
 enum pp_status pp_rays_create(struct pp_rays **rays, const float (*triangles)[3][3],
                               int count, const struct pp_shape *rounds, int round_count,
                               struct pp_error *err);
@@ -25,17 +25,17 @@ void pp_rays_destroy(struct pp_rays *rays); /* NULL is allowed */
 int pp_rays_first(const struct pp_rays *rays, const float origin[3],
                   const float direction[3], float *distance);
 
-/* Where a ray from p starts: off the surface with normal n that it leaves by more than
- * single precision can lose, so that it can't meet that surface again. */
+/* Start of a ray from p: lifted off its surface with normal n by more than single
+ * precision can lose, so that the ray cannot meet that surface again. */
 static inline struct pp_vec3 pp_rays_lift(struct pp_vec3 p, struct pp_vec3 n)
 {
     double reach = fabs(p.x) + fabs(p.y) + fabs(p.z);
     return pp_vec_along(p, 0x1p-20 + 0x1p-20 * reach, n);
 }
 
-/* The point at which a ray along `to` has met a surface, back along the ray by half of what
- * lifts rays off their surface: in a corner, to the bit, it would lie in the other surface
- * too, and a ray that starts there might be on the wrong side of that. */
+/* Point at which a ray along `to` has met a surface, moved back along the ray by half
+ * of the lift of rays off their surface. In a corner it would otherwise be exactly in
+ * the other surface too, and a ray from there might start on the wrong side of it. */
 static inline struct pp_vec3 pp_rays_draw_back(struct pp_vec3 point, struct pp_vec3 to)
 {
     double reach = fabs(point.x) + fabs(point.y) + fabs(point.z);

@@ -19,7 +19,7 @@ static bool roots(double a, double b, double c, double t[2])
         return false;
     double q = -(b + copysign(sqrt(inner), b));
     double first = q / a, second = q != 0.0 ? c / q : first;
-    /* Where a is 0 the first is infinite or no number: leave it to the second. */
+    /* If a is 0 the first is infinite or NaN; the second is then used. */
     t[0] = first < second ? first : second;
     t[1] = first < second ? second : first;
     if (!isfinite(first))
@@ -52,9 +52,7 @@ static struct axis axis_of(const struct pp_shape *cone)
 }
 
 /* With x from the first end, h its part along the axis, k the growth and r the first
- * radius, the cone's points have
- *
- *     x^2 - h^2 = (r + k h)^2 */
+ * radius, the cone's points have  x^2 - h^2 = (r + k h)^2 */
 static bool meet_cone(const struct pp_shape *shape, struct pp_vec3 p, struct pp_vec3 u,
                       double t[2])
 {
@@ -198,7 +196,7 @@ struct pp_vec3 pp_round_point(const struct pp_shape *shape, double u, double v)
         return pp_round_circle_point(shape->is.ring.centre, shape->is.ring.axis,
                                      sqrt(square), v);
     }
-    /* Along a cone area goes with the radius' square. */
+    /* The area of a cone grows with the square of the radius. */
     struct axis axis = axis_of(shape);
     const double *r = shape->is.cone.radii_m;
     double radius = sqrt(r[0] * r[0] + u * (r[1] * r[1] - r[0] * r[0]));

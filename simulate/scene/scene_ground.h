@@ -1,10 +1,10 @@
-/* scene_ground.h - the ground outside as rays meet it: an endless level plane, seen from
+/* scene_ground.h - the ground outside, for rays: an endless level plane, seen from
  * above.
  *
- * It is a surface like others, diffuse, in the shadow of what stands on it; what it
- * reflects is the environment's (environment.h). Rays that are indoors don't meet it, nor
- * do those that start below it. An open ground is no surface: it belongs to the light
- * from outside.
+ * It is a diffuse surface like others, in the shadow of objects on it; its reflectance
+ * belongs to the environment (environment.h). Rays that are indoors, or start below it,
+ * do not meet it. An open ground is not a surface: it belongs to the light from
+ * outside.
  */
 #ifndef PP_SIMULATE_SCENE_SCENE_GROUND_H
 #define PP_SIMULATE_SCENE_SCENE_GROUND_H
@@ -14,8 +14,8 @@
 
 #include "model/geometry/vec.h"
 
-/* Beyond this the ground is taken for open: the shadow of a tower 300 m high there is
- * one part in ten million of what a window sees of the ground. */
+/* Distance beyond which the ground counts as unobstructed: the shadow of a tower 300 m
+ * high is there 1e-7 of the ground that a window sees. */
 #define PP_SCENE_GROUND_FARTHEST_M 1e6
 
 struct pp_scene_ground {
@@ -23,8 +23,9 @@ struct pp_scene_ground {
     double level_m; /* z, from the scene's centre */
 };
 
-/* The distance at which the ray from p along u (unit), outdoors, comes to the ground, if
- * nothing stands before it; INFINITY: never, or farther away than light is followed. */
+/* Distance at which the ray from p along u (unit), outdoors, meets the ground if
+ * nothing is in front; INFINITY: never, or beyond the distance to which light is
+ * followed. */
 static inline double pp_scene_ground_distance(const struct pp_scene_ground *ground,
                                               struct pp_vec3 p, struct pp_vec3 u)
 {

@@ -24,14 +24,14 @@ enum pp_status pp_triangles_of_surface(struct pp_triangles *list,
                                        const struct pp_world *world, int surface,
                                        struct pp_vec3 centre, struct pp_error *err);
 
-/* The same of any polygon, by crossings where it meets or crosses itself (clipper.h):
- * what they enclose may be nothing. */
+/* Triangulates any polygon, by crossings where it touches or crosses itself
+ * (clipper.h); the enclosed area may be empty. */
 enum pp_status pp_triangles_of_polygon(struct pp_triangles *list,
                                        struct pp_clipper *clipper,
                                        const struct pp_polygon *polygon, int facet,
                                        struct pp_vec3 centre, struct pp_error *err);
 
-/* The working plane; *triangles is to be freed. */
+/* Triangulates the working plane; the caller frees *triangles. */
 enum pp_status pp_triangles_of_plane(struct pp_vec3 (**triangles)[3], int *count,
                                      struct pp_clipper *clipper,
                                      const struct pp_world *world,

@@ -15,7 +15,8 @@ static struct pp_rgb greater(struct pp_rgb a, struct pp_rgb b)
     return pp_rgb(fmax(a.r, b.r), fmax(a.g, b.g), fmax(a.b, b.b));
 }
 
-/* One emitter more, of some size (sr), by the share of it that only chance finds. */
+/* Adds one emitter of some size (sr), with the share of it that is found only by
+ * chance. */
 static void add_emitter(struct pp_unsampled *light, struct pp_rgb radiance,
                         double solid, double share)
 {

@@ -14,23 +14,23 @@
 #include "simulate/scene/emitters.h"
 #include "simulate/scene/light_scene.h"
 
-/* Finds the scene's brightest extended emitter that has a place, once all its parts are
- * there. */
+/* Finds the scene's brightest extended emitter with a place, after all its parts are
+ * added. */
 void pp_unsampled_find_glow(struct pp_light_scene *scene);
 
-/* The share of an emitter's light that may go by reflections which next-event estimation
- * does not sample. A distant emitter's is looked for by 4,096 of its rays, over the whole
- * scene: where none of them is reflected so, the share is one ray's. Once the scene is
- * made. */
+/* Share of an emitter's light that may arrive by reflections which next-event
+ * estimation does not sample. For a distant emitter it is found by 4,096 of its rays
+ * over the whole scene; if none of them is reflected so, the share is that of one ray.
+ * Call once the scene is made. */
 double pp_unsampled_probe(const struct pp_light_scene *scene,
                           const struct pp_emitter *emitter);
 
-/* Irradiances at a point of a scene: what only chance finds, and the radiance of the
- * brightest emitter among that; and all light of emitters and sky, if nothing stood
- * before them. What only chance finds are extended emitters (but for skies with a
- * pattern), and concentrated ones by the reflections by which next-event estimation
- * does not sample them, curved mirrors taken for plane ones; with `by_chance`, where
- * there is no next-event estimation, concentrated emitters altogether. shares: each
+/* Irradiances at a point of a scene: of light found only by chance, with the radiance
+ * of the brightest emitter of it; and of all emitters and the sky, if nothing
+ * obstructed them. Found only by chance are extended emitters (except skies with a
+ * pattern), and concentrated ones by reflections that next-event estimation does not
+ * sample, with curved mirrors treated as plane ones. With `by_chance`, where there is
+ * no next-event estimation, all concentrated emitters are included. shares: each
  * emitter's by pp_unsampled_probe. */
 struct pp_unsampled {
     struct pp_rgb by_chance, brightest, all;
@@ -40,8 +40,8 @@ struct pp_unsampled pp_unsampled_at(const struct pp_light_scene *scene,
                                     struct pp_vec3 point, bool by_chance,
                                     const double *shares);
 
-/* The bound after so many paths; found: have they brought any light that differs from
- * randomisation to randomisation? Else even what was aimed at may have been missed. */
+/* Bound after this many paths. found: the light differs between randomisations;
+ * otherwise even sampled light may have been missed. */
 struct pp_rgb pp_unsampled_bound(const struct pp_unsampled *unsampled, bool found,
                                  double paths);
 
@@ -56,9 +56,9 @@ struct pp_room_bound pp_unsampled_of_room(const struct pp_light_scene *scene,
                                           const struct pp_vec3 *position,
                                           struct pp_vec3 normal);
 
-/* The bound on a component, or on their sum, after so many paths of straight and of
- * reflected light: of those components that no path has found. Bit i of `found` is set
- * where component i was. */
+/* Bound on a component, or on their sum, after this many paths of direct and of
+ * reflected light, for components that no path has found. Bit i of `found` is set if
+ * component i was. */
 double pp_unsampled_of_component(const struct pp_room_bound *most, int component,
                                  unsigned found, double straight, double reflected);
 

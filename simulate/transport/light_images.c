@@ -103,7 +103,7 @@ bool pp_light_images_in_glass(struct pp_radiance_state *state,
     const struct pp_light_scene *scene = state->scene;
     struct pp_light_ray ray = pp_path_vertex_shadow_ray(shading, shading->normal);
     struct pp_light_hit hit;
-    double u[4], pdf; /* direction (2), choice of an image, is there any? */
+    double u[4], pdf; /* direction (2), choice of an image, whether to sample one */
     int vertex =
         pp_path_vertex_branch(shading->vertex * PP_DRAWS + PP_DRAW_WINDOWS, -3);
     pp_sobol_sequence_draw(&state->sequence, state->index, vertex, 4, u);

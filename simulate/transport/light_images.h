@@ -20,26 +20,27 @@ struct pp_image_view {
     struct pp_shading_point there; /* its lobes: those below */
     struct pp_lobes lobes;
     int window;
-    struct pp_rgb weight; /* of what the reflector sends on to the diffuse surface */
+    struct pp_rgb weight; /* share that the reflector sends to the diffuse surface */
 };
 
-/* False where no image is sampled, or none is in sight there. */
+/* Makes the view; false if no image is sampled, or none is visible there. */
 bool pp_light_images_view(struct pp_radiance_state *state,
                           const struct pp_shading_point *shading,
                           struct pp_image_view *view);
 
-/* From there to the opening; false where no light comes along it. */
+/* Samples the view towards the opening; false if no light arrives along it. */
 bool pp_light_images_sample(struct pp_radiance_state *state,
                             const struct pp_image_view *view,
                             struct pp_opening_sample *sample);
 
-/* Probability of sampling an image in glass: it brings little, but steadily. Measured in
- * 93 rooms of openings in several walls, eight points at 1 %: with 1 they take 10 % more
- * time, with 0.5 2 % more. */
+/* Probability of sampling an image in glass, whose light is weak but steady. Measured
+ * in 93 rooms with openings in several walls, eight points at 1 %: with 1 they take 10
+ * % more time, with 0.5 2 % more. */
 #define PP_GLASS_CHANCE 0.25
 
-/* To an opening's image in the glass of another (glass_images.h), as far as that glass, and
- * on to the opening; false where no light comes along it. *there is in the glass then. */
+/* Samples an opening's image in the glass of another (glass_images.h): up to that
+ * glass, and on to the opening. *there is then in the glass. False if no light arrives
+ * along it. */
 bool pp_light_images_in_glass(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading,
                               struct pp_glass_view *view,

@@ -15,14 +15,14 @@
 enum {
     /* A path ends here where nothing ever absorbs. */
     MOST_BOUNCES = 1 << 14,
-    /* Up to the first surface that scatters, but at no more than this many, gloss and
-     * mirror are paths of their own beside the diffuse one. */
+    /* Most bounces, up to the first surface that scatters, for which gloss and mirror
+     * are separate paths beside the diffuse one. */
     FIRST_FEW = 3,
     /* Directions from the ground, where it is the first surface that scatters, for each
      * to a window: no cache smooths its light. */
     GROUND_DIRECTIONS = 4,
-    /* Directions of a strong gloss, and to each window, where it is the first surface
-     * that scatters: what they show may be a window's edge, and no cache smooths it. */
+    /* Directions of a strong gloss, and to each window, if it is the first surface that
+     * scatters: they may show a window's edge, and no cache smooths it. */
     GLOSS_DIRECTIONS = 4,
 };
 
@@ -54,8 +54,8 @@ struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
 
 /* ---- light at a surface ---- */
 
-/* The light that comes to a window along the ray, which leaves it to the outside: known
- * beforehand where nothing stands there, else read from the store, else that of a
+/* Light that reaches a window along the ray, which leaves it to the outside: known
+ * beforehand if nothing obstructs it, else read from the store, else found by a
  * path. */
 static struct pp_rgb light_outside(struct pp_radiance_state *state,
                                    const struct pp_shading_point *shading,
@@ -193,9 +193,9 @@ static struct pp_rgb direct_light_of_lobes(struct pp_radiance_state *state,
     return sum;
 }
 
-/* Diffuse inter-reflection of one side of a surface, *share of it, where that is known
- * from elsewhere (a cache): *share is black from then on, as it is after the last diffuse
- * reflection that is wanted. */
+/* Diffuse inter-reflection of one side of a surface, *share of it, if it is known from
+ * a cache. *share is then set to black, as after the last diffuse reflection
+ * allowed. */
 static struct pp_rgb ambient_reflected(const struct pp_radiance_state *state,
                                        const struct pp_light_hit *hit,
                                        struct pp_vec3 normal, int depth,
@@ -259,8 +259,8 @@ static void add_environment(const struct pp_radiance_state *state,
 
 /* ---- on from a surface ---- */
 
-/* The path goes on by one of the lobes, drawn at random; false where it ends, by
- * Russian roulette or because nothing is scattered. */
+/* Continues the path by one of the lobes, drawn at random; false if it ends, by Russian
+ * roulette or because nothing is scattered. */
 static bool path_goes_on(struct pp_radiance_state *state, struct pp_light_path *path,
                          const struct pp_lobes *lobes, const struct pp_light_hit *hit)
 {
@@ -331,7 +331,7 @@ static bool scatters(const struct pp_lobes *lobes)
     return false;
 }
 
-/* The material's lobes towards the eye, without those whose light was sampled
+/* Lobes of the material towards the eye, without those whose light was sampled
  * directly. */
 static void lobes_of(struct pp_radiance_state *state, const struct pp_light_path *path,
                      const struct pp_light_hit *hit, struct pp_lobes *lobes)
@@ -382,10 +382,10 @@ static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *
     return pp_path_scatter_survives(path, path->least, chance);
 }
 
-/* The ground, a diffuse surface outdoors. No cache is asked for its light, and it does not
- * count among the diffuse reflections whose number may be limited, unless that is wanted:
- * most of its light is the sky's. Where the path is to take many directions, all but one are paths of their
- * own. */
+/* Scatters at the ground, a diffuse surface outdoors. No cache is read for it, and it
+ * does not count among the limited number of diffuse reflections unless requested: most
+ * of its light is the sky's. If the path splits into many directions, all but one are
+ * separate paths. */
 static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path *path,
                            const struct pp_light_hit *hit, struct pp_rgb *total)
 {
@@ -437,7 +437,7 @@ static bool scatter(struct pp_radiance_state *state, struct pp_light_path *path,
     path->here_arrival = arrival_of(state, path, hit);
     struct pp_light_hit from = *hit;
     from.point = pp_rays_draw_back(hit->point, path->ray.to);
-    /* Behind clear glass it is still the first surface that scatters. */
+    /* A surface behind clear glass still counts as the first that scatters. */
     bool first = path->split && path->bounces <= FIRST_FEW;
     path->here_gloss_rays = 1;
     if (first && pp_rgb_most(lobes.share[PP_LOBE_GLOSS]) > STRONG_GLOSS)

@@ -3,10 +3,10 @@
  *
  * Paths run backwards, from the eye or a sensor. At each surface that scatters, light
  * of concentrated emitters and windows is added by next-event estimation
- * (light_sources.h, sample_openings.h); then the path goes on by one of the material's
- * lobes. If its own ray comes to an emitter or a window that was sampled directly from
- * where the ray starts, that light counts nothing after a diffuse lobe, and after a gloss
- * by the weights of multiple importance sampling.
+ * (light_sources.h, sample_openings.h); then the path continues by one of the
+ * material's lobes. If its own ray reaches an emitter or a window that was sampled
+ * directly at the ray's origin, that light counts zero after a diffuse lobe, and has
+ * the weight of multiple importance sampling after a gloss.
  */
 #ifndef PP_SIMULATE_TRANSPORT_LIGHT_PATH_H
 #define PP_SIMULATE_TRANSPORT_LIGHT_PATH_H
@@ -15,18 +15,18 @@
 #include "simulate/transport/path_vertex.h"
 #include "simulate/transport/radiance_state.h"
 
-/* Adds the light that the path finds at the surface or environment it has come to, and
- * turns the path to where it goes from there; false where it ends. */
+/* Adds the light found at the surface or environment that the path has reached, and
+ * sets its next ray; false if it ends. */
 bool pp_light_path_arrive(struct pp_radiance_state *state, struct pp_light_path *path,
                           enum pp_meeting meeting, const struct pp_light_hit *hit,
                           struct pp_rgb *total);
 
-/* Follows a path to its end; what it meets first goes to *first (may be NULL). */
+/* Follows a path to its end; the first hit is stored in *first (may be NULL). */
 struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
                                    struct pp_light_path *path,
                                    struct pp_light_hit *first);
 
-/* A path that goes on outside from a window that was sampled directly. */
+/* Path that continues outside from a window that was sampled directly. */
 static inline struct pp_light_path pp_light_path_outside(
     const struct pp_radiance_state *state, const struct pp_light_ray *ray, int vertex,
     int depth)
@@ -43,15 +43,15 @@ static inline struct pp_light_path pp_light_path_outside(
                                   .from_window = true};
 }
 
-/* One sample of the light that the shading point sends on to the eye from all windows,
- * added to sky, outside or, where an opening leads back into the room, rest of *sum. */
+/* One sample of the light from all windows that the shading point sends to the eye.
+ * Added to sky, outside or, if an opening leads back into the room, rest of *sum. */
 void pp_light_path_windows(struct pp_radiance_state *state,
                            const struct pp_shading_point *shading,
                            struct pp_irradiance *sum);
 
-/* One sample of what the glass of a room's openings reflects to it of other openings
- * (glass_images.h), added to rest; often it is none. Rays that come to them by way of that
- * glass are then to leave it out. */
+/* One sample of the light of other openings that the glass of a room's openings
+ * reflects into it (glass_images.h), often none; added to rest. Rays that reach
+ * openings by way of that glass must then leave it out. */
 void pp_light_path_glass(struct pp_radiance_state *state,
                          const struct pp_shading_point *shading,
                          struct pp_glass_view *view, struct pp_irradiance *sum);

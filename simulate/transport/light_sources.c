@@ -7,7 +7,8 @@
 #include "simulate/sampling/sample_discrete.h"
 
 enum {
-    /* Up to this many emitters, all are sampled at the first surface; of more, one. */
+    /* Most emitters that are all sampled at the first surface; with more, only one
+     * is. */
     MOST_EMITTERS = 64,
     /* The same for the connections by mirrors. */
     MOST_MIRRORED = 8,
@@ -23,8 +24,8 @@ struct connection {
     double angular_size;
 };
 
-/* Connections are counted emitter by emitter: the straight ones, then those of each
- * mirror path. */
+/* Connections are numbered by emitter: the direct ones, then those of each mirror
+ * path. */
 static struct connection connection_of(const struct pp_light_scene *scene,
                                        const struct pp_shading_point *shading,
                                        int index)
@@ -56,7 +57,8 @@ static struct connection_group group_of(const struct pp_light_scene *scene,
                                      MOST_MIRRORED};
 }
 
-/* All of them at the first surface if they are not too many, else one at random. */
+/* True if all are sampled: at the first surface, unless there are too many; else one at
+ * random is. */
 static bool samples_all(struct connection_group group, bool split)
 {
     int count = group.end - group.first;

@@ -11,13 +11,13 @@
 
 #include "simulate/transport/path_vertex.h"
 
-/* One sample of the light that the shading point sends on to the eye, from all
- * concentrated emitters. */
+/* One sample of the light from all concentrated emitters that the shading point sends
+ * to the eye. */
 struct pp_rgb pp_light_sources_next_event(struct pp_radiance_state *state,
                                           const struct pp_shading_point *shading);
 
-/* The weight of light that the path's own ray has found at the emitter: 0 where
- * next-event estimation has it, 1 where it has nothing of it. */
+/* Weight of light that the path's own ray has found at the emitter: 0 if next-event
+ * estimation includes it, 1 if it does not. */
 double pp_light_sources_weight(const struct pp_radiance_state *state,
                                const struct pp_light_path *path, int emitter);
 

@@ -1,18 +1,17 @@
-/* niche_light.h - what the sides of niches give off.
+/* niche_light.h - the exitance of the sides of niches.
  *
- * Where that is known, next-event estimation at the points of an empty convex room
- * (convex_room.h) aims at the mouths of niches instead of the panes in them, and has the
- * light of all that is seen through these. Rays that come to a side straight from the room
- * are to leave it out.
- */
+ * If it is known, next-event estimation at the points of an empty convex room
+ * (convex_room.h) aims at the mouths of niches instead of the panes in them, and
+ * includes all light seen through these. Rays that reach a side directly from the room
+ * must then exclude it. */
 #ifndef PP_SIMULATE_TRANSPORT_NICHE_LIGHT_H
 #define PP_SIMULATE_TRANSPORT_NICHE_LIGHT_H
 
 #include "simulate/scene/light_scene.h"
 
 struct pp_niche_light {
-    /* The exitance, over Eh, where a direction has come to a side. By that direction the
-     * irradiance of the point that it is from has `worth` of it. */
+    /* Exitance, over Eh, at the end of a direction on a side. `worth` is its weight in
+     * the irradiance of the point from which the direction starts. */
     double (*exitance)(void *of, const struct pp_light_hit *side, double worth);
     void *of; /* not owned */
 };

@@ -22,8 +22,8 @@ static const struct pp_target *target_of(const struct pp_light_scene *scene, int
     return &scene->panes[window].target;
 }
 
-/* The distance of the nearest surface before the opening, the ground among them;
- * INFINITY where none is met. */
+/* Distance of the nearest surface before the opening, the ground included; INFINITY if
+ * none is met. */
 static double nearest(const struct pp_light_scene *scene, int window,
                       const struct pp_sobol *sobol, uint64_t seed)
 {
@@ -48,8 +48,8 @@ static double nearest(const struct pp_light_scene *scene, int window,
     return least;
 }
 
-/* One sample of the radiance along a ray that leaves a window to the outside, if it
- * meets a surface: false if it does not. *distance_m is how far. */
+/* One sample of the radiance along a ray that leaves a window to the outside, and its
+ * length *distance_m. False if the ray meets no surface. */
 static bool outside_radiance(struct pp_radiance_state *state,
                              const struct pp_light_ray *ray, struct pp_rgb *radiance,
                              double *distance_m)
@@ -92,8 +92,8 @@ static int sample_bin(const struct pp_opening_table *table,
     return met;
 }
 
-/* The mean radiance of each bin; where no path of a bin met a surface, that of all
- * bins. */
+/* Fills in the mean radiance of each bin; if no path of a bin met a surface, that of
+ * all bins. */
 static void fill_patch(struct pp_opening_table *table, struct pp_radiance_state *state,
                        int window, int patch, uint32_t samples)
 {
@@ -139,7 +139,7 @@ static bool fill_opening_patch(void *data, int worker, int patch)
     return true;
 }
 
-/* As many paths for few large patches as for many small ones. */
+/* Uses as many paths for few large patches as for many small ones. */
 static uint32_t samples_of(const struct pp_opening_store *store)
 {
     long bins = 1;

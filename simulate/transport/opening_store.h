@@ -21,9 +21,9 @@ struct pp_opening_store {
     uint32_t samples; /* paths of each bin */
 };
 
-/* environment: as of struct pp_radiance_state. NULL where there is nothing to work
- * out. The same for any number of threads (0: as
- * many as the machine has processors). */
+/* environment: as in struct pp_radiance_state. *store is NULL if there is nothing to
+ * calculate. The result is the same for any number of threads (0: one for each
+ * processor). */
 enum pp_status pp_opening_store_create(struct pp_opening_store **store,
                                        const struct pp_light_scene *scene,
                                        const struct pp_environment *environment,

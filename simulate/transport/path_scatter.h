@@ -9,11 +9,11 @@
 /* Records a scattering surface in that space as the first that the path has met. */
 void pp_path_scatter_note_met(struct pp_light_path *path, enum pp_space space);
 
-/* Russian roulette by the share of the throughput that is left; true if the path goes on. */
+/* Russian roulette by the remaining throughput; true if the path continues. */
 bool pp_path_scatter_survives(struct pp_light_path *path, double least, double u);
 
-/* One of the lobes with a probability in proportion to its share; PP_LOBE_COUNT: all
- * are black. The throughput is multiplied by the share over the probability. */
+/* Chooses a lobe with a probability in proportion to its share; PP_LOBE_COUNT: all are
+ * black. Multiplies the throughput by the share over the probability. */
 enum pp_lobe pp_path_scatter_choose_lobe(const struct pp_lobes *lobes, double u,
                                          struct pp_rgb *throughput);
 

@@ -20,18 +20,17 @@ enum {
     PP_DRAWS = 4,
 };
 
-/* Vertex numbers for a path that branches off a vertex: hashed, so that they meet those
- * of no other branch. */
+/* Vertex number for a path that branches off a vertex: hashed, so that branches do not
+ * share numbers. */
 static inline int pp_path_vertex_branch(int vertex, int kind)
 {
     uint32_t mixed = pp_hash_mix32((uint32_t)vertex * PP_DRAWS + (uint32_t)kind + 1);
     return (int)(mixed >> 4) + 64;
 }
 
-/* By which of a surface's lobes a path's ray has left it, for light that next-event
- * estimation has sampled from there too: emitters and windows. A diffuse lobe leaves
- * that light to next-event estimation; between this and a gloss, multiple importance
- * sampling divides it [VG95]. */
+/* Lobe by which a ray has left a surface where next-event estimation also sampled
+ * light: of emitters and windows. After a diffuse lobe that light is left to next-event
+ * estimation; after a gloss, multiple importance sampling combines both [VG95]. */
 enum pp_directly_sampled {
     PP_DIRECTLY_SAMPLED_NONE,  /* the ray comes from the eye, or from a mirror by which
                                 * emitters are not sampled: all is the ray's */
@@ -51,8 +50,8 @@ static inline double pp_path_vertex_mis(double own, double other)
  * the path has come through an opening. */
 enum pp_first_met { PP_MET_NOTHING, PP_MET_SKY, PP_MET_OUTSIDE, PP_MET_INSIDE };
 
-/* A ray of a diffuse lobe that has come to a reflector straight: which, from where and
- * off which normal, in which direction and with which density. */
+/* Ray of a diffuse lobe that has reached a reflector directly: the reflector, the ray's
+ * origin with its normal, its direction and density. */
 struct pp_arrival {
     int reflector; /* -1: none */
     struct pp_vec3 from, off, to;
@@ -72,8 +71,8 @@ static inline double pp_path_vertex_arrival_weight(const struct pp_light_scene *
         arrival->pdf, pp_reflectors_pdf(scene, reflection, arrival->from, arrival->to));
 }
 
-/* Are openings sampled by their images in reflectors? Where a cache has the light of
- * these, its records have theirs too. */
+/* True if openings are sampled by their images in reflectors. A cache with the light of
+ * openings also has that of their images in its records. */
 static inline bool pp_path_vertex_images(const struct pp_radiance_state *state)
 {
     return state->options.windows && !state->ambient
@@ -129,7 +128,7 @@ struct pp_light_path {
     enum pp_first_met first_met; /* so far: panes that it passes do not count */
 };
 
-/* One side of a surface whose direct light is wanted. */
+/* One side of a surface whose direct light is calculated. */
 struct pp_shading_point {
     struct pp_vec3 point, normal; /* normal: of that side */
     enum pp_space space;
@@ -138,7 +137,7 @@ struct pp_shading_point {
     int vertex, depth;            /* as the path's that has come here */
     bool split;
     bool whole_gloss;    /* no light is left to rays of the gloss */
-    uint32_t gloss_rays; /* of which there are so many */
+    uint32_t gloss_rays; /* number of these */
     const struct pp_arrival
         *arrival;        /* by which the gloss is seen; NULL: another way */
     uint32_t directions; /* to windows, each to one that is chosen by its importance; 0:
@@ -173,10 +172,9 @@ static inline struct pp_light_ray pp_path_vertex_shadow_ray(
     return (struct pp_light_ray){shading->point, shading->normal, to, shading->space};
 }
 
-/* Into how many strata, with a direction each, next-event estimation divides a source
- * or window of that angular size: the power of two, at most options.source_most, that
- * makes a stratum look smaller than options.source_size; 1 where the path is not
- * split. */
+/* Number of strata, with a direction each, in next-event estimation of a source or
+ * window of that angular size. The power of two, at most options.source_most, that
+ * makes a stratum look smaller than options.source_size; 1 if the path is not split. */
 static inline uint32_t pp_path_vertex_direction_count(
     const struct pp_radiance_state *state, bool split, double angular_size)
 {

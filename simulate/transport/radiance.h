@@ -26,8 +26,8 @@
 #include "simulate/transport/irradiance.h"
 #include "simulate/transport/radiance_state.h"
 
-/* Radiance that comes along the ray, by one path. *hit (may be NULL) is what the ray
- * meets first, glass included. */
+/* Radiance along the ray, by one path. *hit (may be NULL) is the first hit, glass
+ * included. */
 struct pp_rgb pp_radiance_along(struct pp_radiance_state *state,
                                 const struct pp_light_ray *ray,
                                 struct pp_light_hit *hit);

@@ -1,5 +1,4 @@
-/* radiance_state.h - what a thread needs to trace paths, and the rays that it
- * traces. */
+/* radiance_state.h - state of a thread that traces paths, and its rays. */
 #ifndef PP_SIMULATE_TRANSPORT_RADIANCE_STATE_H
 #define PP_SIMULATE_TRANSPORT_RADIANCE_STATE_H
 
@@ -76,7 +75,7 @@ struct pp_radiance_state {
     struct pp_ray_log *log; /* not owned; NULL: none */
 
     long rays;  /* traced so far */
-    long leaks; /* of them, lost between the edges of two surfaces */
+    long leaks; /* number of these lost between the edges of two surfaces */
     struct pp_polygon_sampler samplers[PP_KEPT_SAMPLERS];
     struct pp_openings_shares shares; /* of the last point that chose an opening */
 };
@@ -92,9 +91,9 @@ enum pp_meeting pp_radiance_state_meet_by(struct pp_radiance_state *state,
                                           const struct pp_convex_nearest *nearest,
                                           struct pp_light_hit *hit);
 
-/* A shadow ray: from ray.from straight, through clear surfaces, to a part at a distance
- * (-1: to the environment). False if a surface stands before it; else *through has been
- * multiplied by the transmittance of those that it passed. */
+/* Traces a shadow ray from ray.from straight, through clear surfaces, to a part at a
+ * distance (-1: to the environment). False if a surface is in between; else *through
+ * has been multiplied by the transmittance of the surfaces passed. */
 bool pp_radiance_state_unoccluded(struct pp_radiance_state *state,
                                   struct pp_light_ray ray, int part, double distance_m,
                                   struct pp_rgb *through);

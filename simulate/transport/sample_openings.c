@@ -1,5 +1,5 @@
-/* sample_openings.c - directions to the panes, and what light along them is worth at the
- * shading point. */
+/* sample_openings.c - directions to the panes, and the weight of light along them at
+ * the shading point. */
 #include "simulate/transport/sample_openings.h"
 
 #include <math.h>
@@ -7,8 +7,8 @@
 #include "simulate/sampling/lobe.h"
 #include "simulate/scene/environment.h"
 
-/* Up to this many openings are all sampled. One of them at random was most of a path's
- * noise: all of them have a quarter less in the example studio. */
+/* Most openings that are all sampled. Sampling one at random caused most of a path's
+ * noise: sampling all gives a quarter less in the example studio. */
 enum { FEW_OPENINGS = 4 };
 
 int pp_sample_openings_vertex(const struct pp_shading_point *shading, int opening)
@@ -108,8 +108,8 @@ static void leave(struct pp_radiance_state *state,
     sample->weight = pp_rgb_times(sample->weight, transmittance);
 }
 
-/* Is the pane what a ray comes to first? Behind another pane it is not: what comes in by
- * that has been sampled with it, all the way. */
+/* True if a ray meets this pane first. Behind another pane it does not: light through
+ * that pane has been sampled with it, all the way. */
 static bool meets_pane(struct pp_radiance_state *state,
                        const struct pp_shading_point *shading, struct pp_vec3 to,
                        const struct pp_pane *pane)
@@ -129,8 +129,8 @@ static bool is_open(const struct pp_shading_point *shading, const struct pp_pane
     return pane->seen_by_all && shading->space == PP_INDOORS;
 }
 
-/* Where a direction to the mouth of the opening's niche ends: *to is moved to the pane, or
- * the sample is on one of the niche's sides. */
+/* Extends a direction from the mouth of the opening's niche: *to is moved to the pane,
+ * or the sample is on one of the niche's sides. */
 static void go_in(const struct pp_light_scene *scene, struct pp_direction_sample *to,
                   struct pp_opening_sample *sample)
 {
@@ -149,7 +149,8 @@ static void go_in(const struct pp_light_scene *scene, struct pp_direction_sample
                                              .space = PP_INDOORS};
 }
 
-/* One direction to a opening, `weight` times; false where no light comes along it. */
+/* Samples one direction to an opening, times `weight`; false if no light arrives along
+ * it. */
 static bool sample_opening(struct pp_radiance_state *state,
                            const struct pp_opening_sampling *sampling, double weight,
                            const double u[2], struct pp_opening_sample *sample)
@@ -197,7 +198,7 @@ bool pp_sample_openings_aim(struct pp_radiance_state *state,
     return sample_opening(state, &one, 1.0, u, sample);
 }
 
-/* Where a ray from inside meets the pane; the pane is a rectangle. */
+/* Point where a ray from inside meets the rectangular pane. */
 static bool meets_rectangle(const struct pp_target *target, struct pp_vec3 from,
                             struct pp_vec3 to, struct pp_vec3 *point)
 {
@@ -265,7 +266,7 @@ void pp_sample_openings_begin(struct pp_radiance_state *state,
                                    sampling->numbers, sampling->u);
 }
 
-/* Goes on to the next opening; false where there is none. */
+/* Goes to the next opening; false if there is none. */
 static bool next_opening(struct pp_radiance_state *state,
                          struct pp_opening_sampling *sampling)
 {

@@ -26,7 +26,7 @@ struct pp_opening_sample {
 /* The directions to all openings that are sampled at one shading point. */
 struct pp_opening_sampling {
     const struct pp_shading_point *shading; /* not owned */
-    bool all;                               /* openings one by one; else one of them */
+    bool all;                               /* all openings in turn; else one of them */
     int opening, end;                       /* the one in turn */
     uint32_t direction, count;              /* the one in turn, of that opening's */
     uint32_t index; /* the path's own, which `state` has again at the end */
@@ -44,23 +44,23 @@ bool pp_sample_openings_next(struct pp_radiance_state *state,
                              struct pp_opening_sampling *sampling,
                              struct pp_opening_sample *sample);
 
-/* One direction to that opening, drawn by two numbers in (0, 1); false where no light
- * comes along it. */
+/* Aims at that opening by two numbers in (0, 1); false if no light arrives along the
+ * direction. */
 bool pp_sample_openings_aim(struct pp_radiance_state *state,
                             const struct pp_shading_point *shading, int opening,
                             const double u[2], struct pp_opening_sample *sample);
 
-/* A direction that was drawn otherwise: false where it does not come to that opening
- * first. The weight is the transmittance alone. */
+/* Evaluates a direction that was drawn otherwise: false if it does not reach that
+ * opening first. The weight is the transmittance alone. */
 bool pp_sample_openings_along(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading, int opening,
                               struct pp_vec3 to, struct pp_opening_sample *sample);
 
-/* The vertex for the random numbers of what follows behind a opening. */
+/* Vertex for the random numbers of events behind an opening. */
 int pp_sample_openings_vertex(const struct pp_shading_point *shading, int opening);
 
-/* The weight of light that the path's own ray has found at the opening, by its inside: 0
- * where next-event estimation has it, 1 where it has nothing of it. */
+/* Weight of light that the path's own ray has found at the inside of the opening: 0 if
+ * next-event estimation includes it, 1 if it does not. */
 double pp_sample_openings_weight(struct pp_radiance_state *state,
                                  const struct pp_light_path *path, int opening);
 

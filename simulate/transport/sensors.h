@@ -29,11 +29,11 @@ struct pp_sensor {
 };
 
 struct pp_sensors_options {
-    double error; /* wanted standard error over value. 0: go by samples or the caller's
+    double error; /* target standard error over value. 0: by samples or the caller's
                    * clock alone */
     long samples; /* paths a point in each randomisation; 0: not set */
     uint64_t seed;
-    int threads;        /* 0: as many as the machine has processors */
+    int threads;        /* 0: one for each processor */
     double horizontal;  /* irradiance of the open level ground; 0: there is none */
     bool limited;       /* at most `bounces` diffuse reflections on the way, 0 up, those
                          * outside included */

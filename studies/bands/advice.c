@@ -9,9 +9,9 @@
 #include "model/base/array.h"
 #include "studies/bands/report_bands.h"
 
-/* Greatest width (in logarithms), over the narrowest, of a band whose method is preferred
- * all the same: because it stands before others in the report, or because it is the best
- * over all points. */
+/* Greatest width (in logarithms), over the narrowest, of a band whose method is still
+ * preferred: because it comes earlier in the report, or because it is the best over all
+ * points. */
 static const double about_as_narrow = 1.1, narrow_enough = 1.25;
 
 /* The records of the daylight factors that have figures at a place, in the report's order;
@@ -29,7 +29,7 @@ static double width_of(const struct pp_band_record *record)
     return log(ratio->high / fmax(ratio->low, 1e-3));
 }
 
-/* At a point, or (-1) the average. */
+/* Value at a point; index -1: the average. */
 static double figure_of(const struct pp_column *column, int index)
 {
     return index < 0 ? column->average.value : column->points[index].value;
@@ -69,8 +69,8 @@ static int narrowest(const struct ranking *ranking)
     return found;
 }
 
-/* The first of the list whose band is about as narrow as the narrowest, or the favourite
- * column's where that is narrow enough. */
+/* First of the list whose band is about as narrow as the narrowest, or the favourite
+ * column's if that is narrow enough. */
 static int best_of(const struct ranking *ranking, int favourite)
 {
     double least = width_of(&ranking->list[narrowest(ranking)]);
@@ -84,8 +84,8 @@ static int best_of(const struct ranking *ranking, int favourite)
     return best;
 }
 
-/* The column whose bands are narrowest on average over all points that it and others have;
- * -1: there is none. */
+/* Finds the column with the narrowest bands on average over all points that it and
+ * others have; -1: none. */
 static enum pp_status find_favourite(int *favourite, const struct pp_report *report,
                                      double features[PP_BAND_FEATURES],
                                      struct ranking *ranking, struct pp_error *err)

@@ -32,8 +32,8 @@ struct pp_advice {
     char why_not[256]; /* why there is none; empty where there is */
 };
 
-/* By the daylight factors of the report, which has the methods to choose from. To be
- * cleared in any case. */
+/* Gives advice from the daylight factors of a report whose methods are the choices. The
+ * caller clears it in any case. */
 enum pp_status pp_advice_of(struct pp_advice *advice, struct pp_report *report,
                             struct pp_error *err);
 void pp_advice_clear(struct pp_advice *advice);

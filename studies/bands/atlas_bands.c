@@ -11,7 +11,7 @@
 
 /* ---- columns of the table ---- */
 
-/* Where the table has what belongs to a hand column; -1: nowhere. */
+/* Columns of the table that belong to a hand column; -1: none. */
 struct places {
     int hand, own, truth;
     int sc, erc, irc; /* of a pair's parts */
@@ -26,8 +26,8 @@ static int find_atlas_column(const struct pp_atlas_table *table, const char *pre
     return pp_atlas_table_find(table, whole);
 }
 
-/* The column of a feature; -1: there is none, or it goes by the slope of the glass alone, as
- * the light on openings under an overcast sky does, of which ISO 15469 has another one. */
+/* Column of a feature; -1: none. Also -1 if it depends on the slope of the glass alone,
+ * like the light on openings under an overcast sky, which differs under ISO 15469. */
 static int feature_column(const struct pp_atlas_table *table, int feature)
 {
     bool by_slope =
@@ -144,7 +144,8 @@ static enum pp_status add_band_column(struct pp_atlas_bands *bands,
 
 /* ---- the table ---- */
 
-/* Is "df.exact+bre" the name of a hand column? *name: what is behind the point. */
+/* True if this ("df.exact+bre") is the name of a hand column. *name: the part after the
+ * point. */
 static bool is_hand(const char *heading, enum pp_component *component,
                     const char **name)
 {

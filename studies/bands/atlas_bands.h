@@ -13,7 +13,7 @@ struct pp_atlas_column {
     char component[8], name[48];
     struct pp_band_entry *entries; /* from all rooms */
     int entry_count;
-    struct pp_band_trial *trials; /* from half of them, tried on the others */
+    struct pp_band_trial *trials; /* from half of the rooms, tested on the others */
     int trial_count;
     double inside; /* share of all points (averages) tried that were in their bands */
 };
@@ -25,7 +25,7 @@ struct pp_atlas_span {
 
 struct pp_atlas_bands {
     int rooms;
-    bool iso; /* the rooms' skies: those of ISO 15469, or the overcast one */
+    bool iso; /* skies of the rooms: those of ISO 15469, or the overcast one */
     struct pp_atlas_span spans[PP_ROOM_FEATURES];
     struct pp_atlas_column *columns;
     int column_count;

@@ -44,8 +44,8 @@ struct pp_band_parts pp_band_features_parts(enum pp_component component,
 void pp_band_features_own(double features[PP_BAND_FEATURES], double figure, double sc,
                           double erc, double irc);
 
-/* A column of a report, and those of the components that it is the sum of: NULL where it has
- * none. */
+/* Column of a report, and those of the components that it is the sum of: NULL if there
+ * is none. */
 struct pp_band_columns {
     const struct pp_column *whole, *sky, *external, *internal;
 };

@@ -10,7 +10,7 @@
 
 #include "model/base/error.h"
 
-/* Where the figures of a column stand. */
+/* Place for which a column has its figures. */
 enum pp_band_place { PP_BAND_POINT, PP_BAND_AVERAGE, PP_BAND_PLACES };
 extern const char *const pp_band_figures_places[]; /* "point", "average" */
 
@@ -25,11 +25,11 @@ struct pp_band_figures {
     double *features;           /* row after row */
 };
 
-/* No rows of so many features. */
+/* Initialises an empty table for rows of this many features. */
 void pp_band_figures_init(struct pp_band_figures *figures, int feature_count);
 void pp_band_figures_clear(struct pp_band_figures *figures);
 
-/* One row more. */
+/* Data of one row to add. */
 struct pp_band_row {
     int room;
     double hand, own, truth;
@@ -42,7 +42,7 @@ enum pp_status pp_band_figures_add(struct pp_band_figures *figures,
  * numbers of a Sobol sequence are in different halves of its first dimension. */
 int pp_band_figures_side(int room);
 
-/* Adds those of the rows whose room is on that side. */
+/* Adds the rows whose room is on that side. */
 enum pp_status pp_band_figures_half(struct pp_band_figures *half,
                                     const struct pp_band_figures *figures, int side,
                                     struct pp_error *err);

@@ -29,7 +29,7 @@ static bool take_sample(struct pp_band_sample *sample, double **ratios,
     return *ratios != NULL;
 }
 
-/* Keeps the rows whose own world is known. */
+/* Keeps the rows whose value in the method's own world is known. */
 static int keep_known(int *rows, int count, const struct pp_band_figures *figures)
 {
     int kept = 0;
@@ -68,8 +68,9 @@ static enum pp_status fill_entry(struct pp_band_entry *entry,
     return status;
 }
 
-/* Ordinary rooms apart, whose bands would be as wide as those of unusual ones otherwise,
- * and these too narrow; all as one where either are too few. Returns how many regimes. */
+/* Separates ordinary rooms from others: in common, their bands would be too wide, and
+ * those of unusual rooms too narrow. All are one regime if either are too few. Returns
+ * the number of regimes. */
 static int begin_band_regimes(struct pp_band_regime begun[2],
                               const struct column_fit *fit,
                               const struct pp_band_rules *rules)

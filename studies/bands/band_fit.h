@@ -22,8 +22,8 @@
 #include "studies/bands/band_figures.h"
 #include "studies/bands/band_tree.h"
 
-/* Daylight factor below which bands are differences more than ratios, a in (1) of
- * band_regime.h: ten times what a traced value is good to. */
+/* Daylight factor below which bands are differences rather than ratios, a in (1) of
+ * band_regime.h: ten times the accuracy of a simulated value. */
 #define PP_BAND_OFFSET 2e-4
 
 /* A regime with all that is known of a column in it. */
@@ -43,14 +43,15 @@ enum pp_status pp_band_fit(struct pp_band_entry **entries, int *count,
 struct pp_band_trial {
     struct pp_band_entry entry; /* of the rooms fitted */
     int rooms;                  /* tested */
-    double inside;              /* share of these in the band, NAN without any */
-    double between; /* the same without its ends, which is less where figures
-                                 * are right to all digits, as those of 0 are */
+    double inside;              /* share of these in the band; NAN if there are none */
+    double between; /* that share without the band's ends; it is smaller if figures are
+                     * exact in all digits, like figures of 0 */
     double limit;   /* (2): how far from 0.95 that may be */
 };
 
-/* Fits the rooms of a side (band_figures.h) and tests the others. *inside: the share
- * of all rooms tested, in whatever regimes. The list is to be freed. */
+/* Fits the rooms of a side (band_figures.h) and tests the others. *inside: the share of
+ * all tested rooms that are in the band, over all regimes. The caller frees the
+ * list. */
 enum pp_status pp_band_fit_try(struct pp_band_trial **trials, int *count,
                                double *inside, const struct pp_band_figures *figures,
                                const struct pp_band_rules *rules, int side,

@@ -34,7 +34,7 @@ struct pp_band_regime {
     int rooms; /* behind it */
 };
 
-/* Are a point's features those of the regime? */
+/* True if a point's features fit the regime. */
 bool pp_band_regime_holds(const struct pp_band_regime *regime, const double *features);
 
 /* The truth that a ratio makes of a hand figure by (1), at least 0; both fractions. */

@@ -14,7 +14,7 @@ static int compare_sampled_ratios(const void *a, const void *b)
     return (x->ratio > y->ratio) - (x->ratio < y->ratio);
 }
 
-/* The row behind those of the room that row `first` of the list belongs to. */
+/* Position after the rows of the room that row `first` of the list belongs to. */
 static int room_end(const struct pp_band_sample *sample, const int *rows, int count,
                     int first)
 {

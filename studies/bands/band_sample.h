@@ -37,7 +37,7 @@ enum pp_status pp_band_sample_spread(double *spread,
                                      const struct pp_band_sample *sample,
                                      const int *rows, int count, struct pp_error *err);
 
-/* The share of rows, weighted as above, whose ratio lies in the band, with its ends or
+/* Share of rows, weighted as above, whose ratio lies in the band, with its ends or
  * without. */
 double pp_band_sample_inside(const struct pp_band_sample *sample, const int *rows,
                              int count, const struct pp_band_quantiles *band,

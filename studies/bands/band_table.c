@@ -7,8 +7,8 @@
 
 #include "model/base/text.h"
 
-/* As the CSV file has them. Words stand in the row itself: pointers to them would be 12,000
- * places that every start has to fill in. */
+/* Row of the CSV file. The words are stored in the row itself: pointers would be 12,000
+ * relocations at each start. */
 struct row {
     char place[8], component[4], column[28]; /* place "span": of the feature `column` */
     int rooms;
@@ -65,8 +65,8 @@ static bool is_record(const struct row *row)
     return strcmp(row->place, "span") != 0;
 }
 
-/* The next condition of a regime; that of a row before in its place has mostly the same
- * feature. */
+/* Adds the next condition of a regime. The condition at the same place in an earlier
+ * row mostly has the same feature. */
 static void add_condition(struct pp_band_regime *regime,
                           const struct pp_band_regime *before, const char *name,
                           double from, double to)

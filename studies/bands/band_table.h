@@ -26,7 +26,8 @@ struct pp_band_record {
 bool pp_band_table_at(struct pp_band_record *record, const struct pp_band_table *table,
                       int index);
 
-/* Where the records of each column begin, whose search would go through the whole table. */
+/* Start of each column's records, stored since a search would pass over the whole
+ * table. */
 enum { PP_BAND_COLUMNS = 128 };
 struct pp_band_index {
     const struct pp_band_table *table;
@@ -46,7 +47,7 @@ void pp_band_table_find(struct pp_band_regimes *regimes,
                         const struct pp_band_index *index, enum pp_component component,
                         const char *column);
 
-/* The one of a place whose regime has the features; NULL where none has. */
+/* Record of a place whose regime fits the features; NULL: none. */
 const struct pp_band_record *pp_band_table_regime(const struct pp_band_regimes *regimes,
                                                   enum pp_band_place place,
                                                   const double *features);

@@ -207,7 +207,7 @@ static double node_score(const struct tree *tree, const struct node *node)
 
 /* ---- splits ---- */
 
-/* May a condition on the feature be added to those of the regime? */
+/* True if a condition on the feature can be added to those of the regime. */
 static bool has_space(const struct pp_band_regime *regime, int feature)
 {
     for (int i = 0; i < regime->condition_count; i++)
@@ -255,7 +255,7 @@ static void find_split(struct node *node, const struct tree *tree,
             try_feature(node, counts, tree, f);
 }
 
-/* Narrows a regime to what is at or above (or below) the bound. */
+/* Narrows a regime to values at or above (or below) the bound. */
 static void narrow(struct pp_band_regime *regime, struct split split, bool above)
 {
     int i = 0;
@@ -304,7 +304,7 @@ static bool split_node(struct tree *tree, int index, struct counts *counts)
     return true;
 }
 
-/* The node whose split gains most, or -1 where none gains enough. */
+/* Node whose split gains most, or -1 if none gains enough. */
 static int next_node(const struct tree *tree, double gain_least)
 {
     int next = -1;

@@ -20,15 +20,15 @@ struct pp_band_rules {
     double gain_least; /* share of the score of all rows that a split has to save */
 };
 
-/* Rules of the program's table: 300 rooms, 20 regimes, 0.4 %. Of 200 rooms a regime that
- * was chosen for its narrow band has it a little too narrow: 86.5 % of the rooms held out
+/* Rules of the program's table: 300 rooms, 20 regimes, 0.4 %. With 200 rooms, a regime
+ * selected for its narrow band has too narrow a band: only 86.5 % of the rooms held out
  * were in one. */
 extern const struct pp_band_rules pp_band_tree_rules;
 
-/* The regimes, which have each row of the sample in one of them, as a list to be freed.
- * Bounds of conditions are rounded to two digits. The same sample gives the same list.
- * begun: one to regimes_most regimes which have each row in one of them, of which
- * conditions alone count; a regime without conditions has all rows. */
+/* Grows the regimes as a list, freed by the caller; each row of the sample is in
+ * exactly one. Bounds of conditions are rounded to two digits. The same sample gives
+ * the same list. begun: one to regimes_most initial regimes, with each row in exactly
+ * one, of which only the conditions count; a regime without conditions has all rows. */
 enum pp_status pp_band_tree_grow(struct pp_band_regime **regimes, int *count,
                                  const struct pp_band_sample *sample,
                                  const struct pp_band_rules *rules,

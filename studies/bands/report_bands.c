@@ -57,7 +57,7 @@ static const char *why_not(const struct pp_world *world,
                                              : NULL;
 }
 
-/* Values as printed, of which the ends of a span are rounded. */
+/* Compares printed values; the ends of a span are rounded. */
 static bool is_within(double value, double from, double to)
 {
     double slack = 1e-3 * fmax(fabs(from), fabs(to));
@@ -130,7 +130,7 @@ bool pp_report_bands_has(const struct pp_report *report, const struct pp_column 
 
 enum { OF_POINT = PP_ROOM_FEATURES - PP_ROOM_OF_POINTS };
 
-/* The features that are a point's own; false: none of the atlas lies so. */
+/* Features of a point; false: no point of the atlas is in such a place. */
 struct place {
     bool known;
     double features[OF_POINT];
@@ -138,11 +138,11 @@ struct place {
 
 struct lookup {
     const struct pp_report *report;
-    double *features;     /* of the room, and space for those of a point */
+    double *features;     /* of the room, with space for those of a point */
     struct place *places; /* of each point */
     struct pp_band_index index;
     struct pp_band_regimes regimes;
-    struct pp_band_columns columns; /* the one that is looked up, and its components */
+    struct pp_band_columns columns; /* column to look up, and its components */
 };
 
 static struct pp_band_ends band_of(const struct pp_band_record *record, double figure)

@@ -9,8 +9,8 @@
 #include "model/results/report.h"
 #include "studies/bands/band_features.h"
 
-/* Fills the bands of the report's columns, or says in report->no_bands why there are none;
- * points that do not face up, or lie as none of the atlas does, have none. */
+/* Fills the bands of the report's columns, or gives the reason in report->no_bands.
+ * Points that do not face up, or are in places unlike those of the atlas, have none. */
 enum pp_status pp_report_bands_fill(struct pp_report *report, struct pp_error *err);
 
 /* The features of the report's room, and in *why why the atlas does not cover it (NULL: it
@@ -19,13 +19,13 @@ enum pp_status pp_report_bands_features(double features[PP_BAND_FEATURES],
                                         const char **why, struct pp_report *report,
                                         struct pp_error *err);
 
-/* Adds the features of a point of a room that the atlas covers; false: none of its points
- * lies so. */
+/* Adds the features of a point of a room that the atlas covers; false: no point of the
+ * atlas is in such a place. */
 bool pp_report_bands_point(double features[PP_BAND_FEATURES],
                            const struct pp_report *report, int index);
 
-/* May a column have bands? Not the simulated ones, nor those that a user's own tables or
- * formulae make. */
+/* True if a column can have bands: not the simulated ones, nor those by a user's own
+ * tables or formulae. */
 bool pp_report_bands_has(const struct pp_report *report,
                          const struct pp_column *column);
 

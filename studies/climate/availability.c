@@ -65,9 +65,9 @@ static int compare_readings(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-/* The median of a column's points into *median; false where fewer than three have a
- * value. `sorted` has space for all points. Of an even number of points the median is
- * the mean of the middle two, whose standard error is at most the larger of theirs. */
+/* Stores the median of a column's points in *median; false if fewer than three have a
+ * value. `sorted` has space for all points. For an even number of points it is the mean
+ * of the middle two, whose standard error is at most the larger of theirs. */
 static bool median_of(const struct pp_report *report, const struct pp_column *column,
                       struct pp_reading *median, struct pp_reading *sorted)
 {

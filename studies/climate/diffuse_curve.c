@@ -11,8 +11,8 @@ struct worked_hour {
     double lx, length_h;
 };
 
-/* By falling illuminance; of equal ones the longer stretch first, so that the order
- * does not depend on the sort. */
+/* Sorts by falling illuminance; the longer of two equal ones first, so that the order
+ * does not depend on the sorting algorithm. */
 static int compare_hours(const void *a, const void *b)
 {
     const struct worked_hour *p = a, *q = b;
@@ -21,8 +21,8 @@ static int compare_hours(const void *a, const void *b)
     return (p->length_h < q->length_h) - (p->length_h > q->length_h);
 }
 
-/* Collects the working time whose illuminance is known, sorted, into `worked`; returns
- * the number of stretches. Adds the rest to curve->missing_h. */
+/* Collects the working time with known illuminance, sorted, in `worked`; returns the
+ * number of stretches. Adds the rest to curve->missing_h. */
 static int collect_hours(struct worked_hour *worked, struct pp_diffuse_curve *curve,
                          const struct pp_diffuse_light *light,
                          const struct pp_working_hours *hours,

@@ -1,6 +1,5 @@
-/* diffuse_curve.h - in what share of the working hours the sky gives an illuminance or
- * more: the cumulative curve of the diffuse horizontal illuminance [GEEBELEN].
- */
+/* diffuse_curve.h - the share of working hours in which the sky gives an illuminance or
+ * more: the cumulative curve of the diffuse horizontal illuminance [GEEBELEN]. */
 #ifndef PP_STUDIES_CLIMATE_DIFFUSE_CURVE_H
 #define PP_STUDIES_CLIMATE_DIFFUSE_CURVE_H
 
@@ -15,8 +14,8 @@ struct pp_diffuse_curve {
     double missing_h;  /* working hours whose illuminance is not known */
 };
 
-/* PP_BAD_INPUT where no working hour has a known illuminance. On success *curve is to be
- * cleared by the caller. */
+/* PP_BAD_INPUT if no working hour has a known illuminance. On success the caller clears
+ * *curve. */
 enum pp_status pp_diffuse_curve_init(struct pp_diffuse_curve *curve,
                                      const struct pp_diffuse_light *light,
                                      const struct pp_working_hours *hours,

@@ -25,9 +25,9 @@ void pp_diffuse_light_clear(struct pp_diffuse_light *light)
 
 /* ---- from a weather file ---- */
 
-/* The sun of a record, at its mean height (sine of the altitude) over those of STEPS
- * times in the record at which it is up; on the horizon, and *up false, where it is down
- * at all of them. */
+/* Sun of a record, at its mean height (sine of the altitude) over those of STEPS times
+ * in the record at which it is up. If it is down at all of them it is put on the
+ * horizon, and *up is false. */
 static struct pp_sun sun_of(const struct pp_epw *epw,
                             const struct pp_epw_record *record, bool *up)
 {

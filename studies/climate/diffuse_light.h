@@ -1,6 +1,5 @@
-/* diffuse_light.h - the horizontal illuminance from the sky alone through a year: as a
- * weather file has it, or under a sky that is always overcast.
- */
+/* diffuse_light.h - the horizontal illuminance from the sky alone through a year: from
+ * a weather file, or under a permanently overcast sky. */
 #ifndef PP_STUDIES_CLIMATE_DIFFUSE_LIGHT_H
 #define PP_STUDIES_CLIMATE_DIFFUSE_LIGHT_H
 
@@ -19,17 +18,17 @@ struct pp_diffuse_light {
     enum pp_light_origin origin;
     int count;
     struct pp_diffuse_hour *list; /* owned */
-    int filled;     /* hours whose illuminance was made of their irradiance */
+    int filled;     /* hours whose illuminance was calculated from their irradiance */
     int missing;    /* hours with neither illuminance nor irradiance */
     double total_h; /* length of all hours together */
 };
 
-/* From a weather file: its diffuse horizontal illuminance. An hour without illuminance
- * gets one from its diffuse irradiance by [PISMS90] (luminous_efficacy.h), and so do all
- * hours where the file's illuminances are 0 or missing throughout. The sun's altitude is
- * its mean over the part of the hour in which it is above the horizon. PP_BAD_INPUT
- * where the file has no light although the sun is up; `file` is its name in that
- * message. On success *light is to be cleared by the caller. */
+/* Reads the diffuse horizontal illuminance of a weather file. An hour without
+ * illuminance gets one from its diffuse irradiance by [PISMS90] (luminous_efficacy.h);
+ * so do all hours if the file's illuminances are all 0 or missing. The sun's altitude
+ * is its mean over the part of the hour with the sun above the horizon. PP_BAD_INPUT if
+ * the file has no light although the sun is up; `file` is its name in that message. On
+ * success the caller clears *light. */
 enum pp_status pp_diffuse_light_of_epw(struct pp_diffuse_light *light,
                                        const struct pp_epw *epw, const char *file,
                                        struct pp_error *err);
@@ -49,9 +48,9 @@ enum pp_status pp_diffuse_light_overcast(struct pp_diffuse_light *light,
 /* Eh of [KRO63] above (lx) for one altitude of the sun. */
 double pp_diffuse_light_overcast_lx(double sun_altitude_rad);
 
-/* The median diffuse illuminance of [EN17037] (lx): that of the brightest 4380 hours of
- * the year, or of the brighter half of the known hours where fewer than 8760 are known.
- * NAN where the data cover less than a year; fails only when memory is out. */
+/* Median diffuse illuminance of [EN17037] (lx): that of the brightest 4380 hours of the
+ * year, or of the brighter half of the known hours if fewer than 8760 are known. NAN if
+ * the data cover less than a year; fails only if out of memory. */
 enum pp_status pp_diffuse_light_median(double *median_lx,
                                        const struct pp_diffuse_light *light,
                                        struct pp_error *err);

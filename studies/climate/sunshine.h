@@ -1,9 +1,8 @@
-/* sunshine.h - how likely the sun is to shine while it is above the horizon, by the month
- * and the hour of solar time, as a weather file has it.
+/* sunshine.h - probability of sunshine while the sun is above the horizon, by month and
+ * hour of solar time, from a weather file.
  *
- * The sun shines where its irradiance of a plane square to it is more than 120 W/m2
- * [WMO8]; of a record that is its mean, so that a record counts in whole or not.
- */
+ * The sun shines if its irradiance on a plane normal to it is more than 120 W/m2
+ * [WMO8]. A record has only its mean, so that it counts entirely or not at all. */
 #ifndef PP_STUDIES_CLIMATE_SUNSHINE_H
 #define PP_STUDIES_CLIMATE_SUNSHINE_H
 
@@ -13,8 +12,8 @@ enum { PP_SUNSHINE_MONTHS = 12, PP_SUNSHINE_HOURS = 24 };
 
 struct pp_sunshine {
     bool known; /* false: the file has no direct irradiance, or no sun */
-    /* January first; hour 0 begins at solar midnight, 12 at noon. Of the records in the
-     * middle of which the sun is up, the share with sunshine; 0 where there are none. */
+    /* Share of records with sunshine, of those with the sun up at their middle; 0 if
+     * there are none. January first; hour 0 begins at solar midnight, 12 at noon. */
     double share[PP_SUNSHINE_MONTHS][PP_SUNSHINE_HOURS];
 };
 

@@ -1,9 +1,8 @@
 /* working_hours.h - the hours of the day and the days of the week in which daylight is
- * wanted.
+ * needed.
  *
- * Hours are those of the clock on the wall: local standard time, and on the days of
- * summer time an hour ahead of standard time.
- */
+ * Hours are clock time: local standard time, and on the days of summer time an hour
+ * ahead of standard time. */
 #ifndef PP_STUDIES_CLIMATE_WORKING_HOURS_H
 #define PP_STUDIES_CLIMATE_WORKING_HOURS_H
 

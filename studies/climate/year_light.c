@@ -97,7 +97,8 @@ static enum pp_status light_of_sky(struct pp_year_light *outside,
                                      zone, err);
 }
 
-/* "Monday to Friday" would be nicer; any set of days is said like this: "Mon, Tue". */
+/* Writes any set of days as a list, "Mon, Tue", even where "Monday to Friday" would
+ * read better. */
 static void say_days(char *text, size_t room, unsigned days)
 {
     int first = 0, last = 6;

@@ -1,6 +1,5 @@
-/* year_light.h - the light outside through a year, and which of its hours count: of a
- * weather file, or of overcast skies at a latitude; and how that is said.
- */
+/* year_light.h - the light outside through a year, and the hours that count: from a
+ * weather file, or of overcast skies at a latitude; and descriptions of both. */
 #ifndef PP_STUDIES_CLIMATE_YEAR_LIGHT_H
 #define PP_STUDIES_CLIMATE_YEAR_LIGHT_H
 
@@ -44,7 +43,7 @@ extern const struct pp_year_options pp_year_options_default;
 /* The days of the week, Monday first: "Mon". */
 extern const char *const pp_year_light_day_names[7];
 
-/* The light outside of one room (world may be NULL), and what is said of it. */
+/* Light outside of one room (world may be NULL), and its description. */
 struct pp_year_light {
     struct pp_diffuse_light light;
     char words[640], calendar[160];
@@ -52,8 +51,8 @@ struct pp_year_light {
     double latitude_deg;
 };
 
-/* *outside is to be cleared, in any case. PP_BAD_INPUT where nothing says at which
- * latitude, or where days of the week are asked for and not known. */
+/* The caller clears *outside in any case. PP_BAD_INPUT if the latitude is unknown, or
+ * if days of the week are requested but unknown. */
 enum pp_status pp_year_light_of_room(struct pp_year_light *outside,
                                      const struct pp_year_options *options,
                                      const struct pp_world *world,

@@ -14,7 +14,7 @@
 #include "studies/criteria/factors.h"
 #include "studies/criteria/room_before.h"
 
-/* Marks the criteria of a list with commas; NULL is all of them. */
+/* Marks the criteria of a comma-separated list; NULL: all. */
 enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *list,
                                     struct pp_error *err)
 {
@@ -57,7 +57,7 @@ static void find_median(struct pp_median *median, const struct pp_world *world,
     }
 }
 
-/* The daylight factors that criteria rest on; those of simulation come later. */
+/* Gathers the daylight factors needed by criteria, without those of simulation. */
 static enum pp_status gather_factors(struct pp_assessment *assessment,
                                      const struct pp_assess_options *options,
                                      struct pp_error *err)
@@ -112,8 +112,8 @@ static enum pp_status judge_criteria(struct pp_assessment *assessment,
     return status;
 }
 
-/* Chooses the criteria named; else of the profile's, or of all, those that apply to the
- * room. Whoever asks for a profile has chosen a country's rules. */
+/* Chooses the named criteria; otherwise those of the profile, or all, that apply to the
+ * room. Choosing a profile implies its country's rules. */
 static enum pp_status choose_criteria(bool chosen[PP_CRITERIA_MOST],
                                       const struct pp_world *world,
                                       const struct pp_assess_options *options,

@@ -1,6 +1,5 @@
-/* assessment.h - one room held against the criteria: the daylight factors that they rest
- * on, the verdicts, and what would help.
- */
+/* assessment.h - assessment of one room by the criteria: the daylight factors used, the
+ * verdicts, and possible improvements. */
 #ifndef PP_STUDIES_CRITERIA_ASSESSMENT_H
 #define PP_STUDIES_CRITERIA_ASSESSMENT_H
 
@@ -27,10 +26,10 @@ struct pp_assess_options {
     const struct pp_rooms_before
         *mirrored;      /* the rooms of the same files with the mirror
                                              * image outside; not owned; NULL: none */
-    bool verdicts_only; /* what would help is not looked for */
+    bool verdicts_only; /* no improvements are searched */
 };
 
-/* A criterion that was asked for, and what it found. */
+/* A selected criterion, with its findings. */
 struct pp_answer {
     const struct pp_criterion *criterion;
     struct pp_finding_list findings;
@@ -42,20 +41,21 @@ struct pp_assessment {
     int *pairs;
     const struct pp_study_room *mirrored; /* not owned; NULL */
     int *mirrored_pairs;
-    bool has_factors; /* does any criterion that was asked for judge by them? */
+    bool has_factors; /* true if any selected criterion uses them */
     struct pp_receiver *grid;
     struct pp_report report; /* daylight factors on the grid */
     struct pp_median median;
     struct pp_answer *answers;
     int answer_count;
-    bool has_gains; /* was everything asked for, and with it what would help? */
+    bool has_gains; /* true if all criteria were selected, and improvements were
+                     * searched */
     struct pp_gains gains;
     bool by_clock; /* the simulation was stopped by the clock */
 };
 
 enum { PP_CRITERIA_MOST = 64 };
 
-/* Marks the criteria that options ask for; a name that is none is PP_BAD_INPUT. */
+/* Marks the criteria selected by the options; an unknown name is PP_BAD_INPUT. */
 enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *list,
                                     struct pp_error *err);
 
@@ -70,7 +70,8 @@ enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
                                    const struct pp_assess_options *options,
                                    struct pp_error *err);
 
-/* Judges by what there is, and finds the gains where all criteria were asked for. */
+/* Assesses the room by the available data, and finds the gains if all criteria are
+ * selected. */
 enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
                                    const struct pp_assess_options *options,
                                    struct pp_error *err);

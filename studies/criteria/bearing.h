@@ -1,4 +1,4 @@
-/* bearing.h - what a room's use and its country have to do with a criterion. */
+/* bearing.h - applicability of a criterion by a room's use and country. */
 #ifndef PP_STUDIES_CRITERIA_BEARING_H
 #define PP_STUDIES_CRITERIA_BEARING_H
 
@@ -15,19 +15,19 @@ enum pp_dwelling_room {
     PP_DWELLING_KITCHEN = 4
 };
 
-/* Kinds of habitable room that the room counts as: a room of several uses is the one with
- * the highest target [BS8206]; all of them where its use is not known; 0: it is no
+/* Kinds of habitable room that the room counts as. A room of several uses is the one
+ * with the highest target [BS8206]; a room of unknown use is all of them; 0: not a
  * habitable room of a dwelling. */
 int pp_bearing_dwelling_rooms(enum pp_room_use use);
 
-/* For bears_on_use of criteria. */
+/* Values for bears_on_use of criteria. */
 bool pp_bearing_needs_daylight(enum pp_room_use use); /* no bathroom, hall, store */
 bool pp_bearing_is_dwelling(enum pp_room_use use);
 bool pp_bearing_is_lived_in(
     enum pp_room_use use); /* a living room is all or part of it */
 
-/* Does the criterion bear on the room? By its use, and, where by_country, by the site's
- * country; what is not known bears. */
+/* True if the criterion applies to the room: by its use and, if by_country, by the
+ * site's country. It applies if these are unknown. */
 bool pp_bearing_bears(const struct pp_criterion *criterion,
                       const struct pp_world *world, bool by_country);
 

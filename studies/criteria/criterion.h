@@ -27,8 +27,8 @@ struct pp_inquiry {
                        * pp_pair_rooms finds them */
 
     const struct pp_world
-        *mirrored;             /* with the building's mirror image outside in place
-                                      * of what is proposed; NULL: none was asked for */
+        *mirrored;             /* with the building's mirror image outside instead of
+                                * the proposed parts; NULL: not requested */
     const int *mirrored_pairs; /* as pairs, of it */
 
     /* Daylight factors at the points of EN 17037's grid (en17037_grid.h), which are the
@@ -39,7 +39,7 @@ struct pp_inquiry {
     const struct pp_sunshine *sunshine; /* at the site; NULL: not known */
     double french_m; /* above the floor, where the vertical sky component of a window
                       * down to it is taken; 0: at its middle */
-    const char *country; /* whose rules hold; "": not known */
+    const char *country; /* country whose rules apply; "": unknown */
 };
 
 struct pp_criterion {
@@ -49,14 +49,14 @@ struct pp_criterion {
     const char *source;      /* keys in docs/SOURCES.md, with ", " between */
     const char *summary;     /* one line for the help, without a full stop */
     bool needs_before;       /* is evaluated only where there is a room before */
-    bool needs_mirror_image; /* likewise with the mirror image */
+    bool needs_mirror_image; /* needs a result with the mirror image */
     bool of_gardens;         /* is evaluated only with a room that has gardens */
     bool of_factors; /* judges by the inquiry's factors; else they may be NULL */
     bool (*bears_on_use)(enum pp_room_use use); /* NULL: on rooms of any use */
-    const char *countries; /* whose it is, "GB IE"; NULL: anybody's */
+    const char *countries;                      /* its countries, "GB IE"; NULL: any */
 
-    /* Adds the criterion's findings; a figure that cannot be judged is among them, with
-     * the reason. Fails only for lack of memory and the like. */
+    /* Adds the criterion's findings, including figures that are not applicable, with
+     * the reason. Fails only on errors such as lack of memory. */
     enum pp_status (*evaluate)(const struct pp_inquiry *inquiry,
                                struct pp_finding_list *findings, struct pp_error *err);
 };

@@ -78,8 +78,8 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
     return pp_finding_list_add(findings, &finding, err);
 }
 
-/* The daylight factors of the grid, whose basis is added to the findings; NULL where
- * there are none, and *why says why. */
+/* Daylight factors of the grid; adds their basis to the findings. NULL if there are
+ * none, with the reason in *why. */
 static const struct pp_column *grid_factors(const struct pp_inquiry *inquiry,
                                             struct pp_finding_list *findings,
                                             const char **why)

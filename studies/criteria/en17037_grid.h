@@ -1,4 +1,4 @@
-/* en17037_grid.h - the points at which [EN17037] wants daylight factors. */
+/* en17037_grid.h - the grid of points for daylight factors required by [EN17037]. */
 #ifndef PP_STUDIES_CRITERIA_EN17037_GRID_H
 #define PP_STUDIES_CRITERIA_EN17037_GRID_H
 
@@ -8,7 +8,7 @@
 /* The margin along the walls that the standard leaves out (m). */
 #define PP_EN17037_GRID_MARGIN_M 0.5
 
-/* A room whose grid would have more cells than this has none. */
+/* Most cells of a room's grid; with more there is none. */
 enum { PP_EN17037_GRID_MOST = 20000 };
 
 /* Largest distance of neighbouring points (m), after [EN17037] annex B:

@@ -7,11 +7,11 @@
 #include "model/room/room_facades.h"
 #include "studies/study_report.h"
 
-/* By how much walls go on: 30 m beside a window leave it less than 3 degrees of what a
- * longer wall would hide from the ground before it. */
+/* Length by which walls are extended: beyond 30 m a longer wall hides less than 3
+ * degrees more of the ground in front of the window. */
 static const double REACH_M = 30.0;
 
-/* The other room's errors, over those that are wanted: only a verdict is looked for. */
+/* Errors for the other room, over the target errors: only a verdict is needed. */
 static const double COARSER = 2.0;
 
 static bool is_sampled(const struct pp_finding *finding)

@@ -1,6 +1,5 @@
-/* factors.h - the daylight factors that criteria judge by: traced ones, or else those of
- * a hand method.
- */
+/* factors.h - daylight factors used by criteria: simulated ones, or else those of a
+ * hand method. */
 #ifndef PP_STUDIES_CRITERIA_FACTORS_H
 #define PP_STUDIES_CRITERIA_FACTORS_H
 
@@ -15,22 +14,21 @@ enum pp_status pp_factors_by_hand(struct pp_report *report, struct pp_error *err
  * NULL where they apply. */
 const char *pp_factors_refuse(const struct pp_inquiry *inquiry);
 
-/* The daylight factors at the grid's points: the column "traced" if there is one, else
- * that of a hand method. NULL where there is none, and *why says why. The method is
- * added to the basis of the findings. */
+/* Daylight factors at the grid's points: the column "traced" if there is one, else that
+ * of a hand method. NULL if there is none, with the reason in *why. The method is added
+ * to the basis of the findings. */
 const struct pp_column *pp_factors_of_grid(const struct pp_inquiry *inquiry,
                                            struct pp_finding_list *findings,
                                            const char **why);
 
-/* The column whose average over the whole working plane is taken: traced, else
- * `average-df`, else the hand method of the grid. NULL where there is none, and *why says
- * why. */
+/* Column whose average over the whole working plane is used: traced, else `average-df`,
+ * else the hand method of the grid. NULL if there is none, with the reason in *why. */
 const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
                                            struct pp_finding_list *findings,
                                            const char **why);
 
-/* The level that a part (a fraction) of the grid's points reaches, were all of them at the
- * lower, or at the upper ends of their bands; none where a point has no band. */
+/* Level that a part (a fraction) of the grid's points reaches, if all of them were at
+ * the lower, or at the upper ends of their bands; none if a point has no band. */
 enum pp_status pp_factors_band(struct pp_band_ends *band,
                                const struct pp_column *column, int count, double part,
                                struct pp_error *err);

@@ -1,6 +1,4 @@
-/* finding.h - one figure that a criterion asks for, the bound it is held against, and
- * the verdict.
- */
+/* finding.h - one figure of a criterion, its bound, and the verdict. */
 #ifndef PP_STUDIES_CRITERIA_FINDING_H
 #define PP_STUDIES_CRITERIA_FINDING_H
 
@@ -41,7 +39,8 @@ struct pp_finding {
     char note[320];         /* sentences without the last full stop; may be empty */
 };
 
-/* "met", "not met", "undecided", "not judged"; NULL of what is only stated. Static. */
+/* Word for a verdict: "met", "not met", "undecided", "not judged"; NULL for a figure
+ * that is only stated. Static. */
 const char *pp_finding_verdict(enum pp_verdict verdict);
 
 /* The findings of one criterion. */
@@ -51,17 +50,17 @@ struct pp_finding_list {
     char basis[320]; /* by which method the figures were found, as a sentence without a
                       * full stop; empty: from the room as its file describes it */
     struct pp_lit_change
-        lit; /* of rights of light, what its findings say; of others, and
-                               * where it is not judged, plane_m2 is 0 */
+        lit; /* for rights of light; for other findings, and if it is not assessed,
+              * plane_m2 is 0 */
 };
 
 /* A verdict on a sampled figure is given where it is right with this probability or
  * more: the usual level of statistical tests, not calibrated. */
 #define PP_SURE 0.95
 
-/* A figure and its bound, judged: a figure within 1e-9 of the bound, relative, meets it.
- * wanted NAN: the figure is stated. A figure of NAN is not judged. `what` is a format, as
- * of printf. */
+/* Finding with a figure and its bound: a figure within 1e-9 of the bound, relative,
+ * meets it. wanted NAN: the figure is only stated. A figure of NAN is not judged.
+ * `what` is a printf format. */
 struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wanted,
                                 bool at_most, const char *what, ...)
     __attribute__((format(printf, 5, 6)));
@@ -75,8 +74,8 @@ void pp_finding_compares(struct pp_finding *finding, enum pp_figure compared,
 struct pp_finding pp_finding_not_judged(const char *why, const char *what, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* The figure is known to within `error` only: a verdict on a figure nearer to the bound
- * than that becomes PP_UNDECIDED. */
+/* Makes a verdict PP_UNDECIDED if the figure, known to within `error` only, is nearer
+ * to the bound than that. */
 void pp_finding_within(struct pp_finding *finding, double error);
 
 /* The figure was sampled with that standard error, and the criterion is met with that
@@ -84,8 +83,8 @@ void pp_finding_within(struct pp_finding *finding, double error);
 void pp_finding_sampled(struct pp_finding *finding, double std_error,
                         double probability);
 
-/* Probability that a quantity sampled as `value` with a standard error (greater than 0)
- * is `wanted` or more, by the normal distribution. */
+/* Probability that a quantity is `wanted` or more, if it is sampled as `value` with a
+ * standard error (greater than 0), by the normal distribution. */
 double pp_finding_probability_at_least(double value, double std_error, double wanted);
 
 /* May the true figure well be on the other side of the bound than the figure is: does the

@@ -100,7 +100,8 @@ static enum pp_status rear_reflectance(double *mean, const struct pp_world *worl
             surface->role == PP_COVER ? world->surfaces[surface->owner].front : 0.0;
         enum pp_status status =
             add_rear(to, &surface->outline, into, from, surface->front - behind, err);
-        sums[1] += cover[1]; /* in the place of its wall, whose area has been counted */
+        sums[1] += cover[1]; /* replaces part of its wall, whose area is already
+                              * included */
         if (status == PP_OK && surface->role == PP_FREE_SURFACE)
             status = add_rear(sums, &surface->outline, into, from, surface->back, err);
         if (status != PP_OK)

@@ -14,10 +14,10 @@
 
 #include "studies/criteria/finding.h"
 
-/* A point whose probability is this near to 0 or 1 is taken as certain. */
+/* Distance of a probability from 0 or 1 within which the point counts as certain. */
 static const double surely = 1e-12;
 
-/* Beyond so many standard errors it is: normal_below(-7.04) = 0.96e-12. */
+/* Standard errors beyond which it is certainly off: normal_below(-7.04) = 0.96e-12. */
 static const double surely_off = 7.04;
 
 /* Values and targets are computed: a difference of this share is rounding. */
@@ -29,7 +29,7 @@ static int compare_falling(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-/* Points, the share of their variance that is common, and the root of the rest. The figure
+/* Points, the correlated share of their variance, and the root of the rest. The figure
  * is the wanted-th largest value, or half way between that and the next. */
 struct plane_points {
     struct pp_reading *list;
@@ -38,8 +38,8 @@ struct plane_points {
     double common, own;
 };
 
-/* The probability that a point reaches the target, with all of them `shift` standard
- * errors off by what they have in common; of a point that was not sampled 0 or 1. */
+/* Probability that a point reaches the target, if all points share an error of `shift`
+ * standard errors; 0 or 1 for a point that was not sampled. */
 static double probability_of_point(const struct plane_points *points, int i,
                                    double target, double shift)
 {
@@ -81,9 +81,10 @@ static int odds_of(const struct plane_points *points, double high, double low,
     return sure;
 }
 
-/* A square of two gaps: from the level up to the least of the `wanted` points above it, and
- * down to the greatest of the points below. corner[i][j]: the probability that the first is
- * low or more (i = 0), high or more (i = 1), and the second likewise (j). */
+/* Square of two gaps: from the level up to the least of the `wanted` points above it,
+ * and down to the greatest of the points below. corner[i][j]: the probability that the
+ * first is at least low (i = 0) or high (i = 1), and the second at least low (j = 0) or
+ * high (j = 1). */
 struct gap_square {
     double low, high;
     double corner[2][2];
@@ -125,8 +126,9 @@ static double gap_above_is_greater(const struct plane_points *points, double lev
            + gap_above_is_greater(points, level, shift, &far, odds);
 }
 
-/* The probability that just the wanted points reach the level, and the middle between the
- * least of them and the next reaches it, too. `reach`: a gap that none exceeds. */
+/* Probability that exactly the wanted points reach the level, and that the middle
+ * between the least of them and the next also reaches it. `reach`: an upper bound on
+ * gaps. */
 static double tie_probability(const struct plane_points *points, double level,
                               double shift, double *odds)
 {
@@ -137,7 +139,7 @@ static double tie_probability(const struct plane_points *points, double level,
             point->std_error > 0.0 ? (8.0 + fabs(shift)) * point->std_error : 0.0;
         reach = fmax(reach, fabs(point->value - level) + spread);
     }
-    reach *= 1.0 + 4.0 * rounding; /* a gap is equal to none of the corners */
+    reach *= 1.0 + 4.0 * rounding; /* no gap equals a corner */
     struct gap_square all = {0.0, reach, {{0.0}}};
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++)
@@ -168,7 +170,7 @@ static double normal_below(double z)
     return 0.5 * erfc(-z / sqrt(2.0));
 }
 
-/* Shifts of so many standard deviations, and no finer than this. */
+/* Largest shift, in standard deviations, and finest step. */
 static const double shift_most = 4.0, shift_least = 0.01;
 
 /* A probability rises with the shift; where by more than this between two, they are
@@ -272,7 +274,7 @@ static void leave_out_distant(struct plane_points *points, double *values)
     }
 }
 
-/* The wanted-th of falling values, or half way to the next. */
+/* Figure from falling values: the wanted-th, or half way to the next. */
 static double figure_of(const struct plane_points *points, const double *values)
 {
     double here = values[points->wanted - 1];

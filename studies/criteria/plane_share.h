@@ -8,13 +8,13 @@
 #include "model/results/reading.h"
 
 struct pp_plane_share {
-    double level;     /* daylight factor that the wanted part of the points reaches: for
+    double level;     /* daylight factor that the given part of the points reaches; for
                        * half of the points their median, which is the mean of the two
                        * middle values of an even number */
     double std_error; /* of level; NAN where nothing was sampled */
     double over;      /* share of the points that reach the target */
-    double probability; /* that the wanted part of the points reaches the target; NAN
-                         * where nothing was sampled */
+    double probability; /* that the given part of the points reaches the target; NAN if
+                         * nothing was sampled */
 };
 
 /* Share of `count` points (1 or more), all with values, of which the part `part` (above

@@ -1,4 +1,4 @@
-/* profile.h - what a kind of report has to judge: criteria by the name of the occasion. */
+/* profile.h - the criteria of a kind of report, by the name of its purpose. */
 #ifndef PP_STUDIES_CRITERIA_PROFILE_H
 #define PP_STUDIES_CRITERIA_PROFILE_H
 
@@ -8,14 +8,14 @@ struct pp_profile {
     const char *name;     /* as typed on the command line */
     const char *summary;  /* one line for the help, without a full stop */
     const char *criteria; /* names with commas between */
-    const char *country;  /* whose rules they are; "": no one country's */
+    const char *country;  /* country of the rules; "": no single one */
 };
 
-/* In the order in which they are shown; NULL at the end. index is at most one past the
- * last. */
+/* Profiles in the order shown; NULL for the index just past the last, the largest
+ * allowed. */
 const struct pp_profile *pp_profile_at(int index);
 
-/* NULL, and PP_BAD_INPUT in err, where there is none of that name. */
+/* NULL, with PP_BAD_INPUT in err, if there is none of that name. */
 const struct pp_profile *pp_profile_find(const char *name, struct pp_error *err);
 
 #endif

@@ -11,7 +11,7 @@
 
 #define SHARE_WANTED 0.5
 
-/* Adds what the zones lost, and its equivalent of first zone. */
+/* Adds the losses by zone, and the first-zone equivalent. */
 static enum pp_status add_zones(const struct pp_lit_loss *loss,
                                 struct pp_finding_list *findings, struct pp_error *err)
 {

@@ -19,7 +19,7 @@ static const struct pp_study_room *find_in_state(const struct pp_study_room *roo
     return NULL;
 }
 
-/* The only one, or that of the same name; NULL: there is none. */
+/* Finds the only room, or the one of the same name; NULL: none. */
 static const struct pp_study_room *find_by_name(const struct pp_study_room *room,
                                                 int room_count,
                                                 const struct pp_rooms_before *before)

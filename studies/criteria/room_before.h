@@ -1,4 +1,5 @@
-/* room_before.h - which room of those before something was built is this one. */
+/* room_before.h - the former state of a room: its counterpart before the
+ * development. */
 #ifndef PP_STUDIES_CRITERIA_ROOM_BEFORE_H
 #define PP_STUDIES_CRITERIA_ROOM_BEFORE_H
 
@@ -8,9 +9,9 @@
 struct pp_rooms_before {
     const struct pp_study_room *list;
     int count;
-    bool
-        is_state; /* they are those of the same files in another state, which need not have
-                    * each room; else of another file, which must */
+    bool is_state; /* the former rooms are those of the same files in another state,
+                   * where a room may be missing; else of another file, where it may
+                   * not */
 };
 
 /* *found is one of the rooms before: the same of the same file in its other state, the one of

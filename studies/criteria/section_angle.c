@@ -14,8 +14,9 @@ struct section_plane {
     struct pp_vec3 eye, ahead, across;
 };
 
-/* Where the edge from p to q meets the section: distance ahead of the eye and height
- * above it. Edges are half-open, so that an edge that ends in the section counts once. */
+/* Intersection of the edge from p to q with the section: distance ahead of the eye and
+ * height above it. Edges are half-open, so that one that ends in the section counts
+ * once. */
 static bool section_crossing(const struct section_plane *section, struct pp_vec3 p,
                              struct pp_vec3 q, double at[2])
 {

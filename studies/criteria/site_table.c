@@ -32,8 +32,8 @@ static enum pp_status add_site_row(struct pp_site_row **rows, int *count,
     return PP_OK;
 }
 
-/* Puts what a room's mirror image leaves beside the window or the room that it is of; false
- * where that has no line. */
+/* Puts a value by the mirror image beside the window or the room that it belongs to;
+ * false if that has no line. */
 static bool put_beside(struct pp_site_table *table, const struct pp_assessment *room,
                        const struct pp_finding *finding)
 {
@@ -98,7 +98,7 @@ static enum pp_status add_answer(struct pp_site_table *table,
                   || criterion == &pp_criterion_former_sky;
     if (criterion == &pp_criterion_vertical_sky && has(room, &pp_criterion_former_sky))
         return PP_OK;
-    /* The last finding of the no-sky line is the one that compares, if any does. */
+    /* The last finding of the no-sky line is the comparing one, if there is any. */
     if (criterion == &pp_criterion_no_sky_line)
         return findings->count == 0
                    ? PP_OK

@@ -1,6 +1,5 @@
-/* site_table.h - what a planning authority reads: each window's sky and each room's lit
- * area, before and after, in one table of a site.
- */
+/* site_table.h - the summary for a planning authority: each window's sky and each
+ * room's lit area, before and after, in one table of a site. */
 #ifndef PP_STUDIES_CRITERIA_SITE_TABLE_H
 #define PP_STUDIES_CRITERIA_SITE_TABLE_H
 
@@ -10,16 +9,16 @@
 struct pp_site_row {
     const struct pp_assessment *room; /* not owned, like all below */
     const struct pp_criterion *criterion;
-    const struct pp_finding *finding; /* whose verdict it is */
+    const struct pp_finding *finding; /* finding with the verdict */
     double existing, proposed;        /* NAN: not known; units of finding->compared,
                                        * of rights of light m2 */
     double ratio;                     /* proposed over existing; NAN: not known */
     const struct pp_lit_change
-        *lit; /* of rights of light; NULL: not judged, or another */
-    double
-        mirrored; /* with the building's mirror image in place of what is proposed; NAN:
-                      * not known */
-    const struct pp_finding *by_mirror_image; /* whose verdict is by that; NULL: none */
+        *lit;        /* of rights of light; NULL: not judged, or another */
+    double mirrored; /* with the building's mirror image instead of the proposed parts;
+                   * NAN: unknown */
+    const struct pp_finding *by_mirror_image; /* finding with the verdict by the mirror
+                                               * image; NULL: none */
 };
 
 /* The lines of all rooms, in their order. */
@@ -38,7 +37,7 @@ struct pp_site_table {
     int other_count;
 };
 
-/* From rooms that have been judged. To be cleared in any case. */
+/* Makes the table from assessed rooms. The caller clears it in any case. */
 enum pp_status pp_site_table_of(struct pp_site_table *table,
                                 const struct pp_assessment *rooms, int count,
                                 struct pp_error *err);

@@ -19,10 +19,10 @@
 
 /* Options of any engine; each uses those that apply to it. */
 struct pp_engine_options {
-    double error; /* wanted standard error over daylight factor; 0: by samples, time */
+    double error; /* target standard error over daylight factor; 0: by samples, time */
     long samples; /* paths a point in each randomisation instead; 0: not given */
     uint64_t seed;
-    int threads; /* 0: as many as there are processors */
+    int threads; /* 0: one for each processor */
 
     bool plain;  /* by the engine's plain twin, if it has one */
     bool alone;  /* points share no light in light paths */
@@ -33,7 +33,8 @@ struct pp_engine_options {
                       * 0: the receivers are points */
 
     struct pp_cache_options cache; /* its seed and threads are those above */
-    bool interpolate;              /* what is reflected at the points from the cache */
+    bool interpolate;              /* reads reflected light at the points from the
+                                    * cache */
     const char *cache_file; /* records to begin with, where there is such a file; NULL:
                              * none */
 };
@@ -43,17 +44,17 @@ struct pp_engine {
     const char *column; /* of its results: "traced" */
     const char *summary;
     const char *said;      /* of its figures, below a table: "by simulation" */
-    const char *deviation; /* what the error beside a figure is: "one standard error" */
-    const char *from;      /* heads what is off from it: "from traced, %"; NULL: nothing
-                            * is, as it is no truth */
-    bool is_truth;         /* is it what hand figures may be held against? */
+    const char *deviation; /* name of the error beside a figure: "one standard error" */
+    const char *from;      /* heading for deviations from it: "from traced, %"; NULL:
+                            * none, as it is not a reference */
+    bool is_truth;         /* true if hand figures can be compared with it */
     bool is_sampled;       /* does another seed give other figures? */
     const struct pp_engine
         *plain; /* gives the same by a plain implementation; NULL: none */
 
-    /* At the report's receivers and over its working plane, under the report's light,
-     * in the world's matt scene. *run is made on success only; scene and receivers must
-     * outlive it. */
+    /* Creates a run at the report's receivers and over its working plane, under the
+     * report's light, in the world's matt scene. *run is set on success only; scene and
+     * receivers must outlive it. */
     enum pp_status (*create)(void **run, const struct pp_light_scene *scene,
                              const struct pp_report *report,
                              const struct pp_engine_options *options,
@@ -67,8 +68,8 @@ struct pp_engine {
     void (*read)(const void *run, int index,
                  struct pp_reading readings[PP_COMPONENT_COUNT]);
 
-    /* The share of their variance that the receivers' factors have in common
-     * (common_error.h): all of them, and those that are near each other; NULL: none. */
+    /* Correlated share of the variance of the receivers' factors (common_error.h):
+     * among all of them, and among neighbours; NULL: none. */
     double (*common)(const void *run);
     double (*common_near)(const void *run);
 
@@ -85,7 +86,7 @@ extern const struct pp_engine pp_engine_path, pp_engine_cache, pp_engine_photons
 const struct pp_engine *pp_engine_at(int index);          /* NULL behind the last */
 const struct pp_engine *pp_engine_find(const char *name); /* NULL: there is none */
 
-/* Whose columns have that name; NULL: no engine's, but a method's. */
+/* Engine whose columns have this name; NULL: the name of a method. */
 const struct pp_engine *pp_engine_of_column(const char *column);
 
 /* The column of daylight factors that others are held against: the first engine's of the

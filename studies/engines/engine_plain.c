@@ -1,5 +1,5 @@
-/* engine_plain.c - the plain path tracer of simulate/path_tracer as an engine: what
- * engine_path.c gives, by the textbook. */
+/* engine_plain.c - the plain path tracer of simulate/path_tracer as an engine: the
+ * results of engine_path.c by the textbook algorithm. */
 #include <stdlib.h>
 
 #include "simulate/path_tracer/path_tracer.h"

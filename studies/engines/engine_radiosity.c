@@ -22,7 +22,7 @@ static enum pp_status create_radiosity_engine(void **data,
 static enum pp_status advance_radiosity_engine(void *data, double seconds,
                                                struct pp_error *err)
 {
-    (void)seconds; /* a level takes what it takes */
+    (void)seconds; /* a level takes its own time */
     return pp_radiosity_advance(data, err);
 }
 

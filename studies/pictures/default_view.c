@@ -11,14 +11,14 @@ enum {
     RAYS = 24,   /* across the picture */
 };
 
-/* From walls, as far as the room allows. */
+/* Distance from walls (m), if the room is large enough. */
 static const double clear_m = 0.4;
 
 /* Below this slope an opening is a rooflight. */
 static const double upright_rad = 45.0 * PP_RAD;
 
-/* A window higher above the eye than this is looked up to: it is brought down to this
- * height, but the view is not raised by more than the second. */
+/* Most that a window may be above the eye: the view is raised until the window is at
+ * this height, but at most by the second angle. */
 static const double level_rad = 20.0 * PP_RAD, raised_most_rad = 15.0 * PP_RAD;
 
 static const struct pp_vec3 upwards = {0.0, 0.0, 1.0};
@@ -150,7 +150,7 @@ static void look_at_window(struct pp_view_place *place,
             level * tan(fmin(fmax(altitude - level_rad, 0.0), raised_most_rad));
 }
 
-/* Without a window: along the longer side. */
+/* Looks along the longer side, in a room without windows. */
 static void look_along(struct pp_view_place *place, const struct pp_light_scene *scene,
                        const struct pp_world *world)
 {
@@ -213,7 +213,8 @@ static void cut_section(struct pp_view_place *place, const struct pp_light_scene
     struct pp_vec3 size = pp_vec_sub(high, low);
     place->eye = pp_bounds3_middle(&room);
     place->down_m = size.z;
-    /* Into the room, square to the window: right in the drawing. */
+    /* Looks into the room at right angles to the window, which is at the right in the
+     * drawing. */
     struct pp_vec3 right =
         size.y >= size.x ? pp_vec(0.0, 1.0, 0.0) : pp_vec(1.0, 0.0, 0.0);
     if (window >= 0) {
@@ -223,7 +224,7 @@ static void cut_section(struct pp_view_place *place, const struct pp_light_scene
         in.z = 0.0;
         if (opening->slope_rad > upright_rad && pp_vec_length(in) > 0.0)
             right = pp_vec_unit(in);
-        /* In the cut plane, and in the middle of the room along it. */
+        /* Places the eye in the cut plane, midway along the room. */
         double along = pp_vec_dot(pp_vec_sub(place->eye, middle), right);
         struct pp_vec3 at = pp_vec_along(middle, along, right);
         place->eye = pp_vec(at.x, at.y, place->eye.z);

@@ -19,7 +19,7 @@
 #define PP_PERSPECTIVE_DEG 75.0 /* across the picture */
 #define PP_PLAN_CUT_M 1.2
 
-/* The view of a room that is wanted. */
+/* Kind of view of a room. */
 enum pp_room_view {
     PP_ROOM_VIEW_PERSPECTIVE,
     PP_ROOM_VIEW_FISHEYE,
@@ -32,7 +32,7 @@ struct pp_view_place {
     double across_m, down_m;        /* of plan and section; else 0 */
 };
 
-/* `scene` is that of `world`. */
+/* `scene` must be made from `world`. */
 void pp_default_view(struct pp_view_place *place, const struct pp_light_scene *scene,
                      const struct pp_world *world, enum pp_room_view view);
 

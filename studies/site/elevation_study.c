@@ -16,7 +16,7 @@
 
 /* ---- a wall's contours ---- */
 
-/* Where points of a flattened wall are in its room. */
+/* Position of a flattened wall's points in its room. */
 struct wall_frame {
     const struct pp_world *world;
     int face;

@@ -7,10 +7,10 @@
 #include "model/results/sheets/site_sheet.h"
 #include "studies/site/site_study.h"
 
-/* Fills sheet, which the caller clears; empty on failure. A wall belongs to the elevation
- * that looks its way, to 2 degrees; inner walls to none. Its components are those of its
- * outside: that of its facade, of its deepest reveal where it has none. Contours are
- * accurate to 10 mm. PP_BAD_INPUT: there is no upright window. */
+/* Fills sheet, which the caller clears; empty on failure. A wall belongs to the
+ * elevation of its direction, to 2 degrees; inner walls to none. Its components are
+ * those of its outside: of its facade or, without one, of its deepest reveal. Contours
+ * are accurate to 10 mm. PP_BAD_INPUT if there is no vertical window. */
 enum pp_status pp_elevation_study_make(struct pp_elevation_sheet *sheet,
                                        const struct pp_site_rooms *rooms,
                                        struct pp_error *err);

@@ -14,10 +14,10 @@ struct pp_garden_sun {
                                 * counter-clockwise, holes clockwise */
 };
 
-/* By hours in closed form (methods/exact/sunlit_hours.h), possible ones, at the level of the
- * ground; all that stands hides the sun, the rooms too. The line of two hours is accurate to
- * a two-thousandth of the garden's diagonal, and to 10 mm. The caller clears sun; empty on
- * failure. The world has a latitude. */
+/* Calculates the possible hours of sun in closed form (methods/exact/sunlit_hours.h) at
+ * ground level. All obstructions hide the sun, the rooms included. The line of two
+ * hours is accurate to 1/2000 of the garden's diagonal and to 10 mm. The caller clears
+ * sun; empty on failure. The world must have a latitude. */
 enum pp_status pp_garden_sun_find(struct pp_garden_sun *sun,
                                   const struct pp_world *world,
                                   const struct pp_garden *garden, struct pp_error *err);

@@ -43,7 +43,7 @@ struct mesh_parts {
     struct mesh_corner *users;
     struct pp_vec3 *places;
     struct mesh_triangle *triangles;
-    struct mesh_edge *edges, *bounds; /* bounds: of parts, what is left of the edges */
+    struct mesh_edge *edges, *bounds; /* bounds: edges on the outlines of parts */
     int triangle_count, place_count, edge_count, bound_count;
 };
 
@@ -217,7 +217,7 @@ static int to_of(const struct mesh_edge *edge)
     return edge->forwards ? edge->high : edge->low;
 }
 
-/* By part (which `triangle` is now) and where it begins. */
+/* Sorts by part (stored in `triangle`) and by start node. */
 static int by_start(const void *left, const void *right)
 {
     const struct mesh_edge *a = left, *b = right;
@@ -355,7 +355,7 @@ static int find_next(const struct mesh_parts *parts, const bool *used, int first
     return -1;
 }
 
-/* The part whose bounds are first to end. */
+/* Adds the part with bounds from first to end. */
 static enum pp_status add_part(struct pp_site_sheet *sheet,
                                const struct mesh_parts *parts, bool *used, int first,
                                int end, struct pp_error *err)

@@ -102,7 +102,7 @@ static bool is_above(const struct pp_site_window *a, const struct pp_site_window
 
 static void count_storeys(struct pp_site_sheet *sheet)
 {
-    /* From the lowest up: one above the highest that it stands on. */
+    /* Works upwards from the lowest: one storey above the highest window below it. */
     for (int pass = 0, changed = 1; changed && pass < sheet->window_count; pass++) {
         changed = 0;
         for (int i = 0; i < sheet->window_count; i++)
@@ -118,7 +118,7 @@ static void count_storeys(struct pp_site_sheet *sheet)
     }
 }
 
-/* ---- what stands there ---- */
+/* ---- objects on the site ---- */
 
 static enum pp_status add_shape(struct pp_site_sheet *sheet,
                                 const struct pp_polygon *outline,
@@ -236,7 +236,7 @@ static int first_from(const struct shape_place *places, int count, double least)
     return low;
 }
 
-/* Marks those of the sheet's shapes that are the same; false: there is none. */
+/* Marks the equal shapes of the sheet; false: there are none. */
 static bool mark_same(struct pp_site_sheet *sheet, const struct shape_place *places,
                       int count, const struct pp_site_shape *former)
 {
@@ -266,7 +266,7 @@ static enum pp_status add_gone(struct pp_site_sheet *sheet,
     return PP_OK;
 }
 
-/* Marks what is new, and adds what has gone. */
+/* Marks new shapes, and adds demolished ones. */
 static enum pp_status compare_site_before(struct pp_site_sheet *sheet,
                                           const struct pp_world *before,
                                           struct pp_error *err)
@@ -290,7 +290,8 @@ static enum pp_status compare_site_before(struct pp_site_sheet *sheet,
     return status;
 }
 
-/* Rooms are above what stands outside at their height: theirs are floors. */
+/* Sorts by height; rooms come above objects at their height, since their outlines are
+ * floors. */
 static int by_height(const void *left, const void *right)
 {
     const struct pp_site_shape *a = left, *b = right;

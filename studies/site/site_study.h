@@ -8,8 +8,8 @@
 #include "model/results/sheets/site_sheet.h"
 #include "studies/study_room.h"
 
-/* Rooms of one file, 1 or more, each with what it was before (NULL: it was not there, or
- * nothing is known of it). */
+/* Rooms of one file, 1 or more, each with its former state (NULL: it did not exist, or
+ * is unknown). */
 struct pp_site_rooms {
     const struct pp_study_room *list;
     const struct pp_study_room *const *before;
@@ -17,9 +17,9 @@ struct pp_site_rooms {
     double french_m; /* as for pp_vertical_sky_at_point (vertical_sky.h); 0: none */
 };
 
-/* Fills sheet, which the caller clears; empty on failure. What stands outside is taken from
- * the first room, and from the first that was there before. Windows of rooms above each
- * other, in one wall's plane, are counted as storeys from below. */
+/* Fills sheet, which the caller clears; empty on failure. Objects outside are taken
+ * from the first room, and from the first room that existed before. Windows of rooms
+ * above each other, in one wall's plane, are counted as storeys from below. */
 enum pp_status pp_site_study_make(struct pp_site_sheet *sheet,
                                   const struct pp_site_rooms *rooms,
                                   struct pp_error *err);

@@ -28,7 +28,7 @@ enum pp_block_height_verdict {
 
 struct pp_block_height {
     enum pp_block_height_verdict verdict;
-    double now_m;    /* as the file has it */
+    double now_m;    /* as in the file */
     double height_m; /* found; most_m where any will do, NAN where none will */
     struct pp_retained_sky retained;
     int deciding; /* who has the least over his due; -1: nobody is due anything */

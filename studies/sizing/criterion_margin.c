@@ -17,7 +17,7 @@ static void requirement_name(char name[NAME_BYTES], const char *words)
     snprintf(name, NAME_BYTES, "%.*s", (int)strcspn(words, ":"), words);
 }
 
-/* Behind the colon; empty: all findings. */
+/* Text after the colon; empty: all findings. */
 static const char *beginning_of(const char *words)
 {
     const char *colon = strchr(words, ':');

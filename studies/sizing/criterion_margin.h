@@ -1,7 +1,6 @@
-/* criterion_margin.h - how much a room has of what a criterion asks for: the least of its
- * findings' figures over their bounds, or of the bounds over the figures where they are upper
- * ones. 1 or more: each is met.
- */
+/* criterion_margin.h - margin by which a room meets a criterion: the least ratio of its
+ * findings' figures to their bounds, or of the bounds to the figures for upper ones. 1
+ * or more: all are met. */
 #ifndef PP_STUDIES_SIZING_CRITERION_MARGIN_H
 #define PP_STUDIES_SIZING_CRITERION_MARGIN_H
 
@@ -11,9 +10,9 @@
 #include "studies/study_options.h"
 #include "studies/study_room.h"
 
-/* Words are a criterion's name, and behind a colon how those of its findings begin that
- * count: "en17037:minimum"; without a colon all. PP_BAD_INPUT, with what there is, where
- * they name no criterion. */
+/* Checks the words: a criterion's name, optionally followed by a colon and the
+ * beginning of its findings that count: "en17037:minimum"; without a colon all count.
+ * PP_BAD_INPUT, with the valid names, if they name no criterion. */
 enum pp_status pp_criterion_margin_check(const char *words, struct pp_error *err);
 
 /* Margin of `world`, which is the room or a changed one. With `traced`, by its options

@@ -22,7 +22,7 @@ static const double light_ceiling = 0.85, light_walls = 0.7, light_floor = 0.4;
 
 /* ---- Finishes ---- */
 
-/* Gives the darker faces of one role the wanted reflectance. */
+/* Gives the darker faces of one role the reflectance `wanted`. */
 static enum pp_status lighten(struct pp_room **changed, struct pp_gain *gain,
                               const struct pp_room *room, const struct pp_world *world,
                               enum pp_role role, double wanted, const char *name,

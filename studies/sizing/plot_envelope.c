@@ -16,8 +16,8 @@ struct envelope_search {
     struct pp_plot_envelope *found;
     const struct pp_plot_envelope_task *task;
     double *tangents; /* tan a_i; INFINITY: the window limits nothing */
-    double *planes;   /* of the trial: those times the factor, or one of them alone */
-    int number;       /* of the window whose plane is sought */
+    double *planes;   /* of the trial: those times the factor, or a single one */
+    int number;       /* of the window whose plane is searched */
 };
 
 /* z of the plane of a window at the cell's nearest corner; INFINITY behind its wall. */

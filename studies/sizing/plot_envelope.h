@@ -30,7 +30,7 @@ struct pp_plot_envelope_task {
     struct pp_building
         *building;     /* its state, and the block, are changed: the cells take
                                    * its place */
-    const char *block; /* whose footprint is the plot */
+    const char *block; /* block whose footprint is the plot */
     struct pp_retained_sky_rule rule; /* of VSC */
     double most_m;                    /* no cell is higher */
 };
@@ -52,8 +52,8 @@ struct pp_plot_envelope {
     int deciding; /* who has the least over his due; -1: nobody is due anything */
 };
 
-/* PP_BAD_INPUT where no window counts, the plot has no cell, or a room makes no sense with
- * what stands on it. To be cleared in any case. */
+/* PP_BAD_INPUT if no window counts, the plot has no cell, or a room is invalid with the
+ * objects on it. The caller clears *found in any case. */
 enum pp_status pp_plot_envelope_find(struct pp_plot_envelope *found,
                                      const struct pp_plot_envelope_task *task,
                                      struct pp_error *err);

@@ -47,7 +47,7 @@ static bool is_called(const char *own, const char *wanted)
     return !wanted || (own && strcmp(own, wanted) == 0);
 }
 
-/* With `only`, the windows of its line alone. */
+/* Adds the windows; if `only` is given, only those of its line. */
 static enum pp_status add_retained_windows(struct pp_retained_sky *retained,
                                            const struct pp_retained_sky_rule *rule,
                                            const struct pp_retained_sky_place *only,

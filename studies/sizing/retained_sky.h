@@ -36,8 +36,8 @@ struct pp_retained_sky_place {
     struct pp_vec3 middle,
         outward;               /* of the window's outside, or where its component is
                                      * taken, in the building's axes; of a room 0 */
-    double before, now, after; /* VSC (a fraction) or area (m2): before, as the file has
-                                * it, and with what was found */
+    double before, now, after; /* VSC (a fraction) or area (m2): before, as in the file,
+                                * and with the result */
 };
 
 struct pp_retained_sky {
@@ -45,15 +45,15 @@ struct pp_retained_sky {
     int count;
 };
 
-/* Lists what counts in the building as it stands, with what it has `now`, and nothing
- * before and after. PP_BAD_INPUT where nothing counts, or a room makes no sense. To be
- * cleared in any case. */
+/* Lists the windows or rooms that count in the building in its present state, with
+ * their `now`, and without before and after. PP_BAD_INPUT if none count, or a room is
+ * invalid. The caller clears *retained in any case. */
 enum pp_status pp_retained_sky_list(struct pp_retained_sky *retained,
                                     const struct pp_retained_sky_rule *rule,
                                     struct pp_building *building, struct pp_error *err);
 
-/* Fills in `before` or `after`: what they have with the building as it stands, which may
- * be another state. Who is not there has 0. */
+/* Fills in `before` or `after`: the values with the building in its present state,
+ * which may differ from that of the list. Windows or rooms that do not exist have 0. */
 enum pp_status pp_retained_sky_before(struct pp_retained_sky *retained,
                                       const struct pp_retained_sky_rule *rule,
                                       struct pp_building *building,
@@ -74,8 +74,8 @@ enum pp_status pp_retained_sky_after_one(struct pp_retained_sky *retained, int n
 double pp_retained_sky_surplus_of(const struct pp_retained_sky_place *due,
                                   const struct pp_retained_sky_rule *rule);
 
-/* The least, over all that had anything before, of what one has after over its due,
- * less 1; INFINITY where none had. *deciding is whose it is, -1: nobody's. */
+/* Least ratio of after to due, less 1, over all that had anything before; INFINITY if
+ * none had. *deciding is its index, -1: none. */
 double pp_retained_sky_surplus(const struct pp_retained_sky *retained,
                                const struct pp_retained_sky_rule *rule, int *deciding);
 

@@ -14,8 +14,8 @@ enum {
     REFINED_MOST = 3,    /* refinements of the grid: down to a micrometre */
 };
 
-/* A value that is neither counted nor sampled shall exceed the target by this share of
- * it at most. */
+/* Most by which a value that is neither counted nor sampled may exceed the target,
+ * relative. */
 static const double near_share = 0.0025;
 
 /* A sampled value shall come this near to the target, in its standard errors. */
@@ -36,7 +36,7 @@ struct search {
     struct pp_size_answer *answer;
 };
 
-/* The world of a changed room; what is wrong with that room becomes the message. */
+/* Makes the world of a changed room; the room's mistakes become the message. */
 static enum pp_status world_of(struct pp_world **world, const struct pp_room *room,
                                struct pp_error *err)
 {
@@ -141,8 +141,8 @@ static enum pp_status refine(const struct search *search, struct size_trial *bel
             || above->reading.value <= (1.0 + near_share) * task->target)
             break;
         pp_window_sizes_refine(search->sizes);
-        /* On the finer grid edges are rounded less, so that the window is a little
-         * larger than at the same step before: `below` may reach the target now. */
+        /* A finer grid rounds edges less, so a window is slightly larger than before at
+         * the same step: `below` may now reach the target. */
         above->step *= 10;
         below->step *= 10;
         for (int back = 10;; back *= 10) {

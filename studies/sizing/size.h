@@ -48,7 +48,7 @@ struct pp_size_answer {
     int evaluations;   /* number of sizes that were evaluated */
 };
 
-/* On success the answer is to be cleared by the caller. */
+/* Finds the size. On success the caller clears the answer. */
 enum pp_status pp_size_find(struct pp_size_answer *answer,
                             const struct pp_size_task *task, struct pp_error *err);
 void pp_size_answer_clear(struct pp_size_answer *answer);

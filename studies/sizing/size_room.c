@@ -60,7 +60,7 @@ static enum pp_status margin_of(struct valuation *valuation,
         valuation->request->criterion, valuation->room, world, traced, err);
 }
 
-/* The traced average, or the lowest of the points; or what a criterion finds of them. */
+/* Simulates the average, the lowest of the points, or the margin of a criterion. */
 static enum pp_status trace_sized_room(struct valuation *valuation,
                                        const struct pp_world *world,
                                        struct pp_reading *reading, struct pp_error *err)
@@ -108,7 +108,7 @@ static enum pp_status sized_room_value(void *data, const struct pp_world *world,
                                       : value_by_hand(valuation, world, reading, err);
 }
 
-/* Is the opening one of those that may change? */
+/* True if the opening is one of those that may change. */
 static bool is_chosen(const struct pp_size_request *request,
                       const struct pp_room_opening *opening, enum pp_opening_kind kind)
 {
@@ -159,7 +159,7 @@ static bool is_by_counts(const char *by)
     return (direct && direct->counts) || (internal && internal->counts);
 }
 
-/* ---- What becomes of the openings ---- */
+/* ---- Changes of the openings ---- */
 
 static bool same_opening_place(struct pp_opening_place a, struct pp_opening_place b)
 {
@@ -196,7 +196,7 @@ static enum pp_status set_down_edits(struct pp_size_room_result *result,
     return PP_OK;
 }
 
-/* Where the room stands in its file. */
+/* Finds the room's place in its file. */
 static void find_text(struct pp_size_room_result *result)
 {
     struct pp_building *building = result->room->building;
@@ -263,7 +263,7 @@ static enum pp_status find_band(struct pp_size_room_result *result,
     return status;
 }
 
-/* The method asked for, or else the usual pair of the room. */
+/* Chooses the requested method, or else the room's default pair. */
 static void choose_method(struct valuation *valuation)
 {
     struct pp_room_value *by_hand = &valuation->by_hand;

@@ -17,9 +17,9 @@ struct pp_size_request {
     const struct pp_study_options *study; /* of points and simulation; not owned */
     double target;                        /* a fraction; 0: not given */
     const char
-        *criterion; /* in its place, as criterion_margin.h has it: then the target
-                            * is 1, of what that asks for; NULL: none */
-    const char *by; /* a method, a pair, or "traced"; NULL: what covers the room */
+        *criterion; /* replaces these, as in criterion_margin.h: the target is then a
+                     * margin of 1; NULL: none */
+    const char *by; /* a method, a pair, or "traced"; NULL: one that covers the room */
     bool traced;    /* by is "traced" */
     enum pp_size_change change;
     const char *wall; /* only windows in that wall; NULL: any */
@@ -34,25 +34,24 @@ struct pp_size_room_result {
     const struct pp_study_room *room; /* not owned */
     const char *method; /* that it was sized by; NULL: a criterion's own; not owned */
     struct pp_size_answer answer;
-    struct pp_text_edit *edits; /* what becomes of the room's openings; owned */
+    struct pp_text_edit *edits; /* changes of the room's openings; owned */
     int edit_count;
     const char *file_text; /* not owned */
     size_t file_length;
     int file_opening; /* how many openings the file has before the room's first */
     const char *why;  /* there is no value; not owned */
     struct pp_reading traced; /* of the room sized; NAN where nothing was traced */
-    bool
-        holds; /* false: the traced value of the size found by hand is below the target,
-                 * by more than two standard errors; where that of the largest size is
-                 * too, the target is out of reach, and that size is the answer */
+    bool holds; /* false: the simulated value of the size found by hand is below the
+                * target, by more than two standard errors; if that of the largest size
+                * is too, the target cannot be reached, and that size is the answer */
     struct pp_band_ends
         band; /* of the value of the room sized, where the atlas has one */
     struct pp_reliability reliability; /* of the room as it is, by hand */
-    char text[512];                    /* what why points to */
+    char text[512];                    /* storage for why */
 };
 
-/* Sizes a room. PP_BAD_INPUT where it has no such
- * window. The result is to be cleared in any case. */
+/* Sizes a room. PP_BAD_INPUT if it has no such window. The caller clears the result in
+ * any case. */
 enum pp_status pp_size_room(struct pp_size_room_result *result,
                             const struct pp_study_room *room,
                             const struct pp_size_request *request,

@@ -9,8 +9,8 @@
 
 #include "model/room/building.h"
 
-/* No more windows in one wall than this are tried, so that the search ends soon; chosen,
- * not measured. */
+/* Most windows tried in one wall, so that the search ends soon; chosen, not
+ * measured. */
 enum { NUMBER_MOST = 200 };
 
 /* PP_BAD_INPUT unless the windows are in one wall and of one size and sill. */
@@ -52,7 +52,7 @@ double pp_window_number_wall_length(const struct pp_world *world, int opening)
     return high - low;
 }
 
-/* The same for a room whose world is still to be made. */
+/* Length for a room whose world does not exist yet. */
 static enum pp_status wall_length(double *length_m, const struct pp_room *room,
                                   int index, struct pp_error *err)
 {

@@ -12,14 +12,15 @@
 /* Length of the wall that the opening is in, along its foot (m). */
 double pp_window_number_wall_length(const struct pp_world *world, int opening);
 
-/* The numbers of windows that are possible, rising; the room's own number is one of
- * them. *numbers is the caller's to free. PP_BAD_INPUT where the openings are not alike:
- * in one wall, of one size and sill. */
+/* Possible numbers of windows, rising, including the room's own number. The caller
+ * frees *numbers. PP_BAD_INPUT if the openings are not alike: in one wall, of one size
+ * and sill. */
 enum pp_status pp_window_number_choices(int **numbers, int *count,
                                         const struct pp_room *room, const int *openings,
                                         int opening_count, struct pp_error *err);
 
-/* The room with that number of windows instead of these; *changed is the caller's. */
+/* Makes the room with that number of windows instead of these; *changed is the
+ * caller's. */
 enum pp_status pp_window_number_room(struct pp_room **changed,
                                      const struct pp_room *room, const int *openings,
                                      int opening_count, int number,

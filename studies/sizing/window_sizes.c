@@ -23,15 +23,15 @@ struct pp_window_sizes {
     int *openings; /* that change */
     int opening_count;
 
-    /* For all changes but PP_CHANGE_NUMBER: positions of the edges at stations on the
-     * way from the smallest size to the largest. Edge 2 i is the low one of opening i,
-     * 2 i + 1 its high one. */
+    /* All changes but PP_CHANGE_NUMBER: positions of the edges at stations from the
+     * smallest size to the largest. Edge 2 i is the low one of opening i, 2 i + 1 its
+     * high one. */
     bool upright;      /* sill and head move, else the sides */
     double **stations; /* 2 opening_count edges each */
     int station_count;
     int fineness; /* steps in a grid's width */
 
-    /* For PP_CHANGE_NUMBER: the numbers that fit in the wall, rising. */
+    /* PP_CHANGE_NUMBER: the numbers of windows that fit in the wall, rising. */
     int *numbers;
     int number_count;
 };
@@ -341,7 +341,7 @@ static void edges_at(const struct pp_window_sizes *sizes, int step, double *edge
         edges[e] = step == steps ? to[e] : from[e];
         if (step == 0 || step == steps || from[e] == to[e])
             continue;
-        /* Where both edges move, each does half of it. */
+        /* If both edges move, each moves by half. */
         bool both = from[e ^ 1] != to[e ^ 1];
         double grid_m = PP_SIZE_GRID_M / sizes->fineness / (both ? 2.0 : 1.0);
         edges[e] = on_grid(from[e] + u * (to[e] - from[e]), e % 2, grid_m);

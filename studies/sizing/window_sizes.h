@@ -27,8 +27,8 @@
 struct pp_window_sizes;
 
 /* openings: indices of the openings that change, windows or rooflights; for
- * PP_CHANGE_NUMBER windows of one wall and one size. PP_BAD_INPUT where these openings
- * cannot change so. Copies what it needs of room, which must be free of mistakes. */
+ * PP_CHANGE_NUMBER windows of one wall and one size. PP_BAD_INPUT if these openings
+ * cannot change so. Copies the needed data of room, which must have no mistakes. */
 enum pp_status pp_window_sizes_create(struct pp_window_sizes **sizes,
                                       const struct pp_room *room,
                                       enum pp_size_change change, const int *openings,
@@ -43,9 +43,9 @@ int pp_window_sizes_now(const struct pp_window_sizes *sizes);
 /* Makes each step ten times as fine: step k becomes step 10 k. Numbers stay. */
 void pp_window_sizes_refine(struct pp_window_sizes *sizes);
 
-/* The room at that step, which is the caller's (pp_room_destroy). New openings come last
- * in the room's list and are like the last of those that change; where the number is
- * smaller than the room's own, the last openings are left out. */
+/* Makes the room at that step; the caller's (pp_room_destroy). New openings come last
+ * in the room's list and equal the last of those that change. If the number is smaller
+ * than the room's own, the last openings are removed. */
 enum pp_status pp_window_sizes_room(struct pp_room **room,
                                     const struct pp_window_sizes *sizes, int step,
                                     struct pp_error *err);

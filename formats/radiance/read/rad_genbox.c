@@ -109,8 +109,8 @@ static struct pp_vec3 outward(int corner, int axis)
                   axis == 2 ? sign : 0.0);
 }
 
-/* A flat part whose front looks to `out`, or away from it in a box that looks inwards;
- * its corners may be turned round. */
+/* Adds a flat part whose front faces `out`, or away from it in a box that faces
+ * inwards; may reverse its corners. */
 static enum pp_status add_flat(const struct genbox_box *box, struct pp_vec3 *corners,
                                int count, struct pp_vec3 out, struct pp_error *err)
 {

@@ -242,7 +242,7 @@ static void place_sun(struct gensky_options *asked)
 
 /* ---- the brightness ---- */
 
-/* As gensky prints it: four digits. */
+/* Rounds to four digits, as gensky prints them. */
 static double printed(double value)
 {
     char text[40];

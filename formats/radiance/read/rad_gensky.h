@@ -14,10 +14,10 @@ struct pp_gensky {
     double sun_radiance; /* of a disc of half a degree, W/sr/m2 */
 };
 
-/* words[0] is "gensky": "gensky month day hour" or "gensky -ang altitude azimuth", and
- * options. Figures are rounded as gensky prints them, so that the scene is the one that
- * its output would make. False, with a sentence in `wrong`, for words that it does not
- * know. */
+/* Evaluates "gensky month day hour" or "gensky -ang altitude azimuth", with options;
+ * words[0] is "gensky". Figures are rounded as gensky prints them, so that the scene
+ * equals the one from its output. False, with a sentence in `wrong`, for unknown
+ * words. */
 bool pp_rad_gensky_evaluate(struct pp_gensky *sky, char *const *words, int count,
                             char *wrong, size_t room);
 

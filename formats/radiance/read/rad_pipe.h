@@ -1,7 +1,7 @@
 /* rad_pipe.h - a line of a Radiance scene that begins with "!", as commands.
  *
  * A line is one command or several piped together: "!genbox ... | xform ...". It is
- * only split here; rad_read.c works out what its commands would print.
+ * only split here; rad_read.c evaluates the commands.
  */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_PIPE_H
 #define PP_FORMATS_RADIANCE_READ_RAD_PIPE_H

@@ -9,9 +9,9 @@
 #include "formats/radiance/read/rad_sky.h"
 #include "model/base/array.h"
 
-/* Strings, or numbers, of one primitive: as many as a polygon of 100,000 corners has.
- * Cutting that into triangles takes half a minute, and the time grows with the square
- * of the corners. */
+/* Most strings, or numbers, of one primitive: those of a polygon of 100,000 corners.
+ * Its triangulation takes half a minute, and the time grows with the square of the
+ * corners. */
 enum { ARGUMENTS_MOST = 300000 };
 
 /* Reads the number of strings, whole numbers or numbers that follow. */

@@ -1,9 +1,9 @@
 /* rad_read.c - see rad_read.h: files, their primitives, and their lines that begin with
- * "!", whose commands are worked out here and never executed.
+ * "!", whose commands are evaluated here and never executed.
  *
- * Of the commands that a line pipes together the last is evaluated. An xform without a
- * file has the command before it evaluated, once for each copy that it makes, with the
- * copy's transform in the context; an xform with files has those read so.
+ * Of commands piped together the last is evaluated. An xform without a file evaluates
+ * the command before it, once for each of its copies, with the copy's transform in the
+ * context. An xform with files reads them in the same way.
  */
 #include "formats/radiance/read/rad_read.h"
 
@@ -36,7 +36,7 @@ static enum pp_status run_command(struct pp_rad_reader *reader,
 
 /* ---- commands ---- */
 
-/* One copy of an xform's files, whose texts are read for the first copy. */
+/* Reads one copy of an xform's files; their texts are read for the first copy only. */
 static enum pp_status read_files(struct pp_rad_reader *reader,
                                  const struct pp_rad_pipe *pipe,
                                  const struct pp_rad_xform *xform,
@@ -69,7 +69,7 @@ static enum pp_status read_files(struct pp_rad_reader *reader,
     return status;
 }
 
-/* The context of one of the copies, within that of the command. */
+/* Context of one copy, within that of the command. */
 static struct pp_rad_context context_of(const struct pp_rad_xform *xform, long copy,
                                         long copies,
                                         const struct pp_rad_context *context)
@@ -108,7 +108,8 @@ static enum pp_status find_xform(const struct pp_rad_xform **found,
     return status;
 }
 
-/* Would all copies together have too many shapes, if they have as many as the first? */
+/* Checks whether all copies together would have too many shapes, if each has as many as
+ * the first. */
 static enum pp_status check_first(const struct pp_rad_reader *reader,
                                   const struct pp_rad_pipe *pipe, int shapes_before,
                                   double copies, struct pp_error *err)

@@ -1,14 +1,14 @@
 /* rad_read.h - Radiance scene files [WS98] as a scene description.
  *
- * What is understood: polygon, sphere, bubble, cone, cup, cylinder, tube, ring, source;
- * void, alias; plastic, metal, trans and the anisotropic plastic2, metal2, trans2 with
+ * Supported: polygon, sphere, bubble, cone, cup, cylinder, tube, ring, source; void,
+ * alias; plastic, metal, trans and the anisotropic plastic2, metal2, trans2 with
  * constant directions, glass, light, glow, illum, mirror; brightfunc skybr of
  * skybright.cal, as gensky writes it; mixfunc with one material a side, and the
  * functions of our own exports (rad_functions.h); lines "!xform", "!genbox" and
- * "!gensky", piped too. Nothing is executed: the lines are worked out here. Everything
- * else is refused by its file and line, so that no scene is read otherwise than it is
- * meant; so are scenes of more than 50 million shapes, 200,000 materials, a million
- * copies by xform or 4 GiB that those read.
+ * "!gensky", piped too. Nothing is executed: the lines are evaluated here. Everything
+ * else is refused with its file and line, so that no scene is misread. So are scenes of
+ * more than 50 million shapes, 200,000 materials, a million copies by xform or 4 GiB
+ * read by those.
  */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_READ_H
 #define PP_FORMATS_RADIANCE_READ_RAD_READ_H
@@ -30,7 +30,7 @@ enum pp_status pp_rad_read(struct pp_scene_description *scene,
                            struct pp_rad_summary *summary, const char *const *paths,
                            int count, struct pp_error *err);
 
-/* The same from memory; `file` is what messages call it. */
+/* Reads from memory; `file` is the name in messages. */
 enum pp_status pp_rad_read_bytes(struct pp_scene_description *scene,
                                  struct pp_rad_summary *summary, const char *bytes,
                                  size_t length, const char *file, struct pp_error *err);

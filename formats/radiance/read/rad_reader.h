@@ -14,13 +14,13 @@
 #include "formats/radiance/read/rad_transform.h"
 #include "formats/radiance/read/rad_words.h"
 
-/* Limits. Of one file, and of all that xforms read, in bytes; on the depth of files that
- * xforms read within files; and, of all files together, on the copies that xforms make,
- * on shapes, and on materials and patterns. A line of a hundred characters can ask for
- * any number, so that what stands in copies, of which an array makes several, has limits
- * of its own: on shapes, their corners, and bytes read once more for each copy. A
- * million polygons are 700 MiB when they are traced. The fuzzer's limits are smaller,
- * for speed. */
+/* Limits. On the bytes of one file, and of all files that xforms read; on the depth of
+ * files that xforms read within files; and, for all files together, on the copies by
+ * xforms, on shapes, and on materials and patterns. A line of a hundred characters can
+ * request any number. The contents of copies, of which an array makes several,
+ * therefore have their own limits: on shapes, their corners, and bytes read again for
+ * each copy. A million polygons take 700 MiB when traced. The fuzzer's limits are
+ * smaller, for speed. */
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
 #define PP_RAD_BYTES_MOST ((size_t)1 << 20)
 enum {
@@ -74,7 +74,7 @@ struct pp_rad_reader {
     struct pp_rad_names names;
     long copies;                     /* that xforms have made so far, */
     unsigned long long bytes;        /* and of the files read, */
-    unsigned long long copied_bytes; /* of those in copies */
+    unsigned long long copied_bytes; /* bytes of the files read in copies */
     int copied_shapes;               /* in copies, */
     long copied_corners;             /* and of the polygons among them */
     /* Strings of the current primitive; kept from one to the next. */

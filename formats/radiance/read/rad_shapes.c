@@ -5,15 +5,15 @@
 
 #include "model/base/array.h"
 
-/* A sky's pattern goes by direction, and only a source may have it, which is infinitely
- * far away. */
+/* A sky's pattern depends on direction, so only a source, which is infinitely far away,
+ * may have it. */
 static bool has_pattern(const struct pp_rad_reader *reader, int material)
 {
     return material >= 0 && reader->scene->materials[material].pattern >= 0;
 }
 
-/* The material of a shape with this modifier, -1 where the shape is left out, and that
- * of its back, -1 where it is the same. */
+/* Material of a shape with this modifier, -1 if the shape is left out, and that of its
+ * back, -1 if it is the same. */
 static enum pp_status rad_shape_material(const struct pp_rad_reader *reader,
                                          const struct pp_rad_words *words, int line,
                                          struct pp_rad_meaning modifier,
@@ -40,7 +40,7 @@ static enum pp_status rad_shape_material(const struct pp_rad_reader *reader,
     return PP_OK;
 }
 
-/* Is there room for one shape more, of so many corners? */
+/* Checks whether there is room for another shape with this many corners. */
 static enum pp_status check_count(struct pp_rad_reader *reader,
                                   const struct pp_rad_words *words, int line,
                                   int corners, bool copied, struct pp_error *err)
@@ -81,7 +81,7 @@ enum pp_status pp_rad_shapes_add_polygon(struct pp_rad_reader *reader,
                               sizeof *reader->corners, err);
     if (status != PP_OK)
         return status;
-    /* Mirrored corners run the other way round. */
+    /* Mirroring reverses the order of corners. */
     bool backwards = context->transform.mirrored != context->inverted;
     struct pp_vec3 *moved = reader->corners, area = {0.0, 0.0, 0.0};
     double size = 0.0, turned = 0.0;

@@ -40,7 +40,7 @@ static void skip_line(struct pp_rad_words *words)
     words->at = end ? (size_t)(end - words->bytes) : words->length;
 }
 
-/* To the next word or the end. */
+/* Skips to the next word or the end. */
 static void skip_space(struct pp_rad_words *words)
 {
     while (words->at < words->length) {

@@ -1,8 +1,8 @@
 /* rad_words.h - a Radiance scene file as words, one after the other.
  *
- * Words stand between white space; "#" begins a comment to the end of its line; a line
- * that begins with "!" is a command. Nothing is copied: words are found as they are
- * asked for, so that a file of any size needs no more memory than itself.
+ * Words are separated by white space; "#" begins a comment to the end of its line; a
+ * line that begins with "!" is a command. Nothing is copied: words are found on demand,
+ * so that a file of any size needs no memory beyond its own.
  */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_WORDS_H
 #define PP_FORMATS_RADIANCE_READ_RAD_WORDS_H

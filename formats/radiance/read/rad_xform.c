@@ -70,7 +70,7 @@ enum pp_status pp_rad_xform_read(struct pp_rad_xform *xform,
     return PP_OK;
 }
 
-/* The step, `times` over: by squaring, so that a million of them are twenty
+/* The step applied `times` times, by squaring: a million of them are twenty
  * products. */
 static struct pp_rad_transform repeated(struct pp_rad_transform step, long times)
 {

@@ -39,8 +39,8 @@ enum pp_status pp_rad_xform_read(struct pp_rad_xform *xform,
 /* Number of copies, 1 or more; a double, since it may be any number. */
 double pp_rad_xform_copies(const struct pp_rad_xform *xform);
 
-/* Works out once what all copies have in common: stages that are applied N times become
- * stages that are applied once. */
+/* Calculates once the common parts of all copies: stages applied N times become stages
+ * applied once. */
 void pp_rad_xform_fold(struct pp_rad_xform *xform);
 
 /* The transform of copy `index`, from 0, the last array running fastest. */

@@ -11,8 +11,8 @@
 #include "model/geometry/contour/level_crossing.h"
 #include "model/geometry/min_max.h"
 
-/* Could the level cross the triangle, or come near it? Between the corners the function
- * may go on by half of what they differ. */
+/* True if the level could cross the triangle, or come near it. Between the corners the
+ * function may exceed their values by half of their difference. */
 static bool is_near(const struct pp_field *field, int triangle)
 {
     const int *t = field->mesh.triangles[triangle];
@@ -48,8 +48,8 @@ static enum pp_status halve_near(struct pp_field *field, struct pp_error *err)
     return PP_OK;
 }
 
-/* Room for an end on each edge of the mesh; those of the level that are known are kept,
- * without their crossings. */
+/* Reserves an end on each edge of the mesh; known ends of the level are kept, without
+ * their crossings. */
 static enum pp_status reserve_ends(struct pp_field *field, struct pp_error *err)
 {
     int had = field->end_count, count = field->mesh.edge_count;
@@ -64,8 +64,8 @@ static enum pp_status reserve_ends(struct pp_field *field, struct pp_error *err)
     return PP_OK;
 }
 
-/* One pass over all triangles, then those that the curve leaves on its way and that are
- * longer than least_m are halved; *again tells whether there were any. */
+/* Passes once over all triangles, then halves those longer than least_m that the curve
+ * leaves midway. *again is true if there were any. */
 static enum pp_status cross_triangles(struct pp_field *field, double least_m,
                                       bool *again, struct pp_error *err)
 {
@@ -170,7 +170,7 @@ enum pp_status pp_contour_curves(struct pp_field *field, double level,
 
 /* ---- outlines ---- */
 
-/* Where on the figure's edge a curve begins or ends. */
+/* Place on the figure's edge where a curve begins or ends. */
 struct boundary_end {
     int ring;
     double along; /* the ring, from its first point: segment number + share of it */
@@ -258,9 +258,9 @@ static enum pp_status add_backwards(struct pp_curve *outline, int *room,
     return PP_OK;
 }
 
-/* One outline: along curves backwards, and from where a curve meets the figure's edge
- * along that edge to the next curve. `ends` are the curves' ends (where they begin,
- * backwards), sorted; `first` is the end to begin at. */
+/* Traces one outline: backwards along curves, and along the figure's edge from the end
+ * of one curve to the next. `ends` are the sorted ends of the curves (where they begin,
+ * backwards); `first` is the end to begin at. */
 static enum pp_status trace_outline(const struct pp_field *field,
                                     const struct pp_curve_list *curves,
                                     struct boundary_end *ends, int end_count, int first,

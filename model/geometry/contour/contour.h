@@ -1,12 +1,12 @@
 /* contour.h - true level curves of a function over a plane figure.
  *
  * The function is sampled over a mesh of triangles (field.h), which are halved (longest
- * edge first [RIV84]) near the levels asked for; the curve is followed from triangle to
- * triangle (level_crossing.h) to within the field's tolerance. A closed curve that
- * no corner lies within is not found: corners are at most 1/24 of the figure's diagonal
- * apart, three quarters of that near a level, and a quarter along the figure's edge.
+ * edge first [RIV84]) near the requested levels; the curve is followed from triangle to
+ * triangle (level_crossing.h) to within the field's tolerance. A closed curve without a
+ * corner inside is not found: corners are at most 1/24 of the figure's diagonal apart,
+ * three quarters of that near a level, and a quarter along the figure's edge.
  *
- * The function need not be smooth: of a step, the curve is where it jumps.
+ * The function need not be smooth: the curve of a step is where it jumps.
  */
 #ifndef PP_MODEL_GEOMETRY_CONTOUR_CONTOUR_H
 #define PP_MODEL_GEOMETRY_CONTOUR_CONTOUR_H

@@ -28,7 +28,7 @@ struct pp_crossing {
     bool used;
 };
 
-/* Where a curve of the level crosses one edge of the mesh. */
+/* Crossing of a curve of the level with one edge of the mesh. */
 struct pp_curve_end {
     int stamp; /* of the level that the rest is about */
     double xy[2];
@@ -77,8 +77,8 @@ double pp_field_share_below(const struct pp_field *field, double level);
 /* Number of evaluations of the function. */
 long pp_field_evaluations(const struct pp_field *field);
 
-/* The value at a place. What was evaluated is kept: a level whose curves were traced
- * is traced again for its outlines, when other levels have halved triangles elsewhere. */
+/* Value at a place. Evaluated values are kept: a level whose curves were traced is
+ * traced again for its outlines, after other levels have halved triangles elsewhere. */
 enum pp_status pp_field_evaluate(struct pp_field *field, const double xy[2],
                                  double *value, struct pp_error *err);
 

@@ -7,7 +7,7 @@
 
 #include "model/base/array.h"
 
-/* Where the place stands in the table, or would. */
+/* Slot that holds the place, or the free slot for it. */
 static int *known_value_slot(const struct pp_known_values *known, const double xy[2])
 {
     uint64_t bits[2];

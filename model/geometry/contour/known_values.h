@@ -1,4 +1,4 @@
-/* known_values.h - what a function came to at places where it was asked before. Inside
+/* known_values.h - values of a function at places where it was evaluated before. Inside
  * model/geometry/contour/ only. */
 #ifndef PP_MODEL_GEOMETRY_CONTOUR_KNOWN_VALUES_H
 #define PP_MODEL_GEOMETRY_CONTOUR_KNOWN_VALUES_H

@@ -87,7 +87,8 @@ static void between_of(const double p[2], const double q[2], double share, doubl
         xy[k] = p[k] + share * (q[k] - p[k]);
 }
 
-/* Where the ray from A to BC at `share` meets the chord p q, as a share of that ray. */
+/* Intersection of the ray from A to BC at `share` with the chord p q, as a fraction of
+ * that ray. */
 static double chord_on_ray(const struct fan *fan, const double r[2], const double p[2],
                            const double q[2])
 {
@@ -161,8 +162,9 @@ static enum pp_status add_between(struct pp_field *field, const double xy[2],
     return status;
 }
 
-/* Where along a chord the curve is looked for: in its middle and, on one that crosses the
- * whole triangle, aside of it, since a curve that is bent both ways passes the middle. */
+/* Positions along a chord where the curve is searched: the middle and, on a chord
+ * across the whole triangle, one beside it. An S-shaped curve passes through the
+ * middle. */
 static const double asides[] = {0.5, 0.27};
 enum { ASIDES = sizeof asides / sizeof *asides };
 

@@ -1,10 +1,9 @@
 /* level_crossing.h - a level's curve across one triangle of a field's mesh. Inside
  * model/geometry/contour/ only.
  *
- * Where an edge has its ends on different sides of the level, the place of the level on
- * it is found by a bracketed secant; between two such places the curve is followed
- * across the triangle, points being added until it strays from its chords by no more
- * than the tolerance.
+ * On an edge whose ends are on different sides of the level, the crossing is found by a
+ * bracketed secant; between two such places the curve is followed across the triangle,
+ * adding points until it deviates from its chords by at most the tolerance.
  */
 #ifndef PP_MODEL_GEOMETRY_CONTOUR_LEVEL_CROSSING_H
 #define PP_MODEL_GEOMETRY_CONTOUR_LEVEL_CROSSING_H

@@ -26,7 +26,7 @@ void pp_mesh_clear(struct pp_mesh *mesh)
 
 /* ---- edges by their nodes ---- */
 
-/* Where the edge of nodes a < b stands in the table, or would. */
+/* Slot that holds the edge of nodes a < b, or the free slot for it. */
 static unsigned mesh_edge_slot(const struct pp_mesh *mesh, int a, int b)
 {
     uint64_t key = (uint64_t)a << 32 | (uint32_t)b;
@@ -81,7 +81,8 @@ static int need_edge(struct pp_mesh *mesh, int a, int b)
     return mesh->edge_count++;
 }
 
-/* In the triangles of the edge a-b, puts `now` in place of `before` (-1: none). */
+/* Replaces triangle `before` by `now` among the triangles of the edge a-b (-1:
+ * none). */
 static bool put_neighbour(struct pp_mesh *mesh, int a, int b, int before, int now)
 {
     int edge = need_edge(mesh, a, b);
@@ -166,8 +167,8 @@ static double length2(const struct pp_mesh *mesh, int a, int b)
     return dx * dx + dy * dy;
 }
 
-/* Is a-b longer than c-d? Equal lengths are ordered by their nodes, so that of any two
- * edges one is the longer: without that, halving need not end. */
+/* True if a-b is longer than c-d. Equal lengths are ordered by their nodes, so that one
+ * of any two edges is the longer: otherwise halving might not end. */
 static bool is_longer(const struct pp_mesh *mesh, int a, int b, int c, int d)
 {
     double ab = a < b ? length2(mesh, a, b) : length2(mesh, b, a);

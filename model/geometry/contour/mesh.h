@@ -1,5 +1,5 @@
-/* mesh.h - triangles that cover a plane figure and are halved where finer ones are
- * wanted, always edge to edge.
+/* mesh.h - triangles that cover a plane figure and are halved where needed, always edge
+ * to edge.
  *
  * A triangle is halved from the middle of its longest edge to the corner opposite, with
  * its neighbour across that edge; where that edge is not the neighbour's longest, the

@@ -8,7 +8,7 @@
 
 #include "model/results/report.h"
 
-/* Where the light outside was taken from. */
+/* Source of the light outside. */
 enum pp_light_origin {
     PP_LIGHT_ILLUMINANCE, /* diffuse illuminance of a weather file */
     PP_LIGHT_IRRADIANCE,  /* its diffuse irradiance, by a model of luminous efficacy */
@@ -21,7 +21,7 @@ enum { PP_PERIODS_MOST = 8, PP_ILLUMINANCES_MOST = 8 };
 struct pp_availability_period {
     char words[24];     /* "8:30-17" */
     double hours;       /* how many there are in the data */
-    double missing_h;   /* and how many more whose light is not known */
+    double missing_h;   /* further hours whose light is unknown */
     int count;          /* of the curve's points, 1 or more */
     double *lx, *share; /* falling illuminance, share of the hours that have as much;
                          * owned */
@@ -37,11 +37,11 @@ enum { PP_PLACE_AVERAGE = -1, PP_PLACE_MEDIAN = -2 };
 struct pp_availability_row {
     int place;                     /* a receiver, PP_PLACE_AVERAGE or PP_PLACE_MEDIAN */
     const char *method;            /* "exact+bre"; not owned */
-    struct pp_reading df;          /* where it has no value, nor have the others */
-    double lx;                     /* wanted on the working plane */
+    struct pp_reading df;          /* if it has no value, neither have the others */
+    double lx;                     /* target on the working plane */
     double needs_lx;               /* outside: lx over df; INFINITY where df is 0 */
     double share[PP_PERIODS_MOST]; /* of each period's hours */
-    double std_error[PP_PERIODS_MOST]; /* by that of df; NAN where it was not sampled */
+    double std_error[PP_PERIODS_MOST]; /* by that of df; NAN if it was not sampled */
 };
 
 struct pp_availability_sheet {

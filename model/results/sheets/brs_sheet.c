@@ -1,4 +1,4 @@
-/* brs_sheet.c - frees what a sheet holds. */
+/* brs_sheet.c - frees the contents of a sheet. */
 #include "model/results/sheets/brs_sheet.h"
 
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* brs_sheet.h - the data of a printed BRS simplified daylight table: its cells, and what is
- * read of them for a point of a room. A method fills it (methods/brs/brs_sheet_fill.h); a
+/* brs_sheet.h - the data of a printed BRS simplified daylight table: its cells, and the
+ * readings for a point of a room. A method fills it (methods/brs/brs_sheet_fill.h); a
  * chart draws it (charts/drawing_board/brs_table_chart.h). */
 #ifndef PP_MODEL_RESULTS_SHEETS_BRS_SHEET_H
 #define PP_MODEL_RESULTS_SHEETS_BRS_SHEET_H

@@ -21,12 +21,12 @@ struct pp_picture_sheet {
     struct pp_raster raster;
 
     double pixels_per_m; /* of a parallel view; 0: of no one scale */
-    bool upright;        /* not looked at from straight above or below; else: */
+    bool upright;        /* not seen from straight above or below; else: */
     double north_rad;    /* north is so far anticlockwise of up */
 
     bool scaled; /* in false colours: with a scale beside */
     struct pp_false_colour_scale scale;
-    bool off_scale[2]; /* are there darker, lighter pixels than the scale has? */
+    bool off_scale[2]; /* true if pixels are below, above the scale */
     const char *unit;  /* of the scale; not owned */
     int level_count;   /* that have lines */
     double levels[PP_FALSE_COLOUR_LEVELS_MOST];

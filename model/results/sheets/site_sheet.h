@@ -1,8 +1,9 @@
-/* site_sheet.h - what drawings of a site show: what stands on it, and the windows of its rooms
- * with their vertical sky component, seen from above and square to the walls.
+/* site_sheet.h - data of site drawings: the objects on the site, and the windows of its
+ * rooms with their vertical sky component, seen from above and at right angles to the
+ * walls.
  *
- * Lengths are metres of the building's axes (placement.h). Names are not owned; all else is
- * the sheet's.
+ * Lengths are metres of the building's axes (placement.h). Names are not owned; all
+ * else is the sheet's.
  */
 #ifndef PP_MODEL_RESULTS_SHEETS_SITE_SHEET_H
 #define PP_MODEL_RESULTS_SHEETS_SITE_SHEET_H
@@ -14,7 +15,7 @@
 #include "model/geometry/region.h"
 #include "model/geometry/vec.h"
 
-/* When something stands there, of what is known before and now. */
+/* States in which an object exists: both, only before, or only now. */
 enum pp_site_when { PP_SITE_ALWAYS, PP_SITE_GONE, PP_SITE_NEW };
 
 /* A polygon that stands outside, a part of a mesh, or a room's own floor. */
@@ -76,7 +77,7 @@ struct pp_site_sheet {
     int garden_count;
     struct pp_site_cell *cells; /* of the plot that the drawing is about; NULL: none */
     int cell_count;
-    double cells_m3; /* what they hold */
+    double cells_m3; /* total volume of the cells */
 };
 
 void pp_site_sheet_clear(struct pp_site_sheet *sheet);
@@ -106,7 +107,7 @@ struct pp_site_elevation {
     int wall_count;
     int *windows; /* of the site's sheet: which are in it */
     int window_count;
-    double low[2], high[2]; /* u and v: what it takes, with the ground */
+    double low[2], high[2]; /* u and v: its extent, with the ground */
 };
 
 struct pp_elevation_sheet {

@@ -1,4 +1,4 @@
-/* sky_mask.h - what hides parts of the sky from a point, by bearing and altitude. */
+/* sky_mask.h - the hidden parts of the sky at a point, by bearing and altitude. */
 #ifndef PP_MODEL_RESULTS_SHEETS_SKY_MASK_H
 #define PP_MODEL_RESULTS_SHEETS_SKY_MASK_H
 

@@ -1,4 +1,4 @@
-/* skylight_indicator_sheet.c - frees what a sheet holds. */
+/* skylight_indicator_sheet.c - frees the contents of a sheet. */
 #include "model/results/sheets/skylight_indicator_sheet.h"
 
 void pp_skylight_indicator_sheet_clear(struct pp_skylight_indicator_sheet *sheet)

@@ -1,5 +1,5 @@
-/* skylight_indicator_sheet.h - the data of a skylight indicator: marks of equal worth on
- * a plan about a window, and what stands before it.
+/* skylight_indicator_sheet.h - the data of a skylight indicator: marks of equal worth
+ * on a plan about a window, and its obstructions.
  *
  * Places are over the height above the window's middle: (x, y) is x to the right of the
  * window as one looks out and y ahead of it, a building's edge at its distance over its
@@ -31,7 +31,7 @@ struct pp_skylight_indicator_sheet {
     double worth; /* of a mark */
     double reach; /* how far the plan goes to either side and ahead */
     struct pp_skylight_mark marks[PP_SKYLIGHT_RINGS * PP_SKYLIGHT_RAYS];
-    struct pp_region hidden; /* what obstructions cover of the plan */
+    struct pp_region hidden; /* area of the plan covered by obstructions */
     int counted;             /* marks on the sky */
     double sky_component;    /* counted times worth */
 };

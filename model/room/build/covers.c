@@ -43,7 +43,7 @@ static enum pp_status add_cover_piece(struct pp_resolver *r,
     return status;
 }
 
-/* ---- What else there is in a wall ---- */
+/* ---- Other parts of a wall ---- */
 
 /* The outline of opening `i`, or behind the openings of cover `i`, in the frame of a
  * wall, to be freed; NULL with *count 0 where it is in another wall. */
@@ -143,7 +143,7 @@ static enum pp_status add_door(struct pp_resolver *r, const struct pp_cover_part
 
 /* ---- Dados ---- */
 
-/* Replaces the region by what of it the ring leaves (or, if `common`, has in common). */
+/* Replaces the region by its part outside the ring (or, if `common`, inside it). */
 static enum pp_status cut_region_by_ring(struct pp_region *region,
                                          struct pp_clipper *clipper,
                                          const double (*xy)[2], int count, bool common,
@@ -273,8 +273,8 @@ static enum pp_status add_dado(struct pp_resolver *r, const struct pp_cover_part
     return status;
 }
 
-/* Puts dado i down for a face; false, and noted, where one of its kind (of that wall, or
- * of all walls) is there already. */
+/* Assigns dado i to a face; false, and reported, if one of its kind (of that wall, or
+ * of all walls) exists already. */
 static bool put_dado(struct pp_resolver *r, int *dado, int i)
 {
     const struct pp_cover_part *part = &r->room->covers[i];
@@ -288,7 +288,7 @@ static bool put_dado(struct pp_resolver *r, int *dado, int i)
     return false;
 }
 
-/* Finds the dado of each face: its own, or that of all walls; -1: none. */
+/* Finds the dado of each face: its own, or that for all walls; -1: none. */
 static void find_dados(struct pp_resolver *r, int *dados)
 {
     const struct pp_room *room = r->room;

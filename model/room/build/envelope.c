@@ -36,7 +36,7 @@ struct face_finish {
     const struct pp_finish *finish;
 };
 
-/* A wall's own if the file gives one, else that of all walls. */
+/* Finish of a wall: its own if the file gives one, else that of all walls. */
 static struct face_finish finish_of_wall(const struct pp_room *room, const char *name)
 {
     for (int i = 0; i < room->finish_count; i++)
@@ -65,7 +65,7 @@ static struct face_finish finish_of_face(const struct pp_room *room,
     return finish_of_role(room, face->role, face->name);
 }
 
-/* Notes a wall whose name there is already. */
+/* Reports a wall with the name of an earlier one. */
 static bool is_second_wall(struct pp_resolver *r, const struct pp_face_part *wall)
 {
     for (const struct pp_face_part *face = r->room->plan.faces; face < wall; face++)
@@ -98,9 +98,9 @@ static enum pp_status add_envelope_face(struct pp_resolver *r, enum pp_role role
     return pp_resolve_add_face(r, face, vertices, count, err);
 }
 
-/* Floor, ceiling, and a wall on each edge of the counter-clockwise ring. Walls are
- * numbered by the file's edges, of which the ring may run the other way (turned): its
- * edge i is then the file's count - 2 - i. */
+/* Makes floor, ceiling, and a wall on each edge of the counter-clockwise ring. Walls
+ * are numbered by the file's edges. If the ring is reversed (turned), its edge i is the
+ * file's count - 2 - i. */
 static enum pp_status raise_plan(struct pp_resolver *r, const struct pp_vec3 *ring,
                                  int count, bool turned, struct pp_error *err)
 {
@@ -190,7 +190,7 @@ static enum pp_status resolve_plan(struct pp_resolver *r, struct pp_error *err)
     if (pp_polygon_area_vector(ring, count).z > 0.0)
         return raise_plan(r, ring, count, false, err);
 
-    /* Go on with the plan turned round, to find what else is wrong. */
+    /* Continue with the reversed plan, to find further mistakes. */
     pp_mistakes_add(
         r->mistakes, plan->line,
         "plan: turns clockwise seen from above; expected counter-clockwise");
@@ -235,7 +235,7 @@ static enum pp_status resolve_faces(struct pp_resolver *r, struct pp_error *err)
     return PP_OK;
 }
 
-/* A finish must be of a wall that there is, and the wall's only one. */
+/* Checks that each finish is for an existing wall, and the only one for it. */
 static enum pp_status check_finishes(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_room *room = r->room;

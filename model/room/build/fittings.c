@@ -22,7 +22,7 @@ static const char *words_of(const struct pp_fitting_part *part)
                                                                : words[part->kind];
 }
 
-/* Twelve corners round the corner; the polygon's area is that of the circle. */
+/* Twelve corners outside the circle; the polygon's area is that of the circle. */
 static int round_outline(double xy[PP_FITTING_CORNERS][2],
                          const struct pp_fitting_part *part)
 {
@@ -54,8 +54,8 @@ static int outline_of(double xy[PP_FITTING_CORNERS][2],
     return 4;
 }
 
-/* Adds a side; *good becomes false where it is a mistake, so that of several sides one is
- * named. */
+/* Adds a side; sets *good to false on a mistake, so that only one of several bad sides
+ * is reported. */
 static enum pp_status add_fitting_side(struct pp_resolver *r,
                                        const struct pp_fitting_part *part,
                                        struct pp_vec3 *corners, int count, bool *good,

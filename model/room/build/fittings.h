@@ -1,4 +1,4 @@
-/* fittings.h - the step that puts up what stands in a room: furniture, columns and
+/* fittings.h - the step that adds the objects in a room: furniture, columns and
  * partitions, as surfaces inside. Inside model/room/ only.
  *
  * Each is a box, a round column a prism of twelve sides of the same area. A side on the

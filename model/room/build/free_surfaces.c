@@ -17,7 +17,8 @@
 #include "model/room/position.h"
 #include "model/room/build/outline.h"
 
-/* On which sides of the envelope points of a surface were found, and one of each. */
+/* Sides of the envelope on which points of a surface were found, and one point of
+ * each. */
 struct sides_seen {
     bool inside, outside;
     struct pp_vec3 inside_at, outside_at;
@@ -45,7 +46,7 @@ static void note_side_of_point(struct sides_seen *seen, const struct pp_world *w
     }
 }
 
-/* Looks at the surface's vertices, the middles of its edges, and the middles of its
+/* Examines the surface's vertices, the middles of its edges, and the middles of its
  * triangles. */
 static enum pp_status look_over(struct sides_seen *seen, struct pp_resolver *r,
                                 const struct pp_polygon *polygon, struct pp_error *err)
@@ -132,7 +133,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         const struct pp_surface *face = &world->surfaces[i];
         if (pp_polygons_cross(&cross, polygon, &face->outline, &where, err) != PP_OK)
             return PP_SYSTEM;
-        /* Each of the two finds it: it is said once. */
+        /* Both rooms find the overlap; it is reported once. */
         if (cross && part->is_room_outside && part->line > r->room->line)
             say_rooms_overlap(r, part, where);
         else if (cross && !part->is_room_outside)
@@ -223,9 +224,10 @@ static void flatten_to_plane(struct pp_polygon *polygon)
     }
 }
 
-/* Moves a surface that lies in a face of the envelope off it into the room, or out if
- * that is where it stands. A face or a facade of another room, whose normal points into
- * that, is moved only where it is turned to this room: two fronts in one plane stay so. */
+/* Moves a surface that lies in a face of the envelope off it: into the room, or out if
+ * the surface is outside. A face or a facade of another room, whose normal points into
+ * that room, is moved only if it is turned to this room: two fronts in one plane stay
+ * so. */
 static void set_off(const struct pp_world *world, struct pp_polygon *polygon,
                     bool inside, bool is_of_room)
 {
@@ -254,7 +256,8 @@ static bool is_near(const struct pp_world *world, const struct pp_polygon *polyg
     return pp_position_is_near(&room, polygon->vertices, polygon->count);
 }
 
-/* On which side of the envelope is it, and is it clear of that? */
+/* Finds the side of the envelope on which the surface lies, and whether it is clear of
+ * the envelope. */
 static enum pp_status place_free_surface(struct sides_seen *seen, bool *clear,
                                          struct pp_resolver *r,
                                          const struct pp_surface_part *part,
@@ -297,7 +300,7 @@ enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
         pp_polygon_clear(&surface.outline);
         return status;
     }
-    /* A surface all of which lies in the envelope counts as inside. */
+    /* A surface entirely in the envelope counts as inside. */
     surface.inside = (seen.inside || !seen.outside) && !part->is_room_outside
                      && !part->is_of_site && !part->is_of_block;
     flatten_to_plane(&surface.outline);

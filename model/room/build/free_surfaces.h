@@ -7,7 +7,8 @@
 
 enum pp_status pp_build_free_surfaces(struct pp_resolver *r, struct pp_error *err);
 
-/* One more, as the file might have it. what: the element's name, in messages; static. */
+/* Adds a free surface as if the file had it. what: the element's name in messages;
+ * static. */
 enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
                                           const struct pp_surface_part *part,
                                           const char *what, struct pp_error *err);

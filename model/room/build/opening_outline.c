@@ -148,8 +148,8 @@ static int ceiling_of(const struct pp_world *world, const struct pp_opening_part
     return nearest;
 }
 
-/* The face in whose plane all the vertices lie, the one that holds the middle of
- * several; -1 where there is none, and how far off the nearest is. */
+/* Face in whose plane all the vertices lie; of several, the one that contains their
+ * middle. -1 if there is none, with the nearest face and its distance. */
 static int face_of_outline(const struct pp_world *world,
                            const struct pp_vertices *vertices, int *nearest,
                            double *off_m)

@@ -109,8 +109,8 @@ static bool crosses_itself(struct pp_resolver *r, const char *what, int line,
     return crosses;
 }
 
-/* The normal of the largest triangle from the first vertex, or zero where all lie in a
- * line: the plane of a bow-tie, whose halves cancel in Newell's sum. */
+/* Normal of the largest triangle from the first vertex, or zero if all lie in a line.
+ * Gives the plane of a bow-tie, whose halves cancel in Newell's sum. */
 static struct pp_vec3 largest_triangle(const struct pp_vertices *vertices)
 {
     struct pp_vec3 largest = {0.0, 0.0, 0.0};

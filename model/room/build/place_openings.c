@@ -10,8 +10,8 @@
 #include "model/geometry/tolerance.h"
 #include "model/room/build/outline.h"
 
-/* Moves vertices of the ring that stick out of its face by no more than the tolerance
- * on to the face's edge, and notes where it sticks out by more. */
+/* Moves vertices of the ring that stick out of its face by at most the tolerance on to
+ * the face's edge, and reports places where it sticks out by more. */
 static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
                                   const struct pp_opening_part *part,
                                   const struct pp_face_frame *frame, double (*xy)[2],
@@ -49,7 +49,7 @@ static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
     return PP_OK;
 }
 
-/* ---- What an opening is, from its outline ---- */
+/* ---- Kinds of openings, from the outline ---- */
 
 /* Is the outline a rectangle with its edges along the axes? */
 static bool is_upright_rectangle(const double (*xy)[2], int count, const double low[2],

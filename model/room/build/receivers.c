@@ -36,7 +36,7 @@ static enum pp_status add_receiver(struct receiver_list *list,
     return PP_OK;
 }
 
-/* Notes a part by whose points the room would have too many. */
+/* Reports a part whose points would exceed the limit of the room. */
 static bool has_too_many(struct pp_resolver *r, const struct receiver_list *list,
                          const struct pp_receiver_part *part, double count)
 {
@@ -141,7 +141,8 @@ static enum pp_status resolve_line(struct pp_resolver *r, struct receiver_list *
     return PP_OK;
 }
 
-/* Numbers of cells each way; returns that of all, 0 where the margin leaves none. */
+/* Counts cells in both directions; returns their product, 0 if the margin leaves
+ * none. */
 static double count_cells(const double low[2], const double high[2],
                           const struct pp_receiver_part *grid, double cells[2])
 {
@@ -224,8 +225,8 @@ static enum pp_status add_inmost(struct pp_resolver *r, struct receiver_list *li
     double farthest = 0.0;
     struct pp_receiver best = {.normal = pp_vec(0.0, 0.0, 1.0)};
     for (int k = 0; k < MESH * MESH; k++) {
-        /* From the middle outwards, so that of several points as far the middle is
-         * taken. */
+        /* Goes from the middle outwards, so that the middle is preferred among equally
+         * distant points. */
         int i = (k % MESH + MESH / 2) % MESH, j = (k / MESH + MESH / 2) % MESH;
         double x = low[0] + (i + 0.5) / MESH * (high[0] - low[0]);
         double y = low[1] + (j + 0.5) / MESH * (high[1] - low[1]);

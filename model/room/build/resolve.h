@@ -1,10 +1,11 @@
-/* resolve.h - the state that the steps share from the room as its file describes it to
- * the world. Inside model/room/ only.
+/* resolve.h - the shared state of the steps that turn a room as described by its file
+ * into a world.
  *
- * A step is a file of build/ or outside/, a small one a function of world.c, which has
- * their order. Every step notes mistakes and goes on with the parts that are good; a step
- * fails only where the machine does. A part with NAN in it has had its mistake noted by the
- * reader and is passed over in silence, and so is whatever depends on it.
+ * Inside model/room/ only. A step is a file of build/ or outside/, or a small function of world.c,
+ * which has their order. Every
+ * step reports mistakes and continues with the valid parts; a step fails only on errors
+ * of the system. The reader has already reported the mistake of a part that contains
+ * NAN; such a part, and whatever depends on it, is skipped silently.
  */
 #ifndef PP_MODEL_ROOM_BUILD_RESOLVE_H
 #define PP_MODEL_ROOM_BUILD_RESOLVE_H
@@ -30,14 +31,14 @@ struct pp_resolver {
                    * in one; face after face in the order of their vertices */
     bool faces_missing; /* faces that were too wrong to be made */
     bool watertight;    /* the envelope is closed: inside and outside are known */
-    int unknown_walls;  /* how often a name was none of a wall */
+    int unknown_walls;  /* number of names that match no wall */
     int surface_space;  /* how many surfaces there is memory for */
-    bool keeps_places;  /* what lies flush against the envelope is not set off */
+    bool keeps_places;  /* surfaces flush with the envelope are not moved off it */
 };
 
-/* Are there few enough faces, openings and surfaces to compare with each other? Faces are,
- * and with all that is near them, corner by corner: a room of more pairs would take many
- * seconds; 40,000 windows in one wall took minutes. */
+/* True if there are few enough faces, openings and surfaces to compare with each other.
+ * Faces are compared with all nearby parts, corner by corner: a room with more pairs
+ * would take many seconds; 40,000 windows in one wall took minutes. */
 bool pp_resolve_is_comparable(const struct pp_room *room);
 
 /* The index of the wall so named among r->walls; where there is none, notes a mistake
@@ -57,7 +58,7 @@ int pp_resolve_window_face(struct pp_resolver *r, const char *name, int line);
 enum pp_status pp_resolve_add_surface(struct pp_resolver *r, struct pp_surface *surface,
                                       struct pp_error *err);
 
-/* The same with an outline of these vertices. */
+/* Adds a face with an outline of these vertices. */
 enum pp_status pp_resolve_add_face(struct pp_resolver *r, struct pp_surface surface,
                                    const struct pp_vec3 *vertices, int count,
                                    struct pp_error *err);

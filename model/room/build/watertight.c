@@ -26,10 +26,10 @@ struct envelope_edge {
 /* The state of a face while its neighbours are visited. */
 struct face_visit {
     int part;       /* number of the connected part it belongs to; -1: not visited */
-    bool turned;    /* does it turn the other way than the first of its part? */
+    bool turned;    /* true if it is oriented opposite to the first face of its part */
     int first;      /* its edges in the list of neighbours */
     int open_edges; /* edges that it shares with no other face */
-    int first_open; /* the first of them */
+    int first_open; /* index of the first */
 };
 
 struct watertight_check {
@@ -177,8 +177,8 @@ static double volume_m3(const struct pp_world *world, const struct watertight_ch
     return sum / 3.0;
 }
 
-/* In each part, turns the faces round that differ from the majority; then all faces, if
- * the room is inside out; and notes those that have been turned. */
+/* Turns, in each part, the faces that differ from the majority; turns all faces if the
+ * room is inside out. Records the turned faces. */
 static void turn_faces(struct pp_resolver *r, struct watertight_check *c,
                        int *turned_in_part)
 {

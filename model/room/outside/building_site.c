@@ -13,10 +13,11 @@
 #include "model/room/read/room_schema.h"
 #include "model/room/room.h"
 
-/* ---- What a room gets ---- */
+/* ---- Parts of a room ---- */
 
-/* A building's gardens are those of one of its rooms, so that they are judged once: of the
- * first that stands in every state, or else of the first. */
+/* True if the building's gardens belong to this room. They belong to one of its rooms,
+ * so that they are assessed once: the first that exists in every state, or else the
+ * first. */
 static bool has_gardens(const struct pp_building *building, int index,
                         enum pp_site_state state)
 {
@@ -30,7 +31,7 @@ static bool has_gardens(const struct pp_building *building, int index,
     return first == index;
 }
 
-/* Adds what the building holds for all rooms. */
+/* Adds the building's parts for all rooms. */
 static enum pp_status add_common(struct pp_room *room,
                                  const struct pp_room_shell *shell,
                                  const struct pp_room *common, enum pp_site_state state,
@@ -129,7 +130,7 @@ static enum pp_status add_solids(struct pp_room *room, const struct pp_room *own
     return status;
 }
 
-/* Adds another room, with what is fixed outside it. */
+/* Adds another room, with the parts fixed to its outside. */
 static enum pp_status add_neighbour(struct pp_room *room,
                                     const struct pp_room_shell *own,
                                     const struct pp_room *other,
@@ -154,7 +155,7 @@ static enum pp_status add_neighbour(struct pp_room *room,
 
 /* ---- A state ---- */
 
-/* Does the building hold anything that goes to its rooms? */
+/* True if the building has parts that are added to its rooms. */
 static bool holds(const struct pp_room *common)
 {
     return common->skyline_count + common->block_count + common->surface_count
@@ -181,7 +182,7 @@ struct settling {
     struct pp_clipper *clipper;
 };
 
-/* Does the room stand before others in the state? */
+/* True if the room obstructs others in the state. */
 static bool stands(const struct settling *site, int index)
 {
     const struct pp_room *room = &site->building->read[index];
@@ -247,8 +248,8 @@ static enum pp_status settle_room(const struct settling *site, int index,
     return status;
 }
 
-/* A room's facades end where the others stand, and where the facades of those do that come
- * before it in the file. */
+/* Trims a room's facades at the other rooms, and at the facades of those before it in
+ * the file. */
 static enum pp_status make_way(struct settling *site, int index, struct pp_error *err)
 {
     const struct pp_room_shell *shells = site->shells;

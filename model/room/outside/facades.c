@@ -35,8 +35,8 @@ struct facade_site {
     int face;
     double depth_m;
     struct pp_bounds2 sheet;   /* in the frame */
-    struct pp_surface surface; /* what all its surfaces have in common */
-    bool reported;             /* has it been noted as standing in the room? */
+    struct pp_surface surface; /* common properties of all its surfaces */
+    bool reported;             /* already reported as standing in the room */
 };
 
 static bool is_flush(const struct facade_site *site)
@@ -44,7 +44,7 @@ static bool is_flush(const struct facade_site *site)
     return site->depth_m < PP_SET_OFF_M;
 }
 
-/* ---- What lies in the wall's plane ---- */
+/* ---- Parts in the wall's plane ---- */
 
 static bool is_in_plane(const struct facade_site *site, const struct pp_polygon *face)
 {
@@ -71,7 +71,7 @@ static bool meets_sheet(const struct facade_site *site, const struct pp_vec3 *ve
     return true;
 }
 
-/* Does one look out of the opening through the sheet? */
+/* True if the opening has a view out through the sheet. */
 static bool has_hole(const struct facade_site *site, const struct pp_world *world,
                      const struct pp_opening *opening)
 {
@@ -146,7 +146,7 @@ static bool check_depth(struct pp_resolver *r, const struct facade_site *site)
     return true;
 }
 
-/* Notes what is wrong with a facade in that wall; true if nothing is. */
+/* Reports mistakes of a facade in that wall; true if there are none. */
 static bool check_wall(struct pp_resolver *r, const struct pp_facade_part *part,
                        int face)
 {
@@ -187,7 +187,8 @@ static bool check_others(struct pp_resolver *r, const struct facade_site *site)
 
 /* ---- Rims ---- */
 
-/* From the pane's outline to the sheet, facing the passage between. */
+/* Adds the strip between the pane's outline and the sheet, facing the passage
+ * between. */
 static enum pp_status add_rim(struct pp_resolver *r, struct facade_site *site,
                               const struct pp_opening *opening, struct pp_error *err)
 {
@@ -314,8 +315,7 @@ static enum pp_status add_sheet(struct pp_resolver *r, struct facade_site *site,
     if (status == PP_OK)
         status = pp_clipper_triangulate(r->clipper, &triangles, &count, &region, err);
     for (int t = 0; t < count && status == PP_OK; t++) {
-        struct pp_vec3 corners[3]; /* the other way round: the frame is seen from
-                                    * inside */
+        struct pp_vec3 corners[3]; /* in reverse: the frame is seen from inside */
         for (int k = 0; k < 3; k++)
             corners[2 - k] = sheet_point(r->world, site, triangles[t][k]);
         struct pp_vec3 middle = pp_vec_add(corners[0], corners[1]);

@@ -58,7 +58,7 @@ static void say(struct pp_resolver *r, const struct pp_mesh_part *part,
                     pp_text_excerpt(shown, sizeof shown, part->path), what);
 }
 
-/* Adds the triangles until one of them stands in the room. */
+/* Adds the triangles, up to the first one that stands in the room. */
 static enum pp_status add_mesh_triangles(struct pp_resolver *r,
                                          struct pp_world_mesh *made,
                                          const struct pp_mesh_part *part,

@@ -72,7 +72,7 @@ static enum pp_status mirror_body(struct pp_room_shell *image,
     return PP_OK;
 }
 
-/* One more polygon, like it but mirrored, and nobody's. */
+/* Adds one polygon, mirrored from the part, that belongs to no room. */
 static enum pp_status carry(struct pp_room_shell *image,
                             const struct pp_surface_part *part,
                             const struct pp_vec3 *corners, int count,

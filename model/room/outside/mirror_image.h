@@ -1,12 +1,12 @@
-/* mirror_image.h - a building mirrored at the boundary of its site: what BR 209 sets beside a
- * new building opposite. Inside model/room/ only.
+/* mirror_image.h - a building mirrored at the boundary of its site: the alternative
+ * target of BR 209 for a new building opposite. Inside model/room/ only.
  *
  * The mirror image of a point in plan, at the line through P with the unit direction d:
  *
  *     p' = P + 2 (d . (p - P)) d - (p - P)          heights stay
  *
- * Of each placed room its faces are mirrored, and the sheets of its facades; what shades its
- * windows is not, nor are blocks and surfaces.
+ * The faces of each placed room and its facades are mirrored; shades of its windows,
+ * blocks and surfaces are not.
  */
 #ifndef PP_MODEL_ROOM_OUTSIDE_MIRROR_IMAGE_H
 #define PP_MODEL_ROOM_OUTSIDE_MIRROR_IMAGE_H
@@ -18,7 +18,8 @@
 void pp_mirror_image_sides(double sides_m[2], const struct pp_room_shell *shell,
                            const struct pp_mirror_line *line);
 
-/* The shell mirrored; its facades are among what it carries. To be cleared in any case. */
+/* Makes the mirrored shell, with its facades among its fixed parts. The caller clears
+ * it in any case. */
 enum pp_status pp_mirror_image_make(struct pp_room_shell *image,
                                     const struct pp_room_shell *shell,
                                     const struct pp_mirror_line *line,

@@ -1,8 +1,7 @@
-/* outside_parts.h - what stands in a building's axes, put into a room's own as one of its
- * parts. Inside model/room/ only.
+/* outside_parts.h - parts in a building's axes, added to a room in the room's own axes.
  *
- * Every part is a copy of the one that is given, which stands in the building's axes, but
- * for a skyline, which belongs to walls of its name.
+ * Inside model/room/ only. Every part is a copy of the given one, which is in the
+ * building's axes, except a skyline, which belongs to walls by name.
  */
 #ifndef PP_MODEL_ROOM_OUTSIDE_OUTSIDE_PARTS_H
 #define PP_MODEL_ROOM_OUTSIDE_OUTSIDE_PARTS_H
@@ -13,7 +12,7 @@ enum pp_status pp_outside_parts_add_block(struct pp_room *room,
                                           const struct pp_block *block,
                                           struct pp_error *err);
 
-/* With these vertices in place of the part's. */
+/* Adds the part with these vertices instead of its own. */
 enum pp_status pp_outside_parts_add_surface(struct pp_room *room,
                                             const struct pp_surface_part *part,
                                             const struct pp_vec3 *vertices, int count,

@@ -137,7 +137,7 @@ struct pp_surface_part pp_room_front_part(const struct pp_room_front *front)
                                     .line = front->line};
 }
 
-/* ---- what it gives way to ---- */
+/* ---- trimming ---- */
 
 static bool meets(const struct pp_bounds2 *a, const struct pp_bounds2 *b)
 {
@@ -258,7 +258,7 @@ enum pp_status pp_room_front_give_way(struct pp_room_front *front,
     return status;
 }
 
-/* The other's extent in the axes of the first: those of one plane are parallel. */
+/* Extent of the other in the axes of the first, which are parallel in one plane. */
 static struct pp_bounds2 extent_in(const struct pp_room_front *front,
                                    const struct pp_room_front *other)
 {

@@ -61,7 +61,7 @@ bool pp_room_shell_shares_front(const struct pp_room_shell *shell,
     return false;
 }
 
-/* ---- what is fixed outside ---- */
+/* ---- parts fixed outside ---- */
 
 static bool has_outside(const struct pp_room *room)
 {
@@ -251,8 +251,7 @@ static enum pp_status resolve_shell(struct pp_room_shell *shell,
     return status == PP_SYSTEM ? pp_fail(err, status, "%s", fault.message) : PP_OK;
 }
 
-/* Sets the reflectance of a wall whose facade lies in its own plane to that of the
- * facade. */
+/* Gives a wall whose facade lies in its own plane the reflectance of the facade. */
 static void set_reflectances(struct pp_world *body)
 {
     for (int i = 0; i < body->face_count; i++)

@@ -1,8 +1,8 @@
-/* room_shell.h - a room of a building as the others see it: a closed body of its walls,
- * floor and roof, and what is fixed outside it. Inside model/room/ only.
+/* room_shell.h - a room of a building as seen from the others: a closed body of its
+ * walls, floor and roof, and the parts fixed to its outside.
  *
- * Fixed outside are its facades, what shades its windows, and the surfaces, blocks and
- * meshes of its own that stand outside it.
+ * Inside model/room/ only. Fixed outside are its facades, shades of its windows, and
+ * its own surfaces, blocks and meshes that are outside it.
  */
 #ifndef PP_MODEL_ROOM_OUTSIDE_ROOM_SHELL_H
 #define PP_MODEL_ROOM_OUTSIDE_ROOM_SHELL_H
@@ -18,12 +18,12 @@ struct pp_room_carried {
 
 struct pp_room_shell {
     struct pp_placement placement;
-    struct pp_world *body; /* its faces are those of the room, in the building's axes;
-                            * `back` is what they reflect outside */
+    struct pp_world *body; /* faces of the room, in the building's axes; `back` is their
+                            * outer reflectance */
     char **walls;          /* their names */
     int wall_count;
-    struct pp_room *own; /* the room by itself in the state, whose blocks and meshes
-                          * stand outside; NULL: nothing is fixed outside */
+    struct pp_room *own; /* the room alone in the state, whose blocks and meshes are
+                          * outside; NULL: nothing is fixed outside */
     bool *is_divided;    /* of each face: it is among the carried, by its windows */
     struct pp_room_carried *carried;
     int carried_count;
@@ -31,21 +31,22 @@ struct pp_room_shell {
     int front_count;
 };
 
-/* With a reflectance for its windows (NAN: they are as walls), faces are divided by them.
- * Mistakes in what a room's file says are noted where the room itself is resolved: of
- * such a room there is nothing outside. Unless `outside` there is the body alone. To be
- * cleared in any case. */
+/* Makes the body of a room as seen from outside. glass_reflectance: reflectance of the
+ * windows, which then divide the faces; NAN: windows reflect like walls. Without
+ * `outside` the shell is the body alone. Errors in the room's file are reported where
+ * the room itself is resolved; here such a room has an empty shell. The caller clears
+ * the shell in any case. */
 enum pp_status pp_room_shell_make(struct pp_room_shell *shell,
                                   const struct pp_room *room, enum pp_site_state state,
                                   bool outside, double glass_reflectance,
                                   struct pp_clipper *clipper, struct pp_error *err);
 void pp_room_shell_clear(struct pp_room_shell *shell);
 
-/* Is there a wall of that name? */
+/* True if there is a wall of that name. */
 bool pp_room_shell_has_wall(const struct pp_room_shell *shell, const char *name);
 
-/* Does a wall of the room look the same way as the shaded window's, in one front with
- * it? */
+/* True if a wall of the room faces the same way as the shaded window's, in one front
+ * with it. */
 bool pp_room_shell_shares_front(const struct pp_room_shell *shell,
                                 const struct pp_room_carried *shade);
 

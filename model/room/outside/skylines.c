@@ -1,9 +1,10 @@
 /* skylines.c - see skylines.h.
  *
- * A skyline with a distance D is an upright wall, seen from both sides, from the ground to
- * its head. It is 200 D long: what it lacks of an endless one lies within 0.6 degrees of its
- * direction. At 70 degrees (D = 10 m) that adds 7e-6 of itself to the vertical sky component
- * of a window opposite, and 8e-5 to that of a window in a wall square to it.
+ * A skyline with a distance D is an upright wall, seen from both sides, from the ground
+ * to its head. It is 200 D long: the missing parts of an endless one are within 0.6
+ * degrees of its direction. At 70 degrees (D = 10 m) that adds 7e-6 of itself to the
+ * vertical sky component of a window opposite, and 8e-5 to that of a window in a wall
+ * square to it.
  */
 #include "model/room/outside/skylines.h"
 
@@ -43,8 +44,8 @@ static struct pp_vec3 outward_of(const struct pp_world *world, int face)
     return pp_vec_unit(pp_vec(-n.x, -n.y, 0.0));
 }
 
-/* From where distances count: in the wall's plane, which may slope, at the height of its
- * openings' middle; on its middle line. */
+/* Origin of distances: on the wall's middle line, in its plane (which may slope), at
+ * mid-height of its openings. */
 static struct pp_vec3 middle_of_wall(const struct pp_world *world, int face)
 {
     const struct pp_polygon *wall = &world->surfaces[face].outline;
@@ -69,7 +70,7 @@ static double reach_outside(const struct pp_world *world, int face)
     return reach;
 }
 
-/* Notes what is wrong with the skyline; true if nothing is. */
+/* Reports mistakes of the skyline; true if there are none. */
 static bool is_good(struct pp_resolver *r, const struct pp_skyline_part *part, int face)
 {
     const struct pp_world *world = r->world;

@@ -16,7 +16,8 @@ static struct pp_block_shape_face triangle(struct pp_vec3 a, struct pp_vec3 b,
     return (struct pp_block_shape_face){{a, b, c}, 3};
 }
 
-/* With the ridge along u; l: length along it, w: width across, z: of the eaves. */
+/* Makes a roof with its ridge along u. l: length along it, w: width across, z: height
+ * of the eaves. */
 static int mono(struct pp_block_shape_face *faces, double l, double w, double z,
                 double pitch_rad)
 {

@@ -1,9 +1,8 @@
-/* block_shape.h - what of a block outside is no box: a footprint of any outline, and
- * roofs, as polygons. Inside model/room/ only.
+/* block_shape.h - shapes of blocks outside that are not boxes: footprints of any
+ * outline, and roofs, as polygons. Inside model/room/ only.
  *
- * Lengths in metres, in the block's own axes: u along its width, v along its depth, z up
- * from its base. All polygons are plane and seen from outside counter-clockwise.
- */
+ * Lengths in metres, in the block's own axes: u along its width, v along its depth, z
+ * up from its base. All polygons are plane and counter-clockwise seen from outside. */
 #ifndef PP_MODEL_ROOM_READ_BLOCK_SHAPE_H
 #define PP_MODEL_ROOM_READ_BLOCK_SHAPE_H
 
@@ -31,10 +30,11 @@ struct pp_block_shape_face {
     int count;
 };
 
-/* Fills in what stands on a box of that width and depth whose walls are height_m high:
- * slopes and gables of the roof, of the pitch (rad, above 0, under pi/2). A mono-pitch
- * roof is highest over the side at depth (ridge along the width) or at width (along the
- * depth); the ridge of a hip roof runs along the longer sides. Returns how many; 0 for a flat roof. */
+/* Fills in the roof of a box of that width and depth whose walls are height_m high:
+ * slopes and gables, at the pitch (rad, above 0, under pi/2). A mono-pitch roof is
+ * highest over the side at depth (ridge along the width) or at width (along the depth);
+ * the ridge of a hip roof runs along the longer sides. Returns the number of faces; 0
+ * for a flat roof. */
 int pp_block_shape_roof(struct pp_block_shape_face faces[PP_BLOCK_SHAPE_ROOF_MOST],
                         double width_m, double depth_m, double height_m,
                         enum pp_roof roof, double pitch_rad, enum pp_ridge ridge);

@@ -17,7 +17,7 @@ bool pp_element_form_matches(const struct pp_xml_element *element,
     return strcmp(element->name, rule->name) == 0;
 }
 
-/* Where one value is being read, for its messages. */
+/* Place of the value being read, for error messages. */
 struct value_place {
     const char *element, *attribute;
     const struct pp_value_kind *kind;
@@ -50,7 +50,8 @@ static bool in_range(const struct pp_value_kind *kind, double value)
     return low && high;
 }
 
-/* From the file's units to the kind's: the nearest double to the decimal fraction. */
+/* Converts from the file's units to the kind's; gives the double nearest to the decimal
+ * fraction. */
 static void to_metres(double *value, const struct value_place *at)
 {
     if (at->kind->expected_mm)
@@ -66,7 +67,7 @@ static bool read_form_number(double *value, const struct value_place *at)
     return in_range(at->kind, *value) || wrong(at, "");
 }
 
-/* Notes an unknown name, with the nearest name and all that there are. */
+/* Reports an unknown name, with the most similar name and all valid ones. */
 static bool unknown(const struct value_place *at, const char *const *names, int count)
 {
     char more[SENTENCE] = "", list[SENTENCE];
@@ -360,7 +361,7 @@ bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
             good = read_value(field, &at) && good;
         } else if (row->required) {
             good = false;
-            /* In a tag that breaks off it may be what is missing. */
+            /* A truncated tag may have lost this attribute. */
             if (!element->ended || is_misspelt(rule, element, row->name))
                 continue;
             pp_mistakes_add(mistakes, element->line, "%s: %s is missing; expected %s",

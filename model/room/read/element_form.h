@@ -5,9 +5,9 @@
 
 #include "model/room/read/room_schema.h"
 
-/* Fills the element's form from its attributes, defaults where they are left out, and
- * notes what is wrong with them. False where anything is. per_metre: 1, or 1000 where the
- * file has millimetres; forms have metres. */
+/* Fills the element's form from its attributes, with defaults for missing ones, and
+ * reports mistakes. False if there are any. per_metre: 1, or 1000 if the file is in
+ * millimetres; forms are in metres. */
 bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
                           const struct pp_xml_element *element, double per_metre,
                           struct pp_mistakes *mistakes);

@@ -19,11 +19,11 @@ struct pp_plan_roof {
     int line;
 };
 
-/* Adds the faces to the plan, which is then an envelope: the floor; walls south, east, north
- * and west; roof-south, ... by the way they look, of a saw-tooth roof roof-1, ... from the
- * eaves on, with the upright walls light-1, ... between them. Roofs are shaped as those of
- * blocks (block_shape.h); that of saw teeth looks away from the ridge of a mono-pitch one.
- * Memory that runs out is noted by the reader. */
+/* Adds the faces to the plan, which is then an envelope: the floor; walls south, east,
+ * north and west; slopes named by their direction, roof-south, ... A saw-tooth roof has
+ * roof-1, ... from the eaves on, with the vertical walls light-1, ... between them.
+ * Roofs have the shapes of block roofs (block_shape.h); the slope of saw teeth faces
+ * away from the ridge of a mono-pitch one. The reader reports lack of memory. */
 void pp_plan_roof_add(struct pp_reader *r, struct pp_plan_part *plan,
                       const struct pp_plan_roof *roof);
 

@@ -21,8 +21,8 @@ struct pp_reader {
     double per_metre;   /* of the file's lengths: 1, or 1000 for millimetres */
     const char *folder; /* that its paths are relative to; NULL: it is in memory */
 
-    /* The table's glazings that have been asked for (panes > 0), so that each is
-     * integrated once. */
+    /* Glazings of the table used so far (panes > 0), so that each is integrated
+     * once. */
     struct pp_glass glasses[PP_READER_GLASSES];
 };
 
@@ -40,8 +40,8 @@ bool pp_reader_reserve(struct pp_reader *r, void *list, int count, size_t size);
 char *pp_reader_copy_text(struct pp_reader *r, const char *text);
 
 /* Fills form from the element's attributes, and checks the names and numbers of its
- * children. False where there is a mistake, or where the file breaks off within the
- * element, of which nothing more is said then. */
+ * children. False on a mistake, or if the file ends within the element, about which
+ * nothing more is then reported. */
 bool pp_reader_fill_form(struct pp_reader *r, void *form,
                          const struct pp_element_rule *rule,
                          const struct pp_xml_element *element);

@@ -1,9 +1,9 @@
-/* room_schema.h - the elements of a room file, their attributes and what each may be.
- * Inside model/room/ only.
+/* room_schema.h - the elements of a room file, their attributes and the valid values.
  *
- * One row an attribute: its name, the kind of its value, whether it is required, its
- * value if it is left out, and where in the element's form the value goes. A form is
- * the element as its attributes have it, before it becomes a part of a room.
+ * Inside model/room/ only. Each attribute has one row: its name, the kind of its value,
+ * whether it is required, its default, and the place of the value in the element's
+ * form. A form holds the values of an element's attributes, before it becomes a part of
+ * a room.
  */
 #ifndef PP_MODEL_ROOM_READ_ROOM_SCHEMA_H
 #define PP_MODEL_ROOM_READ_ROOM_SCHEMA_H
@@ -38,7 +38,8 @@ struct pp_value_kind {
     double unit;              /* factor by which a number is stored; 0: 1 */
     const char *const *words; /* of a choice; ends with NULL */
     const struct pp_named_factors *factors;
-    const char *expected_mm; /* of lengths: what is expected in a file in millimetres */
+    const char *expected_mm; /* of lengths: the expected value in a file in
+                              * millimetres */
 };
 
 struct pp_attribute_rule {

@@ -102,7 +102,7 @@ const struct pp_value_kind pp_room_values_unit_of_lengths = {
 static const char *const no_yes[] = {"no", "yes", NULL};
 const struct pp_value_kind pp_room_values_yes_no = {
     .reading = PP_VALUE_CHOICE, .expected = "\"yes\" or \"no\"", .words = no_yes};
-/* In the order of enum pp_role, of enum pp_surroundings, and of enum pp_work. */
+/* Names in the order of enum pp_role, enum pp_surroundings and enum pp_work. */
 static const char *const roles[] = {"floor", "wall", "ceiling", NULL};
 const struct pp_value_kind pp_room_values_role = {
     .reading = PP_VALUE_CHOICE,

@@ -1,6 +1,5 @@
-/* room_values.h - the kinds of values that attributes of a room file have: how they are read,
- * and in which words a message says what is expected. Inside model/room/ only.
- */
+/* room_values.h - the kinds of values of attributes in a room file: how they are read,
+ * and the words for them in messages. Inside model/room/ only. */
 #ifndef PP_MODEL_ROOM_READ_ROOM_VALUES_H
 #define PP_MODEL_ROOM_READ_ROOM_VALUES_H
 

@@ -19,9 +19,9 @@ static struct pp_rgb through_of(const struct pp_photon_state *state,
                          : material->through_diffuse;
 }
 
-/* The light that comes through an opening's point from outside, and the direction in which
- * it came; at clear glass that of the photon too. Divided by the direction's density over
- * the cosine lobe's. */
+/* Light that enters through an opening's point, and its direction; at clear glass also
+ * that of the photon. Divided by the direction's density over that of the cosine
+ * lobe. */
 static struct pp_rgb enter(struct pp_photon_state *state,
                            const struct pp_photon_source *source, const double u[2],
                            int vertex, struct pp_photon *photon)
@@ -63,7 +63,7 @@ static void set_out(struct pp_photon_state *state,
     }
 }
 
-/* The photon's first place, as receivers have it. */
+/* First place of the photon, in the form for receivers. */
 static struct pp_photon_place first_place(const struct pp_photon *photon,
                                           const struct pp_photon_source *source,
                                           int index, double chance)
@@ -130,8 +130,8 @@ bool pp_photon_arrive(struct pp_photon_state *state, struct pp_photon *photon)
     return true;
 }
 
-/* Light that a diffusing pane lets in is that of what stands outside, as at clear
- * glass. */
+/* Component of the photon's light. Light through a diffusing pane counts by its source
+ * outside, as at clear glass. */
 static enum pp_photon_last last_of(const struct pp_photon *photon, bool through,
                                    enum pp_space space)
 {

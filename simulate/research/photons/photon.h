@@ -1,9 +1,9 @@
-/* photon.h - a photon followed from where it enters the room, or from a lamp, to where it
- * is absorbed or lost.
+/* photon.h - a photon followed from where it enters the room, or from a lamp, to where
+ * it is absorbed or lost.
  *
- * What it carries is flux over Eh (m2), divided by the density with which its source, place
- * and direction were drawn and by the chances of each turn since. It may leave the room
- * and come back.
+ * It carries flux over Eh (m2), divided by the density with which its source, place and
+ * direction were drawn and by the probability of each scattering since. It may leave
+ * the room and come back.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_H
@@ -11,7 +11,8 @@
 #include "simulate/research/photons/photon_lobes.h"
 #include "simulate/research/photons/photon_sources.h"
 
-/* Whose light it is to who sees it straight: what it has last been scattered by. */
+/* Component to which a photon's light belongs, by the last surface that scattered
+ * it. */
 enum pp_photon_last {
     PP_PHOTON_FROM_SKY,
     PP_PHOTON_FROM_OUTSIDE, /* a surface there, or the ground */
@@ -34,14 +35,14 @@ struct pp_photon {
     struct pp_rgb flux;
     enum pp_photon_last last;
     bool scattered; /* is it more than the light that an opening sends straight? */
-    struct pp_light_hit hit; /* where it has come to */
+    struct pp_light_hit hit; /* its present position */
     struct pp_lobes lobes;   /* there */
     int vertex;              /* of its random numbers */
     int turns;
 };
 
-/* A photon that starts, from one of the first `count` sources: on its ray. False where
- * there is none. place: where; its exitance is that of receivers' straight light. vertex:
+/* Begins a photon on its ray, from one of the first `count` sources. False if there are
+ * none. place: its start, whose exitance is that of direct light to receivers. vertex:
  * the first of its random numbers. */
 bool pp_photon_begin(struct pp_photon_state *state, int count, int vertex,
                      struct pp_photon *photon, struct pp_photon_place *place);
@@ -51,7 +52,7 @@ bool pp_photon_begin(struct pp_photon_state *state, int count, int vertex,
 void pp_photon_enter(struct pp_photon_state *state, const double *chances, int vertex,
                      struct pp_photon_place *place);
 
-/* To the surface that it meets next; false where it meets none. */
+/* Moves the photon to the next surface that it meets; false: none. */
 bool pp_photon_arrive(struct pp_photon_state *state, struct pp_photon *photon);
 
 /* Power left there by the photon: the light that leaves its own side (0) or the far one
@@ -60,7 +61,7 @@ bool pp_photon_leaves(const struct pp_photon_state *state,
                       const struct pp_photon *photon, int side,
                       struct pp_photon_place *place);
 
-/* On from there by one of the surface's lobes; false where it ends. */
+/* Scatters the photon by one of the surface's lobes; false if it is absorbed. */
 bool pp_photon_turn(struct pp_photon_state *state, struct pp_photon *photon);
 
 #endif

@@ -1,9 +1,9 @@
-/* photon_counter.h - a sensor of finite size, on which photons are counted: a disc, or the
- * whole working plane.
+/* photon_counter.h - a sensor of finite size, on which photons are counted: a disc, or
+ * the whole working plane.
  *
- * A photon that crosses it from its front brings flux / area; it goes on as if nothing had
- * been there. What is counted is the mean irradiance over the sensor: no connection, no
- * limit, and light by mirrors and panes counts as all other does.
+ * A photon that crosses it from its front adds flux / area and continues unaffected.
+ * The sum is the mean irradiance over the sensor: there are no connections and no
+ * limits, and light by mirrors and panes counts like any other.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_COUNTER_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_COUNTER_H

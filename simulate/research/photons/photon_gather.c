@@ -16,7 +16,7 @@ struct gathering {
     struct pp_rgb throughput; /* irradiance at the first receiver, for a radiance */
     double here;              /* its cosine at the receiver */
     double gone_m;
-    bool straight; /* has it come straight from there, or through clear glass? */
+    bool straight; /* it arrived directly, or through clear glass */
     bool seen;     /* has the first receiver seen something, and what? */
     enum pp_photon_last what;
     struct pp_light_hit hit;
@@ -32,7 +32,7 @@ static void add_gathered_light(struct gathering *ray, struct pp_rgb radiance,
     ray->sums[ray->seen ? ray->what : what] += share * pp_rgb_luminance(light);
 }
 
-/* The share that connections leave of the place where the ray has come to. */
+/* Share left over by connections at the ray's end. */
 static double left_of(const struct pp_photon_state *state, const struct gathering *ray,
                       int source)
 {
@@ -67,7 +67,7 @@ static void add_entering(struct pp_photon_state *state, struct gathering *ray, i
                        is_sky ? PP_PHOTON_FROM_SKY : PP_PHOTON_FROM_OUTSIDE);
 }
 
-/* The light of sources that the ray has come to. */
+/* Adds the light of sources that the ray has reached. */
 static void add_sources(struct pp_photon_state *state, struct gathering *ray)
 {
     const struct pp_photon_sources *sources = state->sources;
@@ -106,7 +106,7 @@ static void add_photon(struct pp_photon_state *state, struct gathering *ray)
     add_gathered_light(ray, sum, 1.0 / PP_PI, ray->what);
 }
 
-/* The ray goes on by one of the surface's lobes; false where it ends. */
+/* Continues the ray by one of the surface's lobes; false if it ends. */
 static bool turn_gathering_ray(struct pp_photon_state *state, struct gathering *ray)
 {
     double u[3]; /* direction (2), lobe */

@@ -1,9 +1,9 @@
-/* photon_outside.h - the light that comes to a place from outside along one direction.
+/* photon_outside.h - the light from outside at a place along one direction.
  *
- * Of sky, open ground and skylines it is known; a surface, or the ground in its shadow,
- * reflects what a path of its own finds there, one direction after another. Light that
- * has come through the room before is left out here: photons bring it, which leave by one
- * opening and come back by any.
+ * For sky, open ground and skylines it is known. At a surface, or at the ground in its
+ * shadow, a separate path is followed, one direction after another. Light that has
+ * passed through the room before is not included: it is carried by photons, which leave
+ * by one opening and return by any.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_OUTSIDE_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_OUTSIDE_H

@@ -1,14 +1,13 @@
-/* photon_receiver.h - what a place from which light goes brings to a receiver: a
+/* photon_receiver.h - the contribution of a light-emitting place to a receiver: a
  * connection, (1) of photon_sources.h, with a shadow ray.
  *
- * cos cos'/d^2 is cut at the place's limit. The share that is left of it,
+ * cos cos'/d^2 is cut at the place's limit. The remaining share,
  *
  *     w = min(1, limit d^2 / (cos cos'))
  *
  * depends on the two places alone, not on how they were drawn: a ray from the receiver
- * that comes to the same place straight, or through clear glass, has 1 - w of its light
- * (photon_gather.h), as in [KK06]. Both together have no bias, and neither is without
- * bound.
+ * that reaches the same place directly, or through clear glass, gets 1 - w of its light
+ * (photon_gather.h), as in [KK06]. Their sum is unbiased, and both are bounded.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_RECEIVER_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_RECEIVER_H
@@ -26,7 +25,7 @@ struct pp_photon_receiver {
 double pp_photon_receiver_limit(const struct pp_photon_state *state,
                                 const struct pp_photon_receiver *receiver, int source);
 
-/* Irradiance at the receiver; *last: whose light it is. vertex: of the random numbers
+/* Irradiance at the receiver; *last: its component. vertex: of the random numbers
  * outside. */
 struct pp_rgb pp_photon_receiver_takes(struct pp_photon_state *state,
                                        const struct pp_photon_receiver *receiver,

@@ -24,12 +24,11 @@ static const double LEAST_CELL = 0.2;
  * the opening may see nothing but black. */
 static const double LEAST_LUMINANCE = 0.003;
 
-/* The light that a surface outside has, of what its reflectance could give, as
- * guessed. */
+/* Estimated light of a surface outside, relative to that by its full reflectance. */
 static const double SHADED = 0.3;
 
-/* The least share of an opening among those in sight, of what it would have if it were
- * as bright from everywhere. */
+/* Least share of an opening among the visible ones, relative to its share if it were
+ * equally bright from everywhere. */
 static const double LEAST_IMPORTANCE = 0.02;
 
 double pp_photon_sources_limit(double area_m2, double chance)
@@ -262,8 +261,8 @@ struct pp_vec3 pp_photon_sources_point(const struct pp_light_scene *scene,
                                 source->area_m2, u, v);
 }
 
-/* The cell that u in (0, 1) falls to by the weights, whose mean is `mean`; u becomes its
- * place within. */
+/* Cell drawn by u in (0, 1) and the weights, whose mean is `mean`; u becomes the
+ * position within it. */
 static int source_cell(const double *weights, double mean, double *u)
 {
     double left = *u * PP_PHOTON_CELLS * mean;
@@ -301,8 +300,8 @@ static double projected(const struct pp_target *target, struct pp_vec3 on,
     return fmin(here * there / (d2 * d2), PP_PI / target->area_m2);
 }
 
-/* Projected area of a triangle, over its corners and middle; *seen where one of them has
- * any. */
+/* Projected area of a triangle, from its corners and middle; *seen is set if it is
+ * above 0 at one of them. */
 static double projected_triangle(const struct pp_target *target, int index,
                                  struct pp_vec3 point, struct pp_vec3 normal,
                                  bool *seen)

@@ -1,19 +1,19 @@
-/* photon_sources.h - where photons begin: on the openings of a room, where the light of
- * sky and ground comes in, and on the surfaces in it that give off light of their own.
+/* photon_sources.h - sources of photons: the openings of a room, for the light of sky
+ * and ground, and the self-luminous surfaces in it.
  *
- * A source is drawn in proportion to the light that it is guessed to bring, a point of
- * it uniformly, and at clear glass a direction in proportion to the luminance outside
- * times the glass's transmittance and the projected opening: by a table over the square
- * which the concentric map [SC97] makes the cosine lobe of. The guesses, which look out
- * from the middle of each opening, decide on variances alone; every direction has a
- * density, and light is divided by that.
+ * A source is drawn in proportion to its estimated light, a point of it uniformly, and
+ * at clear glass a direction in proportion to the luminance outside times the glass's
+ * transmittance and the projected opening: by a table over the square which the
+ * concentric map [SC97] makes the cosine lobe of. The estimates, made from the middle
+ * of each opening, affect the variance alone; every direction has a density, and light
+ * is divided by it.
  *
  * A photon that starts at x by density p(x) brings a receiver at distance d
  *
  *     L cos cos'/d^2 / p(x)                                              (1)
  *
- * without bound as d goes to 0. So cos cos'/d^2 is cut at a limit, for sources as for the
- * surfaces that photons come to; what is cut off is looked for by rays from the receiver
+ * without bound as d goes to 0. So cos cos'/d^2 is cut at a limit, for sources as well
+ * as for surfaces that photons hit. The part cut off is found by rays from the receiver
  * (photon_gather.h), whose weights are bounded where these are not.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_SOURCES_H
@@ -31,7 +31,7 @@ struct pp_photon_source {
     int triangle_count;
     double area_m2;
     struct pp_rgb radiance; /* of a lamp */
-    double power;           /* flux that it brings, as guessed */
+    double power;           /* estimated flux */
     double chance;          /* of being drawn */
     double limit;           /* of cos cos'/d^2 (1/m2), where drawn by that chance */
     bool clear;             /* the directions are the table's, by row and column: */
@@ -42,9 +42,9 @@ struct pp_photon_source {
 struct pp_photon_sources {
     struct pp_photon_source *list; /* the openings first, as the scene has them */
     int count, pane_count;
-    double power, pane_power; /* of all, and of all openings */
-    double limit;             /* of cos cos'/d^2 at a surface that a photon comes to */
-    bool all_seen;            /* do any two places in the room see each other? */
+    double power, pane_power;       /* of all, and of all openings */
+    double limit;                   /* of cos cos'/d^2 at a surface hit by a photon */
+    bool all_seen;                  /* do any two places in the room see each other? */
     struct pp_vec3 (*triangles)[3]; /* of lamps */
 };
 
@@ -65,8 +65,8 @@ struct pp_vec3 pp_photon_sources_point(const struct pp_light_scene *scene,
                                        const struct pp_photon_source *source, double u,
                                        double v);
 
-/* A direction about n by the source's table and two numbers in (0, 1); *density: over
- * that of the cosine lobe, cos/pi. */
+/* Direction about n by the source's table and two numbers in (0, 1); *density: relative
+ * to that of the cosine lobe, cos/pi. */
 struct pp_vec3 pp_photon_sources_direction(const struct pp_light_scene *scene,
                                            const struct pp_photon_source *source,
                                            struct pp_vec3 n, double u, double v,
@@ -75,8 +75,8 @@ struct pp_vec3 pp_photon_sources_direction(const struct pp_light_scene *scene,
 /* The limit of cos cos'/d^2 at an opening that is drawn by this chance. */
 double pp_photon_sources_limit(double area_m2, double chance);
 
-/* For a receiver: the chance of each opening, into chances[], by what it may bring
- * there; false where none can bring anything. */
+/* Writes the probability of each opening for a receiver into chances[], in proportion
+ * to its possible contribution. False if none can contribute. */
 bool pp_photon_sources_for(double *chances, const struct pp_photon_sources *sources,
                            const struct pp_light_scene *scene, struct pp_vec3 point,
                            struct pp_vec3 normal);

@@ -1,6 +1,5 @@
-/* photon_state.h - what a thread needs to follow photons, and the rays that it traces.
- * Inside simulate/research/photons only; all points are measured from the scene's centre.
- */
+/* photon_state.h - state of a thread that follows photons, and its rays. Inside
+ * simulate/research/photons only; all points are measured from the scene's centre. */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_STATE_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_STATE_H
 
@@ -19,7 +18,7 @@ struct pp_photon_state {
     const struct pp_photon_sources *sources;  /* not owned */
     struct pp_sobol_sequence sequence;        /* the randomisation */
     uint32_t index;                           /* which path of it */
-    long rays, leaks;                         /* traced so far, and lost of them */
+    long rays, leaks;                         /* rays traced so far, and rays lost */
 };
 
 enum {
@@ -34,8 +33,8 @@ static inline void pp_photon_state_draw(const struct pp_photon_state *state, int
     pp_sobol_sequence_draw(&state->sequence, state->index, vertex, count, u);
 }
 
-/* Vertex numbers for a path that branches off a vertex: hashed, so that they meet those
- * of no other branch. */
+/* Vertex number for a path that branches off a vertex: hashed, so that branches do not
+ * share numbers. */
 static inline int pp_photon_state_branch(int vertex, int kind)
 {
     uint32_t mixed = pp_hash_mix32((uint32_t)vertex * 4 + (uint32_t)kind + 1);
@@ -53,8 +52,9 @@ static inline enum pp_meeting pp_photon_state_meet(struct pp_photon_state *state
     return meeting;
 }
 
-/* A hit's point, drawn back along the ray by half of what lifts rays off their surface
- * (rays.h): in a corner it would lie in the other surface too. */
+/* Point of a hit, moved back along the ray by half of the distance by which rays are
+ * lifted off surfaces (rays.h): in a corner it would otherwise be in the other surface
+ * too. */
 static inline struct pp_vec3 pp_photon_state_drawn_back(const struct pp_light_hit *hit,
                                                         struct pp_vec3 to)
 {

@@ -1,5 +1,5 @@
-/* photons.c - receivers as a sampler of photons: straight light, what photons bring from
- * the surfaces that they come to, and what rays from the receiver bring. */
+/* photons.c - receivers as a sampler of photons: direct light, the light of surfaces
+ * hit by photons, and light found by rays from the receiver. */
 #include "simulate/research/photons/photons.h"
 
 #include <math.h>
@@ -17,15 +17,15 @@
 enum { DIRECT, PHOTONS, GATHER, ESTIMATORS };
 enum { SUM_DIRECT = 0, SUM_PHOTONS = 2, SUM_GATHER = 4 };
 
-/* Photons of a randomisation, at most, that receivers share: some 5 MB a randomisation in
- * a bright room, of which 64 are there at a time. Where that is not enough, there are
- * more. */
+/* Most photons that receivers share in a randomisation: some 5 MB each in a bright
+ * room, with 64 in memory at a time. If that is not enough there are more
+ * randomisations. */
 enum { MOST_SHARED = 1024 };
 
 /* Cost of a shared photon set to a receiver, in rays, as if some 25 receivers used it. */
 static const double SHARED_COST = 0.3;
 
-/* The least standard error that is wanted, over Eh: 0.002 % daylight factor. */
+/* Least standard error aimed at, over Eh: 0.002 % daylight factor. */
 static const double LEAST_ERROR = 0.00002;
 
 /* A receiver, or the working plane as a whole. */
@@ -41,10 +41,10 @@ struct pp_photons {
     const struct pp_light_scene *scene;
     const struct pp_environment *environment;
     struct pp_photon_sources *sources;
-    struct photon_point *points; /* the receivers, then the average if it is wanted */
+    struct photon_point *points; /* the receivers, then the average if requested */
     double *chances;             /* of openings, by receiver */
     struct pp_photon_store *store;
-    bool shares; /* are there receivers that are points? */
+    bool shares; /* true if some receivers are points */
     int point_count, receiver_count;
     struct pp_sampler sampler;
     struct pp_planner *planner;
@@ -65,8 +65,8 @@ static void take_direct(struct pp_photon_state *state, const struct photon_point
     sums[last == PP_PHOTON_FROM_SKY ? PP_SC : PP_ERC] += pp_rgb_luminance(light);
 }
 
-/* Takes in a photon that all receivers share. Adds to sums[PP_ERC] and on, by what it has
- * last come from. */
+/* Adds the light of a shared photon to sums[PP_ERC] and on, by the last surface that
+ * scattered it. */
 static void take_photon(struct pp_photon_state *state, const struct photon_point *point,
                         const struct pp_photon_place *places, int count, double *sums)
 {
@@ -130,7 +130,7 @@ static uint64_t photon_point_seed(const void *client, int point)
     return ((const struct pp_photons *)client)->points[point].seed;
 }
 
-/* One path of an estimator. */
+/* Follows one path of an estimator. */
 static void follow_one(const struct pp_photons *photons, struct pp_photon_state *state,
                        const struct pp_path_range *range, double *sums)
 {
@@ -231,7 +231,7 @@ static double photon_point_bound(const void *client, int point, int component,
                                      paths[DIRECT], paths[PHOTONS]);
 }
 
-/* Where photons are counted alone. */
+/* Sampler that counts photons at each receiver alone. */
 static const struct pp_sampler counting = {
     .estimators = ESTIMATORS,
     .values = PP_COMPONENT_COUNT,
@@ -247,7 +247,7 @@ static const struct pp_sampler counting = {
     .bound = photon_point_bound,
 };
 
-/* Where receivers share them. */
+/* Sampler in which receivers share photons. */
 static struct pp_sampler sharing(void)
 {
     struct pp_sampler sampler = counting;

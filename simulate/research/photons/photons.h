@@ -1,21 +1,21 @@
 /* photons.h - daylight factors of a room by light that is followed forwards, after
  * Genelux [MPF95].
  *
- * Photons enter by the openings in proportion to the luminance outside and the projected
- * opening, or leave a lamp, and are followed from surface to surface. At each they bring
- * every receiver what the surface then sends there (photon_receiver.h), the same photons
- * all of them (photon_store.h); or they are
- * counted where they cross a sensor of finite size (photon_counter.h), as they always are
- * for the average over the working plane. What openings bring straight is an estimator of
- * its own, and what connections leave out a third (photon_gather.h). No estimate has a
- * bias, nor the radius of one: there is no density estimation.
+ * Photons enter by the openings in proportion to the luminance outside and the
+ * projected opening, or leave a lamp, and are followed from surface to surface. At each
+ * surface their scattered light is added to every receiver (photon_receiver.h), with
+ * the same photons for all (photon_store.h); or they are counted where they cross a
+ * sensor of finite size (photon_counter.h), as they always are for the average over the
+ * working plane. Direct light of openings is a separate estimator, and light not
+ * covered by connections a third (photon_gather.h).
  *
- * Transport, directions to openings and the choice of paths are none of the path
- * tracer's; the two have in common what a ray meets, and how errors are planned.
+ * No estimate is biased, since there is no density estimation with a radius. Transport,
+ * directions to openings and the choice of paths are independent of the path tracer;
+ * the two share only ray intersection and the planning of errors.
  *
- * The caller holds the loop, as with the tracer: create, then advance until done, looking
- * at the readings whenever it likes, then destroy. By error or samples the answer depends
- * on world, light, receivers and seed alone, to the bit.
+ * The caller holds the loop, as with the tracer: create, then advance until done,
+ * looking at the readings whenever it likes, then destroy. By error or samples the
+ * answer depends on world, light, receivers and seed alone, to the bit.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTONS_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTONS_H
@@ -30,12 +30,12 @@
 
 struct pp_photons_options {
     double
-        error; /* wanted standard error over the daylight factor, at every point; never
-                   * under 0.00002 of Eh. 0: go by samples or the caller's clock alone */
+        error; /* target standard error over the daylight factor, at every point; never
+                * under 0.00002 of Eh. 0: by samples or the caller's clock alone */
     long
         samples; /* photons a point in each randomisation instead of error; 0: not set */
     uint64_t seed;
-    int threads;  /* 0: as many as the machine has processors */
+    int threads;  /* 0: one for each processor */
     bool average; /* the average over the working plane too */
     double
         sensor_m; /* radius of discs round the receivers on which photons are counted;
@@ -68,9 +68,9 @@ double pp_photons_error(const struct pp_photons *photons);
 void pp_photons_read(const struct pp_photons *photons, int index,
                      struct pp_reading readings[PP_COMPONENT_COUNT]);
 
-/* The share of the variance of their daylight factors that receivers have in common, 0 to 1
- * (common_variance.h), since they share photons: all of them; and those that are near each
- * other. */
+/* Correlated share of the variance of the receivers' daylight factors, 0 to 1
+ * (common_variance.h), since they share photons: among all of them; and among
+ * neighbours. */
 double pp_photons_common(const struct pp_photons *photons);
 double pp_photons_common_near(const struct pp_photons *photons);
 

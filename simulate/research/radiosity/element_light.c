@@ -4,8 +4,8 @@
 #include "model/base/array.h"
 #include "simulate/research/radiosity/form_factor.h"
 
-/* Corners are looked at by this much nearer to the middle: those of neighbours that hide
- * each other at their common edge would tell nothing. */
+/* Factor by which corners are moved towards the middle before they are tested:
+ * neighbours that hide each other at a common edge would be inconclusive. */
 static const double WITHIN = 0.9;
 
 struct descent {
@@ -35,7 +35,7 @@ static double seen_of(const struct descent *g, const struct pp_vec3 *corners, in
     return by_middle ? seen : seen / (count + 1);
 }
 
-/* The form factor of what is seen of a polygon that lies in element `index`. */
+/* Form factor of the visible part of a polygon in element `index`. */
 static double factor_seen(const struct descent *g, int index,
                           const struct pp_vec3 *corners, int count)
 {

@@ -1,11 +1,11 @@
-/* element_light.h - what a place in the room takes of the room's elements, by closed form
- * factors.
+/* element_light.h - the light that a place in the room receives from the room's
+ * elements, by closed form factors.
  *
- * The trees are gone down only as far as it takes: an element stands for all its parts
- * where its form factor times what its radiosity may differ by is below a tolerance, as in
- * hierarchical radiosity [HSA91]. An undivided element above the tolerance is asked to
- * be divided. Where something may stand between, rays to the element's corners and middle
- * tell; a part that is seen in part is divided for this place alone.
+ * The trees are descended only as far as needed: an element represents all its parts if
+ * its form factor times the possible variation of its radiosity is below a tolerance,
+ * as in hierarchical radiosity [HSA91]. An undivided element above the tolerance is
+ * marked for division. Possible obstructions are tested by rays to the element's
+ * corners and middle; a partly visible part is divided for this place alone.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_LIGHT_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_LIGHT_H
@@ -21,7 +21,7 @@ struct pp_element_light_accuracy {
     double least_factor; /* smaller ones are seen, or not, by their middle */
 };
 
-/* Elements that are to be divided; the caller's to free. */
+/* Elements to divide; freed by the caller. */
 struct pp_wanted {
     int *list;
     int count, room;

@@ -7,7 +7,7 @@
 
 enum {
     PLANE_POINTS = 600, /* of the first level */
-    FEWER_POINTS = 6,   /* by so much, for what is reflected */
+    FEWER_POINTS = 6,   /* divisor of their number for reflected light */
 };
 
 static bool has_room(const struct pp_facets *facets)
@@ -53,7 +53,7 @@ void pp_element_receivers_clear(struct pp_element_receivers *receivers)
     *receivers = (struct pp_element_receivers){.list = NULL};
 }
 
-/* A pane that scatters shines as a surface does: then all points take what is reflected. */
+/* A diffusing pane emits like a surface: then all points receive reflected light. */
 static enum pp_status set_plane(struct pp_element_receivers *receivers,
                                 const struct pp_facets *facets, int level,
                                 struct pp_error *err)
@@ -103,7 +103,7 @@ enum pp_status pp_element_receivers_begin(struct pp_element_receivers *receivers
     return PP_OK;
 }
 
-/* ---- what they take ---- */
+/* ---- gathering ---- */
 
 static struct pp_opening_light_accuracy of_openings(int level)
 {
@@ -217,7 +217,7 @@ enum pp_status pp_element_receivers_by_elements(struct pp_element_receivers *rec
     return by_elements(receivers, 0, receivers->asked, err);
 }
 
-/* Reflected light as well as what comes straight to the plane on average asks for. */
+/* Gathers reflected light, and the direct light for the plane's average. */
 enum pp_status pp_element_receivers_on_plane(struct pp_element_receivers *receivers,
                                              struct pp_error *err)
 {
@@ -235,7 +235,7 @@ enum pp_status pp_element_receivers_on_plane(struct pp_element_receivers *receiv
     return status;
 }
 
-/* ---- what it comes to ---- */
+/* ---- results ---- */
 
 static void add_components(double value[PP_COMPONENT_COUNT],
                            const double part[PP_LIGHT_PARTS], double share,

@@ -1,9 +1,8 @@
-/* element_receivers.h - what receivers take: those asked for, and points of the working plane for its
- * average.
+/* element_receivers.h - the light of receivers: those requested, and points of the
+ * working plane for its average.
  *
- * By openings and by elements apart: what comes straight changes fast over the plane, what
- * is reflected slowly, and fewer of its points take that.
- */
+ * Openings and elements are separate: direct light changes fast over the plane,
+ * reflected light slowly, and fewer points are used for it. */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_RECEIVERS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_RECEIVERS_H
 
@@ -20,15 +19,15 @@ struct pp_element_receiver {
 
 struct pp_element_receivers {
     struct pp_element_receiver
-        *list; /* those asked for, the plane's that take by openings,
-                                       * the plane's that take by elements */
+        *list; /* those requested, the plane's points for openings, the plane's points
+                * for elements */
     int asked, count;
     struct pp_plane_points direct, reflected; /* the plane's */
-    struct pp_radiosity_system *system;       /* what they take; not owned */
+    struct pp_radiosity_system *system;       /* source of their light; not owned */
     int level;
 };
 
-/* Copies the receivers asked for. */
+/* Copies the requested receivers. */
 enum pp_status pp_element_receivers_init(struct pp_element_receivers *receivers,
                                          const struct pp_receiver *asked, int count,
                                          struct pp_error *err);
@@ -42,8 +41,8 @@ enum pp_status pp_element_receivers_begin(struct pp_element_receivers *receivers
 /* Accuracy with which elements are summed by any receiver. */
 struct pp_element_light_accuracy pp_element_receivers_accuracy(int level);
 
-/* Gathers light for the receivers asked for. Elements may want dividing afterwards:
- * ->wanted. Cells that are new outside are gathered, and all of it is solved again. */
+/* Gathers light for the requested receivers. Elements may need division afterwards:
+ * ->wanted. New cells outside are gathered, and the system is solved again. */
 enum pp_status pp_element_receivers_by_openings(struct pp_element_receivers *receivers,
                                                 struct pp_error *err);
 enum pp_status pp_element_receivers_by_elements(struct pp_element_receivers *receivers,
@@ -53,8 +52,8 @@ enum pp_status pp_element_receivers_by_elements(struct pp_element_receivers *rec
 enum pp_status pp_element_receivers_on_plane(struct pp_element_receivers *receivers,
                                              struct pp_error *err);
 
-/* The daylight factors of one asked for, or the plane's average for index -1 (NAN where it
- * has no points); reflected light times an allowance for decorations. */
+/* Daylight factors of a requested receiver, or the plane's average for index -1 (NAN if
+ * it has no points); reflected light times an allowance for decorations. */
 void pp_element_receivers_value(const struct pp_element_receivers *receivers, int index,
                                 double decorations, double value[PP_COMPONENT_COUNT]);
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* In a plane within this, m. */
+/* Distance (m) within which a point is in a plane. */
 static const double IN_PLANE_M = 1e-7;
 
 enum { MOST_PLANES = 64 };

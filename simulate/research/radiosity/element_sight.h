@@ -1,10 +1,9 @@
-/* element_sight.h - do two places in the room see each other?
+/* element_sight.h - visibility between two places in the room.
  *
- * Most pairs do, and most facets cannot stand between a given two: one can't if some plane
- * has both of them on its one side and the facet on the other. That is known from signs
- * worked out beforehand; only the few facets that are left are looked at, one crossing
- * each.
- */
+ * Most pairs see each other, and most facets cannot be between a given pair: a facet
+ * cannot if some plane has both places on one side and the facet on the other. That is
+ * decided by signs calculated beforehand; only the few remaining facets are tested, one
+ * intersection each. */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_SIGHT_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_SIGHT_H
 
@@ -18,8 +17,8 @@ struct pp_element_sight {
     int count;
     bool all_seen; /* the room is convex: nothing in it hides anything */
     uint64_t *above,
-        *below; /* of each of these: the planes (of the first of them) that it
-                              * is wholly above or below; one that it lies in, both */
+        *below; /* for each of these: the planes (of the first of them) that it is
+                 * entirely above or below; one that it lies in counts as both */
 };
 
 enum pp_status pp_element_sight_create(struct pp_element_sight **sight,
@@ -32,7 +31,7 @@ struct pp_element_view {
     const struct pp_element_sight *sight; /* not owned */
     struct pp_vec3 point;
     uint64_t above, below; /* the planes that it is above or below */
-    int *blockers; /* the facets that may stand between it and the one looked at */
+    int *blockers;         /* facets that may be between it and the target */
     int blocker_count;
 };
 
@@ -45,7 +44,7 @@ void pp_element_sight_view_clear(struct pp_element_view *view);
 /* Turns to inside[target]. */
 void pp_element_sight_look_at(struct pp_element_view *view, int target);
 
-/* Is none of the blockers before that point? */
+/* True if no blocker is in front of that point. */
 bool pp_element_sight_shows(const struct pp_element_view *view, struct pp_vec3 point);
 
 #endif

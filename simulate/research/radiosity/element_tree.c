@@ -205,7 +205,7 @@ void pp_element_tree_destroy(struct pp_element_tree *tree)
     free(tree);
 }
 
-/* ---- asking ---- */
+/* ---- queries ---- */
 
 /* Distance of the point beyond the element's edge, m; 0 or less: within. */
 static double beyond(const struct pp_element_tree *tree, int index,
@@ -241,7 +241,7 @@ static bool holds(const struct pp_element_tree *tree, int index, struct pp_vec3 
     return true;
 }
 
-/* The one that holds the point, or, on an edge, that it is nearest to. */
+/* Element that contains the point or, on an edge, the nearest one. */
 static int nearest(const struct pp_element_tree *tree, int first, int count,
                    struct pp_vec3 point)
 {

@@ -1,8 +1,8 @@
-/* element_tree.h - the elements of the room's sides, as trees: a side's pieces, what they
- * are divided into, and so on. An element's radiosity is even over it; that of a
+/* element_tree.h - the elements of the room's sides, as trees: a side's pieces, what
+ * they are divided into, and so on. An element's radiosity is even over it; that of a
  * divided one is its parts' mean.
  *
- * A side that gives off nothing and reflects nothing has no elements.
+ * A side without emission and reflection has no elements.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_TREE_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_TREE_H
@@ -24,8 +24,8 @@ struct pp_element {
     int first_part, part_count; /* elements; 0: it is not divided */
     double radiosity;           /* over Eh */
     double sky,
-        outside; /* of that, what a pane that scatters sends on from the sky, and
-                          * from what else is outside */
+        outside; /* part of that which a diffusing pane transmits from the sky, and from
+                  * other sources outside */
     double
         spread; /* how much of it may differ from place to place; INFINITY: not known */
 };
@@ -39,8 +39,8 @@ struct pp_element_tree {
     int (*roots)[2]; /* of each side: the first, and how many */
 };
 
-/* Elements no longer than `size_m`, nor than PP_ELEMENT_LONG times their breadth. facets
- * must live as long. */
+/* Makes elements no longer than `size_m`, nor than PP_ELEMENT_LONG times their width.
+ * facets must outlive *tree. */
 enum pp_status pp_element_tree_create(struct pp_element_tree **tree,
                                       const struct pp_facets *facets, double size_m,
                                       struct pp_error *err);

@@ -21,7 +21,7 @@ struct cutting {
     struct pp_clipper *clipper;
     const struct pp_polygon *outline;
     struct pp_face_axes axes;
-    int facet, face; /* face: whose openings are cut; -1: none */
+    int facet, face; /* face: the one whose openings are cut; -1: none */
 };
 
 static enum pp_status append_facet_piece(struct pp_facets *facets, int facet,
@@ -144,7 +144,7 @@ static bool is_cover_of(const struct pp_world *world, int surface, int wall)
            && world->surfaces[surface].owner == wall;
 }
 
-/* Takes what covers the wall from its region. */
+/* Subtracts the covers of the wall from its region. */
 static enum pp_status less_covers(const struct cutting *work, struct pp_region *region,
                                   struct pp_error *err)
 {

@@ -38,8 +38,9 @@ static void set_side(struct pp_facet *facet, int side, bool indoors,
                                .exitance = PP_PI * material->radiance.g};
 }
 
-/* A cover is taken to lie in its wall, set before which it stands for rays: what is left
- * of the wall is the envelope as the cover is, and outdoors both are the wall. */
+/* A cover is treated as part of its wall's plane, although for rays it is in front of
+ * it. The rest of the wall is the envelope like the cover, and outdoors both are the
+ * wall. */
 static void set_surface(struct pp_facet *facet, const struct pp_world *world, int index)
 {
     const struct pp_surface *surface = &world->surfaces[index];
@@ -141,7 +142,7 @@ static enum pp_status add_rays(struct pp_facets *facets, struct pp_error *err)
     return status;
 }
 
-/* ---- all of them ---- */
+/* ---- all facets ---- */
 
 static void measure_facets(struct pp_facets *facets)
 {

@@ -1,10 +1,10 @@
-/* facets.h - the surfaces and panes of a world as radiosity has them: plane facets with two
+/* facets.h - the surfaces and panes of a world for radiosity: plane facets with two
  * matt sides, those in the room cut into convex pieces.
  *
- * A facet's index is its surface's; those of panes follow, in the order of the openings.
- * The pane of an opening is where its glass stands. A door or a dado, which the world has
- * right before its wall, is a piece of the wall's plane instead of it, so that the two leave
- * no gap. Positions are the world's.
+ * A facet's index is its surface's; those of panes follow, in the order of the
+ * openings. The pane of an opening is where its glass stands. A door or a dado, which
+ * the world has right before its wall, is a piece of the wall's plane instead of it, so
+ * that the two leave no gap. Positions are the world's.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_FACETS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_FACETS_H
@@ -59,8 +59,8 @@ enum pp_status pp_facets_create(struct pp_facets **facets, const struct pp_world
                                 struct pp_error *err);
 void pp_facets_destroy(struct pp_facets *facets); /* NULL is allowed */
 
-/* Size of the first elements, m: no longer than the room is wide or high, about, as far
- * as a thousand of them are enough. */
+/* Size of the first elements (m): about the width or height of the room at most, unless
+ * that gives more than a thousand. */
 double pp_facets_element_m(const struct pp_facets *facets);
 
 /* Height of a point over a facet's plane, on the side that its normal points to, m. */

@@ -5,7 +5,7 @@
 
 #include "model/geometry/clip.h"
 
-/* One edge of (1), times 2 pi. */
+/* Term of one edge in (1), times 2 pi. */
 static double edge(struct pp_vec3 a, struct pp_vec3 b, struct pp_vec3 n)
 {
     struct pp_vec3 across = pp_vec_cross(a, b);

@@ -1,12 +1,12 @@
-/* form_factor.h - how much of what a point takes comes from a polygon: the form factor
- * from a differential area to a polygon of even radiosity, in closed form.
+/* form_factor.h - the form factor from a differential area to a polygon of even
+ * radiosity, in closed form.
  *
- * Stokes' theorem turns the integral of cos cos'/(pi r^2) over the polygon into a sum over
- * its edges, Lambert's [LAM1760]: with a and b the directions to an edge's ends,
+ * Stokes' theorem turns the integral of cos cos'/(pi r^2) over the polygon into a sum
+ * over its edges, Lambert's [LAM1760]: with a and b the directions to an edge's ends,
  *
  *     F = 1/(2 pi) sum angle(a, b) n . (a x b)/|a x b|                    (1)
  *
- * of what lies above the point's horizon. What stands between is left to others.
+ * for the part above the point's horizon. Obstructions are handled elsewhere.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_FORM_FACTOR_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_FORM_FACTOR_H
@@ -16,8 +16,8 @@
 /* More corners no convex polygon of this engine has. */
 enum { PP_FORM_FACTOR_MOST = 64 };
 
-/* From the point with normal n (unit) to a convex polygon of 3 to PP_FORM_FACTOR_MOST
- * corners, from either side: 0 to 1. */
+/* Form factor from the point with normal n (unit) to a convex polygon of 3 to
+ * PP_FORM_FACTOR_MOST corners, seen from either side: 0 to 1. */
 double pp_form_factor(struct pp_vec3 point, struct pp_vec3 n,
                       const struct pp_vec3 *corners, int count);
 

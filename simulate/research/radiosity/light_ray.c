@@ -1,8 +1,8 @@
 /* light_ray.c - see light_ray.h. */
 #include "simulate/research/radiosity/light_ray.h"
 
-/* A ray whose share is less counts nothing; one that has met as many panes has little
- * left. */
+/* Least share of a ray that counts; and the most panes that it passes, after which
+ * little is left. */
 static const double LEAST = 1e-5;
 enum { MOST_PANES = 12 };
 
@@ -19,7 +19,7 @@ static enum pp_component part_or(enum pp_component part, enum pp_component met)
     return part == PP_DF ? met : part;
 }
 
-/* The facet that the ray comes to first; -1 and INFINITY: none. */
+/* First facet that the ray meets; -1 and INFINITY: none. */
 static int first(const struct pp_facets *facets, const struct pp_light_ray_start *ray,
                  double *distance)
 {
@@ -50,7 +50,7 @@ static void add_facet(const struct walk *walk, int side, bool indoors,
         pp_light_sum_add(walk->sum, element, part_or(part, PP_IRC), weight);
 }
 
-/* On through a clear pane, and by its reflection. */
+/* Continues the ray through a clear pane, and by reflection at it. */
 static void pass(const struct walk *walk, const struct pp_light_ray_start *ray, int met,
                  struct pp_vec3 point, double weight, enum pp_component part, int panes)
 {

@@ -1,8 +1,8 @@
-/* light_ray.h - what a ray looks at: followed through clear panes and by their reflections
- * to all that gives light along it.
+/* light_ray.h - the light along a ray, followed through clear panes and by their
+ * reflections to all sources.
  *
- * The ray itself has no number of its own: it goes on by both ways at a pane, each with
- * its share, until that is too small to count.
+ * The ray is not random: at a pane it continues both ways, each with its share, until
+ * that is too small to count.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_LIGHT_RAY_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_LIGHT_RAY_H
@@ -27,9 +27,9 @@ struct pp_light_ray_start {
     bool indoors;            /* does it begin in the room? */
 };
 
-/* Adds `weight` times pi times the radiance along the ray to the sum. part: PP_DF: by
- * what it comes to first (PP_SC the sky, PP_ERC anything else outdoors, PP_IRC what is
- * in the room); else all is of that component. */
+/* Adds `weight` times pi times the radiance along the ray to the sum. part: PP_DF: the
+ * component is that of the first object met (PP_SC the sky, PP_ERC anything else
+ * outdoors, PP_IRC objects in the room); else all light is of that component. */
 void pp_light_ray_follow(const struct pp_light_room *room,
                          const struct pp_light_ray_start *ray, double weight,
                          enum pp_component part, struct pp_light_sum *sum);

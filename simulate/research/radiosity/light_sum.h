@@ -1,9 +1,9 @@
-/* light_sum.h - what a place takes, as a sum over what gives light: a row of the system of
- * equations.
+/* light_sum.h - the light received by a place, as a sum over its sources: a row of the
+ * system of equations.
  *
- * Sky and whatever outside is fixed beforehand are numbers; what elements and places
- * outside give off is to be found, and stands here by a weight, its form factor times what
- * lets it through. Everything is told by the component that it is to the place.
+ * Sky and fixed light outside are numbers. Elements and places outside are unknowns,
+ * represented by a weight: the form factor times the transmittance. Each term has its
+ * component at the place.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_LIGHT_SUM_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_LIGHT_SUM_H
@@ -43,7 +43,7 @@ void pp_light_sum_add(struct pp_light_sum *sum, int source, enum pp_component pa
 void pp_light_sum_hit(struct pp_light_sum *sum, int side, struct pp_vec3 point,
                       enum pp_component part, double weight);
 
-/* Where a sum has come to: what is added later can be weighted together. */
+/* State of a sum: light added later can be weighted together. */
 struct pp_light_mark {
     double fixed[PP_LIGHT_PARTS];
     int term_count, hit_count;
@@ -51,8 +51,8 @@ struct pp_light_mark {
 
 struct pp_light_mark pp_light_sum_mark(const struct pp_light_sum *sum);
 
-/* Multiplies all that was added between the two marks, which have nothing fixed between
- * them that was not added there; 0 takes it away. */
+/* Multiplies everything added between the two marks by the factor; 0 removes it. Fixed
+ * light must have been added only there between the marks. */
 void pp_light_sum_scale(struct pp_light_sum *sum, const struct pp_light_mark *from,
                         const struct pp_light_mark *to, double factor);
 

@@ -13,11 +13,11 @@ enum {
         48, /* and divisions at all: a point 1e-14 times a pane's size before it */
 };
 
-/* Light below this share of Eh need not be told apart: a fifth of what the tracer stops
- * at. */
+/* Light, over Eh, that need not be resolved: a fifth of the tracer's limit. */
 static const double UNTOLD = 4e-6;
 
-/* Corners are looked at by this much nearer to the middle of their cell. */
+/* Factor by which corners are moved towards the middle of their cell before they are
+ * tested. */
 static const double WITHIN = 0.96;
 /* The share of a part that an edge seen at its corner alone may have of it, about. */
 static const double CORNER = 0.25;
@@ -43,7 +43,8 @@ struct cell {
     struct pp_light_mark from, to;
 };
 
-/* Adds the light along the ray through a point of the pane, or what that mirrors. */
+/* Adds the light along the ray through a point of the pane, or of the ray mirrored
+ * there. */
 static void add_ray(const struct looking *l, struct pp_vec3 point, bool mirrored,
                     double weight)
 {
@@ -117,9 +118,9 @@ static bool corners_agree(const struct looking *l, const struct cell *cell,
     return true;
 }
 
-/* Does the part have most of what its cell has, and too much to stand for it? So it is
- * near the taker, as long as the cell is larger than its distance: dividing it has come
- * nearer to the taker, and has not shared out its light. */
+/* True if the part has most of the light of its cell, and too much for one value. The
+ * part is then near the receiving point, as long as the cell is larger than its
+ * distance: dividing has come nearer to the point without dividing the light. */
 static bool is_nearest(const struct looking *l, const struct cell *cell,
                        const struct cell *part)
 {
@@ -237,8 +238,9 @@ static bool is_round(const struct pp_facets *facets, const struct pp_opening *op
            || (surface->role == PP_COVER && surface->owner == opening->face);
 }
 
-/* Where the taker stands before the face, the opening's edges hide what its face and its
- * reveal may hide, which are no blockers then. */
+/* Looks through the opening if the receiving point is in front of its face. The
+ * opening's edges then hide everything that its face and reveal could hide, so those
+ * are no longer blockers. */
 static void look_through(struct looking *l)
 {
     struct pp_element_view *view = l->view;

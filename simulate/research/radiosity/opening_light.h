@@ -1,9 +1,10 @@
-/* opening_light.h - what a place in the room takes by way of its clear panes: light from
- * outside through them, and the room's own that they mirror.
+/* opening_light.h - the light that a place in the room receives by clear panes: light
+ * from outside through them, and the room's own mirrored in them.
  *
  * A pane is divided until, cell by cell, the closed form factor of the cell times the
- * light along the ray to its middle (light_ray.h) agrees with the sum over its parts: near
- * the pane the form factors, in view of a roof line the light asks for small cells.
+ * light along the ray to its middle (light_ray.h) agrees with the sum over its parts:
+ * small cells are needed near the pane by the form factors, and at a roof line by the
+ * light.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_OPENING_LIGHT_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_OPENING_LIGHT_H
@@ -24,7 +25,8 @@ struct pp_taker {
     int facet;                    /* that it lies on; -1: none */
 };
 
-/* Adds to the sum what the taker takes; PP_SC and PP_ERC are straight from outside. */
+/* Adds the light received by the taker to the sum; PP_SC and PP_ERC are directly from
+ * outside. */
 void pp_opening_light_add(const struct pp_light_room *room,
                           const struct pp_taker *taker,
                           const struct pp_opening_light_accuracy *accuracy,

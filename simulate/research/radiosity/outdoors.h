@@ -1,11 +1,11 @@
-/* outdoors.h - the ends of a ray outdoors that are no facet: sky, ground, and skylines
+/* outdoors.h - the ends of a ray outdoors other than facets: sky, ground, and skylines
  * without a distance.
  *
- * Light is pi times luminance over Eh, as exitances are. Such a skyline gives off
- * rho (Ev + rho_ground / 2), Ev the open sky's illuminance on it, by convention; so is
- * an open ground its reflectance. The ground as a surface lies in shadow, and what it
- * gives off is to be found (outside_cells.h), but beyond FARTHEST times the reach of all
- * that stands there, where less than one part in a thousand of its sky is hidden.
+ * Light is pi times luminance over Eh, as exitances are. Such a skyline gives off rho
+ * (Ev + rho_ground / 2), Ev the open sky's illuminance on it, by convention; so is an
+ * open ground its reflectance. The ground as a surface lies in shadow, and its exitance
+ * is an unknown (outside_cells.h). The exception is beyond FARTHEST times the reach of
+ * all obstructions, where less than 1/1000 of its sky is hidden.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_OUTDOORS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_OUTDOORS_H
@@ -36,15 +36,16 @@ enum pp_outdoors_end {
     PP_OUTDOORS_GROUND,
 };
 
-/* reach_m: of what stands outdoors, from the room. */
+/* reach_m: extent of the obstructions outdoors, from the room. */
 enum pp_status pp_outdoors_init(struct pp_outdoors *outdoors,
                                 const struct pp_world *world,
                                 const struct pp_outside_light *light, double reach_m,
                                 struct pp_error *err);
 void pp_outdoors_clear(struct pp_outdoors *outdoors);
 
-/* Where the ray from `from` towards `to` (unit) ends if the nearest facet is `facet_m`
- * away (INFINITY: none is); *light of sky and what is fixed, *distance of the ground. */
+/* End of the ray from `from` towards `to` (unit), if the nearest facet is at `facet_m`
+ * (INFINITY: none). *light is of the sky and of fixed light, *distance that of the
+ * ground. */
 enum pp_outdoors_end pp_outdoors_meet(const struct pp_outdoors *outdoors,
                                       struct pp_vec3 from, struct pp_vec3 to,
                                       double facet_m, double *light, double *distance);

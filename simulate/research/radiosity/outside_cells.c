@@ -8,7 +8,7 @@
 #include "model/base/array.h"
 #include "model/geometry/frame.h"
 
-/* Fractional parts of multiples of these spread evenly: the golden ratio's. */
+/* Golden ratio: the fractional parts of its multiples are evenly spread. */
 static const double GOLDEN = 0.61803398874989485;
 
 enum { MOST_LEVEL = 40 }; /* wider than the earth */
@@ -96,7 +96,7 @@ static enum pp_status widen(struct pp_outside_cells *cells, struct pp_error *err
     return PP_OK;
 }
 
-/* *index: of the cell that the hit comes to. */
+/* Finds the cell of the hit; *index: its index. */
 static enum pp_status find_outside_cell(struct pp_outside_cells *cells,
                                         const struct pp_light_room *room,
                                         const struct pp_outside_hit *hit, int *index,
@@ -138,7 +138,7 @@ enum pp_status pp_outside_cells_resolve(struct pp_outside_cells *cells,
     return sum->failed ? pp_fail_memory(err) : PP_OK;
 }
 
-/* ---- what cells take ---- */
+/* ---- light of cells ---- */
 
 void pp_outside_cells_hemisphere(const struct pp_light_room *room,
                                  const struct pp_light_ray_start *place, int directions,
@@ -196,7 +196,7 @@ enum pp_status pp_outside_cells_gather(struct pp_outside_cells *cells,
         pp_thread_pool_run(pool, first, end, gather_one, &g);
         cells->gathered = end;
         for (int i = first; status == PP_OK && i < end; i++) {
-            /* Cells move where there are more of them. */
+            /* The list may be reallocated as cells are added. */
             struct pp_light_sum taken = cells->list[i].taken;
             cells->list[i].taken = (struct pp_light_sum){.failed = false};
             status = pp_outside_cells_resolve(cells, room, &taken, err);

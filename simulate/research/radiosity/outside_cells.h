@@ -1,10 +1,10 @@
 /* outside_cells.h - the places outside whose light comes into the room: surfaces, the
  * outside of its own walls, and the ground, in cells of even radiosity.
  *
- * Cells exist only where a ray has come: each surface is ruled into squares that grow with
- * the distance from the room, and the first few places met within a square are where its
- * light is gathered, from as many directions over the hemisphere as asked. These again
- * come to cells, which are added in their turn, until no new one is met.
+ * Cells exist only where a ray has arrived. Each surface is ruled into squares that
+ * grow with the distance from the room. The light of a square is gathered at the first
+ * few places met within it, over the given number of directions of the hemisphere.
+ * These rays reach further cells, which are added in turn, until no new one is met.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_OUTSIDE_CELLS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_OUTSIDE_CELLS_H
@@ -43,14 +43,15 @@ enum pp_status pp_outside_cells_resolve(struct pp_outside_cells *cells,
                                         const struct pp_light_room *room,
                                         struct pp_light_sum *sum, struct pp_error *err);
 
-/* All cells gather that have not, and those that they come to. */
+/* Gathers light for all cells that have none yet, and for the cells that their rays
+ * reach. */
 enum pp_status pp_outside_cells_gather(struct pp_outside_cells *cells,
                                        const struct pp_light_room *room,
                                        struct pp_thread_pool *pool,
                                        struct pp_error *err);
 
-/* Gathers light at a place outdoors from `directions` directions; `turn` sets them off
- * from those of others. part as in light_ray.h. */
+/* Gathers light at a place outdoors from `directions` directions; `turn` rotates them
+ * relative to those of other places. part as in light_ray.h. */
 void pp_outside_cells_hemisphere(const struct pp_light_room *room,
                                  const struct pp_light_ray_start *place, int directions,
                                  unsigned turn, double weight, enum pp_component part,

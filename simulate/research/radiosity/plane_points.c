@@ -9,8 +9,8 @@
 
 static const double NOTHING = 1e-9; /* of a square: empty, or full */
 
-/* Where in its square the point of row or column `index` lies, 0 to 1, so that no two of
- * `count` lie in line: van der Corput's sequence. */
+/* Position, 0 to 1, of the point of row or column `index` within its square. No two of
+ * `count` are in line: van der Corput's sequence. */
 static double place_within(int index, int count)
 {
     double place = 0.0, half = 0.5;

@@ -13,8 +13,7 @@ struct pp_plane_points {
     int count;
 };
 
-/* About `wanted` points; none where there is no plane. The points are the caller's to
- * clear. */
+/* Makes about `wanted` points; none without a plane. The caller clears them. */
 enum pp_status pp_plane_points_of(struct pp_plane_points *points,
                                   const struct pp_world *world, int wanted,
                                   struct pp_error *err);

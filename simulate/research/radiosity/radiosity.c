@@ -1,4 +1,4 @@
-/* radiosity.c - levels, and what they changed. */
+/* radiosity.c - levels, and the changes between them. */
 #include "simulate/research/radiosity/radiosity.h"
 
 #include <math.h>
@@ -17,13 +17,14 @@ enum {
 /* An error is no smaller than this share of the RMS one over all points: a single point may
  * change little by chance. */
 static const double SHARE_OF_MEAN = 0.7;
-/* And no smaller than these shares of what is reflected and of what comes straight, at
- * the first level that has an error, half of that at each further one: several changes may
- * cancel. What is stated by all this holds what it says in 98 of 100 (docs/theory.md). */
+/* Least relative errors of reflected and of direct light at the first level that has an
+ * error, halved at each further one, since several changes may cancel. The stated error
+ * holds in 98 of 100 cases (docs/theory.md). */
 static const double LEAST_REFLECTED = 0.004, LEAST_DIRECT = 0.003;
 /* The latter of the average, which is a sum over points. */
 static const double LEAST_AVERAGE = 0.005;
-static const double LEAST_FACTOR = 0.002; /* below this the error wanted is of Eh */
+static const double LEAST_FACTOR = 0.002; /* below this the target error is relative to
+                                           * Eh */
 
 struct pp_radiosity {
     struct pp_radiosity_options options;
@@ -38,8 +39,8 @@ struct pp_radiosity {
     struct pp_element_receivers receivers;
     int asked;
     int level; /* how many are done */
-    double (*now)[PP_COMPONENT_COUNT], (*before)[PP_COMPONENT_COUNT]; /* by receiver
-                                                        * asked for; the plane last */
+    double (*now)[PP_COMPONENT_COUNT],
+        (*before)[PP_COMPONENT_COUNT]; /* by requested receiver; the plane last */
     double
         off[PP_COMPONENT_COUNT]; /* RMS of the last change, over the daylight factor */
     double decorations;
@@ -111,7 +112,7 @@ static enum pp_status rounds(struct pp_radiosity *radiosity, struct pp_error *er
         status = pp_radiosity_system_gather(&radiosity->system, err);
         if (status == PP_OK)
             pp_radiosity_system_solve(&radiosity->system);
-        /* Illuminances are known from here on; before, nothing tells what is even. */
+        /* Illuminances are known from here on; before, their uniformity is unknown. */
         if (status == PP_OK && radiosity->level == 0 && round == 0)
             status = pp_radiosity_system_gather(&radiosity->system, err);
         if (status == PP_OK && round == 0)
@@ -240,9 +241,9 @@ void pp_radiosity_destroy(struct pp_radiosity *radiosity)
     free(radiosity);
 }
 
-/* ---- what is known ---- */
+/* ---- errors ---- */
 
-/* The error of a component at a point, by what the last level has changed. */
+/* Error of a component at a point, by the change at the last level. */
 static double error_of(const struct pp_radiosity *radiosity, int index, int component)
 {
     const double *now = radiosity->now[index], *before = radiosity->before[index];

@@ -1,19 +1,19 @@
 /* radiosity.h - daylight factors of a room by finite elements: radiosity, as SuperLite,
  * Lumen Micro and Lightscape worked it, without random numbers.
  *
- * The room's surfaces are divided into elements of even radiosity, finer where the light
- * changes (element_tree.h, element_light.h); what comes in by the openings, and what places
- * outside give off, is summed over cells (opening_light.h, outside_cells.h); the
- * equations are solved for all bounces (radiosity_system.h), and the points gather as the elements
- * do. It shares the world with the path tracer, and nothing else: rays, form factors,
- * sky and ground outdoors are its own.
+ * The room's surfaces are divided into elements of even radiosity, finer where the
+ * light changes (element_tree.h, element_light.h). Light through the openings, and the
+ * exitance of places outside, are summed over cells (opening_light.h, outside_cells.h);
+ * the equations are solved for all bounces (radiosity_system.h), and the points gather
+ * as the elements do. It shares the world with the path tracer, and nothing else: rays,
+ * form factors, sky and ground outdoors are its own.
  *
  * Everything is done in levels, each with smaller elements, more cells and more
- * directions. What the last level has changed is the measure of what is still wrong: an
- * error is stated that the truth keeps in 19 of 20 readings.
+ * directions. The change at the last level measures the remaining error; the stated
+ * error covers the true value in 19 of 20 readings.
  *
  * The caller holds the loop, as with the tracer: create, then advance until done. The
- * answer depends on world, light, receivers and the wanted error alone, to the bit.
+ * answer depends on world, light, receivers and the target error alone, to the bit.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_RADIOSITY_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_RADIOSITY_H
@@ -26,9 +26,9 @@
 #include "model/room/world.h"
 
 struct pp_radiosity_options {
-    double error; /* wanted error over the daylight factor, at every point; never under
+    double error; /* target error over the daylight factor, at every point; never under
                    * 0.00002 of Eh. 0: two levels */
-    int threads;  /* 0: as many as the machine has processors */
+    int threads;  /* 0: one for each processor */
 };
 
 struct pp_radiosity;
@@ -43,7 +43,7 @@ enum pp_status pp_radiosity_create(struct pp_radiosity **radiosity,
                                    const struct pp_radiosity_options *options,
                                    struct pp_error *err);
 
-/* One level more. */
+/* Advances by one level. */
 enum pp_status pp_radiosity_advance(struct pp_radiosity *radiosity,
                                     struct pp_error *err);
 bool pp_radiosity_done(const struct pp_radiosity *radiosity);

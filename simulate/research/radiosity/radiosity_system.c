@@ -11,8 +11,8 @@
 static const double STILL = 1e-9;
 /* More turns than any reflectance below 0.999 takes. */
 enum { MOST_TURNS = 20000 };
-/* From a rectangle's middle by so much of the way to its quarters' middles and beyond: the
- * points of Gauss' rule of two by two. */
+/* Distance of the points of Gauss's 2 x 2 rule from a rectangle's centre, over that of
+ * the centres of its quarters. */
 static const double GAUSS = 1.1547005383792515; /* 2 / sqrt(3) */
 
 static void clear_row(struct pp_radiosity_system_row *row)
@@ -33,7 +33,7 @@ void pp_radiosity_system_clear(struct pp_radiosity_system *system)
     system->row_count = system->row_room = 0;
 }
 
-/* ---- what elements take ---- */
+/* ---- light of elements ---- */
 
 static struct pp_taker taker_of(const struct pp_radiosity_system *system, int index)
 {
@@ -43,9 +43,9 @@ static struct pp_taker taker_of(const struct pp_radiosity_system *system, int in
                              element->side / 2};
 }
 
-/* The mean over the element of what it takes by openings. Light that comes straight falls off
- * near them too steeply for the middle to stand for all of an element: from there
- * reflected light came out 1 % too high in rooms of as many elements. */
+/* Mean over the element of its light by openings. Direct light falls off too steeply
+ * near openings for the middle to represent the element: reflected light was then 1 %
+ * too high in rooms of as many elements. */
 static void mean_by_openings(const struct pp_radiosity_system *system, int index,
                              struct pp_light_sum *sum)
 {
@@ -192,7 +192,7 @@ void pp_radiosity_system_value(const struct pp_radiosity_system *system,
     }
 }
 
-/* One element's equation; returns by how much its radiosity has changed. */
+/* Solves the equation of one element; returns the change of its radiosity. */
 static double turn_element(struct pp_radiosity_system *system, int index)
 {
     struct pp_element *element = &system->tree->list[index];

@@ -41,7 +41,7 @@ struct pp_radiosity_system {
 
 void pp_radiosity_system_clear(struct pp_radiosity_system *system); /* its rows */
 
-/* The rows for all elements that are undivided now; what came by openings before is
+/* Makes the rows for all elements that are undivided now; earlier light by openings is
  * kept. */
 enum pp_status pp_radiosity_system_gather(struct pp_radiosity_system *system,
                                           struct pp_error *err);

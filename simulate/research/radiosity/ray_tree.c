@@ -121,12 +121,12 @@ void pp_ray_tree_destroy(struct pp_ray_tree *tree)
     free(tree);
 }
 
-/* A ray with what its tests of boxes need. */
+/* A ray with the data for its tests of boxes. */
 struct ray {
     struct pp_vec3 from, to, inverse;
 };
 
-/* Where the ray enters the box; INFINITY: never, or behind `far_m`. */
+/* Distance at which the ray enters the box; INFINITY: never, or beyond `far_m`. */
 static double enters(const struct ray *ray, const struct pp_bounds3 *box, double far_m)
 {
     double near_m = 0.0;

@@ -11,19 +11,19 @@
 
 struct pp_ray_triangle {
     struct pp_vec3 corners[3];
-    int owner; /* what the caller knows it by */
+    int owner; /* the caller's identifier */
 };
 
 struct pp_ray_tree;
 
-/* Copies the triangles; none is allowed. On success *tree is the caller's. */
+/* Copies the triangles, possibly none. On success *tree is the caller's. */
 enum pp_status pp_ray_tree_create(struct pp_ray_tree **tree,
                                   const struct pp_ray_triangle *triangles, int count,
                                   struct pp_error *err);
 void pp_ray_tree_destroy(struct pp_ray_tree *tree); /* NULL is allowed */
 
-/* The owner of the first triangle, from either side, along the ray from `from` towards
- * `to` (unit), but for those of `but` (-1: all count), with its distance; -1 and INFINITY
+/* Owner of the first triangle, from either side, along the ray from `from` towards `to`
+ * (unit), with its distance; ignores those of owner `but` (-1: none). -1 and INFINITY
  * if there is none. */
 int pp_ray_tree_first(const struct pp_ray_tree *tree, struct pp_vec3 from,
                       struct pp_vec3 to, int but, double *distance);

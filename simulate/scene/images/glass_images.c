@@ -1,5 +1,5 @@
-/* glass_images.c - pairs of openings, what of the one is seen in the glass of the other,
- * and directions to it. */
+/* glass_images.c - pairs of openings, the part of one that is mirrored in the glass of
+ * the other, and directions to it. */
 #include "simulate/scene/images/glass_images.h"
 
 #include <math.h>
@@ -33,7 +33,7 @@ static double exchange(const struct pp_target *glass, const struct pp_target *wi
     return glass->area_m2 * window->area_m2 / (apart * apart);
 }
 
-/* Where the least of them stands. */
+/* Index of the smallest. */
 static int least_of(const double *worth, int count)
 {
     int least = 0;
@@ -87,8 +87,8 @@ bool pp_glass_images_has(const struct pp_light_scene *scene, int glass, int wind
  * straight ahead, and some at a slant. */
 static const double LEAST_REFLECTANCE = 0.01;
 
-/* The box of what a point sees through an outline of the target's plane, along the
- * target's axes from its corner. */
+/* Bounds of a point's view through an outline of the target's plane, along the target's
+ * axes from its corner. */
 struct seen_box {
     double low[2], high[2];
 };

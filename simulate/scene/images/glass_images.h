@@ -1,11 +1,12 @@
-/* glass_images.h - openings as the glass of other openings reflects them into the room, by
- * which next-event estimation samples them at the points of a room (tracer/path.h).
+/* glass_images.h - images of openings in the glass of other openings, sampled by
+ * next-event estimation at the points of a room (tracer/path.h).
  *
- * Clear glass mirrors: seen from a point, one opening stands behind the glass of another
- * as it stands before the point's own image. Directions to it are sampled from there
- * (sample_polygon.h), to that part of it alone which the outline of the glass lets the
- * image see, and unfolded. Glass reflects a tenth, and what shows in it is bright sky: of
- * the rays of a diffuse lobe a few in thousands find it, and bring many times the mean.
+ * Clear glass mirrors: seen from a point, one opening stands behind the glass of
+ * another as it stands before the point's own image. Directions to it are sampled from
+ * there (sample_polygon.h), to that part of it alone which the outline of the glass
+ * lets the image see, and unfolded. Glass reflects a tenth, and the image shows bright
+ * sky: only a few in thousands of the rays of a diffuse lobe find it, with many times
+ * the mean light.
  */
 #ifndef PP_SIMULATE_SCENE_IMAGES_GLASS_IMAGES_H
 #define PP_SIMULATE_SCENE_IMAGES_GLASS_IMAGES_H
@@ -16,19 +17,19 @@
 /* The pairs that have most of each other; the light of others is left to the rays. */
 enum { PP_GLASS_IMAGES_MOST = 32 };
 
-/* An opening and another, in the glass of which it is seen: panes by number. */
+/* An opening, and another one in whose glass it is mirrored: panes by number. */
 struct pp_glass_image {
     int glass, window;
 };
 
-/* Finds the scene's, once its panes and their parts are there: none where all openings lie
- * in one plane, nor in one without glass. */
+/* Finds the scene's images, after its panes and their parts are added: none if all
+ * openings lie in one plane, or in one without glass. */
 enum pp_status pp_glass_images_find(struct pp_light_scene *scene, struct pp_error *err);
 
 /* Is it one of the scene's? */
 bool pp_glass_images_has(const struct pp_light_scene *scene, int glass, int window);
 
-/* One of them from the view's point. */
+/* One image, seen from the view's point. */
 struct pp_glass_sight {
     int image;               /* one more than its number; 0: none */
     struct pp_target target; /* the part of the opening that is seen */
@@ -37,15 +38,17 @@ struct pp_glass_sight {
 
 enum { PP_GLASS_SIGHTS = 4 };
 
-/* All of them from the last point that looked for them; at first all zero. */
+/* Images seen from the last point that was processed; initially all zero. */
 struct pp_glass_view {
     struct pp_vec3 point, normal;
-    double share[PP_GLASS_IMAGES_MOST]; /* what each may bring; 0: it is out of sight */
+    double share[PP_GLASS_IMAGES_MOST]; /* possible contribution of each; 0: not
+                                         * visible */
     struct pp_glass_sight kept[PP_GLASS_SIGHTS]; /* by number modulo their count */
 };
 
-/* A direction from the point to an image, by three numbers in (0, 1), and its density, with
- * that of the choice, per steradian. The image's number; -1: none is in sight. */
+/* Samples a direction from the point to an image, by three numbers in (0, 1), and its
+ * density, including that of the choice, per steradian. Returns the image's number; -1:
+ * none is visible. */
 int pp_glass_images_sample(const struct pp_light_scene *scene,
                            struct pp_glass_view *view, struct pp_vec3 point,
                            struct pp_vec3 normal, struct pp_brightness brightness,

@@ -1,4 +1,4 @@
-/* mirrors.c - the planes in which parts mirror, and images in one or two of them. */
+/* mirrors.c - the planes of mirroring parts, and images in one or two of them. */
 #include "simulate/scene/images/mirrors.h"
 
 #include <math.h>
@@ -12,8 +12,8 @@ enum {
     MOST_CONNECTIONS = 256 /* mirror paths times emitters */
 };
 
-/* Two planes are the same if their normals differ by less than this in the cosine,
- * and their offsets by less than this share. */
+/* Tolerances for equal planes: difference of their normals in the cosine, and relative
+ * difference of their offsets. */
 static const double SAME_NORMAL = 1e-12, SAME_OFFSET = 1e-7;
 
 /* ---- found ---- */
@@ -69,8 +69,7 @@ static bool same_plane(const struct pp_mirror *a, const struct pp_mirror *b)
            && fabs(offset - a->offset_m) < SAME_OFFSET * (1.0 + fabs(a->offset_m));
 }
 
-/* The mirror in whose plane the part is, a new one if there are not too many;
- * else -1. */
+/* Mirror in the part's plane, a new one if there are not too many; else -1. */
 static int mirror_of(struct pp_light_scene *scene, const struct candidate *candidate)
 {
     struct pp_mirror plane;
@@ -132,7 +131,8 @@ static int by_share(const void *a, const void *b)
     return x->mirrors[1] - y->mirrors[1];
 }
 
-/* Paths by one mirror, or by one and then another: those of the greatest shares. */
+/* Makes paths by one mirror, or by one and then another: those of the greatest
+ * shares. */
 static void make_mirror_paths(struct pp_light_scene *scene)
 {
     int count = scene->mirror_count, most = MOST_CONNECTIONS / scene->emitter_count;

@@ -26,8 +26,8 @@ struct pp_mirror_path {
     double share;                     /* the product of theirs */
 };
 
-/* Finds the scene's mirrors and mirror paths, once all its parts and emitters are
- * there. */
+/* Finds the scene's mirrors and mirror paths, after all its parts and emitters are
+ * added. */
 enum pp_status pp_mirrors_find(struct pp_light_scene *scene, struct pp_error *err);
 
 /* The mirror path with that mirror behind its last; -1: there is none. */

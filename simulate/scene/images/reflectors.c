@@ -10,7 +10,7 @@
 
 enum {
     MOST_REFLECTORS = 8,
-    MOST_EMITTERS = 32, /* of a scene whose reflections are sampled */
+    MOST_EMITTERS = 32, /* most emitters of a scene whose reflections are sampled */
 };
 
 /* Wider lobes are left to the rays of the diffuse lobe. */
@@ -75,7 +75,7 @@ static double light_of(const struct pp_light_scene *scene, int index)
     return pp_rgb_luminance(emitter->radiance) * size;
 }
 
-/* All pairs with an emitter, chosen in proportion to what they may throw. */
+/* Makes all pairs with an emitter, chosen in proportion to their possible light. */
 static void make_reflections(struct pp_light_scene *scene)
 {
     double sum = 0.0;

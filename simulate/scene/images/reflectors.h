@@ -21,13 +21,13 @@ struct pp_reflector {
     double share, area_m2; /* the gloss' greatest reflectance; of all its parts */
 };
 
-/* A reflector with an emitter, and how often it is the one that is chosen. */
+/* A reflector with an emitter, and its probability of being chosen. */
 struct pp_reflection {
     int reflector, emitter;
     double chance;
 };
 
-/* Finds the scene's, once all parts, glosses and emitters are there. */
+/* Finds the scene's reflectors, after all parts, glosses and emitters are added. */
 enum pp_status pp_reflectors_find(struct pp_light_scene *scene, struct pp_error *err);
 
 /* The reflection that u in [0, 1) falls to; -1: there is none. */

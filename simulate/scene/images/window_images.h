@@ -1,13 +1,13 @@
-/* window_images.h - openings as they are seen in the polished planes of a room, by which
- * next-event estimation samples them.
+/* window_images.h - images of openings in the polished planes of a room, sampled by
+ * next-event estimation.
  *
  * Seen from a point, an opening stands behind a plane mirror as it stands before the
  * point's own image: directions to it are sampled from there (sample_polygon.h), and
  * unfolded. A gloss blurs the image: it is sampled as if the opening were larger, by as
  * much as the lobe is wide at its distance. A ray that comes to the reflector by such a
  * direction goes on as the gloss is shaped, and has the opening's light if it meets it.
- * The rays of the diffuse lobe find the same light: multiple importance sampling divides
- * it between the two.
+ * The rays of the diffuse lobe find the same light: multiple importance sampling
+ * divides it between the two.
  */
 #ifndef PP_SIMULATE_SCENE_IMAGES_WINDOW_IMAGES_H
 #define PP_SIMULATE_SCENE_IMAGES_WINDOW_IMAGES_H
@@ -21,7 +21,7 @@ struct pp_window_image {
     double share; /* the reflector's greatest reflectance */
 };
 
-/* Finds the scene's, once its reflectors and panes are there. */
+/* Finds the scene's images, after its reflectors and panes are added. */
 enum pp_status pp_window_images_find(struct pp_light_scene *scene,
                                      struct pp_error *err);
 
@@ -31,14 +31,14 @@ struct pp_image_viewer {
     struct pp_brightness brightness; /* as guessed, outside */
 };
 
-/* The image that u in [0, 1) falls to, in proportion to what each may bring to the
- * viewer, and its probability; -1: none can bring anything. */
+/* Chooses an image by u in [0, 1), in proportion to its possible light at the viewer,
+ * with its probability; -1: none can contribute. */
 int pp_window_images_choose(const struct pp_light_scene *scene,
                             const struct pp_image_viewer *viewer, double u,
                             double *probability);
 
-/* A direction from the viewer to an image in sight by two numbers in (0, 1), and its
- * density per steradian; false where it does not come to the reflector's plane. */
+/* Samples a direction from the viewer to a visible image by two numbers in (0, 1), and
+ * its density per steradian; false if it misses the reflector's plane. */
 bool pp_window_images_sample(const struct pp_light_scene *scene, int image,
                              const struct pp_image_viewer *viewer, double u, double v,
                              struct pp_vec3 *to, double *pdf);

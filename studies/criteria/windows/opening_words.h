@@ -1,4 +1,4 @@
-/* opening_words.h - what findings call an opening. */
+/* opening_words.h - names of openings in findings. */
 #ifndef PP_STUDIES_CRITERIA_WINDOWS_OPENING_WORDS_H
 #define PP_STUDIES_CRITERIA_WINDOWS_OPENING_WORDS_H
 

@@ -72,7 +72,7 @@ static enum pp_status find_shares(struct pp_sunlit_year *shares,
     return status;
 }
 
-/* Is what is left enough of what there was? */
+/* True if enough of the former hours is left. */
 static bool is_kept(const struct pp_sunlit_year *now, const struct pp_sunlit_year *then)
 {
     return (now->all >= FORMER_SHARE * then->all

@@ -73,8 +73,8 @@ enum pp_status pp_vertical_sky_at_point(double *share, const struct pp_world *wo
     return status;
 }
 
-/* The world's own lists without what shades its windows: shades stand behind the blocks' sides
- * and before the meshes' triangles. Both lists are the caller's to free. */
+/* Makes the world's own lists without the shades of its windows: shades come after the
+ * blocks' sides and before the meshes' triangles. The caller frees both lists. */
 static bool take_shades_off(struct pp_world *bare, const struct pp_world *world)
 {
     bare->surfaces = calloc((size_t)world->surface_count + 1, sizeof *bare->surfaces);
@@ -92,9 +92,9 @@ static bool take_shades_off(struct pp_world *bare, const struct pp_world *world)
     return true;
 }
 
-/* As it would be without the overhangs, fins, balconies and shelves of the room's own windows
- * and of those of other rooms in the same front, which take sky whatever stands opposite:
- * [BR209] has both stated, from memory. NAN: there are none. */
+/* Share without the overhangs, fins, balconies and shelves of the room's own windows
+ * and of other rooms in the same front. They hide sky whatever stands opposite: [BR209]
+ * has both values stated, from memory. NAN: there are none. */
 static enum pp_status find_unshaded(double *share, const struct pp_world *world,
                                     const struct pp_opening *opening, double french_m,
                                     struct pp_error *err)

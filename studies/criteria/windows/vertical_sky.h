@@ -7,11 +7,11 @@
 /* Is the glass upright, to a degree? It has a component then. */
 bool pp_vertical_sky_is_upright(const struct pp_opening *opening);
 
-/* Where a window's component is taken, on its outside: at its middle; but of one that begins
- * within 0.2 m of the room's floor (chosen) and ends above french_m (m over that floor,
- * greater than 0), at that height in its middle. Where 0, all are taken at their middle.
- * Recalled from practice with [BR209], of which no text is at hand: 1.6 m for French
- * windows and patio doors. */
+/* Point on a window's outside at which its component is calculated: its centre. If the
+ * window begins within 0.2 m of the room's floor (chosen) and ends above french_m (m
+ * over that floor), the point is at that height instead, midway across. french_m 0:
+ * always the centre. 1.6 m for French windows and patio doors is recalled from practice
+ * with [BR209], of which no text is at hand. */
 struct pp_vec3 pp_vertical_sky_point(const struct pp_opening *opening, double french_m);
 
 /* The illuminance of the wall's plane there from the overcast sky alone, over Eh: 0 to

@@ -20,7 +20,7 @@ enum pp_status pp_atlas_columns_of(struct pp_atlas_columns *columns,
         return pp_fail_memory(err);
     for (int i = 0; i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
-        /* One that is of all surfaces has no truth on the plane. */
+        /* A column over all surfaces has no true value on the plane. */
         if (column->of_all_surfaces || strcmp(column->name, "traced") == 0)
             continue;
         struct pp_atlas_method *method = &columns->methods[columns->count++];

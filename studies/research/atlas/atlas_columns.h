@@ -43,11 +43,10 @@ void pp_atlas_columns_print_names(const struct pp_atlas_columns *columns, FILE *
 /* Traced values of a row: fractions, NAN where there is none. */
 struct pp_atlas_truth {
     double value[PP_COMPONENT_COUNT], std_error[PP_COMPONENT_COUNT]; /* the room's */
-    double *
-        own; /* one for each of the columns, of which those of daylight factors count */
+    double *own; /* one for each of the columns, used for those of daylight factors */
 };
 
-/* Where a room's rows have their truth from: fills it for a point, or for the average for
+/* Gives the true values for a room's rows: for a point, or for the average if point is
  * -1. */
 typedef void pp_atlas_truth_of(const void *data, int point,
                                struct pp_atlas_truth *truth);

@@ -38,7 +38,7 @@ static void choose_shape(struct pp_atlas_layout *room)
         return;
     room->slope = tan(pp_between(8.0, 45.0, u[4]) * M_PI / 180.0);
     room->eaves = pp_between(1.3, 2.6, u[2]);
-    /* No ceiling above 6 m. */
+    /* Limits the ceiling to 6 m. */
     double run = room->roof == PP_ATLAS_RIDGE ? 0.5 * room->width : room->depth;
     room->slope = fmin(room->slope, (6.0 - room->eaves) / run);
 }
@@ -173,7 +173,7 @@ static void put_pane(struct pp_atlas_layout *room, bool upright)
                pp_between_ends(room->ranges->reveal_m, 2.0 * u[5] - 1.0));
 }
 
-/* Up to four equal windows in a wall. */
+/* Puts up to four equal windows in a wall. */
 static void put_windows(struct pp_atlas_layout *room, enum pp_atlas_wall wall,
                         enum pp_atlas_group group)
 {
@@ -214,7 +214,7 @@ static void put_windows(struct pp_atlas_layout *room, enum pp_atlas_wall wall,
         room->head = head;
 }
 
-/* One to four in a flat ceiling, in a row from west to east. */
+/* Puts one to four rooflights in a flat ceiling, in a row from west to east. */
 static void put_rooflights(struct pp_atlas_layout *room)
 {
     double u[6];
@@ -232,8 +232,8 @@ static void put_rooflights(struct pp_atlas_layout *room)
     }
 }
 
-/* One or two windows in the slope over the south wall, or in the west one of a ridge:
- * rectangles along the slope. */
+/* Puts one or two windows in the slope over the south wall, or in the west one of a
+ * ridge: rectangles along the slope. */
 static void put_roof_windows(struct pp_atlas_layout *room)
 {
     double u[6];
@@ -248,7 +248,7 @@ static void put_roof_windows(struct pp_atlas_layout *room)
     double gap = (along - count * width) / (count + 1);
     for (int i = 0; i < count; i++) {
         double a = gap + i * (width + gap), b = a + width;
-        /* Along the slope and up it, counter-clockwise from inside. */
+        /* Corners along the slope and up it, counter-clockwise from inside. */
         const double corners[4][2] = {
             {a, from}, {a, from + up}, {b, from + up}, {b, from}};
         PP_SAY(room, "  <opening");
@@ -290,7 +290,8 @@ static bool put_openings(struct pp_atlas_layout *room)
 
 /* ---- points ---- */
 
-/* Where the ceiling is 0.3 m above the plane, to 0.25 m from the walls. */
+/* Puts points to within 0.25 m of the walls, where the ceiling is 0.3 m above the
+ * plane. */
 static void put_points(struct pp_atlas_layout *room)
 {
     const double margin = 0.25;

@@ -11,7 +11,7 @@
 
 /* Settings for tracing the rooms. */
 struct pp_atlas_trace {
-    double error; /* wanted standard error over daylight factor, at every point */
+    double error; /* target standard error over daylight factor, at every point */
     uint64_t seed;
 };
 

@@ -133,7 +133,7 @@ static int class_of(const struct pp_atlas_scale *scale, double value)
     return k;
 }
 
-/* Where a row belongs, up * PP_ATLAS_CLASSES + across; -1: nowhere. */
+/* Cell of a row, up * PP_ATLAS_CLASSES + across; -1: none. */
 static int mapped_cell(const struct pp_atlas_map *map,
                        const struct pp_atlas_table *table,
                        const struct mapping_columns *at, int row)
@@ -219,8 +219,9 @@ static void take_quantiles(struct mapped_ratio *list, int count,
 
 /* ---- a map ---- */
 
-/* Ratios to the truth in that column, at points or of averages; *blind counts those whose
- * truth is not known. An own world's truth is known as well as the room's. */
+/* Gathers ratios to the true value in that column, at points or of averages; *blind
+ * counts those whose true value is unknown. The true value in a method's own world is
+ * as accurate as the room's. */
 static int gather_mapped_ratios(struct mapped_ratio *list, int *blind,
                                 const struct pp_atlas_map *map,
                                 const struct pp_atlas_table *table,

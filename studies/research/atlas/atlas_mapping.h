@@ -11,7 +11,7 @@ enum pp_atlas_mapping_kind {
     PP_MAP_ERC,         /* share of the externally reflected in the direct component */
     PP_MAP_GROUND,      /* reflectance of the ground */
     PP_MAP_REFLECTANCE, /* mean reflectance inside */
-    PP_MAP_OBSTRUCTION, /* angle of what stands outside */
+    PP_MAP_OBSTRUCTION, /* angle of obstructions outside */
     PP_MAP_KINDS,
 };
 

@@ -1,5 +1,5 @@
-/* atlas_outside.h - what stands outside a room of the sweep. Inside studies/research/atlas/ only.
- */
+/* atlas_outside.h - obstructions outside a room of the sweep. Inside
+ * studies/research/atlas/ only. */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_OUTSIDE_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_OUTSIDE_H
 

@@ -24,7 +24,7 @@ enum pp_status pp_atlas_renewal_rooms(int *rooms, const struct pp_atlas_table *t
     return PP_OK;
 }
 
-/* A room whose truth is kept. */
+/* Room whose true values are kept. */
 struct kept {
     const struct pp_atlas_columns *columns;
     const struct pp_report *report;
@@ -98,7 +98,7 @@ static void find_own(struct kept *kept)
     }
 }
 
-/* Are the table's points those of the room, to what is printed of them? */
+/* Checks that the table's points are those of the room, to the printed digits. */
 static enum pp_status check_points(const struct kept *kept, int index,
                                    struct pp_error *err)
 {

@@ -1,9 +1,8 @@
-/* atlas_renewal.h - a room of an atlas that is there, with what the methods say today: what
- * was traced stays.
+/* atlas_renewal.h - renews a room of an existing atlas by the methods of today;
+ * simulated values are kept.
  *
- * A method that the file does not know yet takes the truth of its own world from one that
- * calculates in the same.
- */
+ * A method that is new to the file takes the true values of its own world from a method
+ * with the same world. */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_RENEWAL_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_RENEWAL_H
 
@@ -11,8 +10,8 @@
 #include "studies/research/atlas/atlas_drawn.h"
 #include "studies/research/atlas/atlas_table.h"
 
-/* Number of whole rooms in the table; PP_BAD_INPUT where its rows are not those of such a
- * sweep, one room after another. */
+/* Number of complete rooms in the table; PP_BAD_INPUT if its rows are not those of such
+ * a sweep, one room after another. */
 enum pp_status pp_atlas_renewal_rooms(int *rooms, const struct pp_atlas_table *table,
                                       struct pp_error *err);
 

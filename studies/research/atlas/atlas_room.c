@@ -20,7 +20,7 @@ enum pp_status pp_atlas_room_columns(struct pp_atlas_columns *columns,
     return status;
 }
 
-/* ---- what is traced ---- */
+/* ---- simulation ---- */
 
 struct traced {
     const struct pp_atlas_columns *columns;

@@ -14,8 +14,8 @@ enum pp_status pp_atlas_room_columns(struct pp_atlas_columns *columns,
                                      const struct pp_atlas_design *design,
                                      struct pp_error *err);
 
-/* The rows of room `index`, by one thread: *rows is the caller's to free. They depend on
- * nothing else than what is given here. */
+/* Makes the rows of room `index`, by one thread; the caller frees *rows. They depend on
+ * these arguments alone. */
 enum pp_status pp_atlas_room_rows(char **rows, size_t *length,
                                   const struct pp_atlas_columns *columns,
                                   const struct pp_atlas_design *design, int index,

@@ -19,12 +19,13 @@ struct pp_atlas_table {
     char **names;
     int column_count, row_count;
     double *values;  /* row after row */
-    int room, point; /* columns of these names */
+    int room, point; /* columns with these names */
     bool iso;        /* rooms under the skies of ISO 15469, not the overcast one */
     char *text;      /* that the names are in */
 };
 
-/* PP_BAD_INPUT says "FILE:LINE: what is wrong". To be cleared in any case. */
+/* PP_BAD_INPUT with the message "FILE:LINE: reason". The caller clears *table in any
+ * case. */
 enum pp_status pp_atlas_table_read(struct pp_atlas_table *table, const char *path,
                                    struct pp_error *err);
 void pp_atlas_table_clear(struct pp_atlas_table *table);

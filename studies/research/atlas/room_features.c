@@ -1,4 +1,5 @@
-/* room_features.c - sums over the openings of a room, and what a point sees of them. */
+/* room_features.c - sums over the openings of a room, and over their parts visible from
+ * a point. */
 #include "studies/research/atlas/room_features.h"
 
 #include <math.h>
@@ -238,7 +239,7 @@ static double plan_distance(const struct pp_polygon *outline, struct pp_vec3 poi
     return least;
 }
 
-/* Over or under a polygon that is not upright? */
+/* True if the point is above or below a polygon that is not vertical. */
 static bool lies_under(const struct pp_polygon *outline, struct pp_vec3 point)
 {
     bool inside = false;
@@ -277,7 +278,7 @@ static double room_side_of_point(const struct pp_world *world, struct pp_vec3 po
     return least / world->height_m;
 }
 
-/* Vertices of an outline that are looked at; the rest of a rounder one is cut off. */
+/* Most vertices of an outline that are used; the rest of a rounder one is cut off. */
 enum { VERTICES = 64 };
 
 static double view_of(const struct pp_world *world, struct pp_vec3 point)

@@ -71,15 +71,15 @@ enum pp_room_feature {
 /* Names as above. */
 extern const char *const pp_room_feature_names[PP_ROOM_FEATURES];
 
-/* Features of a room with openings; those of points are NAN. Costs what the angles of
- * obstruction do: microseconds, with blocks before the windows a millisecond. Of a room
- * without openings all are NAN. */
+/* Features of a room with openings; those of points are NAN. Takes the time of the
+ * obstruction angles: microseconds, or a millisecond with blocks before the windows.
+ * Without openings all are NAN. */
 enum pp_status pp_room_features(double features[PP_ROOM_FEATURES],
                                 const struct pp_world *world,
                                 const struct pp_outside_light *light,
                                 struct pp_error *err);
 
-/* Fills in those of a point, which faces up. */
+/* Fills in the features of a point, which faces up. */
 void pp_room_features_at(double features[PP_ROOM_FEATURES],
                          const struct pp_world *world, struct pp_vec3 point);
 

@@ -9,14 +9,15 @@
 #include "model/base/array.h"
 #include "studies/research/compare/set_effects.h"
 
-/* Prior probability that a kind of cause is at work; and of a common factor, which so
- * many things are: a cause with the pattern of one is sure by its size alone only where
- * that fits closely. */
+/* Prior probability that a kind of cause is present; and that a common factor is. Many
+ * errors act as a factor: a cause whose pattern is a factor is identified by its size
+ * alone, and only if that fits closely. */
 static const double AT_WORK = 0.12, FACTOR_AT_WORK = 0.4;
-/* Sets so much (in logarithms) less likely than the best are traced no more; and those so
- * much less likely by white noise are not looked at with any other. */
+/* Distances (in logarithms) from the best likelihood. Sets farther behind are not
+ * simulated; sets farther behind by white noise are not evaluated with any other. */
 static const double FAR_BEHIND = 4.0, FAR_FROM_LIKELY = 12.0;
-/* A set that is not traced may be off from its parts either way, by so many steps. */
+/* Steps in which the deviation of a set that is not simulated from its parts is varied,
+ * either way. */
 enum { OFF_STEPS = 9 };
 static const double LEAST_PROBABILITY = 0.001;
 static const int nobody[1] = {0};
@@ -26,7 +27,8 @@ struct cause_candidate {
     double prior;       /* logarithm */
     double log_density; /* with the prior; by white noise where it is not near */
     bool is_known;
-    double off;   /* of its pairs, at its best, as pp_set_effects_predict has it */
+    double off;   /* best-fitting deviation of its pairs, as for
+                   * pp_set_effects_predict */
     double level; /* fitted value over its range */
     double width; /* of that level's likelihood; logarithm */
 };
@@ -64,7 +66,7 @@ static struct pp_supposition supposed(const struct cause_search *search,
     return supposition;
 }
 
-/* By white noise; of a set that is not traced, at its best. */
+/* Evaluates a candidate by white noise; a set that was not simulated, at its best. */
 static void judge_roughly(struct cause_search *search,
                           struct cause_candidate *candidate)
 {
@@ -96,7 +98,7 @@ static void judge_roughly(struct cause_search *search,
     }
 }
 
-/* By all kinds of noise. */
+/* Evaluates a candidate by all kinds of noise. */
 static enum pp_status judge_fully(struct cause_search *search,
                                   struct cause_candidate *candidate,
                                   struct pp_error *err)
@@ -141,7 +143,7 @@ static enum pp_status judge_cause_sets(struct cause_search *search,
     return status;
 }
 
-/* ---- the sets that there are ---- */
+/* ---- possible sets ---- */
 
 static bool same_kind(const struct cause_search *search, int a, int b)
 {
@@ -231,9 +233,9 @@ static const struct cause_candidate *to_trace(const struct cause_search *search)
     return next;
 }
 
-/* Next set to trace of three causes: them, or of those pairs that have not been traced
- * the one that may do most beyond its sum, from which there is more to learn. Returns how
- * many. */
+/* Finds the next set to simulate among three causes: all of them, or the pair not yet
+ * simulated that may deviate most from its sum, and so tells more. Returns its number
+ * of causes. */
 static int first_to_trace(const struct cause_search *search,
                           int causes[PP_CAUSE_SEARCH_MOST], int count, double level)
 {

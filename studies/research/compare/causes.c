@@ -8,9 +8,9 @@
 /* Less is not told apart: of a height (m), and of a reflectance. */
 static const double SAME_HEIGHT_M = 0.05, SAME_REFLECTANCE = 0.02;
 
-/* ---- of what they can be told ---- */
+/* ---- applicability ---- */
 
-/* Is there glass that has `property`, in a room's openings or a scene's materials? */
+/* True if any glass in a room's openings or a scene's materials has `property`. */
 static bool has_glass_that(const struct pp_compare_subject *subject,
                            bool (*property)(const struct pp_glass *glass))
 {

@@ -10,11 +10,11 @@
 
 struct pp_cause {
     const char *word;   /* "bounces=2"; "ground" where the value is fitted */
-    const char *kind;   /* those of one kind exclude each other */
-    const char *action; /* what the other program did, as a sentence's end */
-    const char *remedy; /* what to set right there */
+    const char *kind;   /* causes of one kind exclude each other */
+    const char *action; /* action of the other program, as the end of a sentence */
+    const char *remedy; /* correction to make there */
     bool is_factor;
-    bool is_alone; /* is there nothing left for others to do? */
+    bool is_alone; /* true if it leaves nothing for other causes */
     /* Can it be told there at all? NULL: anywhere. */
     bool (*applies)(const struct pp_compare_subject *subject);
 };
@@ -25,7 +25,7 @@ enum { PP_CAUSES_MOST = 32 };
 int pp_causes_of(const struct pp_cause *list[PP_CAUSES_MOST],
                  const struct pp_compare_subject *subject);
 
-/* All of them; NULL behind the last. */
+/* All causes; NULL after the last. */
 const struct pp_cause *pp_causes_at(int index);
 
 /* Kinds of mistake that no cause imitates, as a sentence's parts; NULL behind the last. */

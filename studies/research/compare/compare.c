@@ -1,5 +1,5 @@
-/* compare.c - traces ours, and sets of causes as they are wanted; what the likeliest
- * set leaves, and what each of it does. */
+/* compare.c - simulates our values, and sets of causes as needed; the remainder of the
+ * likeliest set, and the effect of each of its causes. */
 #include "studies/research/compare/compare.h"
 
 #include <math.h>
@@ -106,7 +106,7 @@ static enum pp_status effect_of(void *tracer, const int *causes, int count,
     return status;
 }
 
-/* ---- what the likeliest set does ---- */
+/* ---- effects of the likeliest set ---- */
 
 static double mean(const double *list, int count)
 {
@@ -124,7 +124,7 @@ static double squares(const double *list, int count)
     return sum;
 }
 
-/* The effect of those of the set's causes whose bits are in `subset`. */
+/* Effect of the set's causes whose bits are in `subset`. */
 static enum pp_status subset_effect(struct pp_compare *compare,
                                     const struct pp_cause_set *set, int subset,
                                     double *effect, double *variance,
@@ -149,7 +149,7 @@ static enum pp_status subset_effect(struct pp_compare *compare,
     return status;
 }
 
-/* As stated, with what ours scatter by themselves; 0: it is not. */
+/* Noise as stated, with the scatter of our own values; 0: not stated. */
 static double stated_noise(const struct pp_compare *compare, const double *variance)
 {
     double noise = compare->options.noise;

@@ -14,7 +14,7 @@ enum { PP_COMPARE_POINTS_MOST = 48, PP_COMPARE_LISTED_MOST = 6 };
 
 struct pp_compare_options {
     struct pp_room_variant
-        variant; /* as ours are to be taken before causes are searched */
+        variant; /* variant of our values before causes are searched */
     struct pp_variant_tracing tracing;
     double noise;    /* of the other program (logarithm), as stated; 0: not known */
     int traced_most; /* sets of several causes, of one explanation; 0: 40 */
@@ -25,20 +25,21 @@ struct pp_compared {
     int count;
     const double *ours, *errors; /* not owned: the comparison's */
     double *theirs;
-    double *explained; /* ours as the likeliest set has it */
+    double *explained; /* our values with the likeliest set */
     struct pp_cause_search search;
 
-    /* The likeliest sets that together have 98 %, or as many as fit: search.sets[0] up. */
+    /* Likeliest sets with 98 % together, or as many as fit: search.sets[0] up. */
     int listed;
 
     double gap;               /* mean of theirs over ours, less 1; logarithmic mean */
     double gap_rms;           /* root mean square of the gap, logarithms */
     double left, left_rms;    /* the same once the likeliest set is taken in */
     struct pp_left_over over; /* than the other program's noise */
-    /* Effects of the likeliest set's causes, averaged over orders: each one's effect on
-     * the mean (logarithm), and its share of the squares of the gap, all of which is 1. */
+    /* Effects of the likeliest set's causes, averaged over orders: the effect of each
+     * on the mean (logarithm), and its share of the squares of the gap, whose total is
+     * 1. */
     double effects[PP_CAUSE_SEARCH_MOST], shares[PP_CAUSE_SEARCH_MOST];
-    double factor; /* the common one, where the likeliest set has it; else 1 */
+    double factor; /* the common factor, if the likeliest set has it; else 1 */
 };
 
 struct pp_compare;

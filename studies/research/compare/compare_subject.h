@@ -1,5 +1,5 @@
-/* compare_subject.h - what another program's values are of: points in a room, or in an
- * imported scene. */
+/* compare_subject.h - the subject of another program's values: points in a room, or in
+ * an imported scene. */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_COMPARE_SUBJECT_H
 #define PP_STUDIES_RESEARCH_COMPARE_COMPARE_SUBJECT_H
 

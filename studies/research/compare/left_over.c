@@ -5,10 +5,11 @@
 #include <stdlib.h>
 
 enum { TERMS = 10 };
-/* Both programs err by so much in common anyhow. */
+/* Relative error that both programs have in common in any case. */
 static const double COMMON = 0.005;
 static const double QUANTILE = 3.0;
-/* By fewer points about the smooth part noise is not known. */
+/* Fewest degrees of freedom beyond the smooth part from which noise can be
+ * estimated. */
 enum { FREE_LEAST = 6 };
 /* A polynomial that is the sum of others at these points is none more. */
 static const double DEPENDENT = 1e-6;

@@ -11,8 +11,8 @@ static const double REACH_M[] = {0.0, 0.6, 1.8};  /* l; 0: k is 0 */
 static const double BEFORE[] = {0.5, 0.25, 0.25}; /* their probabilities */
 enum { KINDS = sizeof REACH_M / sizeof REACH_M[0] };
 
-/* Standard deviations of theta: of what programs err by in common anyhow, and of a common
- * factor, small or large. */
+/* Standard deviations of theta: of errors that programs have in common in any case, and
+ * of a common factor, small or large. */
 static const double COMMON = 0.005, FACTOR[] = {0.1, 0.7};
 
 static double sigma_at(int i)

@@ -39,11 +39,11 @@ struct pp_likelihood {
     double theta; /* expected */
 };
 
-/* By white noise alone, in the time of a sum: the first sieve. */
+/* Likelihood by white noise alone, as fast as a sum: the first filter. */
 double pp_likelihood_white(const struct pp_likelihood_data *data,
                            const struct pp_supposition *supposed);
 
-/* By all of (1). */
+/* Likelihood by all of (1). */
 enum pp_status pp_likelihood(struct pp_likelihood *likelihood,
                              const struct pp_likelihood_data *data,
                              const struct pp_supposition *supposed,

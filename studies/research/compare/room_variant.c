@@ -29,7 +29,7 @@ struct pp_room_variant pp_room_variant_nothing(void)
         .bounces = -1, .plane_m = NAN, .ground = NAN, .factor = 1.0};
 }
 
-/* A number from `least` to `most`, as the switch `name` has it. */
+/* Reads a number from `least` to `most`, for the switch `name`. */
 static enum pp_status read_switch_number(double *number, const char *name,
                                          const char *text, double least, double most,
                                          struct pp_error *err)
@@ -87,7 +87,7 @@ static enum pp_status read_colour(struct pp_room_variant *variant, const char *t
                            text);
 }
 
-/* A type whose sun, where it has one, is the room's. */
+/* Reads a type; its sun, if it has one, is the room's. */
 static enum pp_status read_sky(struct pp_room_variant *variant, const char *text,
                                struct pp_error *err)
 {
@@ -104,7 +104,7 @@ static enum pp_status read_sky(struct pp_room_variant *variant, const char *text
                            text);
 }
 
-/* One that has a single value. */
+/* Reads a setting that has a single possible value. */
 static enum pp_status read_only(bool *place, const char *name, const char *text,
                                 const char *value, struct pp_error *err)
 {

@@ -56,15 +56,16 @@ struct pp_room_variant {
 /* The room as it is. */
 struct pp_room_variant pp_room_variant_nothing(void);
 
-/* Switches of `words`, with commas between, on top of those that are set; a preset's name
- * stands for its words. PP_BAD_INPUT with a sentence where one is none. */
+/* Adds the comma-separated switches of `words` to those already set; the name of a
+ * preset is replaced by its words. PP_BAD_INPUT with a sentence for an unknown
+ * switch. */
 enum pp_status pp_room_variant_add(struct pp_room_variant *variant, const char *words,
                                    struct pp_error *err);
 
 /* Names for settings that are common. */
 struct pp_room_variant_preset {
     const char *name, *words;
-    const char *what; /* whose they are */
+    const char *what; /* source of the settings */
 };
 const struct pp_room_variant_preset *pp_room_variant_preset_at(
     int index); /* NULL behind the last */

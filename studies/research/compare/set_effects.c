@@ -1,4 +1,4 @@
-/* set_effects.c - what sets do: traced, or by the sum of their parts. */
+/* set_effects.c - effects of sets: simulated, or by the sum of their parts. */
 #include "studies/research/compare/set_effects.h"
 
 #include <math.h>
@@ -17,16 +17,16 @@ struct pp_known_set {
     double *middle, *most;
 };
 
-/* Two together are off from their sum by a share of the smaller, up to this either
- * way, much the same at all points; and by as much again at each point by itself. The sum of
- * three is off from that of their pairs by the last. */
+/* Deviation of two effects together from their sum: up to this share of the smaller
+ * one, either way, much the same at all points. The second is the further deviation at
+ * each point by itself, and that of three from the sum of their pairs. */
 static const double OFF_SHARE = 0.6, OFF_SHARE_AT_A_POINT = 0.1;
 /* A cause that does less than this (root mean square of logarithms) is not told. */
 static const double LEAST_EFFECT = 0.001;
 /* A fitted value is never more certain than by noise of so much. */
 static const double LEAST_NOISE = 0.003;
-/* A fitted value is sought in so many steps of the golden section, and is one
- * of so many: a thousandth. */
+/* Number of steps of the golden section in the search for a fitted value, and of levels
+ * that it can have: about a thousandth. */
 enum { FIT_STEPS = 16, LEVELS = 800 };
 static const struct pp_known_set *find_known_set(const struct pp_set_effects *effects,
                                                  const int *causes, int count)
@@ -103,7 +103,8 @@ enum pp_status pp_set_effects_trace(struct pp_set_effects *effects, const int *c
     return pp_fail(err, status, "%s", own.message);
 }
 
-/* At a fitted value's level t: on the parabola through three of its range. */
+/* Effect at level t of a fitted value: on the parabola through three levels of its
+ * range. */
 static double effect_at(const struct pp_known_set *known, int point, double t)
 {
     if (!known->most)

@@ -29,20 +29,21 @@ enum pp_status pp_set_effects_trace(struct pp_set_effects *effects, const int *c
 bool pp_set_effects_are_known(const struct pp_set_effects *effects, const int *causes,
                               int count);
 
-/* Has the set a cause whose value is fitted? */
+/* True if the set has a cause whose value is fitted. */
 bool pp_set_effects_has_fitted(const struct pp_set_effects *effects, const int *causes,
                                int count);
 
-/* Fills effect and variance with what the set does, where it is not traced by what is
- * known of its parts, its pairs off from the sum as far as they may be, one way or the
- * other, by -1 to 1; slack with how much that may be wrong. False where the set makes no sense. */
+/* Fills effect and variance with the effect of the set. If it is not simulated, it is
+ * predicted from its parts, with its pairs off from their sums by the share `off` of
+ * the greatest deviation, -1 to 1; slack is the uncertainty. False if the set makes no
+ * sense. */
 bool pp_set_effects_predict(struct pp_set_effects *effects, const int *causes,
                             int count, double off, double level);
 
 /* Moves the prediction as near to the gap as it may be wrong. */
 void pp_set_effects_lean(struct pp_set_effects *effects);
 
-/* Squares of what the set leaves of the gap, about the mean where there is a common
+/* Sum of squares of the gap that the set leaves, about the mean if there is a common
  * factor. */
 double pp_set_effects_left(struct pp_set_effects *effects, const int *causes, int count,
                            bool has_factor, double level);
@@ -51,8 +52,8 @@ double pp_set_effects_left(struct pp_set_effects *effects, const int *causes, in
 double pp_set_effects_fit(struct pp_set_effects *effects, const int *causes, int count,
                           bool has_factor, double *width);
 
-/* The most that a pair may do beyond the sum of both: by what is smaller of them at each
- * point. 0: it is traced. */
+/* Greatest possible deviation of a pair from the sum of both: in proportion to the
+ * smaller at each point. 0: it is simulated. */
 double pp_set_effects_unknown(const struct pp_set_effects *effects, const int pair[2],
                               double level);
 

@@ -13,15 +13,15 @@ static double of_transmissivity(double t)
     return (1.0 - rho) * (1.0 - rho) * t / (1.0 - rho * rho * t * t);
 }
 
-/* Lets light of any angle through as at normal incidence: a film that neither bends nor
- * weakens it, n = 1 and KL = 0, so scaled. */
+/* Replaces the glass by one with its normal transmittance at every angle: a film
+ * without refraction or absorption, n = 1 and KL = 0, scaled. */
 static struct pp_glass by_normal_alone(struct pp_glass glass)
 {
     return pp_glass_of_normal(1, 1.0 + 1e-9, 0.0, glass.normal);
 }
 
-/* One pane of a stack. Of a stack of which only the transmittance was known each pane has
- * its part of what scales it. */
+/* One pane of a stack. If only the transmittance of the stack was known, each pane has
+ * its part of the scale. */
 static struct pp_glass one_of(struct pp_glass glass)
 {
     struct pp_glass pane = pp_glass_panes(1, glass.n, glass.kl);

@@ -9,9 +9,9 @@
 
 #define PP_VARIANT_SLICE_S 0.1 /* between two questions whether to go on */
 
-/* readings: `count` of them, one a point. horizontal: irradiance of the open ground.
- * environment: of a world; NULL: of a description. PP_INTERRUPTED where look says
- * stop. */
+/* readings: `count` of them, one for each point. horizontal: irradiance of the open
+ * ground. environment: of a world; NULL: of a description. PP_INTERRUPTED if look
+ * returns false. */
 enum pp_status pp_variant_sensors(
     struct pp_sensor_reading *readings, const struct pp_light_scene *scene,
     const struct pp_environment *environment, const struct pp_receiver *points,

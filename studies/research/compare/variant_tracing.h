@@ -1,4 +1,5 @@
-/* variant_tracing.h - how values as if are traced, and who is asked on the way. */
+/* variant_tracing.h - options for the simulation of variants, and its progress
+ * callback. */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_VARIANT_TRACING_H
 #define PP_STUDIES_RESEARCH_COMPARE_VARIANT_TRACING_H
 
@@ -6,10 +7,11 @@
 #include <stdint.h>
 
 struct pp_variant_tracing {
-    double error; /* wanted standard error over value, above 0 */
+    double error; /* target standard error over value, above 0 */
     uint64_t seed;
-    int threads;                           /* 0: as many as there are processors */
-    bool (*look)(void *data, double done); /* go on? done: 0 to 1; NULL: nobody asks */
+    int threads;                           /* 0: one for each processor */
+    bool (*look)(void *data, double done); /* returns whether to continue; done: 0 to 1;
+                                            * NULL: not called */
     void *data;
 };
 

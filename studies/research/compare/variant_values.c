@@ -96,7 +96,8 @@ static enum pp_status place_points(struct varied_room *varied,
         receiver->position.z = variant->plane_m;
         const char *fault = pp_position_receiver_fault(
             varied->world, receiver->position, receiver->normal);
-        /* Under a desk, too: no light comes there, as none does by the other program. */
+        /* Points under a desk are valid too: they have no light here or in the other
+         * program. */
         if (fault && !pp_position_in_fitting(varied->world, receiver->position))
             return pp_fail(err, PP_BAD_INPUT, "plane=%g: the point %g, %g %s",
                            variant->plane_m, receiver->position.x, receiver->position.y,

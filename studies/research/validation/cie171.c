@@ -27,8 +27,8 @@ enum {
     POINTS_MOST = 32, /* of one room */
 };
 
-/* The other integration's errors, which has three decimals, and is coarser where a mask
- * cuts the opening; and those of what is printed, with two decimals. */
+/* Errors of the other integration, which has three decimals and is coarser where a mask
+ * cuts the opening; and those of the printed figures, with two decimals. */
 static const double CHECK_SHARE = 0.001, MASKED_SHARE = 0.0025, CHECK_LEAST = 0.001e-2;
 static const double PRINTED_SHARE = 0.01, PRINTED_LEAST = 0.02e-2;
 
@@ -39,7 +39,7 @@ static bool is_glazed(const struct figure *figure)
     return strstr(figure->scene, "glass") != NULL;
 }
 
-/* A plane of endless length outside, as wide as the last digit asks. */
+/* Plane of endless length outside, as wide as the last digit requires. */
 #define PLANE                                                                          \
     "<surface reflectance='0' exitance='%g'><vertex x='-2000' y='%g' z='%g'/>"         \
     "<vertex x='2000' y='%g' z='%g'/><vertex x='2000' y='%g' z='%g'/>"                 \
@@ -49,7 +49,7 @@ static bool is_glazed(const struct figure *figure)
  * building opposite was not found, and its cases are those of the sky alone. */
 static const double CANOPY_EXITANCE = 0.05;
 
-/* The opening and what stands outside, as elements of a room file. */
+/* Writes the opening and the obstructions as elements of a room file. */
 static void write_opening(char *text, size_t size, const struct figure *figure)
 {
     const char *glass = is_glazed(figure) ? "clear-single" : "none";
@@ -132,7 +132,8 @@ static double luminance(const void *context, struct pp_vec3 u)
            * polynomial_glass(pp_vec_dot(through->toward, u));
 }
 
-/* By what is above the horizon (up 1: a sky) or below it (up -1: all of one luminance). */
+/* Integrates the visible part above the horizon (up 1: a sky) or below it (up -1: of
+ * uniform luminance). */
 static enum pp_status integrate_visible(double *value, const struct pp_visible *visible,
                                         struct pp_vec3 normal, double up,
                                         const struct pp_sky *sky, struct pp_error *err)
@@ -215,7 +216,7 @@ static void name_group(char text[48], const struct figure *figure)
             snprintf(text, 48, names[i].words, figure->a, figure->b);
 }
 
-/* One value, by `exact` and, unless it is NULL, traced. */
+/* Adds one value, by `exact` and, unless it is NULL, simulated. */
 static enum pp_status add_figure(struct pp_known_cases *cases,
                                  const struct figure *figure,
                                  const struct pp_world *world,

@@ -26,8 +26,8 @@ static const char *reason(const struct pp_report *report,
 
 /* ---- the parts of a difference ---- */
 
-/* Where a column's traced values in its own world are: the sum of `count` columns, of
- * one component each, beside those of the room. */
+/* Columns of a method's simulated values in its own world: the sum of `count` columns,
+ * one per component, beside those of the room. */
 struct own_value {
     int count;
     const struct pp_column *own[3], *room[3]; /* the same where the world is; NULL: not

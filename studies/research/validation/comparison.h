@@ -28,14 +28,14 @@ struct pp_error_parts {
     double formula, formula_error;       /* method - own, and its */
 };
 
-/* One column of a report against "traced" of its component; fractions of the open sky.
- */
+/* Comparison of one column of a report with "traced" of its component; fractions of the
+ * open sky. */
 struct pp_comparison {
     enum pp_component component;
     const char *name; /* the report's */
     const char *why;  /* why the method has no value at all; NULL: it has some */
     int points;       /* number of points with both values; 0: only averages compare */
-    double traced;    /* mean traced value of those points */
+    double traced;    /* mean simulated value of those points */
     double bias, bias_error, spread;
     double worst, worst_error; /* d_i and s_i of the worst point */
     int worst_point;           /* of the report's receivers */
@@ -59,8 +59,8 @@ struct pp_error_parts pp_comparison_parts(const struct pp_report *report,
                                           const struct pp_own_worlds *worlds,
                                           int point);
 
-/* One method over several rooms; differences are shares of the rooms' mean traced
- * values. */
+/* Comparison of one method over several rooms; differences are relative to the rooms'
+ * mean simulated values. */
 struct pp_overall {
     enum pp_component component;
     const char *name;
@@ -68,7 +68,7 @@ struct pp_overall {
     double bias, spread;
     double worst;          /* the difference at the worst point of all rooms */
     int worst_room;        /* index of its room */
-    int averages;          /* rooms whose average both give */
+    int averages;          /* rooms for which both give an average */
     double average_bias;   /* mean of method/traced - 1 over these rooms' averages */
     double average_spread; /* root mean square of the same */
     double assumption, formula;                 /* of bias */

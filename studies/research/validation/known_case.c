@@ -1,4 +1,4 @@
-/* known_case.c - the list of cases, and which of them are right. */
+/* known_case.c - the list of cases, and their correctness. */
 #include "studies/research/validation/known_case.h"
 
 #include <math.h>
@@ -88,7 +88,7 @@ bool pp_known_case_is_judged(const struct pp_known_case *one)
     return !isnan(one->limit);
 }
 
-/* Is there a case before this one with its reason? */
+/* True if an earlier case has the same reason. */
 static bool is_repeated(const struct pp_known_cases *cases, int at)
 {
     for (int i = 0; i < at; i++)

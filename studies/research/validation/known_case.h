@@ -11,14 +11,14 @@
 
 /* Values are fractions of the open sky's horizontal illuminance, or plain numbers. */
 struct pp_known_case {
-    char group[48]; /* what belongs together: a method, a table, an experiment */
+    char group[48]; /* group of related cases: a method, a table, an experiment */
     char what[80];
     const char *by; /* the method, or "traced" */
     double answer, expected;
     double limit;     /* the largest difference allowed: the rounding of `expected`, or
                        * standard errors of the answer; NAN: there is no verdict */
     double least;     /* the smallest, -limit unless a band says otherwise */
-    double std_error; /* of what was sampled; NAN: nothing */
+    double std_error; /* of a sampled result; NAN: not sampled */
     double assumption,
         formula;             /* the parts of the difference (own_world.h); NAN: it has
                                  * none */
@@ -46,7 +46,7 @@ void pp_known_case_add_per_cent(struct pp_known_cases *cases, const char *what,
                                 const char *by, double answer, double per_cent,
                                 int decimals);
 
-/* The same, of a traced value: within so many of its standard errors. */
+/* Adds a case of a simulated value, whose limit is this many of its standard errors. */
 void pp_known_case_add_traced(struct pp_known_cases *cases, const char *what,
                               struct pp_reading reading, double expected,
                               double std_errors);
@@ -60,11 +60,11 @@ void pp_known_case_add_traced_printed(struct pp_known_cases *cases, const char *
 /* Is the answer within its limits? Without a verdict it is not. */
 bool pp_known_case_is_right(const struct pp_known_case *one);
 
-/* Has it limits? One that has none is neither right nor wrong. */
+/* True if it has limits. A case without limits is neither right nor wrong. */
 bool pp_known_case_is_judged(const struct pp_known_case *one);
 
-/* Reason `index` of those why cases have no verdict, each but once, and of how many; NULL at
- * the end. */
+/* Reason `index` among the distinct reasons why cases have no verdict, and the number
+ * of its cases; NULL at the end. */
 const char *pp_known_case_reason(const struct pp_known_cases *cases, int index,
                                  int *count);
 

@@ -1,6 +1,5 @@
-/* known_room.h - rooms of known answer: from their text to what methods and the tracer
- * say of them.
- */
+/* known_room.h - rooms with known results: from their text to the values of methods and
+ * the tracer. */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_KNOWN_ROOM_H
 #define PP_STUDIES_RESEARCH_VALIDATION_KNOWN_ROOM_H
 
@@ -21,9 +20,9 @@
 /* Settings for tracing a known room. */
 struct pp_known_trace {
     uint64_t seed;
-    int threads;  /* 0: as many as there are processors */
+    int threads;  /* 0: one for each processor */
     long samples; /* paths a point in each randomisation; 0: by the error */
-    double error; /* wanted standard error over daylight factor */
+    double error; /* target standard error over daylight factor */
 };
 
 /* The room of that text (UTF-8) and the light on it; *world is the caller's to destroy. */
@@ -31,14 +30,14 @@ enum pp_status pp_known_room_world(struct pp_world **world,
                                    struct pp_outside_light *light, const char *xml,
                                    struct pp_error *err);
 
-/* A room and what methods say of its first point and its average. */
+/* Room, with the results of methods at its first point and on average. */
 struct pp_known_room {
     struct pp_world *world;
     struct pp_outside_light light;
     struct pp_report report;
 };
 
-/* methods: names with commas between. On success *room is to be cleared. */
+/* methods: comma-separated names. On success the caller clears *room. */
 enum pp_status pp_known_room_evaluate(struct pp_known_room *room, const char *xml,
                                       const char *methods, struct pp_error *err);
 void pp_known_room_clear(struct pp_known_room *room);

@@ -11,8 +11,8 @@
 /* Reflectance of an obstruction, in the formulae. */
 static const double formulas_reflectance = 0.2;
 
-/* Angles (rad) that differ by less are the same, and directions whose cosine falls short
- * of 1 by less. */
+/* Tolerances for equal angles (rad), and for equal directions, whose cosine is 1 less
+ * this at least. */
 static const double same_angle_rad = 1e-6, same_way = 1e-9;
 
 /* A skyline's angle is less than 90 degrees. */
@@ -33,8 +33,8 @@ static bool way_out(struct pp_vec3 *outward, const struct pp_polygon *outline)
     return level > same_angle_rad;
 }
 
-/* The angle of what stands outside before an opening, without what the room's own walls
- * hide. */
+/* Angle of the obstructions before an opening, without the part hidden by the room's
+ * own walls. */
 static enum pp_status angle_outside(double *angle_rad, const struct pp_world *world,
                                     const struct pp_world *bare,
                                     const struct pp_outside_light *light, int opening,

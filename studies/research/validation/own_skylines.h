@@ -35,9 +35,8 @@ struct pp_own_skylines {
     int count;
 };
 
-/* bare: the world of the same room with nothing outside; light: by which what is hidden
- * counts. On success *skylines is to be
- * cleared. */
+/* bare: the world of the room without obstructions; light: the weight of hidden
+ * directions. On success the caller clears *skylines. */
 enum pp_status pp_own_skylines_of(struct pp_own_skylines *skylines,
                                   const struct pp_world *world,
                                   const struct pp_world *bare,

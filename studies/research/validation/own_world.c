@@ -116,7 +116,7 @@ static enum pp_status make_world(struct pp_world **world, const struct pp_room *
     return status;
 }
 
-/* The skylines in place of what stands outside. */
+/* Finds the skylines that replace the obstructions. */
 static enum pp_status find_skylines(struct pp_own_worlds *worlds,
                                     const struct pp_room *room, struct pp_error *err)
 {
@@ -164,7 +164,7 @@ static enum pp_status make_own_world(struct own_world *own,
     return status;
 }
 
-/* Is there a figure in the column that can be compared? */
+/* True if any figure in the column can be compared. */
 static bool has_figures(const struct pp_column *column, int receiver_count)
 {
     bool any = !column->of_all_surfaces && isfinite(column->average.value);
@@ -173,7 +173,7 @@ static bool has_figures(const struct pp_column *column, int receiver_count)
     return any;
 }
 
-/* Adds the world of a column's component, unless it is there. */
+/* Adds the world of a column's component, unless it exists already. */
 static enum pp_status add_own_world(struct pp_own_worlds *worlds,
                                     const struct pp_room *room,
                                     const struct pp_column *column,

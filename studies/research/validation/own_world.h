@@ -39,16 +39,16 @@ void pp_own_world_destroy(struct pp_own_worlds *worlds); /* NULL is allowed */
 
 int pp_own_world_count(const struct pp_own_worlds *worlds);
 
-/* Traces one of them into its report, or into one of the same world, at the points of the
- * room's report, as pp_study_report_traced does the room; by direct light alone where no
- * column has its internally reflected component of that world. */
+/* Simulates one of them into its report, or into one of the same world, at the points
+ * of the room's report, as pp_study_report_traced does for the room. Only direct light
+ * is simulated if no column has its internally reflected component from that world. */
 enum pp_status pp_own_world_trace_one(const struct pp_own_worlds *worlds, int index,
                                       struct pp_report *report,
                                       const struct pp_study_options *options,
                                       bool *by_clock, struct pp_error *err);
 
-/* Traces all of them. *finished, true at first: false where a watch stopped it, and what is left
- * has no readings. */
+/* Simulates all of them. *finished, true at first, becomes false if a watch stopped it;
+ * the rest then has no readings. */
 enum pp_status pp_own_world_trace(struct pp_own_worlds *worlds,
                                   const struct pp_study_options *options,
                                   bool *finished, bool *by_clock, struct pp_error *err);
@@ -56,8 +56,8 @@ enum pp_status pp_own_world_trace(struct pp_own_worlds *worlds,
 /* The report of world `index`. */
 struct pp_report *pp_own_world_report(struct pp_own_worlds *worlds, int index);
 
-/* The report in whose world a column of the room's report has the component PP_SC, PP_ERC
- * or PP_IRC: with "traced" alone, or the room's own. */
+/* Report of the world in which a column of the room's report has the component PP_SC,
+ * PP_ERC or PP_IRC: with "traced" alone, or the room's own. */
 const struct pp_report *pp_own_world_of(const struct pp_own_worlds *worlds,
                                         const struct pp_column *column,
                                         enum pp_component component);

@@ -16,7 +16,8 @@ static const double brs[][21] = {
 #include "tables/brs_simplified_table.inc"
 };
 
-/* An endless window, over the point's distance: what is beyond is below the last digit. */
+/* Width of an endless window, over the point's distance: wider parts are below the last
+ * digit. */
 static const double ENDLESS = 300.0;
 
 /* Greatest error of a cell, per cent: half a unit of its last digit, and 6 per cent of
@@ -29,7 +30,7 @@ static double brs_limit(double per_cent, double h)
     return (per_cent < 1.0 ? 0.005 : 0.05) + 0.06 * per_cent;
 }
 
-/* Cells that are known to be farther off: h/d and w/d. */
+/* Cells known to have larger errors: h/d and w/d. */
 static const double odd[][2] = {
 #include "tables/brs_odd_cells.inc"
 };
@@ -167,8 +168,8 @@ static const double factors[][2] = {
 #include "tables/bre_obstruction_factors.inc"
 };
 
-/* The factors are the overcast sky above the obstruction, and a tenth of what is hidden,
- * to 1.3 %: the printed ones are whole numbers, and rounded on the way. */
+/* The factors are the overcast sky above the obstruction, plus a tenth of the hidden
+ * sky, to 1.3 %: the printed ones are whole numbers, and were rounded on the way. */
 static void check_obstruction_factors(struct pp_known_cases *cases)
 {
     double open = pp_graded_sky_over_skyline(PP_GRADED_SKY_OVERCAST, 0.0);
@@ -226,7 +227,7 @@ static struct pp_surface plate(struct pp_vec3 *corners, double exitance)
         .owner = -1};
 }
 
-/* Points in a row, each lettered, and the configuration factors printed of them. */
+/* Points in a row, each with a letter, and their printed configuration factors. */
 struct factor_row {
     const char *what;
     char first; /* letter */

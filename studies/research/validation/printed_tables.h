@@ -8,8 +8,8 @@
 #include "studies/research/validation/known_case.h"
 #include "studies/research/validation/known_room.h"
 
-/* Adds a case a cell. Limits are the rounding of what is printed, and what the makers of
- * the table are known to have been off by. */
+/* Adds a case for each cell. Limits are the rounding of printed values, and the known
+ * errors of the makers of the table. */
 enum pp_status pp_printed_tables(struct pp_known_cases *cases,
                                  const struct pp_known_trace *how,
                                  struct pp_error *err);

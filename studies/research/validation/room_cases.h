@@ -20,15 +20,16 @@ void pp_room_cases_of_methods(struct pp_known_cases *cases, const char *file,
                               const struct pp_report *report,
                               const struct pp_own_worlds *worlds);
 
-/* Adds a case for every daylight factor by an engine, at points and of the average, beside the
- * first engine's that gives the truth (engine.h): limit three standard errors of the
- * difference and, of an engine that does not, 2 % of the truth besides. An interpolated figure,
- * whose error is not known, is left out. */
+/* Adds a case for every daylight factor by an engine, at points and of the average,
+ * compared with the first engine that is a reference (engine.h). The limit is three
+ * standard errors of the difference, plus 2 % of the reference for an engine that is
+ * not one itself. An interpolated figure, whose error is unknown, is left out. */
 void pp_room_cases_of_engines(struct pp_known_cases *cases, const char *file,
                               const struct pp_report *report);
 
-/* Adds the daylight factors at one point, in the room's group: limit three standard errors of the difference,
- * or 1 % of what Radiance finds. `world` and `file` have to outlive the case. */
+/* Adds the daylight factors at one point, in the room's group. The limit is three
+ * standard errors of the difference, or 1 % of Radiance's result. `world` and `file`
+ * must outlive the case. */
 void pp_room_cases_of_radiance(struct pp_known_cases *cases, const char *file,
                                const struct pp_world *world, struct pp_vec3 position,
                                struct pp_reading traced, struct pp_reading radiance);
