@@ -149,7 +149,7 @@ choices() {
     esac
 }
 paths='-ab 22 -lr 0 -as 0 -aa 0 -lw 1e-7'
-limit=90        # seconds that a run of Radiance may take, but for the reference
+limit=300       # seconds that a run of Radiance may take, but for the reference
 seeds='1 2 3 4' # of ours, whose errors and times are taken together
 fine_seeds='101 102 103 104 105 106 107 108' # of our reference
 
