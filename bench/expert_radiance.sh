@@ -58,12 +58,18 @@ without() {
     awk -v word="$1" '$2 == word { left_out = 4 } left_out-- > 0 { next } { print }' "$2"
 }
 
-# expert_scene: makes plain.oct of an exported scene, in its folder: plain materials, the ground a
-# glow, panes in parts; and to_illum.rad, the panes for mkillum. No shadow falls on the glow.
+# near_ground FILE: the ground as a surface of 60 m round the room, for its shadows; beyond it is the
+# sky's glow. Ambient records are as far apart as the scene's size says: of 1,200 m they would be few.
+near_ground() {
+    awk '$2 == "ring" { line = NR } line && NR == line + 3 { $NF = 60 } { print }' "$1"
+}
+
+# expert_scene: makes plain.oct of an exported scene, in its folder: plain materials, the far ground
+# a glow, panes in parts; and to_illum.rad, the panes for mkillum.
 expert_scene() {
     without mixfunc materials.rad >plain.rad
     sed 's/_sides / /' room.rad >plain_room.rad
-    without ring outside.rad >plain_outside.rad
+    near_ground outside.rad >plain_outside.rad
     divided glazing.rad >panes.rad
     oconv plain.rad plain_room.rad panes.rad plain_outside.rad sky.rad >plain.oct
     { echo "#@mkillum m=window $samples"; cat panes.rad; } >to_illum.rad

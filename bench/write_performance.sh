@@ -74,9 +74,9 @@ cat <<'END'
 --simulate`, each on one processor and in turn, in one run. Radiance runs in two ways. `rtrace`
 follows every path to its end without a cache, as the exported script has it: nothing is shared
 between points, and nothing is biased. And as an expert would run it: panes in parts of 0.3 m, whose
-light `mkillum` gathers at low cost; plain materials; the ground a glow; an overture and a second pass
-with the same ambient file, with fine `-ds`. Its seconds are those of `mkillum` and of both passes.
-It is biased: by its cache, and in that no shadow falls on the glow.
+light `mkillum` gathers at low cost; plain materials; the ground beyond 60 m a glow; an overture and a
+second pass with the same ambient file, with fine `-ds`. Its seconds are those of `mkillum` and of both
+passes. Its cache is biased.
 
 The error is that of the points' daylight factors: the root of the mean square of (found -
 true)/true; beside it stands the mean of (found - true)/true, the bias where it is larger than the
