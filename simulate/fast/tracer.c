@@ -42,10 +42,8 @@ static const double SHARED_COST = 1.0;
 /* Share of the inside surface below which openings light it in spots that few paths
  * find: a small pilot sees none, and plans too few paths. Pilot and least number of
  * paths then rise until they are like those of a room with the second share, by up to
- * SPOTTED_MOST. At an error of 0.5 %, in three rooms with slits of 0.05 to 0.1 m
- * (shares of 0.0008 to 0.0044), the averages of 12 seeds had over twice the target
- * error in 42, 8 and 50 % of cases, the worst 23 times. Now 5 of 90 averages do, the
- * worst 4.2 times, for half as much time again. */
+ * SPOTTED_MOST. In three rooms with slits of 0.05 to 0.1 m, up to half of the averages had
+ * over twice the target error of 0.5 %; now 5 of 90 do, for half as much time again. */
 static const double SPOTTED_SHARE = 0.015, SPOTTED_LIKE = 0.06;
 enum { SPOTTED_MOST = 16 };
 
