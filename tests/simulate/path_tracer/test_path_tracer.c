@@ -3,6 +3,7 @@
 #include "simulate/path_tracer/path_tracer.h"
 
 #include "methods/exact/solid_angle.h"
+#include "tests/lib/equilibrium.h"
 #include "tests/lib/light_on.h"
 #include "tests/lib/random_rooms.h"
 #include "tests/lib/sized.h"
@@ -104,21 +105,11 @@ static void a_furnace_glows_with_one_over_one_less_rho(void **state)
 
 /* ---- thermal equilibrium ---- */
 
-/* Under a uniform sky over white ground, where every surface gives off the 1 - rho that it
- * does not reflect and glass absorbs nothing, every receiver gets 1, whatever the geometry:
- * nothing is lost, counted twice or leaked. */
+/* Every receiver of a room in equilibrium (equilibrium.h) gets 1. */
 static void assert_equilibrium(const char *xml, bool lossless_glass)
 {
     struct pp_outside_light light;
-    struct pp_world *world = pp_test_lit_world(&light, xml);
-    light.sky = pp_sky_uniform();
-    light.ground_reflectance = 1.0;
-    for (int i = 0; i < world->surface_count; i++) {
-        world->surfaces[i].front = world->surfaces[i].back = 0.3;
-        world->surfaces[i].exitance = 0.7;
-    }
-    for (int i = 0; lossless_glass && i < world->opening_count; i++)
-        world->openings[i].glass = pp_glass_panes(1, 1.52, 0.0);
+    struct pp_world *world = pp_test_equilibrium(&light, xml, lossless_glass);
     int count = world->receiver_count;
     const struct pp_path_tracer_options options = {
         .samples = 512, .seed = 1, .average = true};
@@ -130,49 +121,28 @@ static void assert_equilibrium(const char *xml, bool lossless_glass)
     pp_world_destroy(world);
 }
 
-#define BOX "<plan width='3.1' depth='4.3' height='2.6'/>"
-#define POINTS                                                                         \
-    "<point x='0.9' y='0.7'/><point x='1.7' y='3.9'/>"                                 \
-    "<point x='1.3' y='2.1' z='2.2' nx='0.1' ny='0.2' nz='-1'/>"
-
 static void equilibrium_with_glass_on_two_sides_and_above(void **state)
 {
     (void)state;
-    assert_equilibrium(
-        "<room version='1'>" BOX
-        "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5'/>"
-        "<window wall='west' left='0.4' sill='0.2' width='1.2' height='2.1'/>"
-        "<rooflight x='0.6' y='1.9' width='1.1' depth='1.3' reveal='0.3'/>" POINTS
-        "</room>",
-        true);
+    assert_equilibrium(PP_TEST_GLAZED_ROOM, true);
+}
+
+static void equilibrium_with_deep_reveals(void **state)
+{
+    (void)state;
+    assert_equilibrium(PP_TEST_REVEALED_ROOM, true);
 }
 
 static void equilibrium_in_an_l_shaped_room_with_blocks_outside(void **state)
 {
     (void)state;
-    assert_equilibrium(
-        "<room version='1'><plan height='2.6'><vertex x='0' y='0'/>"
-        "<vertex x='5' y='0'/><vertex x='5' y='2'/><vertex x='2' y='2'/>"
-        "<vertex x='2' y='6'/><vertex x='0' y='6'/></plan>"
-        "<window wall='3' left='0.3' sill='0.4' width='2.2' height='1.9'/>"
-        "<window wall='4' left='0.5' sill='0.4' width='3.1' height='1.9'/>"
-        "<block x='3' y='3.1' width='1.2' depth='1.7' height='2.2' rotate='20'/>"
-        "<surface reflectance='0.3'><vertex x='0.3' y='2.2' z='1.1'/>"
-        "<vertex x='1.4' y='2.3' z='1.1'/><vertex x='1.3' y='3.1' z='1.4'/></surface>"
-        "<point x='0.7' y='1.1'/><point x='4.1' y='0.9'/><point x='1.2' y='5.1'/>"
-        "</room>",
-        true);
+    assert_equilibrium(PP_TEST_L_SHAPED_ROOM, true);
 }
 
-/* Nine tenths of the light go through the pane and one is thrown back. */
 static void equilibrium_behind_a_diffusing_pane(void **state)
 {
     (void)state;
-    assert_equilibrium("<room version='1'>" BOX
-                       "<window wall='south' left='0.3' sill='0.7' width='2.2' "
-                       "height='1.5' transmittance='0.9' diffusing='yes'/>" POINTS
-                       "</room>",
-                       false);
+    assert_equilibrium(PP_TEST_DIFFUSING_ROOM, false);
 }
 
 /* ---- sky component ---- */
@@ -268,6 +238,7 @@ TEST_FILE
         cmocka_unit_test(a_vertical_plane_outside_sees_half_of_sky_and_ground),
         cmocka_unit_test(a_furnace_glows_with_one_over_one_less_rho),
         cmocka_unit_test(equilibrium_with_glass_on_two_sides_and_above),
+        cmocka_unit_test(equilibrium_with_deep_reveals),
         cmocka_unit_test(equilibrium_in_an_l_shaped_room_with_blocks_outside),
         cmocka_unit_test(equilibrium_behind_a_diffusing_pane),
         cmocka_unit_test(sky_components_are_those_of_a_quadrature),

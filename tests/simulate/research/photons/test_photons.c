@@ -1,5 +1,6 @@
 /* test_photons.c - light followed forwards, against what is known on paper. */
 #include "model/light/finishes.h"
+#include "tests/lib/equilibrium.h"
 #include "tests/lib/photons_of.h"
 #include "tests/lib/random_rooms.h"
 
@@ -21,12 +22,6 @@ static void follow_one(const struct pp_world *world,
     free(found);
 }
 
-#define BOX "<plan width='3.1' depth='4.3' height='2.6'/>"
-#define POINTS                                                                         \
-    "<point x='0.9' y='0.7'/><point x='1.7' y='3.9'/>"                                 \
-    "<point x='2.3' y='1.9' z='1.4' nx='0.3' ny='-1' nz='0.1'/>"                       \
-    "<point x='1.3' y='2.1' z='2.2' nx='0.1' ny='0.2' nz='-1'/>"
-
 /* ---- limits ---- */
 
 static void a_closed_room_is_dark_for_certain(void **state)
@@ -34,7 +29,7 @@ static void a_closed_room_is_dark_for_certain(void **state)
     (void)state;
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(
-        &light, "<room version='1'>" BOX "<point x='1.2' y='2.3'/></room>");
+        &light, "<room version='1'>" PP_TEST_BOX "<point x='1.2' y='2.3'/></room>");
     struct pp_photons_options options = {.error = 0.01, .seed = 1, .average = true};
     struct pp_reading(*found)[4] =
         pp_test_photons(world, &light, world->receivers, 1, &options, NULL);
@@ -80,7 +75,7 @@ static void a_furnace_glows_with_one_over_one_less_rho(void **state)
     enum { COUNT = sizeof receivers / sizeof *receivers };
     struct pp_outside_light light;
     struct pp_world *world =
-        pp_test_lit_world(&light, "<room version='1'>" BOX "</room>");
+        pp_test_lit_world(&light, "<room version='1'>" PP_TEST_BOX "</room>");
     for (size_t i = 0; i < sizeof reflectances / sizeof *reflectances; i++) {
         for (int k = 0; k < world->surface_count; k++) {
             world->surfaces[k].exitance = 1.0;
@@ -121,7 +116,7 @@ static void two_plates_light_each_other_by_a_geometric_series(void **state)
     const double given[2] = {0.3, 1.7}, reflectance[2] = {0.4, 0.8};
     struct pp_outside_light light;
     struct pp_world *world =
-        pp_test_lit_world(&light, "<room version='1'>" BOX "</room>");
+        pp_test_lit_world(&light, "<room version='1'>" PP_TEST_BOX "</room>");
     for (int i = 0; i < world->surface_count; i++) {
         struct pp_surface *surface = &world->surfaces[i];
         bool upper = surface->role == PP_CEILING;
@@ -149,22 +144,11 @@ static void two_plates_light_each_other_by_a_geometric_series(void **state)
 
 /* ---- thermal equilibrium ---- */
 
-/* Under a uniform sky over perfectly white ground, and with every surface giving off
- * the 1 - rho that it does not reflect, all light is isotropic: whatever the geometry,
- * the number of bounces or the way through lossless glass, every receiver gets 1. It
- * holds only if nothing is lost, counted twice or leaked, inside or out. */
+/* Every receiver of a room in equilibrium (equilibrium.h) gets 1. */
 static void assert_equilibrium(const char *xml, bool lossless_glass)
 {
     struct pp_outside_light light;
-    struct pp_world *world = pp_test_lit_world(&light, xml);
-    light.sky = pp_sky_uniform();
-    light.ground_reflectance = 1.0;
-    for (int i = 0; i < world->surface_count; i++) {
-        world->surfaces[i].front = world->surfaces[i].back = 0.3;
-        world->surfaces[i].exitance = 0.7;
-    }
-    for (int i = 0; lossless_glass && i < world->opening_count; i++)
-        world->openings[i].glass = pp_glass_panes(1, 1.52, 0.0);
+    struct pp_world *world = pp_test_equilibrium(&light, xml, lossless_glass);
     struct pp_photons_options options = photons_of(256);
     struct pp_photons_work work;
     options.average = world->plane.count > 0;
@@ -181,52 +165,25 @@ static void assert_equilibrium(const char *xml, bool lossless_glass)
 static void equilibrium_with_glass_on_two_sides_and_above(void **state)
 {
     (void)state;
-    assert_equilibrium(
-        "<room version='1'>" BOX
-        "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5'/>"
-        "<window wall='west' left='0.4' sill='0.2' width='1.2' height='2.1'/>"
-        "<rooflight x='0.6' y='1.9' width='1.1' depth='1.3'/>" POINTS "</room>",
-        true);
+    assert_equilibrium(PP_TEST_GLAZED_ROOM, true);
 }
 
 static void equilibrium_with_deep_reveals(void **state)
 {
     (void)state;
-    assert_equilibrium("<room version='1'>" BOX
-                       "<window wall='south' left='0.3' sill='0.7' width='2.2' "
-                       "height='1.5' reveal='0.35'/>"
-                       "<rooflight x='0.6' y='1.9' width='1.1' depth='1.3' "
-                       "reveal='0.5'/>" POINTS "</room>",
-                       true);
+    assert_equilibrium(PP_TEST_REVEALED_ROOM, true);
 }
 
-/* The wing of the L sees its own outer wall and the other window from outside: photons
- * leave by one window and come back by the other. */
 static void equilibrium_in_an_l_shaped_room_with_blocks_outside(void **state)
 {
     (void)state;
-    assert_equilibrium(
-        "<room version='1'><plan height='2.6'><vertex x='0' y='0'/>"
-        "<vertex x='5' y='0'/><vertex x='5' y='2'/><vertex x='2' y='2'/>"
-        "<vertex x='2' y='6'/><vertex x='0' y='6'/></plan>"
-        "<window wall='3' left='0.3' sill='0.4' width='2.2' height='1.9'/>"
-        "<window wall='4' left='0.5' sill='0.4' width='3.1' height='1.9'/>"
-        "<block x='3' y='3.1' width='1.2' depth='1.7' height='2.2' rotate='20'/>"
-        "<surface reflectance='0.3'><vertex x='0.3' y='2.2' z='1.1'/>"
-        "<vertex x='1.4' y='2.3' z='1.1'/><vertex x='1.3' y='3.1' z='1.4'/></surface>"
-        "<point x='0.7' y='1.1'/><point x='4.1' y='0.9'/><point x='1.2' y='5.1'/>"
-        "</room>",
-        true);
+    assert_equilibrium(PP_TEST_L_SHAPED_ROOM, true);
 }
 
 static void equilibrium_behind_a_diffusing_pane(void **state)
 {
     (void)state;
-    assert_equilibrium("<room version='1'>" BOX
-                       "<window wall='south' left='0.3' sill='0.7' width='2.2' "
-                       "height='1.5' transmittance='0.9' diffusing='yes'/>" POINTS
-                       "</room>",
-                       false);
+    assert_equilibrium(PP_TEST_DIFFUSING_ROOM, false);
 }
 
 /* ---- straight light ---- */
@@ -257,9 +214,10 @@ static void at_the_window_half_the_view_is_sky(void **state)
     (void)state;
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(
-        &light, "<room version='1'><site ground-reflectance='0.3' ground='open'/>" BOX
-                "<window wall='south' left='0.3' sill='0.3' width='2.5' height='2' "
-                "glazing='none'/></room>");
+        &light,
+        "<room version='1'><site ground-reflectance='0.3' ground='open'/>" PP_TEST_BOX
+        "<window wall='south' left='0.3' sill='0.3' width='2.5' height='2' "
+        "glazing='none'/></room>");
     struct pp_reading readings[4];
     follow_one(world, &light, pp_test_receiver(1.55, 0.003, 1.3, 0.0, -1.0, 0.0), 1024,
                readings);
@@ -319,7 +277,7 @@ static void a_disc_counts_the_mean_over_it(void **state)
     const double radius = 0.4;
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(
-        &light, "<room version='1'>" BOX
+        &light, "<room version='1'>" PP_TEST_BOX
                 "<window wall='south' left='0.3' sill='0.9' width='2.5' "
                 "height='1.4'/><point x='1.1' y='0.9'/></room>");
     struct pp_receiver on[RINGS * ROUND];
@@ -381,26 +339,30 @@ static void photons_and_paths_agree(void **state)
     (void)state;
     static const char *const rooms[] = {
         /* a light well before the window, with a bright block */
-        BOX "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5'/>"
-            "<block x='-1' y='-3.2' width='6' depth='1' height='7' reflectance='0.7'/>",
+        PP_TEST_BOX
+        "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5'/>"
+        "<block x='-1' y='-3.2' width='6' depth='1' height='7' reflectance='0.7'/>",
         /* skylines near and far, a frame and dirt */
-        BOX "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5' "
-            "frame-factor='0.7' maintenance='0.8'/>"
-            "<window wall='west' left='0.4' sill='0.2' width='1.2' height='2.1'/>"
-            "<skyline wall='south' angle='32' distance='7'/>"
-            "<skyline wall='west' angle='25'/>",
+        PP_TEST_BOX
+        "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5' "
+        "frame-factor='0.7' maintenance='0.8'/>"
+        "<window wall='west' left='0.4' sill='0.2' width='1.2' height='2.1'/>"
+        "<skyline wall='south' angle='32' distance='7'/>"
+        "<skyline wall='west' angle='25'/>",
         /* a high shelf, and the sky's bright part before the window */
-        BOX "<sky type='iso-12' sun-altitude='35' sun-bearing='160'/>"
-            "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5'/>"
-            "<surface reflectance='0.8'><vertex x='0.3' y='0.2' z='1.9'/>"
-            "<vertex x='2.4' y='0.2' z='1.9'/><vertex x='2.4' y='0.9' z='1.9'/>"
-            "<vertex x='0.3' y='0.9' z='1.9'/></surface>",
+        PP_TEST_BOX
+        "<sky type='iso-12' sun-altitude='35' sun-bearing='160'/>"
+        "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5'/>"
+        "<surface reflectance='0.8'><vertex x='0.3' y='0.2' z='1.9'/>"
+        "<vertex x='2.4' y='0.2' z='1.9'/><vertex x='2.4' y='0.9' z='1.9'/>"
+        "<vertex x='0.3' y='0.9' z='1.9'/></surface>",
     };
     double squares = 0.0;
     int count = 0;
     for (size_t i = 0; i < sizeof rooms / sizeof *rooms; i++) {
         char xml[2000];
-        snprintf(xml, sizeof xml, "<room version='1'>%s" POINTS "</room>", rooms[i]);
+        snprintf(xml, sizeof xml, "<room version='1'>%s" PP_TEST_BOX_POINTS "</room>",
+                 rooms[i]);
         struct pp_outside_light light;
         struct pp_world *world = pp_test_lit_world(&light, xml);
         struct pp_photons_options options = {
