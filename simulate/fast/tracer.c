@@ -317,13 +317,6 @@ static void look_closer(struct pp_sampler *changed, const struct pp_world *world
     }
 }
 
-static uint64_t seed_of_room(uint64_t seed, const struct pp_world *world)
-{
-    for (const char *c = world->name ? world->name : ""; *c; c++)
-        seed = pp_hash(seed, (unsigned char)*c);
-    return pp_hash(seed, 0);
-}
-
 /* Random numbers depend on where a receiver is, not on which others there are. */
 static struct traced_point traced_at(const struct pp_tracer *tracer,
                                      const struct pp_receiver *receiver, uint64_t seed)
@@ -379,7 +372,7 @@ enum pp_status pp_tracer_create(struct pp_tracer **result,
     tracer->every_ray = options->every_ray;
     tracer->direct = options->direct;
     tracer->receiver_count = receiver_count;
-    uint64_t seed = seed_of_room(options->seed, scene->world);
+    uint64_t seed = pp_hash(pp_hash_name(options->seed, scene->world->name), 0);
     pp_sobol_init(&tracer->sobol);
     enum pp_status status = PP_OK;
     if (!options->direct)

@@ -184,10 +184,8 @@ static enum pp_status make_points(struct pp_path_tracer *tracer,
                                   const struct pp_path_tracer_options *options,
                                   struct pp_error *err)
 {
-    uint64_t seed = options->seed;
-    const char *name = tracer->scene->world->name;
-    for (const char *c = name ? name : ""; *c; c++)
-        seed = pp_hash(seed, (unsigned char)*c);
+    /* Other random numbers than the tracer's, by the same seed. */
+    uint64_t seed = pp_hash_name(options->seed, tracer->scene->world->name);
     int count = tracer->receiver_count;
     tracer->point_count = count + (options->average && tracer->scene->plane_count > 0);
     tracer->points = calloc((size_t)tracer->point_count + 1, sizeof *tracer->points);

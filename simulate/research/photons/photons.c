@@ -260,13 +260,6 @@ static struct pp_sampler sharing(void)
 
 /* ---- making ---- */
 
-static uint64_t seed_of_room(uint64_t seed, const struct pp_world *world)
-{
-    for (const char *c = world->name ? world->name : ""; *c; c++)
-        seed = pp_hash(seed, (unsigned char)*c);
-    return pp_hash(seed, 0);
-}
-
 /* Random numbers depend on where a receiver is, not on which others there are. */
 static struct photon_point receiver_of(const struct pp_photons *photons,
                                        const struct pp_receiver *receiver,
@@ -303,7 +296,7 @@ static enum pp_status fill_photons(struct pp_photons *photons,
     struct pp_photon_state state;
     const struct pp_light_scene *scene = photons->scene;
     size_t panes = (size_t)photons->sources->pane_count;
-    uint64_t seed = seed_of_room(options->seed, scene->world);
+    uint64_t seed = pp_hash(pp_hash_name(options->seed, scene->world->name), 0);
     int count = photons->receiver_count;
     photons->point_count = count + (options->average && scene->plane_count > 0);
     photons->points = calloc((size_t)photons->point_count + 1, sizeof *photons->points);
