@@ -137,10 +137,8 @@ struct pp_rgb pp_path_trace_radiance(struct pp_path_walk *walk, struct pp_light_
                 pp_rgb_grey(0.0);
 
         /* 4. Next-event estimation: openings by directions of their own. */
-        struct pp_light_hit from = hit;
-        from.point = pp_rays_draw_back(hit.point, ray.to);
         if (aims)
-            L = pp_rgb_add(L, pp_rgb_times(beta, direct_light(walk, &lobes, &from)));
+            L = pp_rgb_add(L, pp_rgb_times(beta, direct_light(walk, &lobes, &hit)));
 
         /* 5. A direction wi of one of the lobes. */
         enum pp_lobe lobe = pp_path_walk_scatter(walk, &lobes, &hit, &ray, &beta);

@@ -18,6 +18,8 @@ enum pp_meeting pp_path_walk_meet(struct pp_path_walk *walk,
     enum pp_meeting meeting = pp_light_scene_trace(walk->scene, ray, hit);
     walk->rays++;
     walk->leaks += meeting == PP_MEETS_LEAK;
+    if (meeting == PP_MEETS_PART || meeting == PP_MEETS_GROUND)
+        hit->point = pp_rays_draw_back(hit->point, ray->to);
     return meeting;
 }
 
@@ -45,7 +47,7 @@ enum pp_lobe pp_path_walk_scatter(struct pp_path_walk *walk,
     enum pp_space space = hit->space;
     if (hit->part >= 0)
         space = pp_light_scene_parts_space(walk->scene, hit, through);
-    *ray = (struct pp_light_ray){.from = pp_rays_draw_back(hit->point, ray->to),
+    *ray = (struct pp_light_ray){.from = hit->point,
                                  .off = through ? pp_vec_scale(n, -1.0) : n,
                                  .to = wi,
                                  .space = space};

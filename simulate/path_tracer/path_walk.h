@@ -31,7 +31,8 @@ struct pp_path_walk {
 /* The next `count` random numbers of the path, at most PP_SOBOL_DIMENSIONS, in (0, 1). */
 void pp_path_walk_draw(struct pp_path_walk *walk, int count, double *u);
 
-/* The first meeting of the ray, counted. */
+/* The first meeting of the ray, counted. hit->point is drawn back from the surface
+ * (rays.h), ready for the next ray to start there. */
 enum pp_meeting pp_path_walk_meet(struct pp_path_walk *walk,
                                   const struct pp_light_ray *ray,
                                   struct pp_light_hit *hit);

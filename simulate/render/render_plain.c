@@ -25,8 +25,7 @@ bool pp_render_plain_irradiance(struct pp_path_walk *walk, struct pp_light_ray r
     const struct pp_material *material = &walk->scene->materials[hit.material];
     if (material->kind == PP_MATERIAL_GLASS || material->kind == PP_MATERIAL_AIR)
         return false;
-    const struct pp_lit_point at = {pp_rays_draw_back(hit.point, ray.to), hit.normal,
-                                    hit.space};
+    const struct pp_lit_point at = {hit.point, hit.normal, hit.space};
     bool indoors = hit.space == PP_INDOORS;
     enum pp_path_first first = PP_FIRST_NONE;
     struct pp_rgb direct = pp_rgb_grey(0.0);
