@@ -98,8 +98,7 @@ static enum pp_status check_new(void *values, char **words, int count,
         && access(options->output, F_OK) == 0)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "\"%.200s\" exists; expected another name, or --force to replace "
-            "it",
+            "\"%.200s\" exists; expected another name, or --force to replace it",
             options->output);
     return PP_OK;
 }

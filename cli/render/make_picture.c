@@ -126,12 +126,12 @@ static int randomisations(const struct pp_render_choice *choice)
     return choice->samples < RANDOMISATIONS ? choice->samples : RANDOMISATIONS;
 }
 
-static enum pp_status create_picture_cache(struct pp_made_picture *made,
-                                           const struct pp_world *world,
-                                           const struct pp_outside_light *light,
-                                           const struct pp_render_choice *choice,
-                                           const struct pp_room_options *options,
-                                           struct pp_error *err)
+static enum pp_status create_render(struct pp_made_picture *made,
+                                    const struct pp_world *world,
+                                    const struct pp_outside_light *light,
+                                    const struct pp_render_choice *choice,
+                                    const struct pp_room_options *options,
+                                    struct pp_error *err)
 {
     struct pp_render_options render = {
         .irradiance = choice->quantity.is != PP_LUMINANCE,
@@ -297,8 +297,7 @@ enum pp_status pp_make_picture(struct pp_made_picture *made,
 {
     *made = (struct pp_made_picture){0};
     pp_interrupt_watch();
-    enum pp_status status =
-        create_picture_cache(made, world, light, choice, options, err);
+    enum pp_status status = create_render(made, world, light, choice, options, err);
     if (status == PP_OK)
         status = render_picture(made, world, choice->checkpoint, options->quiet, err);
     if (status == PP_OK)

@@ -14,13 +14,13 @@ struct pp_pane_luminance {
     struct pp_vec3 toward;        /* through the glass, square to it */
 };
 
-/* Of the sky in direction u; of a surface of luminance 1; of the sky at the horizon below
- * or above u. Times the transmittance for u. */
+/* Luminance of the sky in direction u, of a surface of luminance 1, and of the sky at the
+ * horizon below or above u, each times the transmittance for u. */
 double pp_pane_luminance_sky(const void *context, struct pp_vec3 u);
 double pp_pane_luminance_unity(const void *context, struct pp_vec3 u);
 double pp_pane_luminance_horizon(const void *context, struct pp_vec3 u);
 
-/* Of the sky at that horizon, without glass. */
+/* Luminance of the sky at that horizon, without glass. */
 double pp_pane_luminance_at_horizon(const struct pp_sky *sky, struct pp_vec3 u);
 
 #endif

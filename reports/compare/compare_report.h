@@ -7,7 +7,7 @@
 
 #include "studies/research/compare/compare.h"
 
-/* What compare found. */
+/* Result of compare. */
 struct pp_compare_result {
     const struct pp_compare_subject *subject; /* not owned */
     const char *other;   /* the other program's file; NULL: ours alone, as if */

@@ -18,7 +18,7 @@
 #include "model/base/thread_pool.h"
 #include "simulate/estimate/plan.h"
 
-/* How far a sampler's work is to go. */
+/* End of a sampler's work: by error, by samples, or by the caller's clock. */
 struct pp_planner_options {
     double error; /* wanted standard error over the last value. 0: go by samples or the
                    * caller's clock alone */

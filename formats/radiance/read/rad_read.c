@@ -1,7 +1,7 @@
 /* rad_read.c - see rad_read.h: files, their primitives, and their lines that begin with
  * "!", whose commands are evaluated here and never executed.
  *
- * Of commands piped together the last is evaluated. An xform without a file evaluates
+ * In a pipe of commands the last one is evaluated. An xform without a file evaluates
  * the command before it, once for each of its copies, with the copy's transform in the
  * context. An xform with files reads them in the same way.
  */

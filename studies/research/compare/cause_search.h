@@ -1,17 +1,17 @@
 /* cause_search.h - which causes together explain a difference: the search over their sets.
  *
- * Of all sets of up to three causes, no two of a kind, each has the probability
+ * The search covers all sets of up to three causes, no two of a kind. A set's probability is
  *
  *     P(set) ~ density of the gap by (1) of likelihood.h x product over kinds
  *
- * where a kind is at work with a probability of 0.12 beforehand (a common factor of 0.4),
- * each of its causes as likely as the next: of two sets that explain as much the
- * smaller is the likelier, by seven times and more.
+ * The prior probability of a kind is 0.12 (0.4 for a common factor), shared equally by its
+ * causes. If two sets explain the difference equally well, the smaller one is at least seven
+ * times as likely.
  *
- * What a set does is traced; but not of all. Causes are traced one by one; what several
- * do together is at first taken as the sum, in logarithms, of what they do alone and, where
- * pairs have been traced, of what these do beyond that. A set that may be among the likely
- * ones is traced before it is believed; those that never were are left out.
+ * The effect of each single cause is simulated. The effect of a set is first estimated as
+ * the sum, in logarithms, of its single effects and of the extra effects of its pairs that
+ * have been simulated. A set that may be among the likely ones is then simulated itself;
+ * sets that never were are left out.
  *
  * A set with a cause whose value is fitted, of which there is one, is traced with both
  * ends of the range and its middle; a parabola through these has the values between. The

@@ -1,8 +1,8 @@
-/* variant_values.h - daylight factors of a room as if it were another: traced.
+/* variant_values.h - simulated daylight factors of a variant of a room.
  *
- * What is switched changes a copy of the room's description, its light or the points; all
- * else is the path tracer's. With a limit of reflections it is the sensors' of
- * simulate/transport, which follow paths so far and no further.
+ * A variant is a changed copy of the room's description, its light or its points. The path
+ * tracer calculates it, or, where reflections are limited, the sensors of
+ * simulate/transport, which end paths there.
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_VARIANT_VALUES_H
 #define PP_STUDIES_RESEARCH_COMPARE_VARIANT_VALUES_H
