@@ -9,8 +9,7 @@
 #include "charts/sheet/hatch.h"
 #include "charts/sheet/labels.h"
 #include "charts/sheet/page.h"
-#include "charts/sky/overlay_plot.h"
-#include "charts/sky/overlay_sun.h"
+#include "model/light/sun_path.h"
 
 static const char *const lens_names[PP_LENS_COUNT] = {
     [PP_LENS_EQUIDISTANT] = "equidistant",
@@ -25,9 +24,41 @@ static const char *const lens_rules[PP_LENS_COUNT] = {
     [PP_LENS_ORTHOGRAPHIC] = "r = R sin \u03b8",
 };
 
+/* ---- places and lines ---- */
+
+/* An overlay on its sheet. */
+struct overlay_plot {
+    cairo_t *cr;
+    struct pp_style style;
+    const struct pp_overlay *overlay;
+    struct pp_labels *labels;
+    double x0, y0, radius; /* of the horizon's circle, mm */
+};
+
+/* Place on paper of a direction, in radians: north up, east on the left or, on a sheet, on
+ * the right. */
+static void place_on_overlay(const struct overlay_plot *plot, double altitude,
+                             double bearing, double xy[2])
+{
+    double r =
+        plot->radius * pp_lens_radius(plot->overlay->lens, 0.5 * PP_PI - altitude);
+    double east = plot->overlay->title ? 1.0 : -1.0;
+    xy[0] = plot->x0 + east * r * sin(bearing);
+    xy[1] = plot->y0 - r * cos(bearing);
+}
+
+/* Strokes the path in black on a broader white. */
+static void stroke_edged(const struct overlay_plot *plot, double weight_mm)
+{
+    pp_style_line(plot->cr, weight_mm + 0.3 * plot->style.scale, 1.0);
+    cairo_stroke_preserve(plot->cr);
+    pp_style_line(plot->cr, weight_mm, PP_INK);
+    cairo_stroke(plot->cr);
+}
+
 /* ---- net ---- */
 
-static void draw_rings(const struct pp_overlay_plot *plot)
+static void draw_rings(const struct overlay_plot *plot)
 {
     cairo_t *cr = plot->cr;
     for (int altitude = 10; altitude < 90; altitude += 10) {
@@ -39,17 +70,17 @@ static void draw_rings(const struct pp_overlay_plot *plot)
         cairo_stroke(cr);
     }
     cairo_arc(cr, plot->x0, plot->y0, plot->radius, 0.0, 2.0 * PP_PI);
-    pp_overlay_plot_stroke(plot, plot->style.medium);
+    stroke_edged(plot, plot->style.medium);
     double arm = 3.0 * plot->style.scale;
     cairo_move_to(cr, plot->x0 - arm, plot->y0);
     cairo_line_to(cr, plot->x0 + arm, plot->y0);
     cairo_move_to(cr, plot->x0, plot->y0 - arm);
     cairo_line_to(cr, plot->x0, plot->y0 + arm);
-    pp_overlay_plot_stroke(plot, plot->style.thin);
+    stroke_edged(plot, plot->style.thin);
 }
 
 /* Bearings round the horizon: a tick each ten degrees, a word each thirty. */
-static void draw_bearings(const struct pp_overlay_plot *plot)
+static void draw_bearings(const struct overlay_plot *plot)
 {
     static const char *const winds[] = {"N", "E", "S", "W"};
     const double tick = 1.5 * plot->style.scale;
@@ -75,14 +106,14 @@ static void draw_bearings(const struct pp_overlay_plot *plot)
 }
 
 /* Altitudes along a radius on which no path turns. */
-static void label_rings(const struct pp_overlay_plot *plot)
+static void label_rings(const struct overlay_plot *plot)
 {
     const struct pp_lettering set = {
         .size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT, .across = 0.5, .down = 0.5};
     for (int altitude = 20; altitude < 90; altitude += 20) {
         double xy[2];
         char words[16];
-        pp_overlay_plot_place(plot, altitude * PP_RAD, 15.0 * PP_RAD, xy);
+        place_on_overlay(plot, altitude * PP_RAD, 15.0 * PP_RAD, xy);
         snprintf(words, sizeof words, "%d\u00b0", altitude);
         pp_labels_note_box(plot->labels,
                            pp_lettering_draw_on_white(plot->cr, &plot->style, &set,
@@ -92,23 +123,23 @@ static void label_rings(const struct pp_overlay_plot *plot)
 
 /* ---- the sky in equal parts ---- */
 
-static void draw_dots(const struct pp_overlay_plot *plot)
+static void draw_dots(const struct overlay_plot *plot)
 {
     double arm = fmin(0.5 * plot->style.scale, 0.005 * plot->radius);
     for (int i = 0; i < plot->overlay->dot_count; i++) {
         const struct pp_sky_cell *cell = &plot->overlay->dots[i];
         double xy[2];
-        pp_overlay_plot_place(plot, cell->altitude, cell->bearing, xy);
+        place_on_overlay(plot, cell->altitude, cell->bearing, xy);
         cairo_move_to(plot->cr, xy[0] - arm, xy[1] - arm);
         cairo_line_to(plot->cr, xy[0] + arm, xy[1] + arm);
         cairo_move_to(plot->cr, xy[0] - arm, xy[1] + arm);
         cairo_line_to(plot->cr, xy[0] + arm, xy[1] - arm);
-        pp_overlay_plot_stroke(plot, plot->style.thin);
+        stroke_edged(plot, plot->style.thin);
     }
 }
 
 /* A cell's lower edge and its left side; the ring and the cell beside it have the rest. */
-static void draw_cells(const struct pp_overlay_plot *plot)
+static void draw_cells(const struct overlay_plot *plot)
 {
     const double step = PP_RAD;
     for (int i = 0; i < plot->overlay->cell_count; i++) {
@@ -116,17 +147,130 @@ static void draw_cells(const struct pp_overlay_plot *plot)
         bool whole = cell->to - cell->from > 2.0 * PP_PI - 1e-9;
         double xy[2];
         if (!whole) {
-            pp_overlay_plot_place(plot, cell->high, cell->from, xy);
+            place_on_overlay(plot, cell->high, cell->from, xy);
             cairo_move_to(plot->cr, xy[0], xy[1]);
         }
         for (double b = cell->from; b < cell->to; b += step) {
-            pp_overlay_plot_place(plot, cell->low, b, xy);
+            place_on_overlay(plot, cell->low, b, xy);
             cairo_line_to(plot->cr, xy[0], xy[1]);
         }
-        pp_overlay_plot_place(plot, cell->low, cell->to, xy);
+        place_on_overlay(plot, cell->low, cell->to, xy);
         cairo_line_to(plot->cr, xy[0], xy[1]);
-        pp_overlay_plot_stroke(plot, plot->style.thin);
+        stroke_edged(plot, plot->style.thin);
     }
+}
+
+/* ---- the sun's paths ---- */
+
+/* One path for each declination; those of later months are within 0.6 degrees of the
+ * earlier ones. */
+static const struct {
+    int month;
+    const char *words;
+} paths[] = {{12, "Dec"},     {1, "Jan, Nov"}, {2, "Feb, Oct"}, {3, "Mar, Sep"},
+             {4, "Apr, Aug"}, {5, "May, Jul"}, {6, "Jun"}};
+enum { PATHS = sizeof paths / sizeof paths[0], DAY = 21, STEPS = 120 };
+
+/* A direction's place; false below the horizon. */
+static bool place_sun(const struct overlay_plot *plot, double declination, double hour,
+                      double xy[2])
+{
+    struct pp_vec3 u =
+        pp_sun_path_direction(plot->overlay->latitude_rad, declination, hour);
+    double altitude = asin(fmin(fmax(u.z, -1.0), 1.0));
+    place_on_overlay(plot, fmax(altitude, 0.0), atan2(u.x, u.y), xy);
+    return altitude > -1e-9;
+}
+
+static void draw_path(const struct overlay_plot *plot, double declination)
+{
+    double sunset = pp_sun_path_sunset(plot->overlay->latitude_rad, declination);
+    if (!(sunset > 0.0))
+        return;
+    for (int i = 0; i <= STEPS; i++) {
+        double xy[2];
+        place_sun(plot, declination, sunset * (2.0 * i / STEPS - 1.0), xy);
+        cairo_line_to(plot->cr, xy[0], xy[1]);
+    }
+    stroke_edged(plot, plot->style.medium);
+}
+
+/* Draws an hour line from the December sun path to the June one, where the sun is
+ * up. */
+static void draw_hour(const struct overlay_plot *plot, int hour)
+{
+    double low = pp_sun_path_declination(12, DAY),
+           high = pp_sun_path_declination(6, DAY);
+    for (int i = 0; i <= STEPS; i++) {
+        double xy[2], declination = low + (high - low) * i / STEPS;
+        if (place_sun(plot, declination, (hour - 12) * 15.0 * PP_RAD, xy))
+            cairo_line_to(plot->cr, xy[0], xy[1]);
+        else
+            cairo_new_sub_path(plot->cr);
+    }
+    pp_labels_note_path(plot->labels, plot->cr, -1);
+    stroke_edged(plot, plot->style.thin);
+}
+
+/* Writes the words on white, if the place is still free. */
+static void put_words(const struct overlay_plot *plot, const double xy[2],
+                      const char *words)
+{
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
+    struct pp_box box =
+        pp_lettering_measure(plot->cr, &plot->style, &set, xy[0], xy[1], words);
+    for (int i = 0; i < plot->labels->count; i++)
+        if (plot->labels->places[i].owner == 1
+            && pp_lettering_boxes_overlap(
+                box, (struct pp_box){plot->labels->places[i].x,
+                                     plot->labels->places[i].y, 1e-6, 1e-6}))
+            return;
+    pp_lettering_draw_on_white(plot->cr, &plot->style, &set, xy[0], xy[1], words);
+    for (double x = box.x; x <= box.x + box.width; x += 0.5)
+        pp_labels_note(plot->labels, 1, x, box.y, x, box.y + box.height);
+}
+
+/* Months on their paths, in the afternoon and between two hours; hours outside the longest
+ * day's path. */
+static void name_lines(const struct overlay_plot *plot)
+{
+    double latitude = plot->overlay->latitude_rad;
+    double summer = pp_sun_path_declination(latitude < 0.0 ? 12 : 6, DAY);
+    double xy[2];
+    char words[16];
+    for (int hour = 1; hour < 24; hour++) {
+        double angle = (hour - 12) * 15.0 * PP_RAD;
+        if (fabs(angle) > pp_sun_path_sunset(latitude, summer) - 2.0 * PP_RAD)
+            continue;
+        struct pp_vec3 u = pp_sun_path_direction(latitude, summer, angle);
+        place_on_overlay(plot, fmin(asin(u.z) + 3.5 * PP_RAD, 0.5 * PP_PI),
+                         atan2(u.x, u.y), xy);
+        snprintf(words, sizeof words, "%d", hour);
+        put_words(plot, xy, words);
+    }
+    for (int i = 0; i < PATHS; i++)
+        for (int hour = 0; hour < 4; hour++) {
+            double angle = (hour + 0.5) * 15.0 * PP_RAD;
+            double declination = pp_sun_path_declination(paths[i].month, DAY);
+            int before = plot->labels->count;
+            if (angle > pp_sun_path_sunset(latitude, declination))
+                break;
+            if (place_sun(plot, declination, angle, xy))
+                put_words(plot, xy, paths[i].words);
+            if (plot->labels->count > before)
+                break;
+        }
+}
+
+/* Paths of the 21st of each month and lines of whole hours of solar time, with their
+ * names where there is room. */
+static void draw_sun_paths(const struct overlay_plot *plot)
+{
+    for (int hour = 0; hour < 24; hour++)
+        draw_hour(plot, hour);
+    for (int i = 0; i < PATHS; i++)
+        draw_path(plot, pp_sun_path_declination(paths[i].month, DAY));
+    name_lines(plot);
 }
 
 /* ---- words ---- */
@@ -177,7 +321,7 @@ static void overlay_titles(const struct pp_overlay *overlay, char *title,
 }
 
 /* Writes the radius in the lower left corner, which the circle leaves free. */
-static void state_radius(const struct pp_overlay_plot *plot, struct pp_box body)
+static void state_radius(const struct overlay_plot *plot, struct pp_box body)
 {
     const struct pp_lettering set = {.size = PP_TEXT_SMALL, .down = 1.0};
     char words[64];
@@ -187,7 +331,7 @@ static void state_radius(const struct pp_overlay_plot *plot, struct pp_box body)
 }
 
 /* Place and size of the circle in the space that the page leaves. */
-static enum pp_status lay_circle(struct pp_overlay_plot *plot, struct pp_box body,
+static enum pp_status lay_circle(struct overlay_plot *plot, struct pp_box body,
                                  struct pp_error *err)
 {
     double border = 2.4 * plot->style.scale + 2.0 * plot->style.text[PP_TEXT_SMALL];
@@ -206,19 +350,18 @@ static enum pp_status lay_circle(struct pp_overlay_plot *plot, struct pp_box bod
 
 /* ---- obstructions of the sky ---- */
 
-static void trace_mask(const struct pp_overlay_plot *plot,
-                       const struct pp_sky_mask *mask)
+static void trace_mask(const struct overlay_plot *plot, const struct pp_sky_mask *mask)
 {
     double xy[2];
     for (int i = 0; i < mask->count; i++) {
         const struct pp_sky_mask_piece *piece = &mask->pieces[i];
         cairo_new_sub_path(plot->cr);
         for (int k = 0; k < piece->count; k++) {
-            pp_overlay_plot_place(plot, piece->edges[k][1], piece->edges[k][0], xy);
+            place_on_overlay(plot, piece->edges[k][1], piece->edges[k][0], xy);
             cairo_line_to(plot->cr, xy[0], xy[1]);
         }
         for (int k = piece->count - 1; k >= 0; k--) {
-            pp_overlay_plot_place(plot, piece->edges[k][2], piece->edges[k][0], xy);
+            place_on_overlay(plot, piece->edges[k][2], piece->edges[k][0], xy);
             cairo_line_to(plot->cr, xy[0], xy[1]);
         }
         if (piece->count)
@@ -228,7 +371,7 @@ static void trace_mask(const struct pp_overlay_plot *plot,
 
 /* Draws the obstruction now in light grey, and the former one within it, so that new
  * parts stand out hatched. */
-static void draw_masks(const struct pp_overlay_plot *plot)
+static void draw_masks(const struct overlay_plot *plot)
 {
     const struct pp_overlay *overlay = plot->overlay;
     cairo_t *cr = plot->cr;
@@ -258,10 +401,10 @@ enum pp_status pp_overlay_chart_draw(struct pp_canvas *canvas,
                                      struct pp_error *err)
 {
     struct pp_labels *labels = calloc(1, sizeof *labels);
-    struct pp_overlay_plot plot = {.cr = pp_canvas_cairo(canvas),
-                                   .style = pp_page_style(canvas),
-                                   .overlay = overlay,
-                                   .labels = labels};
+    struct overlay_plot plot = {.cr = pp_canvas_cairo(canvas),
+                                .style = pp_page_style(canvas),
+                                .overlay = overlay,
+                                .labels = labels};
     char title[256], subtitle[256], foot[1024] = "";
     if (!labels)
         return pp_fail_memory(err);
@@ -282,7 +425,7 @@ enum pp_status pp_overlay_chart_draw(struct pp_canvas *canvas,
         label_rings(&plot);
         state_radius(&plot, body);
         if (overlay->sun)
-            pp_overlay_sun_draw(&plot);
+            draw_sun_paths(&plot);
     }
     free(labels);
     return status;

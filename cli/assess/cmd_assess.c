@@ -10,7 +10,6 @@
 #include "reports/assess/assess_csv.h"
 #include "reports/assess/assess_json.h"
 #include "reports/assess/assess_table.h"
-#include "reports/assess/assess_table_csv.h"
 #include "reports/assess/assess_table_json.h"
 #include "reports/assess/assess_text.h"
 
@@ -26,7 +25,7 @@ static enum pp_status print_assess(const void *data, FILE *out, struct pp_error 
 {
     const struct pp_assess_run *run = data;
     if (run->words->format == PP_FORMAT_CSV)
-        return run->words->table ? pp_assess_table_csv(&run->all, out, err)
+        return run->words->table ? pp_assess_csv_of_site(&run->all, out, err)
                                  : pp_assess_csv(&run->all, out, err);
     if (run->words->table && run->words->format == PP_FORMAT_JSON)
         return pp_assess_table_json(&run->all, out, err);

@@ -1,10 +1,12 @@
-/* assess_csv.c - puts findings on lines; factors and shares in per cent. */
+/* assess_csv.c - puts findings, or rights of light, on lines; factors and shares in per
+ * cent. */
 #include "reports/assess/assess_csv.h"
 
 #include <math.h>
 
 #include "reports/parts/figure_unit.h"
 #include "reports/parts/format.h"
+#include "studies/criteria/site_table.h"
 
 static void put_text(const char *text, FILE *out)
 {
@@ -56,4 +58,57 @@ enum pp_status pp_assess_csv(const struct pp_assessments *all, FILE *out,
                             out);
         }
     return PP_OK;
+}
+
+/* ---- rights of light ---- */
+
+/* Fields stay empty of a room that is not judged. */
+static void put_areas(const struct pp_lit_change *lit, FILE *out)
+{
+    const double areas[] = {
+        lit ? lit->plane_m2 : NAN, lit ? lit->before_m2 : NAN, lit ? lit->lit_m2 : NAN,
+        lit ? 100.0 * lit->lit_m2 / lit->plane_m2 : NAN, lit ? lit->lost_m2 : NAN};
+    for (size_t i = 0; i < sizeof areas / sizeof *areas; i++)
+        pp_format_csv_number(areas[i], out);
+    for (int i = 0; i < PP_ZONE_COUNT; i++)
+        pp_format_csv_number(lit ? lit->loss.zones_m2[i] : NAN, out);
+    pp_format_csv_number(lit ? lit->loss.equivalent_m2 : NAN, out);
+}
+
+static void put_rights_row(const struct pp_site_row *row, FILE *out)
+{
+    const struct pp_study_room *room = row->room->room;
+    pp_format_csv_field(room->file, out);
+    put_text(room->world->name, out);
+    put_text(room->world->ref, out);
+    put_text(room->world->use ? pp_room_use_words[room->world->use] : NULL, out);
+    put_areas(row->lit, out);
+    put_text(pp_finding_verdict(row->finding->verdict), out);
+    put_text(row->finding->note, out);
+    fputs("\r\n", out);
+}
+
+enum pp_status pp_assess_csv_of_site(const struct pp_assessments *all, FILE *out,
+                                     struct pp_error *err)
+{
+    struct pp_site_table table;
+    enum pp_status status = pp_site_table_of(&table, all->list, all->count, err);
+    bool alone = table.rights_count > 0
+                 && !(table.window_count || table.room_count || table.garden_count
+                      || table.other_count);
+    if (status == PP_OK && !alone)
+        status = pp_assess_csv(all, out, err);
+    if (status == PP_OK && alone) {
+        fputs("file,room,ref,use,area_m2,existing_m2,proposed_m2,share,lost_m2,"
+              "lost_front_m2,lost_first_m2,lost_second_m2,lost_makeweight_m2,"
+              "lost_as_first_zone_m2,verdict,note\r\n",
+              out);
+        for (int i = 0; i < table.rights_count; i++)
+            put_rights_row(&table.rights[i], out);
+        fputs(",sum,,", out);
+        put_areas(&table.rights_sum, out);
+        fputs(",,\r\n", out);
+    }
+    pp_site_table_clear(&table);
+    return status;
 }

@@ -5,7 +5,6 @@
 
 #include "model/light/scene_description.h"
 #include "studies/research/compare/room_variant.h"
-#include "studies/research/compare/variant_tracing.h"
 #include "studies/study_room.h"
 
 struct pp_compare_subject {  /* owns nothing */

@@ -24,6 +24,7 @@
 #define PP_STUDIES_RESEARCH_COMPARE_ROOM_VARIANT_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #include "model/base/error.h"
 
@@ -69,5 +70,16 @@ struct pp_room_variant_preset {
 };
 const struct pp_room_variant_preset *pp_room_variant_preset_at(
     int index); /* NULL behind the last */
+
+/* How values of a variant are traced, and the caller's check on the way. */
+struct pp_variant_tracing {
+    double error; /* target standard error over value, above 0 */
+    uint64_t seed;
+    int threads; /* 0: one for each processor */
+    bool (*look)(
+        void *data,
+        double done); /* returns whether to continue; done: 0 to 1; NULL: not called */
+    void *data;
+};
 
 #endif

@@ -9,7 +9,6 @@
 #include "model/light/scene_description.h"
 #include "model/room/world.h"
 #include "studies/research/compare/room_variant.h"
-#include "studies/research/compare/variant_tracing.h"
 
 /* Values at the points over what the scene's sky gives the open level ground, fractions,
  * with their standard errors. PP_BAD_INPUT where a switch does not make sense of a

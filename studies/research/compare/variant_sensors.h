@@ -5,7 +5,6 @@
 #include "model/room/world.h"
 #include "simulate/transport/sensors.h"
 #include "studies/research/compare/room_variant.h"
-#include "studies/research/compare/variant_tracing.h"
 
 #define PP_VARIANT_SLICE_S 0.1 /* between two questions whether to go on */
 

@@ -8,7 +8,6 @@
 #define PP_STUDIES_RESEARCH_COMPARE_VARIANT_VALUES_H
 
 #include "studies/research/compare/room_variant.h"
-#include "studies/research/compare/variant_tracing.h"
 #include "studies/study_room.h"
 
 /* Values at the room's receivers, fractions, with their standard errors: values[i] and
