@@ -48,6 +48,7 @@ static bool aim_at_opening(struct pp_path_walk *walk, const struct pp_lit_point 
     *per_pdf = to.per_density / probability;
     return true;
 }
+
 struct pp_rgb pp_path_trace_openings(struct pp_path_walk *walk,
                                      const struct pp_lit_point *at,
                                      enum pp_path_first *first)
@@ -65,8 +66,7 @@ struct pp_rgb pp_path_trace_openings(struct pp_path_walk *walk,
         return none;
 
     /* Out through the pane. A path that goes on outside aims at no opening. */
-    struct pp_lobes lobes;
-    pp_light_scene_parts_lobes(walk->scene, &hit, ray.to, &lobes);
+    struct pp_lobes lobes = pp_path_walk_lobes(walk, &hit, pp_vec_scale(ray.to, -1.0));
     for (int i = 0; i < PP_LOBE_COUNT; i++)
         if (!pp_scatter_goes_through((enum pp_lobe)i))
             lobes.share[i] = none;
