@@ -1,7 +1,7 @@
 /* lit_area.h - the part of a room that has light enough, by one of the two lines that planners
  * and courts draw across it.
  *
- * Which line that is, and how it is traced: studies/lit_line.h.
+ * studies/lit_line.h defines the lines and traces them.
  */
 #ifndef PP_MODEL_RESULTS_LIT_AREA_H
 #define PP_MODEL_RESULTS_LIT_AREA_H

@@ -1,8 +1,9 @@
 /* advice.h - which method to use in a room, for the average and for each point: the one
  * whose band in the atlas is narrowest.
  *
- * Of bands that are about as narrow the first method's is taken; and at points that of the
- * method which has the narrowest over all of them, unless another's is a fifth narrower (logarithms of high over low).
+ * If bands are about equally narrow, the first method is chosen. At points the method with
+ * the narrowest bands over all points is chosen, unless another method's band is narrower
+ * there by a fifth (logarithms of high over low).
  */
 #ifndef PP_STUDIES_BANDS_ADVICE_H
 #define PP_STUDIES_BANDS_ADVICE_H

@@ -2,7 +2,7 @@
  *
  * Where a room has been judged with the room as it was, its windows stand with the
  * criterion that compares (former-sky), else with the one that does not (vertical-sky).
- * What the building's mirror image leaves stands beside them.
+ * The values with the building's mirror image stand beside them.
  */
 #include "studies/criteria/site_table.h"
 

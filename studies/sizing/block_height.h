@@ -1,7 +1,7 @@
 /* block_height.h - how high a block may be so that the windows or the rooms about it keep
  * their due of the sky (retained_sky.h).
  *
- * What each has falls as the block rises. `before` is the site as existing, or where the
+ * Their sky falls as the block rises. `before` is the site as existing, or where the
  * file has no states, the site with the block as low as 2 mm.
  *
  * The height at which the first has no more than its due (root_bracket.h) is found to 1e-6 of

@@ -10,8 +10,8 @@
  * Finishes are matt and grey, as the daylight factors of rooms are worked out, or with
  * their colour and gloss.
  *
- * What Radiance can't say is refused, with why: surfaces that give off light by
- * themselves, more than 16 skylines without a distance.
+ * Rooms that Radiance can't describe are refused with a reason: surfaces that give off light
+ * by themselves, more than 16 skylines without a distance.
  */
 #ifndef PP_FORMATS_RADIANCE_WRITE_RAD_ROOM_H
 #define PP_FORMATS_RADIANCE_WRITE_RAD_ROOM_H

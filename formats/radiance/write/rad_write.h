@@ -1,7 +1,7 @@
 /* rad_write.h - scene descriptions as Radiance scene files [WS98].
  *
- * What is written reads back (rad_read.h) as the same description: vertices to the bit,
- * what materials do to rounding. Materials and patterns are rad_write_materials.h's.
+ * The files read back (rad_read.h) as the same description: vertices to the bit, the
+ * effect of materials to rounding. Materials and patterns are rad_write_materials.h's.
  *
  *     glass         a single pane, nothing but glass
  *     BRTDfunc      any other clear glazing, by pp_through and pp_mirrored

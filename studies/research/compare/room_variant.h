@@ -71,14 +71,13 @@ struct pp_room_variant_preset {
 const struct pp_room_variant_preset *pp_room_variant_preset_at(
     int index); /* NULL behind the last */
 
-/* How values of a variant are traced, and the caller's check on the way. */
+/* Options for the simulation of a variant, and its progress callback. */
 struct pp_variant_tracing {
     double error; /* target standard error over value, above 0 */
     uint64_t seed;
     int threads; /* 0: one for each processor */
-    bool (*look)(
-        void *data,
-        double done); /* returns whether to continue; done: 0 to 1; NULL: not called */
+    /* Returns whether to continue; done: 0 to 1. NULL: not called. */
+    bool (*look)(void *data, double done);
     void *data;
 };
 
