@@ -19,6 +19,7 @@ struct pp_simulation {
         *solver;                /* and engine whose functions are used: the same, or its
                                  * plain twin */
     struct pp_light_scene *own; /* NULL: the scene is the caller's */
+    struct pp_environment *environment;
     void *run;
     double error; /* target; 0: by samples, time */
 };
@@ -42,11 +43,14 @@ enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
     made->solver = options->plain && engine->plain ? engine->plain : engine;
     made->error = options->error;
     enum pp_status status =
-        made->solver->create(&made->run, scene, report, options, err);
+        pp_light_scene_under(&made->environment, scene, &report->light, err);
+    if (status == PP_OK)
+        status = made->solver->create(&made->run, scene, made->environment, report,
+                                      options, err);
     if (status == PP_OK)
         *simulation = made;
     else
-        free(made);
+        pp_simulation_destroy(made);
     return status;
 }
 
@@ -74,6 +78,7 @@ void pp_simulation_destroy(struct pp_simulation *simulation)
     if (!simulation)
         return;
     simulation->solver->destroy(simulation->run);
+    pp_environment_destroy(simulation->environment);
     pp_light_scene_destroy(simulation->own);
     free(simulation);
 }

@@ -2,7 +2,7 @@
  * simulate/'s solvers behind the same few functions.
  *
  * The scene is without light from outside: made once of a world, it serves any number of
- * runs of any engine, under one sky after another. The caller holds the loop
+ * runs of any engine, under one environment after another. The caller holds the loop
  * (studies/simulation.h): create, advance until done, read, destroy. A new engine
  * is a file like engine_path.c, and a line in engine.c.
  */
@@ -16,6 +16,7 @@
 #include "model/base/error.h"
 #include "model/results/report.h"
 #include "simulate/cache/irradiance_cache.h"
+#include "simulate/scene/environment.h"
 
 /* Options of any engine; each uses those that apply to it. */
 struct pp_engine_options {
@@ -52,10 +53,11 @@ struct pp_engine {
     const struct pp_engine
         *plain; /* gives the same by a plain implementation; NULL: none */
 
-    /* Creates a run at the report's receivers and over its working plane, under the
-     * report's light, in the world's matt scene. *run is set on success only; scene and
-     * receivers must outlive it. */
+    /* Creates a run at the report's receivers and over its working plane, in the world's
+     * matt scene under this environment. *run is set on success only; scene, environment
+     * and receivers must outlive it. */
     enum pp_status (*create)(void **run, const struct pp_light_scene *scene,
+                             const struct pp_environment *environment,
                              const struct pp_report *report,
                              const struct pp_engine_options *options,
                              struct pp_error *err);

@@ -12,7 +12,6 @@
 
 /* All that stands on the scene, in the order in which it is made. */
 struct cache_run {
-    struct pp_environment *environment;
     struct pp_opening_store *store;
     struct pp_irradiance_cache *cache;
     struct pp_cached_points *points;
@@ -26,12 +25,12 @@ static void destroy_cache_engine(void *data)
     pp_cached_points_destroy(run->points);
     pp_irradiance_cache_destroy(run->cache);
     pp_opening_store_destroy(run->store);
-    pp_environment_destroy(run->environment);
     free(run);
 }
 
 static enum pp_status make_cache_run(struct cache_run *run,
                                      const struct pp_light_scene *scene,
+                                     const struct pp_environment *environment,
                                      const struct pp_report *report,
                                      const struct pp_engine_options *options,
                                      struct pp_error *err)
@@ -46,15 +45,11 @@ static enum pp_status make_cache_run(struct cache_run *run,
     struct pp_cache_options records = options->cache;
     records.seed = options->seed;
     records.threads = options->threads;
-    enum pp_status status =
-        pp_light_scene_under(&run->environment, scene, &report->light, err);
+    enum pp_status status = pp_opening_store_create(
+        &run->store, scene, environment, options->seed, options->threads, err);
     if (status == PP_OK)
-        status = pp_opening_store_create(&run->store, scene, run->environment,
-                                         options->seed, options->threads, err);
-    if (status == PP_OK)
-        status =
-            pp_cache_records_open(&run->cache, options->cache_file, scene,
-                                  run->environment, run->store, &light, &records, err);
+        status = pp_cache_records_open(&run->cache, options->cache_file, scene,
+                                       environment, run->store, &light, &records, err);
     if (status == PP_OK)
         status = pp_cached_points_create(&run->points, scene, run->store, run->cache,
                                          report->receivers, report->receiver_count,
@@ -64,6 +59,7 @@ static enum pp_status make_cache_run(struct cache_run *run,
 
 static enum pp_status create_cache_engine(void **data,
                                           const struct pp_light_scene *scene,
+                                          const struct pp_environment *environment,
                                           const struct pp_report *report,
                                           const struct pp_engine_options *options,
                                           struct pp_error *err)
@@ -71,7 +67,8 @@ static enum pp_status create_cache_engine(void **data,
     struct cache_run *run = calloc(1, sizeof *run);
     if (!run)
         return pp_fail_memory(err);
-    enum pp_status status = make_cache_run(run, scene, report, options, err);
+    enum pp_status status =
+        make_cache_run(run, scene, environment, report, options, err);
     if (status != PP_OK) {
         destroy_cache_engine(run);
         run = NULL;

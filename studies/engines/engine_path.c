@@ -1,30 +1,12 @@
 /* engine_path.c - the unbiased path tracer of simulate/fast as an engine. */
-#include <stdlib.h>
-
 #include "simulate/fast/tracer.h"
 #include "studies/engines/engine.h"
 
-/* The light on the scene, and the tracer. */
-struct path_run {
-    struct pp_environment *environment;
-    struct pp_tracer *tracer;
-};
-
-static void destroy_path_engine(void *data)
-{
-    struct path_run *run = data;
-    if (!run)
-        return;
-    pp_tracer_destroy(run->tracer);
-    pp_environment_destroy(run->environment);
-    free(run);
-}
-
-static enum pp_status make_path_run(struct path_run *run,
-                                    const struct pp_light_scene *scene,
-                                    const struct pp_report *report,
-                                    const struct pp_engine_options *options,
-                                    struct pp_error *err)
+static enum pp_status create_path_engine(void **run, const struct pp_light_scene *scene,
+                                         const struct pp_environment *environment,
+                                         const struct pp_report *report,
+                                         const struct pp_engine_options *options,
+                                         struct pp_error *err)
 {
     const struct pp_tracer_options wanted = {.error = options->error,
                                              .samples = options->samples,
@@ -33,75 +15,55 @@ static enum pp_status make_path_run(struct path_run *run,
                                              .average = true,
                                              .alone = options->alone,
                                              .direct = options->direct};
+    struct pp_tracer *solver;
     enum pp_status status =
-        pp_light_scene_under(&run->environment, scene, &report->light, err);
+        pp_tracer_create(&solver, scene, environment, report->receivers,
+                         report->receiver_count, &wanted, err);
     if (status == PP_OK)
-        status =
-            pp_tracer_create(&run->tracer, scene, run->environment, report->receivers,
-                             report->receiver_count, &wanted, err);
+        *run = solver;
     return status;
 }
 
-static enum pp_status create_path_engine(void **data,
-                                         const struct pp_light_scene *scene,
-                                         const struct pp_report *report,
-                                         const struct pp_engine_options *options,
-                                         struct pp_error *err)
-{
-    struct path_run *run = calloc(1, sizeof *run);
-    if (!run)
-        return pp_fail_memory(err);
-    enum pp_status status = make_path_run(run, scene, report, options, err);
-    if (status != PP_OK) {
-        destroy_path_engine(run);
-        run = NULL;
-    }
-    *data = run;
-    return status;
-}
-
-static enum pp_status advance_path_engine(void *data, double seconds,
+static enum pp_status advance_path_engine(void *run, double seconds,
                                           struct pp_error *err)
 {
-    struct path_run *run = data;
-    return pp_tracer_advance(run->tracer, seconds, err);
+    return pp_tracer_advance(run, seconds, err);
 }
 
-static bool path_engine_done(const void *data)
+static bool path_engine_done(const void *run)
 {
-    const struct path_run *run = data;
-    return pp_tracer_done(run->tracer);
+    return pp_tracer_done(run);
 }
 
-static double path_engine_progress(const void *data)
+static double path_engine_progress(const void *run)
 {
-    const struct path_run *run = data;
-    return pp_tracer_progress(run->tracer);
+    return pp_tracer_progress(run);
 }
 
-static double path_engine_error(const void *data)
+static double path_engine_error(const void *run)
 {
-    const struct path_run *run = data;
-    return pp_tracer_error(run->tracer);
+    return pp_tracer_error(run);
 }
 
-static void read_path_engine(const void *data, int index,
+static void read_path_engine(const void *run, int index,
                              struct pp_reading readings[PP_COMPONENT_COUNT])
 {
-    const struct path_run *run = data;
-    pp_tracer_read(run->tracer, index, readings);
+    pp_tracer_read(run, index, readings);
 }
 
-static double common(const void *data)
+static double common(const void *run)
 {
-    const struct path_run *run = data;
-    return pp_tracer_common(run->tracer);
+    return pp_tracer_common(run);
 }
 
-static double common_near(const void *data)
+static double common_near(const void *run)
 {
-    const struct path_run *run = data;
-    return pp_tracer_common_near(run->tracer);
+    return pp_tracer_common_near(run);
+}
+
+static void destroy_path_engine(void *run)
+{
+    pp_tracer_destroy(run);
 }
 
 const struct pp_engine pp_engine_path = {

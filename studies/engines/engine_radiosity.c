@@ -4,6 +4,7 @@
 
 static enum pp_status create_radiosity_engine(void **data,
                                               const struct pp_light_scene *scene,
+                                              const struct pp_environment *environment,
                                               const struct pp_report *report,
                                               const struct pp_engine_options *options,
                                               struct pp_error *err)
@@ -11,7 +12,7 @@ static enum pp_status create_radiosity_engine(void **data,
     const struct pp_radiosity_options wanted = {.error = options->error,
                                                 .threads = options->threads};
     struct pp_radiosity *radiosity;
-    (void)scene; /* it has its own */
+    (void)scene, (void)environment; /* it makes its own of world and light */
     enum pp_status status =
         pp_radiosity_create(&radiosity, report->world, &report->light,
                             report->receivers, report->receiver_count, &wanted, err);
