@@ -1,8 +1,8 @@
-# formulae.awk - the manual with the formulae that the program works out: what stands in
-# docs/manual.md between "<!-- formulae of METHOD -->" and "<!-- end of formulae -->" is
-# written anew from `pepperpot df --list-formulas`.
+# formulae.awk - a page with the formulae that the program works out: the lines between
+# "<!-- formulae of METHOD -->" and "<!-- end of formulae -->" are written anew from
+# `pepperpot df --list-formulas`.
 #
-#     pepperpot df --list-formulas | awk -f docs/formulae.awk - docs/manual.md
+#     pepperpot df --list-formulas | awk -f docs/formulae.awk - docs/methods/bre.md
 
 # The list: a method in the first column, its formulae in the third.
 NR == FNR {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# where.sh - writes docs/where.md; runs from the top of the sources.
+# where.sh - prints where.md; runs from the top of the sources.
 find model formats methods simulate studies charts reports api cli tables \
     \( -name '*.[ch]' -o -name '*.csv' \) | LC_ALL=C sort |
     xargs ${AWK:-awk} -f docs/where.awk docs/SOURCES.md

@@ -188,7 +188,7 @@ static enum pp_status print_pages(const void *data, FILE *out, struct pp_error *
     return PP_OK;
 }
 
-/* Prints the pages of docs/accuracy.md, from the bands compiled in. */
+/* Prints the bands that are compiled in, as Markdown. */
 static enum pp_exit write_accuracy_pages(const char *output)
 {
     return pp_job_run(

@@ -1,4 +1,4 @@
-/* band_pages.h - the bands that are compiled in, as the pages docs/accuracy.md. */
+/* band_pages.h - the bands that are compiled in, as Markdown. */
 #ifndef PP_REPORTS_ATLAS_BAND_PAGES_H
 #define PP_REPORTS_ATLAS_BAND_PAGES_H
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # The documents are about this program: every cited work is listed and every listed one
 # cited; every element, attribute, glazing and finish of room files, every method,
-# command, option and chart stands in the manual, every option in the man page; every
+# command, option and chart stands in its chapter, every option in the man page; every
 # folder of the sources in ARCHITECTURE.md; and no formula of the overcast sky stands twice.
 build=$(pwd)
 . "$srcdir/tests/lib/tap.sh"
@@ -17,7 +17,8 @@ LC_ALL=C sort -u "$scratch/order" >"$scratch/listed"
 folders="model formats methods simulate studies charts reports api cli"
 {
     find $folders tests bench -name '*.[ch]' -exec cat {} +
-    cat tables/*.csv docs/manual.md docs/theory.md README.md ARCHITECTURE.md
+    cat tables/*.csv README.md ARCHITECTURE.md
+    find docs -name '*.md' ! -name SOURCES.md -exec cat {} +
 } 2>/dev/null >"$scratch/text"
 {
     grep -o "$key" "$scratch/text"
@@ -33,10 +34,11 @@ check "every listed work is cited" \
 check "the list is in order of its keys, each once" \
     nothing "$(tr -d '[]' <"$scratch/order" | LC_ALL=C sort -uc 2>&1)"
 
-# not_in FILE: those of the words on standard input that FILE does not have; of the
-# manual and ARCHITECTURE.md counts what stands there as `code` or in a heading.
+# not_in FILE: those of the words on standard input that FILE, or a folder of pages, does not
+# have; in Markdown counts what stands there as `code` or in a heading.
 not_in() {
     case $1 in
+    */elements | */commands | */methods) grep -ho -e '`[^`]*`' -e '^#.*' "$1"/*.md ;;
     *.md) grep -o -e '`[^`]*`' -e '^#.*' "$1" ;;
     *) sed 's/\\f[BIRP]//g; s/\\//g' "$1" ;;
     esac >"$scratch/said"
@@ -54,61 +56,66 @@ first_column() {
     grep -v '^#' "$1" | sed '1d; s/,.*//'
 }
 
-check "every element of a room file is in the manual" \
-    nothing "$(names_of element | not_in docs/manual.md)"
-check "every attribute of a room file is in the manual" \
-    nothing "$(names_of attribute | not_in docs/manual.md)"
-check "every glazing is in the manual" \
-    nothing "$(first_column tables/glazings.csv | not_in docs/manual.md)"
-check "every finish is in the manual" \
-    nothing "$(first_column tables/finishes.csv | not_in docs/manual.md)"
-check "every frame is in the manual" \
-    nothing "$(first_column tables/frames.csv | not_in docs/manual.md)"
-check "every sort of curtains is in the manual" \
-    nothing "$(first_column tables/curtains.csv | not_in docs/manual.md)"
+check "every element of a room file is in docs/elements" \
+    nothing "$(names_of element | not_in docs/elements)"
+check "every attribute of a room file is in docs/elements" \
+    nothing "$(names_of attribute | not_in docs/elements)"
+check "every glazing is in docs/elements" \
+    nothing "$(first_column tables/glazings.csv | not_in docs/elements)"
+check "every finish is in docs/elements" \
+    nothing "$(first_column tables/finishes.csv | not_in docs/elements)"
+check "every frame is in docs/elements" \
+    nothing "$(first_column tables/frames.csv | not_in docs/elements)"
+check "every sort of curtains is in docs/elements" \
+    nothing "$(first_column tables/curtains.csv | not_in docs/elements)"
 
 program=$build/pepperpot
 find methods -name '*.c' -exec sed -n 's/^ *\.name = "\(.*\)",/\1/p' {} + >"$scratch/methods"
-check "every method is in the manual" nothing "$(not_in docs/manual.md <"$scratch/methods")"
+check "every method is in docs/methods" nothing "$(not_in docs/methods <"$scratch/methods")"
 check "every method is in the man page" \
     nothing "$(not_in docs/pepperpot.1 <"$scratch/methods")"
 
 "$program" --help | sed -n 's/^  \([a-z][a-z]*\)  *[A-Za-z].*/\1/p' >"$scratch/commands"
 check "the program has commands" test -s "$scratch/commands"
-check "every command is in the manual" nothing "$(not_in docs/manual.md <"$scratch/commands")"
+check "every command is in docs/commands" nothing "$(not_in docs/commands <"$scratch/commands")"
 check "every command is in the man page" nothing "$(not_in docs/pepperpot.1 <"$scratch/commands")"
 while read -r command; do
     "$program" "$command" --help | sed -n 's/^  .*\(--[a-z][a-z-]*\).*/\1/p'
 done <"$scratch/commands" | sort -u | grep -v -- --help >"$scratch/options"
-check "every option is in the manual" nothing "$(not_in docs/manual.md <"$scratch/options")"
+check "every option is in docs/commands" nothing "$(not_in docs/commands <"$scratch/options")"
 check "every option is in the man page" \
     nothing "$(not_in docs/pepperpot.1 <"$scratch/options")"
 "$program" chart --list | sed -n 's/^  \([a-z][a-z-]*\) .*/\1/p' >"$scratch/charts"
-check "every chart is in the manual" nothing "$(not_in docs/manual.md <"$scratch/charts")"
+check "every chart is in docs/commands" nothing "$(not_in docs/commands <"$scratch/charts")"
 
 reference() {
     ${AWK:-awk} -f docs/reference.awk pepperpot.h | cmp - docs/reference.md
 }
 check "docs/reference.md is what make reference makes of pepperpot.h" reference
-accuracy() {
-    "$program" atlas --accuracy | cmp - docs/accuracy.md
-}
-check "docs/accuracy.md is what the bands compiled in make (atlas --accuracy)" accuracy
+"$program" df --list-formulas >"$scratch/formulae"
 formulae() {
-    "$program" df --list-formulas | ${AWK:-awk} -f docs/formulae.awk - docs/manual.md |
-        cmp - docs/manual.md
+    for page in docs/methods/*.md; do
+        ${AWK:-awk} -f docs/formulae.awk "$scratch/formulae" "$page" | cmp - "$page" || return 1
+    done
 }
-check "the manual's formulae are those that the program works out (make formulae)" formulae
-"$program" df --list-formulas | sed -n 's/^\([a-z][a-z-]*\)  \[.*/\1/p' >"$scratch/with_formulae"
+check "formulae in docs/methods are those that the program works out (make formulae)" formulae
+sed -n 's/^\([a-z][a-z-]*\)  \[.*/\1/p' "$scratch/formulae" >"$scratch/with_formulae"
 check "the program lists formulae" test -s "$scratch/with_formulae"
-sed -n 's/^<!-- formulae of \(.*\) -->/\1/p' docs/manual.md | sort >"$scratch/shown"
+sed -n 's/^<!-- formulae of \(.*\) -->/\1/p' docs/methods/*.md | sort >"$scratch/shown"
 # Counting and reading scales is told in words.
-check "every method's are in the manual" nothing "$(grep -vx -e waldram -e pepper-pot \
+check "every method's are in docs/methods" nothing "$(grep -vx -e waldram -e pepper-pot \
     -e protractor -e nomogram "$scratch/with_formulae" | sort | comm -3 - "$scratch/shown")"
-where() {
-    sh docs/where.sh | cmp - docs/where.md
-}
-check "docs/where.md is what make where makes of the sources" where
+find methods -name '*.c' -exec sed -n 's/^ *\.source = "\([A-Z][A-Z0-9]*\)[,"].*/\1/p' {} + |
+    LC_ALL=C sort -u >"$scratch/sources"
+check "methods name their sources" test -s "$scratch/sources"
+check "where.md has a place for each of them" nothing "$(sh docs/where.sh |
+    sed -n 's/^| \[\([A-Za-z0-9]*\)\] .*/\1/p' | LC_ALL=C sort -u |
+    LC_ALL=C comm -13 - "$scratch/sources")"
+
+# Links from page to page, to files and to headings.
+check "no page of the manual has a dead link" nothing "$(
+    ${AWK:-awk} -f tests/house/links.awk README.md ARCHITECTURE.md CONTRIBUTING.md \
+        docs/*.md docs/*/*.md)"
 
 # A number of a published formula stands once, so that program, --explain and manual change
 # with it: whole formulae in C, comments aside, have no other place for it.

@@ -92,7 +92,7 @@ check "the library is opened at run time" opened_at_run_time
 
 doc=$(find "$root" -type d -path '*/doc/pepperpot' | head -n 1)
 check "the manual is installed, and the gallery that it shows" \
-    test -s "$doc/docs/manual.md" -a -s "$doc/docs/gallery/deep-office-section.png"
+    test -s "$doc/docs/index.md" -a -s "$doc/docs/gallery/deep-office-section.png"
 check "tables and examples are installed beside it" \
     test -s "$doc/tables/finishes.csv" -a -s "$doc/examples/office.xml" \
     -a -s "$doc/examples/sweep.c"

@@ -1,5 +1,5 @@
 /* test_band_pages.c - the pages of accuracy have every regime of the compiled tables, with the
- * bias that its middle makes. (tests/house/check_docs.sh holds docs/accuracy.md to them.)
+ * bias that its middle makes.
  */
 #include "tests/lib/near.h"
 
