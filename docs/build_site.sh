@@ -16,7 +16,7 @@ fi
 # links to examples and tables lead from there as they do in the sources.
 rm -rf "$out/source"
 mkdir -p "$out/source/docs"
-for folder in commands elements gallery lesson methods; do
+for folder in commands cookbook elements gallery lesson methods tutorial; do
     cp -R "$sources/docs/$folder" "$out/source/docs"
 done
 cp "$sources"/docs/*.md "$sources/docs/conf.py" "$sources/docs/room.rng" "$out/source/docs"

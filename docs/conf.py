@@ -10,7 +10,6 @@ version = release = os.environ.get("PEPPERPOT_VERSION", "")
 extensions = ["myst_parser"]
 source_suffix = {".md": "markdown"}
 root_doc = "index"
-exclude_patterns = ["gallery/README.md"]
 suppress_warnings = ["myst.header"]
 myst_heading_anchors = 4
 myst_enable_extensions = []

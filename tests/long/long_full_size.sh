@@ -1,6 +1,6 @@
 #!/bin/sh
 # The test programs with --full: every test, and the statistical ones at full size. The script of
-# charts with the whole of its lists (`some` of tests/lib/cli.sh).
+# charts with the whole of its lists (`some` of tests/lib/cli.sh), that of pages with long commands.
 . "$srcdir/tests/lib/tap.sh"
 
 # passes PROGRAM: all of its tests pass; prints those that do not.
@@ -19,14 +19,15 @@ for program in tests/*/*_tests; do
     check "all $count tests of $program" passes "./$program"
 done
 
-# sheets: cli_chart.sh passes with every paper and protractor.
-sheets() {
+# whole SCRIPT: tests/cli/SCRIPT.sh passes with FULL_SIZE.
+whole() {
     log=$(mktemp)
-    FULL_SIZE=yes sh "$srcdir/tests/cli/cli_chart.sh" >"$log" 2>&1
+    FULL_SIZE=yes sh "$srcdir/tests/cli/$1.sh" >"$log" 2>&1
     ! grep '^not ok' -A 5 "$log" && grep -q '^1\.\.' "$log"
     status=$?
     rm -f "$log"
     return $status
 }
-check "the whole of tests/cli/cli_chart.sh" sheets
+check "the whole of tests/cli/cli_chart.sh" whole cli_chart
+check "the whole of tests/cli/cli_pages.sh" whole cli_pages
 tap_done
