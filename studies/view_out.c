@@ -1,0 +1,273 @@
+/* view_out.c - adds up the angles and lines of sight of all openings. */
+#include "studies/view_out.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "methods/view/visible.h"
+#include "model/base/array.h"
+#include "model/geometry/region.h"
+
+/* Lines of sight that end nearer to the glass than this are left out. */
+static const double NEAR_M = 2.0;
+/* Ground less than this below the horizon is landscape. */
+static const double LANDSCAPE_RAD = 5.0 * PP_RAD;
+/* Steepest rise of an opening's outward normal. */
+static const double RISE_MOST = 0.70710678118654757;
+
+const double pp_view_out_angle_rad[4] = {0.0, 14.0 * PP_RAD, 28.0 * PP_RAD,
+                                         54.0 * PP_RAD};
+const double pp_view_out_distance_m[4] = {0.0, 6.0, 20.0, 50.0};
+
+/* Bearings from `from` to `to`, at most pi apart, in [0, 4 pi). */
+struct bearing_span {
+    double from, to;
+};
+
+/* A line of sight: the distance beyond the glass to its end, and its solid angle. */
+struct view_line {
+    double distance_m, solid_angle;
+};
+
+/* All that openings add to. */
+struct view_sum {
+    struct bearing_span *spans;
+    int span_count, span_space;
+    struct view_line *lines;
+    int line_count, line_space;
+};
+
+static int by_span_start(const void *a, const void *b)
+{
+    const struct bearing_span *s = a, *t = b;
+    return (s->from > t->from) - (s->from < t->from);
+}
+
+static int by_line_distance(const void *a, const void *b)
+{
+    const struct view_line *s = a, *t = b;
+    return (s->distance_m > t->distance_m) - (s->distance_m < t->distance_m);
+}
+
+/* Total of the spans on the circle, each direction once. Spans beyond a full turn are
+ * divided there first; space for as many again is kept for them. */
+static double spans_union(struct bearing_span *spans, int count)
+{
+    int all = count;
+    for (int i = 0; i < count; i++)
+        if (spans[i].to > 2.0 * PP_PI) {
+            spans[all++] = (struct bearing_span){0.0, spans[i].to - 2.0 * PP_PI};
+            spans[i].to = 2.0 * PP_PI;
+        }
+    qsort(spans, (size_t)all, sizeof *spans, by_span_start);
+    double sum = 0.0, end = 0.0;
+    for (int i = 0; i < all; i++) {
+        sum += fmax(0.0, spans[i].to - fmax(spans[i].from, end));
+        end = fmax(end, spans[i].to);
+    }
+    return sum;
+}
+
+/* Distance that half of the lines, by solid angle, reach; 0 without lines. */
+static double median_distance(struct view_line *lines, int count)
+{
+    double whole = 0.0, sum = 0.0;
+    for (int i = 0; i < count; i++)
+        whole += lines[i].solid_angle;
+    qsort(lines, (size_t)count, sizeof *lines, by_line_distance);
+    for (int i = 0; i < count; i++) {
+        sum += lines[i].solid_angle;
+        if (sum >= 0.5 * whole)
+            return lines[i].distance_m;
+    }
+    return 0.0;
+}
+
+/* Axes of the plane at unit distance before the eye (pp_visible_open_part). */
+struct opening_axes {
+    struct pp_vec3 along, up, out;
+};
+
+static struct pp_vec3 axes_direction(const struct opening_axes *axes, double x,
+                                     double y)
+{
+    struct pp_vec3 v = pp_vec_scale(axes->along, x);
+    return pp_vec_along(pp_vec_along(v, y, axes->up), 1.0, axes->out);
+}
+
+/* Adds the bearings of one ring of an opening's visible part. They are taken from that of
+ * the opening's normal, from which none is a quarter turn or more away. */
+static enum pp_status add_bearings(struct view_sum *sum,
+                                   const struct opening_axes *axes,
+                                   const struct pp_ring *ring, struct pp_error *err)
+{
+    const double middle = atan2(axes->out.y, axes->out.x);
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < ring->count; i++) {
+        struct pp_vec3 u = axes_direction(axes, ring->xy[i][0], ring->xy[i][1]);
+        double off = remainder(atan2(u.y, u.x) - middle, 2.0 * PP_PI);
+        low = fmin(low, off);
+        high = fmax(high, off);
+    }
+    double from = fmod(middle + low + 4.0 * PP_PI, 2.0 * PP_PI);
+    enum pp_status status =
+        pp_array_reserve(&sum->spans, &sum->span_space, 2 * (sum->span_count + 1),
+                         sizeof *sum->spans, err);
+    if (status == PP_OK)
+        sum->spans[sum->span_count++] = (struct bearing_span){from, from + high - low};
+    return status;
+}
+
+/* Does a skyline without a distance hide the direction through an opening of `face`? */
+static bool is_behind_skyline(const struct pp_world *world, int face, struct pp_vec3 to,
+                              struct pp_vec3 out)
+{
+    for (int i = 0; i < world->skyline_count; i++)
+        if (pp_world_skyline_is_far(&world->skylines[i], face)
+            && atan2(to.z, pp_vec_dot(to, out)) < world->skylines[i].angle_rad)
+            return true;
+    return false;
+}
+
+/* Layer that ends the line of sight from a point of the glass, and its distance. */
+static enum pp_view_layer layer_seen(double *distance_m, const struct pp_world *world,
+                                     const struct pp_light_scene *scene,
+                                     const struct pp_light_ray *ray, int face)
+{
+    struct pp_light_hit hit;
+    *distance_m = INFINITY;
+    if (pp_light_scene_first(scene, ray, &hit)) {
+        *distance_m = hit.distance_m;
+        return PP_VIEW_LANDSCAPE;
+    }
+    if (ray->to.z >= 0.0)
+        return is_behind_skyline(world, face, ray->to, ray->off) ? PP_VIEW_LANDSCAPE
+                                                                 : PP_VIEW_SKY;
+    *distance_m = fmax(0.0, (ray->from.z - world->ground_level_m) / -ray->to.z);
+    return ray->to.z > -sin(LANDSCAPE_RAD) ? PP_VIEW_LANDSCAPE : PP_VIEW_GROUND;
+}
+
+/* Adds the lines of sight through the visible part; *layers: those that it shows. */
+static enum pp_status add_view_lines(
+    struct view_sum *sum, int *layers, const struct pp_world *world,
+    const struct pp_light_scene *scene, const struct pp_opening *opening,
+    struct pp_vec3 eye, const struct opening_axes *axes, const struct pp_region *part,
+    int lines, struct pp_error *err)
+{
+    const struct pp_bounds2 bounds = pp_region_bounds(part);
+    const double dx = (bounds.high[0] - bounds.low[0]) / lines;
+    const double dy = (bounds.high[1] - bounds.low[1]) / lines;
+    const double depth_m =
+        pp_vec_dot(pp_vec_sub(opening->outer.vertices[0], eye), axes->out);
+    enum pp_status status =
+        pp_array_reserve(&sum->lines, &sum->line_space, sum->line_count + lines * lines,
+                         sizeof *sum->lines, err);
+    for (int i = 0; i < lines * lines && status == PP_OK; i++) {
+        double x = bounds.low[0] + (i % lines + 0.5) * dx;
+        double y = bounds.low[1] + (i / lines + 0.5) * dy;
+        if (!pp_region_contains(part, x, y))
+            continue;
+        struct pp_vec3 v = axes_direction(axes, x, y);
+        struct pp_light_ray ray = {.from = pp_vec_along(eye, depth_m, v),
+                                   .off = axes->out,
+                                   .to = pp_vec_unit(v),
+                                   .space = PP_OUTDOORS};
+        double distance_m;
+        enum pp_view_layer layer =
+            layer_seen(&distance_m, world, scene, &ray, opening->face);
+        if (distance_m < NEAR_M)
+            continue;
+        *layers |= layer;
+        sum->lines[sum->line_count++] =
+            (struct view_line){distance_m, dx * dy * pow(1.0 + x * x + y * y, -1.5)};
+    }
+    return status;
+}
+
+static int count_view_layers(int layers)
+{
+    return (layers & PP_VIEW_SKY ? 1 : 0) + (layers & PP_VIEW_LANDSCAPE ? 1 : 0)
+           + (layers & PP_VIEW_GROUND ? 1 : 0);
+}
+
+static enum pp_status add_opening_view(struct view_sum *sum, struct pp_view_out *view,
+                                       const struct pp_world *world,
+                                       const struct pp_light_scene *scene,
+                                       const struct pp_opening *opening,
+                                       struct pp_vec3 eye, int lines,
+                                       struct pp_error *err)
+{
+    const struct opening_axes axes = {opening->along, opening->up,
+                                      pp_vec_scale(opening->inner.normal, -1.0)};
+    int layers = 0;
+    struct pp_region part;
+    enum pp_status status = pp_visible_open_part(&part, world, opening, eye, err);
+    if (status != PP_OK)
+        return status;
+    for (int i = 0; i < part.count && status == PP_OK; i++)
+        status = add_bearings(sum, &axes, &part.rings[i], err);
+    if (status == PP_OK && part.count > 0)
+        status = add_view_lines(sum, &layers, world, scene, opening, eye, &axes, &part,
+                                lines, err);
+    pp_region_clear(&part);
+    view->layers |= layers;
+    if (layers & PP_VIEW_LANDSCAPE && count_view_layers(layers) > view->layers_together)
+        view->layers_together = count_view_layers(layers);
+    return status;
+}
+
+enum pp_status pp_view_out_from(struct pp_view_out *view, const struct pp_world *world,
+                                const struct pp_light_scene *scene, struct pp_vec3 eye,
+                                int lines, struct pp_error *err)
+{
+    struct view_sum sum = {0};
+    enum pp_status status = PP_OK;
+    *view = (struct pp_view_out){0};
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        if (opening->glass.diffusing || -opening->inner.normal.z > RISE_MOST)
+            continue;
+        status = add_opening_view(&sum, view, world, scene, opening, eye, lines, err);
+    }
+    if (status == PP_OK) {
+        view->sight_angle_rad = spans_union(sum.spans, sum.span_count);
+        view->distance_m = median_distance(sum.lines, sum.line_count);
+    }
+    free(sum.spans);
+    free(sum.lines);
+    return status;
+}
+
+/* The highest level whose bound the figure reaches, but for rounding. */
+static enum pp_view_level view_level_of(double figure, const double bounds[4])
+{
+    int level = PP_VIEW_HIGH;
+    while (level > PP_VIEW_NONE && figure < bounds[level] * (1.0 - 1e-9))
+        level--;
+    return (enum pp_view_level)level;
+}
+
+enum pp_view_level pp_view_out_angle_level(const struct pp_view_out *view)
+{
+    return view_level_of(view->sight_angle_rad, pp_view_out_angle_rad);
+}
+
+enum pp_view_level pp_view_out_distance_level(const struct pp_view_out *view)
+{
+    return view_level_of(view->distance_m, pp_view_out_distance_m);
+}
+
+enum pp_view_level pp_view_out_layer_level(const struct pp_view_out *view)
+{
+    return (enum pp_view_level)view->layers_together;
+}
+
+enum pp_view_level pp_view_out_level(const struct pp_view_out *view)
+{
+    enum pp_view_level level = pp_view_out_angle_level(view);
+    if (pp_view_out_distance_level(view) < level)
+        level = pp_view_out_distance_level(view);
+    if (pp_view_out_layer_level(view) < level)
+        level = pp_view_out_layer_level(view);
+    return level;
+}
