@@ -40,7 +40,8 @@ failed=0
 # run COMMAND: in the scratch folder; what it prints goes to $scratch/out.
 run() {
     status=0
-    sh -c "$1" >"$scratch/out" 2>&1 </dev/null || status=$?
+    sh -c "$1" >"$scratch/printed" 2>&1 </dev/null || status=$?
+    tr -d '\r' <"$scratch/printed" >"$scratch/out" # lines of CSV end as RFC 4180 has them
     if [ "$status" -ne 0 ] && [ -z "$fails" ]; then
         echo "$page: exit status $status: $1" >&2
         sed 's/^/    /' "$scratch/out" >&2
