@@ -20,6 +20,9 @@
 
 #include "model/geometry/vec.h"
 
+/* The earth's radius at the sun's mean distance: 8.794 seconds of arc. */
+static const double PARALLAX = 8.794 / 3600.0 * PP_RAD;
+
 double pp_sun_days_since_2000(int year, int month, int day, double hour_ut)
 {
     /* Days since 1 March of year 0, years beginning in March [MEEUS98]. */
@@ -63,5 +66,8 @@ struct pp_sun pp_sun_at(double n, double latitude_rad, double longitude_rad)
     double east = -cos(dec) * sin(ha);
     sun.bearing_rad = wrapped(atan2(east, north), 2.0 * PP_PI);
     sun.distance_au = 1.00014 - 0.01671 * cos(g) - 0.00014 * cos(2.0 * g);
+
+    /* Parallax: seen from the surface of the earth, the sun is lower than from its centre. */
+    sun.altitude_rad -= PARALLAX / sun.distance_au * cos(sun.altitude_rad);
     return sun;
 }

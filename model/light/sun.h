@@ -3,7 +3,7 @@
  * The Astronomical Almanac's formulae for low precision as [MIC88] has them: within
  * 0.01 degrees from 1950 to 2050, and 0.02 from 1800 to 2200. Refraction, which lifts
  * the sun by half a degree at the horizon and by less than 0.1 above 10 degrees, is
- * left out, and so is parallax.
+ * left out.
  */
 #ifndef PP_MODEL_LIGHT_SUN_H
 #define PP_MODEL_LIGHT_SUN_H

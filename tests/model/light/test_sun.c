@@ -95,6 +95,37 @@ static void noon_runs_before_and_behind_the_clock(void **state)
     }
 }
 
+/* ERFA's positions (IAU 2006/2000A) of UTC instants, seen from the surface of the earth,
+ * without refraction. */
+static void it_agrees_with_erfa_from_1950_to_2050(void **state)
+{
+    (void)state;
+    static const struct {
+        double latitude, longitude;
+        int year, month, day;
+        double hour, azimuth, altitude;
+    } erfa[] = {
+        {-18.14, 178.44, 1953, 3, 8, 20 + 9 / 60.0 + 45 / 3600.0, 85.59684, 28.22547},
+        {69.65, 18.96, 1967, 7, 21, 19 + 22 / 60.0 + 24 / 3600.0, 311.89466, 7.34470},
+        {-33.92, 18.42, 1974, 4, 11, 7 + 40 / 60.0 + 3 / 3600.0, 55.51207, 28.80371},
+        {41.98, -87.92, 1999, 10, 22, 18 + 4 / 60.0 + 52 / 3600.0, 188.76958, 36.53107},
+        {78.22, 15.65, 2009, 7, 22, 7 + 20 / 60.0 + 49 / 3600.0, 119.91046, 26.50159},
+        {50.85, 4.35, 2042, 6, 12, 7 + 43 / 60.0 + 41 / 3600.0, 97.98453, 36.71609},
+        {-0.18, -78.47, 2047, 2, 20, 19 + 53 / 60.0 + 46 / 3600.0, 252.58047, 52.15165},
+    };
+    for (int i = 0; i < (int)(sizeof erfa / sizeof *erfa); i++) {
+        double n = pp_sun_days_since_2000(erfa[i].year, erfa[i].month, erfa[i].day,
+                                          erfa[i].hour);
+        struct pp_sun sun =
+            pp_sun_at(n, erfa[i].latitude * PP_RAD, erfa[i].longitude * PP_RAD);
+        double h = erfa[i].altitude * PP_RAD;
+        double turn = sun.bearing_rad - erfa[i].azimuth * PP_RAD;
+        double apart =
+            sin(h) * sin(sun.altitude_rad) + cos(h) * cos(sun.altitude_rad) * cos(turn);
+        assert_true(acos(fmin(1.0, apart)) < almanac);
+    }
+}
+
 /* Turning the earth by 15 degrees or the clock by an hour is the same but for what the
  * sun moves on its own in that hour: a degree a day. */
 static void an_hour_is_fifteen_degrees(void **state)
@@ -117,6 +148,7 @@ TEST_FILE
         cmocka_unit_test(at_the_equinox_noon_is_a_right_angle_less_the_latitude),
         cmocka_unit_test(at_the_solstices_it_stands_over_the_tropics),
         cmocka_unit_test(noon_runs_before_and_behind_the_clock),
+        cmocka_unit_test(it_agrees_with_erfa_from_1950_to_2050),
         cmocka_unit_test(an_hour_is_fifteen_degrees),
     };
     add_tests(tests, NULL, NULL);
