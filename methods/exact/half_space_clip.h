@@ -6,7 +6,7 @@
 #include "model/geometry/vec.h"
 
 /* The most half-spaces in one call. */
-enum { PP_HALF_SPACES_MOST = 5 };
+enum { PP_HALF_SPACES_MOST = 8 };
 
 /* Takes the next vertex of the clipped polygon. */
 typedef void pp_half_space_sink(void *data, struct pp_vec3 vertex);

@@ -1,0 +1,51 @@
+/* sky_view.h - the sky and the sun that a point sees through clear openings, for any hour.
+ *
+ * What is seen does not change through a year: the view of each opening is found once
+ * (methods/view/visible.h), and is then asked for the sun of every hour, or cut into pieces
+ * with one direction each, for the light of any sky:
+ *
+ *     E = sum of coefficient x L(u),   coefficient = integral tau (n.u) over the piece
+ *
+ * with the integral of n.u in closed form and tau (glass, frame, dirt, curtains) at u.
+ * Diffusing panes are left out.
+ */
+#ifndef PP_METHODS_EXACT_SKY_VIEW_H
+#define PP_METHODS_EXACT_SKY_VIEW_H
+
+#include "methods/view/visible.h"
+#include "model/base/error.h"
+#include "model/room/world.h"
+
+struct pp_sky_view {
+    const struct pp_world *world; /* not owned */
+    struct pp_vec3 normal;
+    struct pp_visible *visible; /* by opening; without patches where nothing is seen */
+};
+
+/* On success the caller clears *view. */
+enum pp_status pp_sky_view_init(struct pp_sky_view *view, const struct pp_world *world,
+                                const struct pp_receiver *receiver,
+                                struct pp_error *err);
+void pp_sky_view_clear(struct pp_sky_view *view);
+
+struct pp_sky_piece {
+    int opening;
+    struct pp_vec3 u;   /* unit: the mean of its corners */
+    double coefficient; /* sr */
+    bool ground;        /* below the horizon: ground without limit */
+};
+
+typedef void pp_sky_view_sink(void *data, const struct pp_sky_piece *piece);
+
+/* Hands on the pieces of sky and of the ground behind it, each no more than size_rad wide
+ * and high. */
+enum pp_status pp_sky_view_pieces(const struct pp_sky_view *view, double size_rad,
+                                  pp_sky_view_sink *sink, void *data,
+                                  struct pp_error *err);
+
+/* Illuminance by the sun's centre in direction u (unit) over that of a plane normal to it;
+ * 0: hidden, behind the receiver or below the horizon. *opening (may be NULL): through
+ * which. */
+double pp_sky_view_sun(const struct pp_sky_view *view, struct pp_vec3 u, int *opening);
+
+#endif

@@ -1,0 +1,78 @@
+/* perez_sky.h - sky and sun of an hour from its irradiances, by Perez and others.
+ *
+ * All-weather sky [PSM93], with zeta the zenith angle of a direction and gamma its angle
+ * from the sun:
+ *
+ *     L = N (1 + a exp(b / cos zeta)) (1 + c exp(d gamma) + e cos^2 gamma)       (1)
+ *
+ *     a ... e = x1 + x2 Z + D (x3 + x4 Z),  but in clearness bin 1
+ *     c = exp((D (c1 + c2 Z))^c3) - c4,  d = -exp(D (d1 + d2 Z)) + d3 + D d4
+ *
+ *     eps = ((Ed + En)/Ed + 1.041 Z^3)/(1 + 1.041 Z^3)    clearness, chooses the bin
+ *     D   = Ed m/E0                                       brightness
+ *     m   = 1/(cos Z + 0.15 (93.885 - Z)^-1.253)          air mass, Z in degrees [KAS66]
+ *
+ *     Ed, En  diffuse horizontal and direct normal irradiance, W/m2
+ *     E0      1367 W/m2 over the squared distance of the sun in astronomical units
+ *     Z       zenith angle of the sun, in radians but for m
+ *
+ * N makes the horizontal illuminance of the sky equal to Ed times its luminous efficacy
+ * [PISMS90], to 1e-6:
+ *
+ *     diffuse  da + db W + dc cos Z + dd ln D                                    (2)
+ *     direct   max(0, na + nb W + nc exp(5.73 Z - 5) + nd D)
+ *
+ *     W = exp(0.07 Td - 0.075)    precipitable water, cm; Td dew point, degrees Celsius
+ *
+ * Limits, most of them of Radiance's gendaylit: eps 1 to 12.01; D 0.01 to 0.6; Z at most
+ * 87 degrees in a ... e and (2); D at least 0.2 in a ... e of bins 2 to 5. b is at most 0:
+ * above, (1) has no bound at the horizon. Where (1) is negative it counts as 0.
+ */
+#ifndef PP_MODEL_LIGHT_PEREZ_SKY_H
+#define PP_MODEL_LIGHT_PEREZ_SKY_H
+
+#include <stdbool.h>
+
+#include "model/geometry/vec.h"
+#include "model/light/sky.h"
+
+/* Conditions of an hour. */
+struct pp_perez_conditions {
+    double direct_w_m2, diffuse_w_m2; /* normal, horizontal; 0 or more */
+    struct pp_vec3 sun; /* towards it, unit; it may be below the horizon */
+    double sun_distance_au;
+    double dew_point_c;
+};
+
+/* Limits of the model that an hour has exceeded. */
+enum pp_perez_limit {
+    PP_PEREZ_B_POSITIVE = 1, /* b was above 0 */
+    PP_PEREZ_BRIGHTNESS = 2, /* D outside 0.01 to 0.6 */
+    PP_PEREZ_CLEARNESS = 4,  /* eps outside 1 to 12.01 */
+    PP_PEREZ_NO_DIFFUSE = 8, /* direct light without diffuse light */
+};
+
+struct pp_perez_sky {
+    double a, b, c, d, e;
+    struct pp_vec3 sun;
+    double N;                     /* cd/m2 */
+    double diffuse_lx, direct_lx; /* horizontal; normal to the sun */
+    double clearness, brightness;
+    int bin;         /* 1 to 8 */
+    unsigned limits; /* enum pp_perez_limit */
+};
+
+/* An hour without diffuse irradiance has a black sky; without any, no sun either. */
+struct pp_perez_sky pp_perez_sky_of(const struct pp_perez_conditions *conditions);
+
+/* Scales the sky to another diffuse illuminance (lx, 0 or more). */
+void pp_perez_sky_set_diffuse(struct pp_perez_sky *sky, double diffuse_lx);
+
+/* Luminance in direction u (unit), cd/m2; 0 below the horizon. */
+double pp_perez_sky_luminance(const struct pp_perez_sky *sky, struct pp_vec3 u);
+
+/* The sky, without the sun's disc, as an argument of methods and simulation: its
+ * luminances over its own horizontal illuminance. */
+struct pp_sky pp_perez_sky_relative(const struct pp_perez_sky *sky);
+
+#endif

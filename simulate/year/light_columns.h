@@ -1,0 +1,43 @@
+/* light_columns.h - skies and suns of many hours, as light paths need them: luminances by
+ * patch, exitances of skylines, horizontal illuminances.
+ *
+ * Columns are: the patches of the sky; the horizontal illuminance; the skylines without a
+ * distance.
+ */
+#ifndef PP_SIMULATE_YEAR_LIGHT_COLUMNS_H
+#define PP_SIMULATE_YEAR_LIGHT_COLUMNS_H
+
+#include "model/base/thread_pool.h"
+#include "model/light/perez_sky.h"
+#include "model/light/sky_patches.h"
+#include "simulate/scene/environment.h"
+
+enum { PP_LIGHT_LANES = 16 };
+
+struct pp_light_columns {
+    struct pp_sky_patches patches;
+    int count;                        /* of hours */
+    int tiles;                        /* of PP_LIGHT_LANES hours */
+    const struct pp_perez_sky *skies; /* in the room's axes; not owned */
+    int column_count;
+    float
+        *columns; /* [hour / PP_LIGHT_LANES][column][hour % PP_LIGHT_LANES]: cd/m2, lx,
+                     * exitance over pi */
+};
+
+/* skies: in the axes of the scene's room; they must live as long. patch_count: 145, 577 or
+ * 2305. On success the caller clears *light. */
+enum pp_status pp_light_columns_init(struct pp_light_columns *light,
+                                     const struct pp_environment *environment,
+                                     const struct pp_perez_sky *skies, int count,
+                                     int patch_count, double north_rad,
+                                     struct pp_thread_pool *pool, struct pp_error *err);
+void pp_light_columns_clear(struct pp_light_columns *light);
+
+/* Eh of the open sky: sky and sun. */
+static inline double pp_light_columns_horizontal(const struct pp_perez_sky *sky)
+{
+    return sky->diffuse_lx + (sky->sun.z > 0.0 ? sky->direct_lx * sky->sun.z : 0.0);
+}
+
+#endif

@@ -1,0 +1,17 @@
+/* sun_on_surface.h - sunlight on one side of a surface, by a ray to the sun's centre.
+ *
+ * The sun is a point. Its light goes straight through clear glass, by the transmittance at
+ * its angle of incidence; regular reflections are left out.
+ */
+#ifndef PP_SIMULATE_YEAR_SUN_ON_SURFACE_H
+#define PP_SIMULATE_YEAR_SUN_ON_SURFACE_H
+
+#include "simulate/path_tracer/path_trace.h"
+
+/* Illuminance over that of a plane normal to the sun: cosine times transmittance, 0 in
+ * shade. sun: unit, towards it. *opening: by which the sunlight enters the room; -1: none. */
+double pp_sun_on_surface(const struct pp_light_scene *scene,
+                         const struct pp_lit_point *at, struct pp_vec3 sun,
+                         int *opening);
+
+#endif

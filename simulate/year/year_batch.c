@@ -1,0 +1,395 @@
+/* year_batch.c - paths of all cells and receivers to sparse rows, and equation (2). */
+#include "simulate/year/year_batch.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "simulate/sampling/hash.h"
+#include "simulate/scene/light_scene_parts.h"
+#include "simulate/year/outdoor_cells.h"
+#include "simulate/year/sparse_rows.h"
+#include "simulate/year/year_path.h"
+
+/* Surfaces nearer than this many sizes of a cell are followed on. */
+static const double NEAR = 1.5;
+
+/* Kinds of rows: one each for cells and receivers. D has the columns of light, then the
+ * outdoor cells, for every group. */
+enum rows { ROWS_D, ROWS_N, ROWS_G, ROWS_COUNT };
+
+/* A randomisation under way. */
+struct batch_work {
+    const struct pp_year_task *task;
+    struct pp_year_batch *batch;
+    struct pp_outdoor_cells outdoor;
+    struct pp_path_walk walk;
+    uint64_t seed;
+    struct pp_sparse_rows of_cells[ROWS_COUNT], of_points[ROWS_COUNT];
+    struct pp_sparse_rows *rows; /* those being filled */
+    double scale;                /* one over the number of paths */
+    bool views_sky; /* does the receiver's closed form have direct light? */
+};
+
+static int column_of(const struct batch_work *work, int opening, int column)
+{
+    const struct pp_year_task *task = work->task;
+    int group = opening >= 0 ? task->group_of_opening[opening] : 0;
+    return group * (task->column_count + PP_YEAR_OUTDOOR_CELLS) + column;
+}
+
+/* ---- events ---- */
+
+static void add_light(struct batch_work *work, const struct pp_year_event *event,
+                      int column)
+{
+    pp_sparse_rows_add(&work->rows[ROWS_D], column_of(work, event->opening, column),
+                       event->weight * work->scale);
+}
+
+static void take_sky(void *data, const struct pp_year_event *event)
+{
+    struct batch_work *work = data;
+    if (!(event->straight && work->views_sky))
+        add_light(work, event, pp_sky_patches_of(work->task->patches, event->u));
+}
+
+static void take_horizontal(void *data, const struct pp_year_event *event)
+{
+    struct batch_work *work = data;
+    if (!(event->straight && work->views_sky))
+        add_light(work, event, work->task->patches->count);
+}
+
+static void take_skyline(void *data, const struct pp_year_event *event)
+{
+    struct batch_work *work = data;
+    add_light(work, event, work->task->patches->count + 1 + event->far);
+}
+
+static void take_lit(void *data, const struct pp_year_event *event)
+{
+    struct batch_work *work = data;
+    if (event->at.space == PP_INDOORS) {
+        int cell = pp_year_cells_of(work->task->cells, event->hit);
+        if (cell >= 0)
+            pp_sparse_rows_add(&work->rows[ROWS_N], cell, event->weight * work->scale);
+        return;
+    }
+    int index = pp_outdoor_cells_find(&work->outdoor, &event->at, event->weight);
+    add_light(work, event, work->task->column_count + index);
+}
+
+static bool take_known(void *data, const struct pp_year_event *event)
+{
+    struct batch_work *work = data;
+    const struct pp_year_cells *cells = work->task->cells;
+    int cell = pp_year_cells_of(cells, event->hit);
+    if (cell < 0 || !work->batch->cell_has_point[cell]
+        || event->hit->distance_m < NEAR * cells->size_m)
+        return false;
+    pp_sparse_rows_add(&work->rows[ROWS_G], cell, event->weight * work->scale);
+    return true;
+}
+
+/* ---- paths ---- */
+
+static const struct pp_year_sink batch_sink = {.sky = take_sky,
+                                               .skyline = take_skyline,
+                                               .horizontal = take_horizontal,
+                                               .lit = take_lit,
+                                               .known = take_known};
+
+static void begin_paths(struct batch_work *work, uint64_t place)
+{
+    pp_sobol_sequence_init(&work->walk.sequence, work->task->sobol,
+                           pp_hash(work->seed, place));
+}
+
+/* One path through the openings and one in the cosine lobe. */
+static void follow_both(struct batch_work *work, const struct pp_lit_point *at)
+{
+    struct pp_year_sink sink = batch_sink;
+    sink.data = work;
+    pp_year_path_openings(&work->walk, &sink, at);
+    pp_year_path_lobe(&work->walk, &sink, at);
+}
+
+static bool draw_on_cell(struct batch_work *work, int cell, struct pp_lit_point *at)
+{
+    double u[2];
+    pp_path_walk_draw(&work->walk, 2, u);
+    return pp_year_cells_point(work->task->cells, cell, u[0], u[1], at);
+}
+
+/* Finds the places of the suns: up to so many draws for each cell. Those of all
+ * randomisations lie in different parts of the cell. */
+static void place_suns(struct batch_work *work, int index)
+{
+    enum { DRAWS = 64 };
+    const struct pp_year_cells *cells = work->task->cells;
+    for (int c = 0; c < cells->count; c++) {
+        /* A 4 x 4 grid over the cell, in another order for each cell. */
+        uint64_t order = pp_hash(work->task->seed, (uint64_t)c);
+        int part = (int)((index * 7 + order) % 16);
+        begin_paths(work, (UINT64_C(1) << 40) + (uint64_t)c);
+        for (int i = 0; i < DRAWS && !work->batch->cell_has_point[c]; i++) {
+            double u[2];
+            work->walk.index = (uint32_t)i;
+            work->walk.vertex = 0;
+            pp_path_walk_draw(&work->walk, 2, u);
+            if (i < DRAWS / 2) {
+                u[0] = (part / 4 + u[0]) / 4.0;
+                u[1] = (part % 4 + u[1]) / 4.0;
+            }
+            work->batch->cell_has_point[c] =
+                pp_year_cells_point(cells, c, u[0], u[1], &work->batch->cell_points[c]);
+        }
+    }
+}
+
+static enum pp_status follow_cells(struct batch_work *work, struct pp_error *err)
+{
+    const struct pp_year_task *task = work->task;
+    enum pp_status status = PP_OK;
+    work->rows = work->of_cells;
+    work->views_sky = false;
+    for (int c = 0; c < task->cells->count && status == PP_OK; c++) {
+        /* Every place counts as often as it is drawn on the surface. */
+        struct pp_lit_point *places = malloc((size_t)task->cell_paths * sizeof *places);
+        int drawn = 0;
+        if (!places)
+            return pp_fail_memory(err);
+        begin_paths(work, (uint64_t)c);
+        for (int i = 0; i < task->cell_paths && work->batch->cell_has_point[c]; i++) {
+            work->walk.index = (uint32_t)i;
+            work->walk.vertex = 0;
+            places[i].normal = pp_vec(0.0, 0.0, 0.0);
+            if (draw_on_cell(work, c, &places[i]))
+                drawn++;
+            else
+                places[i].normal = pp_vec(0.0, 0.0, 0.0);
+        }
+        bool alone = work->batch->cell_has_point[c] && drawn == 0;
+        work->scale = 1.0 / (alone ? task->cell_paths : drawn > 0 ? drawn : 1);
+        for (int i = 0; i < task->cell_paths && (drawn > 0 || alone); i++) {
+            bool on = pp_vec_length(places[i].normal) > 0.0;
+            work->walk.index = (uint32_t)i;
+            work->walk.vertex = 1;
+            if (on || alone)
+                follow_both(work, on ? &places[i] : &work->batch->cell_points[c]);
+        }
+        free(places);
+        for (int k = 0; k < ROWS_COUNT && status == PP_OK; k++)
+            status = pp_sparse_rows_end(&work->of_cells[k], err);
+    }
+    return status;
+}
+
+static enum pp_status follow_points(struct batch_work *work, struct pp_error *err)
+{
+    const struct pp_year_task *task = work->task;
+    enum pp_status status = PP_OK;
+    work->rows = work->of_points;
+    work->views_sky = true;
+    work->scale = 1.0 / task->point_paths;
+    for (int x = 0; x < task->receiver_count && status == PP_OK; x++) {
+        const struct pp_receiver *receiver = &task->receivers[x];
+        struct pp_lit_point at = {pp_vec_sub(receiver->position, task->scene->centre),
+                                  receiver->normal, PP_INDOORS};
+        uint64_t place =
+            pp_hash_vec(pp_hash_vec(0, receiver->position), receiver->normal);
+        begin_paths(work, place);
+        for (int i = 0; i < task->point_paths; i++) {
+            work->walk.index = (uint32_t)i;
+            work->walk.vertex = 0;
+            follow_both(work, &at);
+        }
+        for (int k = 0; k < ROWS_COUNT && status == PP_OK; k++)
+            status = pp_sparse_rows_end(&work->of_points[k], err);
+    }
+    return status;
+}
+
+/* ---- equation (2) ----
+ *
+ * For a block of receivers at once: V is summed up term by term, V = G_x + G_x G + ...
+ */
+enum { BLOCK = 8, TERMS_MOST = 400 };
+static const double LAST_TERM = 1e-5; /* of the sum */
+
+typedef float block_row[BLOCK];
+
+static void add_times(block_row *sum, const block_row *factor, int count,
+                      const struct pp_sparse_rows *rows)
+{
+    for (int c = 0; c < count; c++)
+        for (int k = rows->first[c]; k < rows->first[c + 1]; k++) {
+            float *to = sum[rows->entries[k].column], value = rows->entries[k].value;
+            for (int p = 0; p < BLOCK; p++)
+                to[p] += factor[c][p] * value;
+        }
+}
+
+static double sum_of(const block_row *rows, int count)
+{
+    double sum = 0.0;
+    for (int c = 0; c < count; c++)
+        for (int p = 0; p < BLOCK; p++)
+            sum += rows[c][p];
+    return sum;
+}
+
+static void load(block_row *to, const struct pp_sparse_rows *rows, int first, int count)
+{
+    for (int p = 0; p < count; p++)
+        for (int k = rows->first[first + p]; k < rows->first[first + p + 1]; k++)
+            to[rows->entries[k].column][p] += rows->entries[k].value;
+}
+
+/* Space for a block: V, a term and the next one, the sun's row; the columns of D. */
+struct block_space {
+    block_row *V, *term, *next, *sun, *D;
+};
+
+static void solve_block(struct batch_work *work, struct block_space *space, int first,
+                        int count)
+{
+    const struct pp_year_task *task = work->task;
+    int cells = task->cells->count;
+    int per_group = task->column_count + PP_YEAR_OUTDOOR_CELLS;
+    int columns = task->group_count * per_group;
+    size_t cell_bytes = (size_t)cells * sizeof(block_row);
+    memset(space->term, 0, cell_bytes);
+    memset(space->sun, 0, cell_bytes);
+    memset(space->D, 0, (size_t)columns * sizeof(block_row));
+    load(space->term, &work->of_points[ROWS_G], first, count);
+    memcpy(space->V, space->term, cell_bytes);
+    for (int i = 0; i < TERMS_MOST; i++) {
+        memset(space->next, 0, cell_bytes);
+        add_times(space->next, (const block_row *)space->term, cells,
+                  &work->of_cells[ROWS_G]);
+        block_row *swap = space->term;
+        space->term = space->next;
+        space->next = swap;
+        for (int c = 0; c < cells; c++)
+            for (int p = 0; p < BLOCK; p++)
+                space->V[c][p] += space->term[c][p];
+        if (sum_of((const block_row *)space->term, cells)
+            <= LAST_TERM * sum_of((const block_row *)space->V, cells))
+            break;
+    }
+    load(space->D, &work->of_points[ROWS_D], first, count);
+    add_times(space->D, (const block_row *)space->V, cells, &work->of_cells[ROWS_D]);
+    memcpy(space->sun, space->V, cell_bytes);
+    load(space->sun, &work->of_points[ROWS_N], first, count);
+    add_times(space->sun, (const block_row *)space->V, cells, &work->of_cells[ROWS_N]);
+
+    struct pp_year_batch *batch = work->batch;
+    for (int p = 0; p < count; p++) {
+        size_t x = (size_t)(first + p);
+        for (int c = 0; c < cells; c++)
+            batch->inside[x * (size_t)cells + (size_t)c] = space->sun[c][p];
+        for (int g = 0; g < task->group_count; g++) {
+            size_t row = x * (size_t)task->group_count + (size_t)g;
+            for (int k = 0; k < task->column_count; k++)
+                batch->light[row * (size_t)task->column_count + (size_t)k] =
+                    space->D[g * per_group + k][p];
+            for (int k = 0; k < PP_YEAR_OUTDOOR_CELLS; k++)
+                batch->outdoor[row * PP_YEAR_OUTDOOR_CELLS + (size_t)k] =
+                    space->D[g * per_group + task->column_count + k][p];
+        }
+    }
+}
+
+static enum pp_status solve(struct batch_work *work, struct pp_error *err)
+{
+    const struct pp_year_task *task = work->task;
+    size_t cells = (size_t)task->cells->count + 1;
+    size_t columns = (size_t)task->group_count
+                     * (size_t)(task->column_count + PP_YEAR_OUTDOOR_CELLS);
+    block_row *all = malloc((4 * cells + columns) * sizeof *all);
+    if (!all)
+        return pp_fail_memory(err);
+    struct block_space space = {all, all + cells, all + 2 * cells, all + 3 * cells,
+                                all + 4 * cells};
+    for (int x = 0; x < task->receiver_count; x += BLOCK) {
+        int left = task->receiver_count - x;
+        solve_block(work, &space, x, left < BLOCK ? left : BLOCK);
+    }
+    free(all);
+    return PP_OK;
+}
+
+/* ---- all of it ---- */
+
+static enum pp_status make_space(struct pp_year_batch *batch,
+                                 const struct pp_year_task *task, struct pp_error *err)
+{
+    size_t points = (size_t)task->receiver_count, groups = (size_t)task->group_count;
+    size_t cells = (size_t)task->cells->count;
+    batch->light =
+        calloc(points * groups * (size_t)task->column_count + 1, sizeof(float));
+    batch->outdoor = calloc(points * groups * PP_YEAR_OUTDOOR_CELLS + 1, sizeof(float));
+    batch->inside = calloc(points * cells + 1, sizeof(float));
+    batch->cell_points = calloc(cells + 1, sizeof *batch->cell_points);
+    batch->cell_has_point = calloc(cells + 1, sizeof *batch->cell_has_point);
+    if (!batch->light || !batch->outdoor || !batch->inside || !batch->cell_points
+        || !batch->cell_has_point)
+        return pp_fail_memory(err);
+    return PP_OK;
+}
+
+enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
+                                  const struct pp_year_task *task, int index,
+                                  struct pp_error *err)
+{
+    *batch = (struct pp_year_batch){.light = NULL};
+    struct batch_work *work = calloc(1, sizeof *work);
+    if (!work)
+        return pp_fail_memory(err);
+    work->task = task;
+    work->batch = batch;
+    work->seed = pp_hash(task->seed, UINT64_C(0x9ea1) + (uint64_t)index);
+    work->walk =
+        (struct pp_path_walk){.scene = task->scene, .environment = task->environment};
+    pp_outdoor_cells_init(&work->outdoor, task->scene, batch->outdoor_points,
+                          PP_YEAR_OUTDOOR_CELLS, work->seed);
+    int columns = task->group_count * (task->column_count + PP_YEAR_OUTDOOR_CELLS);
+    enum pp_status status = make_space(batch, task, err);
+    for (int k = 0; k < ROWS_COUNT && status == PP_OK; k++) {
+        int width = k == ROWS_D ? columns : task->cells->count;
+        status = pp_sparse_rows_init(&work->of_cells[k], width, err);
+        if (status == PP_OK)
+            status = pp_sparse_rows_init(&work->of_points[k], width, err);
+    }
+    if (status == PP_OK) {
+        place_suns(work, index);
+        status = follow_cells(work, err);
+    }
+    if (status == PP_OK)
+        status = follow_points(work, err);
+    if (status == PP_OK)
+        status = solve(work, err);
+    for (int i = 0; i < PP_YEAR_OUTDOOR_CELLS; i++)
+        batch->outdoor_is_used[i] = work->outdoor.weights[i] > 0.0;
+    for (int k = 0; k < ROWS_COUNT; k++) {
+        pp_sparse_rows_clear(&work->of_cells[k]);
+        pp_sparse_rows_clear(&work->of_points[k]);
+    }
+    free(work);
+    return status;
+}
+
+void pp_year_batch_clear(struct pp_year_batch *batch)
+{
+    free(batch->light);
+    free(batch->outdoor);
+    free(batch->inside);
+    free(batch->cell_points);
+    free(batch->cell_has_point);
+    free(batch->by_pane);
+    free(batch->on_pane);
+    free(batch->on_pane_outdoor);
+    *batch = (struct pp_year_batch){.light = NULL};
+}

@@ -1,0 +1,76 @@
+/* year_batch.h - one randomisation of the light that reaches the points of a room by way of
+ * surfaces, for any sky and sun.
+ *
+ * The inside surfaces are divided into cells (year_cells.h). Paths from a point or a cell
+ * end at the next inside surface that is far enough for its cell to count as evenly lit;
+ * nearer ones are followed on. With E the illuminance at a receiver without direct sun, of
+ * the points x and of the cells c:
+ *
+ *     E_c = D_c + N_c s + G_c (E + s),     E_x = D_x + N_x s + G_x (E + s)         (1)
+ *
+ *   D   by columns of light (light_columns.h) and by outdoor cells, from the paths that
+ *       leave through an opening
+ *   s   illuminance of the sun on cells
+ *   N   by the sun on cells that a path has followed on from
+ *   G   by the cells at which paths end
+ *
+ * Solved, with V = G_x (1 - G)^-1:
+ *
+ *     E_x = (D_x + V D) light + (N_x + V + V N) s                                  (2)
+ *
+ * Light that comes directly from sky or open ground, through clear glass, is left out of
+ * D_x: the closed form of a point's view has it. The sun is tested at one random point of
+ * each cell; the tests of all randomisations fill the cell. Outdoor surfaces have cells
+ * of a size that grows with their distance; the sun is tested where a path has met one.
+ */
+#ifndef PP_SIMULATE_YEAR_YEAR_BATCH_H
+#define PP_SIMULATE_YEAR_YEAR_BATCH_H
+
+#include <stdint.h>
+
+#include "model/light/sky_patches.h"
+#include "simulate/year/year_cells.h"
+
+enum { PP_YEAR_OUTDOOR_CELLS = 192 };
+
+/* The problem, the same for all randomisations. */
+struct pp_year_task {
+    const struct pp_light_scene *scene;
+    const struct pp_environment *environment;
+    const struct pp_year_cells *cells;
+    const struct pp_sky_patches *patches;
+    const struct pp_receiver *receivers; /* in the room's axes */
+    int receiver_count;
+    const int *group_of_opening; /* 0 to group_count - 1 */
+    int group_count;
+    int column_count; /* of light */
+    int cell_paths;   /* from each cell; a power of two */
+    int point_paths;  /* from each receiver; a power of two */
+    bool pane_light;  /* also the light on and by panes, for blinds */
+    const struct pp_sobol *sobol;
+    uint64_t seed;
+};
+
+/* One randomisation. Rows of a receiver have an entry for every group and column. */
+struct pp_year_batch {
+    float *light;   /* [receiver][group][column]: lx over a column's unit */
+    float *outdoor; /* [receiver][group][outdoor cell]: lx over lx of sun on it */
+    float *inside;  /* [receiver][cell]: the same of inside cells */
+    struct pp_lit_point *cell_points; /* where the sun is tested */
+    bool *cell_has_point;
+    struct pp_lit_point outdoor_points[PP_YEAR_OUTDOOR_CELLS];
+    bool outdoor_is_used[PP_YEAR_OUTDOOR_CELLS];
+
+    /* Of blinds; NULL without. */
+    float *by_pane;         /* [receiver][group]: lx over lm/m2 of Lambertian panes */
+    float *on_pane;         /* [group][column]: mean over its openings' outside */
+    float *on_pane_outdoor; /* [group][outdoor cell] */
+};
+
+/* Works out randomisation `index`; the caller clears *batch, after a failure too. */
+enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
+                                  const struct pp_year_task *task, int index,
+                                  struct pp_error *err);
+void pp_year_batch_clear(struct pp_year_batch *batch);
+
+#endif

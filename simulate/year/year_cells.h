@@ -1,0 +1,42 @@
+/* year_cells.h - the inside surfaces of a room, divided into cells of about one size.
+ *
+ * Every side of an inside surface that reflects is divided along the axes of its plane.
+ * A hit is found in its cell by its place; points of a cell are drawn within the surface's
+ * outline and outside its openings.
+ */
+#ifndef PP_SIMULATE_YEAR_YEAR_CELLS_H
+#define PP_SIMULATE_YEAR_YEAR_CELLS_H
+
+#include "simulate/path_tracer/path_trace.h"
+
+/* The cells of both sides of a part: front first, then back; -1: the side has none. */
+struct pp_year_part_cells {
+    int first[2];
+    int count[2];   /* along the part's a and b */
+    double low[2];  /* where they begin */
+    double step[2]; /* size of a cell, m */
+};
+
+struct pp_year_cells {
+    const struct pp_light_scene *scene; /* not owned */
+    int count;
+    double size_m;                    /* the size that was aimed at */
+    struct pp_year_part_cells *parts; /* by part of the scene */
+    int *part_of;                     /* by cell */
+};
+
+/* About `wanted` cells. On success the caller clears *cells. */
+enum pp_status pp_year_cells_init(struct pp_year_cells *cells,
+                                  const struct pp_light_scene *scene, int wanted,
+                                  struct pp_error *err);
+void pp_year_cells_clear(struct pp_year_cells *cells);
+
+/* The cell that was hit; -1: there is none. */
+int pp_year_cells_of(const struct pp_year_cells *cells, const struct pp_light_hit *hit);
+
+/* The point of a cell at the shares u and v (0 to 1) of its sides, with its normal; false
+ * where that is not on the surface. */
+bool pp_year_cells_point(const struct pp_year_cells *cells, int cell, double u,
+                         double v, struct pp_lit_point *point);
+
+#endif

@@ -1,0 +1,262 @@
+/* year_coefficients.c - the batches, the sun on their cells, and the hours of a point. */
+#include "simulate/year/year_coefficients.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/array.h"
+#include "simulate/scene/light_scene_parts.h"
+#include "simulate/year/sun_on_surface.h"
+#include "simulate/year/year_product.h"
+
+/* Sun on one cell in one hour. */
+struct sun_entry {
+    int cell;
+    int group; /* of the opening by which it comes; of an outdoor cell: -1 */
+    float lx;
+};
+
+/* The suns of one batch: entries of hour t are first[t] to first[t + 1] - 1. */
+struct sun_list {
+    int *first;
+    struct sun_entry *entries;
+    int capacity;
+};
+
+struct pp_year_coefficients {
+    struct pp_year_task task;
+    struct pp_year_cells cells;
+    struct pp_sky_patches patches;
+    struct pp_sobol sobol;
+    struct pp_thread_pool *pool;
+    struct pp_year_batch batches[PP_YEAR_BATCHES];
+    const struct pp_light_columns *light;
+    struct sun_list suns[PP_YEAR_BATCHES];
+    enum pp_status status[PP_YEAR_BATCHES]; /* of the batches' work */
+};
+
+static bool make_batch(void *data, int worker, int index)
+{
+    struct pp_year_coefficients *c = data;
+    (void)worker;
+    c->status[index] = pp_year_batch_make(&c->batches[index], &c->task, index, NULL);
+    return c->status[index] == PP_OK;
+}
+
+/* Runs the work of all batches. */
+static enum pp_status for_batches(struct pp_year_coefficients *c,
+                                  pp_thread_pool_work *work, struct pp_error *err)
+{
+    pp_thread_pool_run(c->pool, 0, PP_YEAR_BATCHES, work, c);
+    for (int b = 0; b < PP_YEAR_BATCHES; b++)
+        if (c->status[b] != PP_OK)
+            return pp_fail_memory(err);
+    return PP_OK;
+}
+
+enum pp_status pp_year_coefficients_create(
+    struct pp_year_coefficients **coefficients, const struct pp_light_scene *scene,
+    const struct pp_environment *environment, const struct pp_receiver *receivers,
+    int receiver_count, const int *group_of_opening, int group_count,
+    const struct pp_year_options *options, struct pp_thread_pool *pool,
+    struct pp_error *err)
+{
+    *coefficients = NULL;
+    struct pp_year_coefficients *c = calloc(1, sizeof *c);
+    if (!c)
+        return pp_fail_memory(err);
+    c->pool = pool;
+    if (!pp_sky_patches_init(&c->patches, options->patches, scene->world->north_rad)) {
+        free(c);
+        return pp_fail(err, PP_BAD_INPUT, "%d sky patches; expected 145, 577 or 2305",
+                       options->patches);
+    }
+    pp_sobol_init(&c->sobol);
+    enum pp_status status = pp_year_cells_init(&c->cells, scene, options->cells, err);
+    c->task = (struct pp_year_task){
+        .scene = scene,
+        .environment = environment,
+        .cells = &c->cells,
+        .patches = &c->patches,
+        .receivers = receivers,
+        .receiver_count = receiver_count,
+        .group_of_opening = group_of_opening,
+        .group_count = group_count,
+        .column_count = options->patches + 1 + scene->skylines.far_count,
+        .cell_paths = options->paths >= 4 ? options->paths / 4 : 1,
+        .point_paths = options->paths,
+        .pane_light = options->pane_light,
+        .sobol = &c->sobol,
+        .seed = options->seed};
+    if (status == PP_OK)
+        status = for_batches(c, make_batch, err);
+    if (status != PP_OK) {
+        pp_year_coefficients_destroy(c);
+        return status;
+    }
+    *coefficients = c;
+    return PP_OK;
+}
+
+static void clear_suns(struct pp_year_coefficients *c)
+{
+    for (int b = 0; b < PP_YEAR_BATCHES; b++) {
+        free(c->suns[b].first);
+        free(c->suns[b].entries);
+        c->suns[b] = (struct sun_list){.first = NULL};
+    }
+}
+
+void pp_year_coefficients_destroy(struct pp_year_coefficients *c)
+{
+    if (!c)
+        return;
+    for (int b = 0; b < PP_YEAR_BATCHES; b++)
+        pp_year_batch_clear(&c->batches[b]);
+    clear_suns(c);
+    pp_year_cells_clear(&c->cells);
+    free(c);
+}
+
+/* ---- the sun on cells ---- */
+
+static enum pp_status add_sun(struct sun_list *list, int *used, struct sun_entry entry)
+{
+    enum pp_status status = pp_array_reserve(&list->entries, &list->capacity, *used + 1,
+                                             sizeof *list->entries, NULL);
+    if (status == PP_OK)
+        list->entries[(*used)++] = entry;
+    return status;
+}
+
+static enum pp_status add_suns_of_hour(const struct pp_year_coefficients *c, int b,
+                                       const struct pp_perez_sky *sky,
+                                       struct sun_list *list, int *used)
+{
+    const struct pp_year_batch *batch = &c->batches[b];
+    enum pp_status status = PP_OK;
+    int opening;
+    if (!(sky->direct_lx > 0.0) || !(sky->sun.z > 0.0))
+        return PP_OK;
+    for (int i = 0; i < c->cells.count && status == PP_OK; i++) {
+        if (!batch->cell_has_point[i])
+            continue;
+        double share = pp_sun_on_surface(c->task.scene, &batch->cell_points[i],
+                                         sky->sun, &opening);
+        if (share > 0.0)
+            status =
+                add_sun(list, used,
+                        (struct sun_entry){
+                            i, opening >= 0 ? c->task.group_of_opening[opening] : 0,
+                            (float)(share * sky->direct_lx)});
+    }
+    for (int i = 0; i < PP_YEAR_OUTDOOR_CELLS && status == PP_OK; i++) {
+        if (!batch->outdoor_is_used[i])
+            continue;
+        double share = pp_sun_on_surface(c->task.scene, &batch->outdoor_points[i],
+                                         sky->sun, &opening);
+        if (share > 0.0)
+            status = add_sun(
+                list, used, (struct sun_entry){i, -1, (float)(share * sky->direct_lx)});
+    }
+    return status;
+}
+
+static bool light_batch(void *data, int worker, int b)
+{
+    (void)worker;
+    struct pp_year_coefficients *c = data;
+    struct sun_list *list = &c->suns[b];
+    int used = 0;
+    list->first = calloc((size_t)c->light->count + 1, sizeof *list->first);
+    c->status[b] = list->first ? PP_OK : pp_fail_memory(NULL);
+    for (int t = 0; t < c->light->count && c->status[b] == PP_OK; t++) {
+        c->status[b] = add_suns_of_hour(c, b, &c->light->skies[t], list, &used);
+        list->first[t + 1] = used;
+    }
+    return c->status[b] == PP_OK;
+}
+
+enum pp_status pp_year_coefficients_light(struct pp_year_coefficients *c,
+                                          const struct pp_light_columns *light,
+                                          struct pp_error *err)
+{
+    clear_suns(c);
+    c->light = light;
+    return for_batches(c, light_batch, err);
+}
+
+/* ---- a point ---- */
+
+static void add_suns(const struct pp_year_coefficients *c, int receiver, int b,
+                     size_t step, float *sun)
+{
+    const struct pp_year_batch *batch = &c->batches[b];
+    const struct sun_list *list = &c->suns[b];
+    int groups = c->task.group_count;
+    const float *inside = batch->inside + (size_t)receiver * (size_t)c->cells.count;
+    const float *outdoor =
+        batch->outdoor + (size_t)(receiver * groups) * PP_YEAR_OUTDOOR_CELLS;
+    for (int t = 0; t < c->light->count; t++)
+        for (int k = list->first[t]; k < list->first[t + 1]; k++) {
+            const struct sun_entry *entry = &list->entries[k];
+            if (entry->group >= 0) {
+                sun[(size_t)(entry->group * PP_YEAR_BATCHES + b) * step + (size_t)t] +=
+                    inside[entry->cell] * entry->lx;
+                continue;
+            }
+            for (int g = 0; g < groups; g++)
+                sun[(size_t)(g * PP_YEAR_BATCHES + b) * step + (size_t)t] +=
+                    outdoor[g * PP_YEAR_OUTDOOR_CELLS + entry->cell] * entry->lx;
+        }
+}
+
+enum pp_status pp_year_coefficients_point(const struct pp_year_coefficients *c,
+                                          int receiver, const float *direct,
+                                          struct pp_year_point *point,
+                                          struct pp_error *err)
+{
+    int groups = c->task.group_count, columns = c->task.column_count;
+    int row_count = groups * PP_YEAR_BATCHES;
+    size_t step = (size_t)c->light->tiles * PP_LIGHT_LANES;
+    float *rows = malloc((size_t)row_count * (size_t)columns * sizeof *rows);
+    if (!rows)
+        return pp_fail_memory(err);
+    for (int g = 0; g < groups; g++)
+        for (int b = 0; b < PP_YEAR_BATCHES; b++) {
+            float *row = rows + (size_t)(g * PP_YEAR_BATCHES + b) * (size_t)columns;
+            const float *light =
+                c->batches[b].light + (size_t)(receiver * groups + g) * (size_t)columns;
+            for (int k = 0; k < columns; k++)
+                row[k] = light[k] + (direct ? direct[g * columns + k] : 0.0f);
+        }
+    pp_year_product(point->sky, rows, row_count, c->light);
+    free(rows);
+    memset(point->sun, 0, (size_t)row_count * step * sizeof *point->sun);
+    for (int b = 0; b < PP_YEAR_BATCHES; b++)
+        add_suns(c, receiver, b, step, point->sun);
+    return PP_OK;
+}
+
+void pp_year_coefficients_mean(const struct pp_year_coefficients *c, int receiver,
+                               double *mean)
+{
+    int groups = c->task.group_count, columns = c->task.column_count;
+    for (int i = 0; i < groups * columns; i++) {
+        mean[i] = 0.0;
+        for (int b = 0; b < PP_YEAR_BATCHES; b++)
+            mean[i] += c->batches[b].light[(size_t)(receiver * groups * columns + i)]
+                       / PP_YEAR_BATCHES;
+    }
+}
+
+int pp_year_coefficients_cells(const struct pp_year_coefficients *c)
+{
+    return c->cells.count;
+}
+
+const struct pp_sky_patches *pp_year_coefficients_patches(
+    const struct pp_year_coefficients *c)
+{
+    return &c->patches;
+}

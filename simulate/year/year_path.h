@@ -1,0 +1,55 @@
+/* year_path.h - light paths of a room without their light: where they end and where the sun
+ * can add to them, so that one set of paths serves every hour of a year.
+ *
+ * The paths are those of simulate/path_tracer/path_trace.h, with the same next-event
+ * estimation of openings. A path reports its events to a sink, each with a weight w:
+ *
+ *     sky          E += w L(u)             L luminance of the sky in direction u
+ *     skyline      E += w M/pi             M exitance of a skyline without a distance
+ *     horizontal   E += w Eh               Eh horizontal illuminance: open ground, and
+ *                                          surfaces with an exitance of their own
+ *     lit          E += w Es(y)            Es illuminance of the sun on one side of a
+ *                                          surface, at y
+ *
+ * E is the irradiance of the receiver. A sink may also end a path at an inside surface
+ * whose irradiance it knows.
+ *
+ * Not counted: sunlight that a pane, a mirror or a gloss reflects regularly.
+ */
+#ifndef PP_SIMULATE_YEAR_YEAR_PATH_H
+#define PP_SIMULATE_YEAR_YEAR_PATH_H
+
+#include "simulate/path_tracer/path_trace.h"
+
+/* An event. opening: by which the path has left the room last; -1: by none. */
+struct pp_year_event {
+    double weight;
+    int opening;
+    bool straight;    /* of sky: seen from the receiver, or through clear glass only */
+    struct pp_vec3 u; /* of sky */
+    int far;          /* of skyline: its index */
+    struct pp_lit_point at;         /* of lit: one side of a surface */
+    const struct pp_light_hit *hit; /* of lit and known: the surface */
+};
+
+struct pp_year_sink {
+    void *data;
+    void (*sky)(void *data, const struct pp_year_event *event);
+    void (*skyline)(void *data, const struct pp_year_event *event);
+    void (*horizontal)(void *data, const struct pp_year_event *event);
+    void (*lit)(void *data, const struct pp_year_event *event);
+    /* Is the irradiance at this inside surface known? Then it counts as E += w times it,
+     * and the path ends. NULL: never. */
+    bool (*known)(void *data, const struct pp_year_event *event);
+};
+
+/* One path through the openings, by next-event estimation, from one side of a surface; and
+ * one in a direction of its cosine lobe. Each is a sample of its part of E. */
+void pp_year_path_openings(struct pp_path_walk *walk, const struct pp_year_sink *sink,
+                           const struct pp_lit_point *at);
+void pp_year_path_lobe(struct pp_path_walk *walk, const struct pp_year_sink *sink,
+                       const struct pp_lit_point *at);
+
+/* Outdoors there are no openings to aim at, and the lobe has all light. */
+
+#endif

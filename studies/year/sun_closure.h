@@ -1,0 +1,37 @@
+/* sun_closure.h - the time of the sun by which a weather file was made, from its own
+ * radiation.
+ *
+ * In most files global horizontal = direct normal x sin(altitude) + diffuse horizontal
+ * holds by construction. The sun is put at the middle of each record plus a shift; the
+ * shift with the least root mean square of the difference, over records with direct
+ * light, is that of the file.
+ */
+#ifndef PP_STUDIES_YEAR_SUN_CLOSURE_H
+#define PP_STUDIES_YEAR_SUN_CLOSURE_H
+
+#include "formats/epw/epw.h"
+
+enum pp_sun_closure_finding {
+    PP_CLOSURE_AT_MIDDLE, /* the sun of the file stands at the middle of its records */
+    PP_CLOSURE_SHIFTED,   /* at another time, by best_h */
+    PP_CLOSURE_SEASONAL, /* shifted in one half of the year only: summer time in the data */
+    PP_CLOSURE_SWAPPED, /* closes if direct and diffuse columns change places */
+    PP_CLOSURE_NONE,    /* at no shift: measured data, or damaged ones */
+    PP_CLOSURE_UNKNOWN, /* no records with all three irradiances */
+};
+
+struct pp_sun_closure {
+    enum pp_sun_closure_finding finding;
+    int records;               /* with direct light and all three irradiances */
+    double best_h;             /* -1 to 1 */
+    double rms_best, rms_0;    /* W/m2 */
+    double summer_h, winter_h; /* best shifts of April to September, of the rest */
+};
+
+struct pp_sun_closure pp_sun_closure_of_epw(const struct pp_epw *epw);
+
+/* The year of the sun of a record: the year of all records where they have one within
+ * 1950 to 2050; else, of a typical year, 2001. */
+int pp_sun_closure_year(const struct pp_epw *epw);
+
+#endif

@@ -1,0 +1,264 @@
+/* weather_year.c - records to skies: the sun's place, and the Perez sky of it. */
+#include "studies/year/weather_year.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "model/base/text.h"
+#include "model/light/sun.h"
+
+/* ---- the sun of a record ---- */
+
+static struct pp_vec3 direction(const struct pp_sun *sun)
+{
+    double h = sun->altitude_rad, az = sun->bearing_rad;
+    return pp_vec(cos(h) * sin(az), cos(h) * cos(az), sin(h));
+}
+
+static struct pp_sun sun_at(const struct pp_weather_year *year,
+                            const struct pp_epw_record *record, double hour)
+{
+    const struct pp_epw *epw = year->epw;
+    double n = pp_sun_days_since_2000(year->sun_year, record->date.month,
+                                      record->date.day, hour - epw->time_zone_h);
+    return pp_sun_at(n, epw->latitude_rad, epw->longitude_rad);
+}
+
+/* The mean direction of the sun over the part of the record in which it is up, by
+ * minutes; false: it is down. */
+static bool mean_risen_sun(const struct pp_weather_year *year,
+                           const struct pp_epw_record *record, double middle_h,
+                           struct pp_vec3 *mean)
+{
+    double length_h = year->epw->record_h;
+    int steps = (int)ceil(60.0 * length_h);
+    *mean = pp_vec(0.0, 0.0, 0.0);
+    for (int i = 0; i < steps; i++) {
+        double hour = middle_h + length_h * ((i + 0.5) / steps - 0.5);
+        struct pp_sun sun = sun_at(year, record, hour);
+        if (sun.altitude_rad > 0.0)
+            *mean = pp_vec_add(*mean, direction(&sun));
+    }
+    if (!(mean->z > 0.0))
+        return false;
+    *mean = pp_vec_unit(*mean);
+    return true;
+}
+
+/* ---- the sky of a record ---- */
+
+/* Dew point of 2 cm of precipitable water, where a record has none. */
+static const double DEW_POINT_C = 10.97;
+
+static void count_limits(struct pp_weather_year *year, unsigned limits)
+{
+    year->positive_b += (limits & PP_PEREZ_B_POSITIVE) != 0;
+    year->brightness += (limits & PP_PEREZ_BRIGHTNESS) != 0;
+    year->clearness += (limits & PP_PEREZ_CLEARNESS) != 0;
+    year->no_diffuse += (limits & PP_PEREZ_NO_DIFFUSE) != 0;
+}
+
+static void add_sky(struct pp_weather_year *year, const struct pp_epw_record *record,
+                    struct pp_weather_hour *hour)
+{
+    double middle_h = record->start_h + 0.5 * year->epw->record_h + year->sun_shift_h;
+    struct pp_sun sun = sun_at(year, record, middle_h);
+    struct pp_perez_conditions conditions = {.direct_w_m2 = record->direct_w_m2,
+                                             .diffuse_w_m2 = record->diffuse_w_m2,
+                                             .sun = direction(&sun),
+                                             .sun_distance_au = sun.distance_au,
+                                             .dew_point_c = record->dew_point_c};
+    if (isnan(conditions.dew_point_c)) {
+        conditions.dew_point_c = DEW_POINT_C;
+        year->no_dew_point++;
+    }
+    if (record->direct_w_m2 > 0.0 && !(sun.altitude_rad > 0.0)) {
+        struct pp_vec3 risen;
+        bool is_up = mean_risen_sun(year, record, middle_h, &risen);
+        if (is_up)
+            conditions.sun = risen;
+        else
+            conditions.direct_w_m2 = 0.0;
+        year->moved_suns += is_up;
+        year->sunless_beams += !is_up;
+    }
+    struct pp_perez_sky sky = pp_perez_sky_of(&conditions);
+    if (!(sky.diffuse_lx > 0.0) && !(sky.direct_lx > 0.0))
+        return;
+    count_limits(year, sky.limits);
+    hour->lit = true;
+    hour->sky = year->sky_count;
+    year->skies[year->sky_count++] = sky;
+}
+
+static void add_hour(struct pp_weather_year *year, const struct pp_epw_record *record,
+                     const struct pp_weather_options *options)
+{
+    if (record->date.month == 2 && record->date.day == 29 && !options->leap_day) {
+        year->leap_records++;
+        return;
+    }
+    struct pp_weather_hour *hour = &year->hours[year->count++];
+    *hour = (struct pp_weather_hour){.date = record->date,
+                                     .weekday = record->weekday,
+                                     .start_h = record->start_h,
+                                     .length_h = year->epw->record_h,
+                                     .sky = -1};
+    hour->known = !isnan(record->direct_w_m2) && !isnan(record->diffuse_w_m2);
+    if (hour->known)
+        add_sky(year, record, hour);
+    year->missing += !hour->known;
+}
+
+enum pp_status pp_weather_year_of_epw(struct pp_weather_year *year,
+                                      const struct pp_epw *epw,
+                                      const struct pp_weather_options *options,
+                                      const char *file, struct pp_error *err)
+{
+    *year = (struct pp_weather_year){.epw = epw,
+                                     .closure = pp_sun_closure_of_epw(epw),
+                                     .sun_year = pp_sun_closure_year(epw)};
+    bool shifted = year->closure.finding == PP_CLOSURE_SHIFTED;
+    year->sun_shift_h = !isnan(options->sun_shift_h) ? options->sun_shift_h
+                        : shifted                    ? year->closure.best_h
+                                                     : 0.0;
+    double hours = epw->record_count * epw->record_h;
+    if (hours < 8760.0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s: it has %g hours; expected the 8760 of a year", file, hours);
+    year->hours = calloc((size_t)epw->record_count, sizeof *year->hours);
+    year->skies = calloc((size_t)epw->record_count, sizeof *year->skies);
+    if (!year->hours || !year->skies) {
+        pp_weather_year_clear(year);
+        return pp_fail_memory(err);
+    }
+    for (int i = 0; i < epw->record_count; i++)
+        add_hour(year, &epw->records[i], options);
+    if (year->sky_count > 0)
+        return PP_OK;
+    pp_weather_year_clear(year);
+    return pp_fail(err, PP_BAD_INPUT,
+                   "%s: it has no direct and no diffuse irradiance (fields 15 and 16)",
+                   file);
+}
+
+void pp_weather_year_clear(struct pp_weather_year *year)
+{
+    free(year->hours);
+    free(year->skies);
+    year->hours = NULL;
+    year->skies = NULL;
+    year->count = year->sky_count = 0;
+}
+
+enum pp_status pp_weather_year_moment(struct pp_perez_sky *sky,
+                                      const struct pp_weather_year *year,
+                                      struct pp_month_day date, double clock_h,
+                                      struct pp_error *err)
+{
+    char words[32];
+    pp_month_day_words(words, sizeof words, date);
+    for (int i = 0; i < year->count; i++) {
+        const struct pp_weather_hour *hour = &year->hours[i];
+        if (!pp_month_day_same(hour->date, date) || clock_h < hour->start_h
+            || clock_h >= hour->start_h + hour->length_h)
+            continue;
+        if (!hour->lit)
+            return pp_fail(err, PP_BAD_INPUT,
+                           "%s, %02d:%02d: the weather file has no light then", words,
+                           (int)clock_h, (int)(60.0 * fmod(clock_h, 1.0)));
+        *sky = year->skies[hour->sky];
+        return PP_OK;
+    }
+    return pp_fail(err, PP_BAD_INPUT, "%s: the weather file has no such day in use",
+                   words);
+}
+
+struct pp_perez_sky pp_weather_year_turned(const struct pp_perez_sky *sky,
+                                           double north_rad)
+{
+    /* The y axis has the bearing north_rad, x that and 90 degrees. */
+    struct pp_perez_sky turned = *sky;
+    double c = cos(north_rad), s = sin(north_rad);
+    turned.sun.x = sky->sun.x * c - sky->sun.y * s;
+    turned.sun.y = sky->sun.x * s + sky->sun.y * c;
+    return turned;
+}
+
+/* ---- sentences ---- */
+
+static void append_count(char *text, size_t room, int count, const char *words)
+{
+    if (count > 0)
+        pp_text_append(text, room, "%s%d %s", text[0] ? "; " : "", count, words);
+}
+
+const char *pp_weather_year_notes(char *text, size_t room,
+                                  const struct pp_weather_year *year)
+{
+    text[0] = '\0';
+    append_count(text, room, year->leap_records, "records of 29 February left out");
+    append_count(text, room, year->missing,
+                 "records without irradiance belong to no count of hours");
+    append_count(
+        text, room, year->moved_suns,
+        "records at sunrise or sunset with the sun at its mean place above the "
+        "horizon");
+    append_count(text, room, year->sunless_beams,
+                 "records with direct light and no sun: direct light left out");
+    append_count(text, room, year->no_diffuse,
+                 "records with direct light and no diffuse light: a black sky");
+    append_count(text, room, year->no_dew_point,
+                 "records without a dew point: 10.97 degrees C");
+    append_count(text, room, year->positive_b,
+                 "skies with Perez's b above 0, taken as 0");
+    append_count(text, room, year->brightness,
+                 "skies beyond Perez's limits of brightness");
+    append_count(text, room, year->clearness,
+                 "skies beyond Perez's limits of clearness");
+    return text;
+}
+
+const char *pp_weather_year_warning(char *text, size_t room,
+                                    const struct pp_weather_year *year)
+{
+    const struct pp_sun_closure *c = &year->closure;
+    double minutes = 60.0 * c->best_h;
+    switch (c->finding) {
+    case PP_CLOSURE_SHIFTED:
+        snprintf(text, room,
+                 "the radiation of the weather file fits a sun %g minutes %s than the "
+                 "middle of its records (rms %.1f, else %.1f W/m2); sun shift in use: "
+                 "%g minutes",
+                 fabs(minutes), minutes > 0.0 ? "later" : "earlier", c->rms_best,
+                 c->rms_0, 60.0 * year->sun_shift_h);
+        return text;
+    case PP_CLOSURE_SEASONAL:
+        snprintf(
+            text, room,
+            "the radiation of the weather file fits a sun shift of %g minutes from "
+            "April to September and of %g in the other months: its times may follow "
+            "summer time; sun shift in use: %g minutes",
+            60.0 * c->summer_h, 60.0 * c->winter_h, 60.0 * year->sun_shift_h);
+        return text;
+    case PP_CLOSURE_SWAPPED:
+        snprintf(text, room,
+                 "the radiation of the weather file adds up only if direct normal and "
+                 "diffuse horizontal irradiance (fields 15 and 16) change places");
+        return text;
+    case PP_CLOSURE_NONE:
+        snprintf(
+            text, room,
+            "the radiation of the weather file does not add up for any sun shift "
+            "within an hour (rms %.0f W/m2): measured or damaged data, a wrong time "
+            "zone or longitude, or direct horizontal in place of direct normal "
+            "irradiance; sun shift in use: %g minutes",
+            c->rms_best, 60.0 * year->sun_shift_h);
+        return text;
+    case PP_CLOSURE_AT_MIDDLE:
+    case PP_CLOSURE_UNKNOWN:
+        break;
+    }
+    return NULL;
+}

@@ -1,0 +1,79 @@
+/* weather_year.h - sky and sun of every hour of a weather file.
+ *
+ * A record's sky and sun are those of its middle, moved by the sun shift
+ * (sun_closure.h). Where the sun's centre is below the horizon then although the record
+ * has direct light, the sun stands at the mean of its positions above the horizon
+ * within the record; direct light of a record without such a position is left out.
+ * Records of 29 February are left out unless `leap_day` keeps them. A record whose direct
+ * or diffuse irradiance is missing is not known, and belongs to no count of hours.
+ */
+#ifndef PP_STUDIES_YEAR_WEATHER_YEAR_H
+#define PP_STUDIES_YEAR_WEATHER_YEAR_H
+
+#include "formats/epw/epw.h"
+#include "model/light/perez_sky.h"
+#include "studies/year/sun_closure.h"
+
+struct pp_weather_hour {
+    struct pp_month_day date;
+    int weekday;              /* 0 Monday to 6 Sunday, or PP_WEEKDAY_UNKNOWN */
+    double start_h, length_h; /* local standard time */
+    bool known;
+    bool lit; /* has it a sky or a sun? */
+    int sky;  /* index in skies; -1: dark, or not known */
+};
+
+struct pp_weather_options {
+    double sun_shift_h; /* NAN: by the file's own radiation */
+    bool leap_day;
+};
+
+struct pp_weather_year {
+    const struct pp_epw *epw; /* not owned */
+    int count;
+    struct pp_weather_hour *hours;
+    int sky_count;
+    struct pp_perez_sky *skies; /* axes: x east, y north, z up */
+    struct pp_sun_closure closure;
+    double sun_shift_h; /* in use */
+    int sun_year;       /* of all sun positions */
+
+    int leap_records;  /* of 29 February, left out */
+    int missing;       /* records without direct or diffuse irradiance */
+    int no_dew_point;  /* records with light for which 11 degrees Celsius was taken */
+    int moved_suns;    /* sun at the mean of its part above the horizon */
+    int sunless_beams; /* direct light left out, as the sun is down */
+    int no_diffuse;    /* records with direct light alone: a black sky */
+    int positive_b;    /* skies with b above 0, taken as 0 */
+    int brightness, clearness; /* skies beyond the model's limits of these */
+};
+
+/* PP_BAD_INPUT where the file covers less than a year, or has no light. file: its name,
+ * for that message. On success the caller clears *year. */
+enum pp_status pp_weather_year_of_epw(struct pp_weather_year *year,
+                                      const struct pp_epw *epw,
+                                      const struct pp_weather_options *options,
+                                      const char *file, struct pp_error *err);
+void pp_weather_year_clear(struct pp_weather_year *year);
+
+/* The sky of one moment of the file, by its date and clock time (h): that of the record
+ * in which it lies. PP_BAD_INPUT where there is no such record, or none known. */
+enum pp_status pp_weather_year_moment(struct pp_perez_sky *sky,
+                                      const struct pp_weather_year *year,
+                                      struct pp_month_day date, double clock_h,
+                                      struct pp_error *err);
+
+/* The same sky in a room's axes; north_rad: bearing of the room's y axis. */
+struct pp_perez_sky pp_weather_year_turned(const struct pp_perez_sky *sky,
+                                           double north_rad);
+
+/* Sentences on the sun shift, 29 February and the records that needed a decision.
+ * Returns text. */
+const char *pp_weather_year_notes(char *text, size_t room,
+                                  const struct pp_weather_year *year);
+
+/* One of the findings that a user must read, as a sentence; NULL: there is none. */
+const char *pp_weather_year_warning(char *text, size_t room,
+                                    const struct pp_weather_year *year);
+
+#endif

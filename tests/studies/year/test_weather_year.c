@@ -1,0 +1,156 @@
+/* Sky and sun of the hours of a weather file, and where its own radiation puts the sun. */
+#include "tests/lib/made_epw.h"
+#include "tests/lib/near.h"
+
+#include "model/light/sun.h"
+#include "studies/year/weather_year.h"
+
+/* A weather file of clear days at Brussels whose global irradiance has the sun at
+ * the middle of the hour plus shift_h; in summer, April to September, plus summer_h
+ * more. */
+struct made_sky {
+    double shift_h, summer_h;
+    bool swapped, leap;
+};
+
+static double sun_height(int month, int day, double hour)
+{
+    double n = pp_sun_days_since_2000(2001, month, day, hour - 1.0);
+    return fmax(0.0, sin(pp_sun_at(n, 50.90 * PP_RAD, 4.53 * PP_RAD).altitude_rad));
+}
+
+static struct pp_epw *made_file(struct made_sky sky)
+{
+    static const int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    struct made_epw made;
+    char said[200];
+    epw_begin(&made);
+    epw_header(&made, "No", "1,1,Data,Sunday,1/1,12/31");
+    for (int month = 1; month <= 12; month++)
+        for (int day = 1; day <= days[month - 1] + (sky.leap && month == 2); day++)
+            for (int hour = 1; hour <= 24; hour++) {
+                bool summer = month >= 4 && month <= 9;
+                double shift_h = sky.shift_h + (summer ? sky.summer_h : 0.0);
+                double s = sun_height(month, day, hour - 0.5 + shift_h);
+                double direct = s > 0.0 ? 800.0 * s / (s + 0.1) : 0.0;
+                double diffuse = s > 0.0 ? 20.0 + 90.0 * s : 0.0;
+                char global[20], a[20], b[20];
+                snprintf(global, sizeof global, "%.0f", direct * s + diffuse);
+                snprintf(a, sizeof a, "%.0f", sky.swapped ? diffuse : direct);
+                snprintf(b, sizeof b, "%.0f", sky.swapped ? direct : diffuse);
+                epw_record(&made,
+                           sky.leap    ? 2024
+                           : month % 2 ? 1999
+                                       : 2003,
+                           month, day, hour, 0, global, a, b, "999999");
+            }
+    struct pp_epw *epw = epw_made(&made, said, sizeof said);
+    assert_string_equal(said, "");
+    epw_end(&made);
+    return epw;
+}
+
+static void its_radiation_shows_where_its_sun_stands(void **state)
+{
+    (void)state;
+    static const struct {
+        struct made_sky sky;
+        enum pp_sun_closure_finding finding;
+        double best_h;
+    } files[] = {
+        {{.shift_h = 0.0}, PP_CLOSURE_AT_MIDDLE, 0.0},
+        {{.shift_h = 0.5}, PP_CLOSURE_SHIFTED, 0.5},
+        {{.shift_h = -0.5}, PP_CLOSURE_SHIFTED, -0.5},
+        {{.summer_h = 1.0}, PP_CLOSURE_SEASONAL, NAN},
+        {{.swapped = true}, PP_CLOSURE_SWAPPED, NAN},
+    };
+    for (int i = 0; i < 5; i++) {
+        struct pp_epw *epw = made_file(files[i].sky);
+        struct pp_sun_closure closure = pp_sun_closure_of_epw(epw);
+        assert_int_equal(closure.finding, files[i].finding);
+        if (!isnan(files[i].best_h)) {
+            assert_near(closure.best_h, files[i].best_h, 0.03);
+            assert_true(closure.rms_best < 2.0);
+        }
+        pp_epw_destroy(epw);
+    }
+}
+
+static struct pp_weather_year year_of(const struct pp_epw *epw, double shift_h,
+                                      bool leap_day)
+{
+    struct pp_weather_year year;
+    struct pp_weather_options options = {.sun_shift_h = shift_h, .leap_day = leap_day};
+    assert_int_equal(pp_weather_year_of_epw(&year, epw, &options, "made.epw", NULL),
+                     PP_OK);
+    return year;
+}
+
+static void the_shift_found_is_used_unless_another_is_chosen(void **state)
+{
+    (void)state;
+    struct pp_epw *epw = made_file((struct made_sky){.shift_h = 0.5});
+    char text[400];
+    struct pp_weather_year own = year_of(epw, NAN, false),
+                           none = year_of(epw, 0.0, false);
+    assert_near(own.sun_shift_h, 0.5, 0.03);
+    assert_near(none.sun_shift_h, 0.0, 0.0);
+    assert_non_null(pp_weather_year_warning(text, sizeof text, &own));
+    assert_non_null(strstr(text, "30 minutes later"));
+    /* 21 March, 15:00 to 16:00, hour angle 43.7 degrees between the two: the altitude falls
+     * by cos(latitude) sin(azimuth) times 7.5 degrees in half an hour. */
+    struct pp_perez_sky a, b;
+    struct pp_month_day equinox = {3, 21};
+    assert_int_equal(pp_weather_year_moment(&a, &own, equinox, 15.5, NULL), PP_OK);
+    assert_int_equal(pp_weather_year_moment(&b, &none, equinox, 15.5, NULL), PP_OK);
+    assert_near(asin(b.sun.z) - asin(a.sun.z), 3.67 * PP_RAD, 0.1 * PP_RAD);
+    assert_int_equal(pp_weather_year_moment(&a, &own, equinox, 1.0, NULL),
+                     PP_BAD_INPUT);
+    pp_weather_year_clear(&own);
+    pp_weather_year_clear(&none);
+    pp_epw_destroy(epw);
+}
+
+static void every_record_has_its_place(void **state)
+{
+    (void)state;
+    struct pp_epw *epw = made_file((struct made_sky){.leap = true});
+    struct pp_weather_year year = year_of(epw, 0.0, false);
+    assert_int_equal(year.count, 8760);
+    assert_int_equal(year.leap_records, 24);
+    assert_int_equal(year.sun_year, 2024); /* of all records */
+    assert_int_equal(year.hours[59 * 24].date.month, 3);
+    pp_weather_year_clear(&year);
+    year = year_of(epw, 0.0, true);
+    assert_int_equal(year.count, 8784);
+    pp_weather_year_clear(&year);
+    pp_epw_destroy(epw);
+    epw = made_file((struct made_sky){.leap = false});
+    year = year_of(epw, 0.0, false);
+    assert_int_equal(year.sun_year, 2001); /* a typical year: of several years */
+    pp_weather_year_clear(&year);
+    pp_epw_destroy(epw);
+}
+
+/* A room whose y axis points east (bearing 90) has a sun in the east along its y axis. */
+static void skies_turn_with_the_room(void **state)
+{
+    (void)state;
+    struct pp_perez_sky sky = {.sun = {0.8, 0.0, 0.6}};
+    struct pp_perez_sky turned = pp_weather_year_turned(&sky, PP_PI / 2.0);
+    assert_near(turned.sun.y, 0.8, 1e-12);
+    assert_near(turned.sun.x, 0.0, 1e-12);
+    sky.sun = pp_vec(0.0, 0.8, 0.6); /* north is to the left of it: -x */
+    assert_near(pp_weather_year_turned(&sky, PP_PI / 2.0).sun.x, -0.8, 1e-12);
+}
+
+TEST_FILE
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(its_radiation_shows_where_its_sun_stands),
+        cmocka_unit_test(the_shift_found_is_used_unless_another_is_chosen),
+        cmocka_unit_test(every_record_has_its_place),
+        cmocka_unit_test(skies_turn_with_the_room),
+    };
+    add_tests(tests, NULL, NULL);
+}
