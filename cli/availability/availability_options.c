@@ -196,6 +196,10 @@ const struct pp_option pp_light_options[] = {
      "Of the clock, in hours ahead of universal time (default: nearest to the "
      "longitude).",
      read_zone, PLACE(time_zone_h)},
+    {0},
+};
+
+const struct pp_option pp_working_time_options[] = {
     {"hours", 0, "H-H,...",
      "Working hours by the clock, one curve each: 8-18,8:30-17 (default 8-18,9-17).",
      read_hours, PLACE(hours)},

@@ -12,6 +12,7 @@
 /* Options of the light outside, the hours and the target illuminances, for struct
  * pp_option_group; their values are a struct pp_year_options. */
 extern const struct pp_option pp_light_options[];
+extern const struct pp_option pp_working_time_options[];
 extern const struct pp_option pp_illuminance_options[];
 
 /* Checks that the options are consistent with each other and with the room files. */

@@ -154,6 +154,7 @@ static enum pp_exit run_availability(void *values, char **files, int file_count)
 
 static const struct pp_option_group groups[] = {
     {"Light outside and working hours", pp_light_options, PLACE(light)},
+    {"Light outside and working hours", pp_working_time_options, PLACE(light)},
     {"What is computed", pp_illuminance_options, PLACE(light)},
     PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
     PP_ROOM_SIMULATION_GROUPS(PLACE(room)),

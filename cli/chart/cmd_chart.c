@@ -320,6 +320,7 @@ static const struct pp_option_group groups[] = {
     {"Overlay", overlay_options, PLACE(chart.choice.board.overlay)},
     {"Scale model", model_options, PLACE(chart.choice.model)},
     {"Availability", pp_light_options, PLACE(chart.choice.availability)},
+    {"Availability", pp_working_time_options, PLACE(chart.choice.availability)},
     {"Availability", pp_illuminance_options, PLACE(chart.choice.availability)},
     PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
     PP_ROOM_SIMULATION_GROUPS(PLACE(room)),

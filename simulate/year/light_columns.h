@@ -7,6 +7,8 @@
 #ifndef PP_SIMULATE_YEAR_LIGHT_COLUMNS_H
 #define PP_SIMULATE_YEAR_LIGHT_COLUMNS_H
 
+#include <stddef.h>
+
 #include "model/base/thread_pool.h"
 #include "model/light/perez_sky.h"
 #include "model/light/sky_patches.h"
@@ -38,6 +40,15 @@ void pp_light_columns_clear(struct pp_light_columns *light);
 static inline double pp_light_columns_horizontal(const struct pp_perez_sky *sky)
 {
     return sky->diffuse_lx + (sky->sun.z > 0.0 ? sky->direct_lx * sky->sun.z : 0.0);
+}
+
+/* Light of one column in one hour. */
+static inline float pp_light_columns_at(const struct pp_light_columns *light,
+                                        int column, int hour)
+{
+    size_t tile = (size_t)(hour / PP_LIGHT_LANES) * (size_t)light->column_count;
+    return light->columns[(tile + (size_t)column) * PP_LIGHT_LANES
+                          + (size_t)(hour % PP_LIGHT_LANES)];
 }
 
 #endif

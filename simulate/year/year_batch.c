@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "simulate/sampling/hash.h"
+#include "simulate/sampling/triangle.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/year/outdoor_cells.h"
 #include "simulate/year/sparse_rows.h"
@@ -14,8 +15,8 @@
 /* Surfaces nearer than this many sizes of a cell are followed on. */
 static const double NEAR = 1.5;
 
-/* Kinds of rows: one each for cells and receivers. D has the columns of light, then the
- * outdoor cells, for every group. */
+/* Kinds of rows: one each for cells and receivers. For every group D has the columns of
+ * light, the outdoor cells, and the panes as emitters. */
 enum rows { ROWS_D, ROWS_N, ROWS_G, ROWS_COUNT };
 
 /* A randomisation under way. */
@@ -25,17 +26,23 @@ struct batch_work {
     struct pp_outdoor_cells outdoor;
     struct pp_path_walk walk;
     uint64_t seed;
-    struct pp_sparse_rows of_cells[ROWS_COUNT], of_points[ROWS_COUNT];
+    struct pp_sparse_rows of_cells[ROWS_COUNT], of_points[ROWS_COUNT],
+        of_panes[ROWS_COUNT];
     struct pp_sparse_rows *rows; /* those being filled */
     double scale;                /* one over the number of paths */
     bool views_sky; /* does the receiver's closed form have direct light? */
 };
 
+static int columns_a_group(const struct pp_year_task *task)
+{
+    return task->column_count + PP_YEAR_OUTDOOR_CELLS + 1;
+}
+
 static int column_of(const struct batch_work *work, int opening, int column)
 {
     const struct pp_year_task *task = work->task;
     int group = opening >= 0 ? task->group_of_opening[opening] : 0;
-    return group * (task->column_count + PP_YEAR_OUTDOOR_CELLS) + column;
+    return group * columns_a_group(task) + column;
 }
 
 /* ---- events ---- */
@@ -80,6 +87,12 @@ static void take_lit(void *data, const struct pp_year_event *event)
     add_light(work, event, work->task->column_count + index);
 }
 
+static void take_pane(void *data, const struct pp_year_event *event)
+{
+    struct batch_work *work = data;
+    add_light(work, event, columns_a_group(work->task) - 1);
+}
+
 static bool take_known(void *data, const struct pp_year_event *event)
 {
     struct batch_work *work = data;
@@ -98,6 +111,7 @@ static const struct pp_year_sink batch_sink = {.sky = take_sky,
                                                .skyline = take_skyline,
                                                .horizontal = take_horizontal,
                                                .lit = take_lit,
+                                               .pane = take_pane,
                                                .known = take_known};
 
 static void begin_paths(struct batch_work *work, uint64_t place)
@@ -211,6 +225,77 @@ static enum pp_status follow_points(struct batch_work *work, struct pp_error *er
     return status;
 }
 
+/* A random place on the outside of a group's panes: each has its share of the area. */
+static struct pp_lit_point draw_on_pane(struct batch_work *work, int group)
+{
+    const struct pp_year_task *task = work->task;
+    const struct pp_light_scene *scene = task->scene;
+    double u[3], area_m2 = 0.0;
+    pp_path_walk_draw(&work->walk, 3, u);
+    const struct pp_target *target = NULL;
+    for (int i = 0; i < scene->pane_count; i++)
+        if (task->group_of_opening[scene->parts[scene->panes[i].part].window] == group)
+            area_m2 += scene->panes[i].target.area_m2;
+    double left_m2 = u[2] * area_m2;
+    for (int i = 0; i < scene->pane_count; i++) {
+        if (task->group_of_opening[scene->parts[scene->panes[i].part].window] != group)
+            continue;
+        target = &scene->panes[i].target;
+        if (left_m2 < target->area_m2)
+            break;
+        left_m2 -= target->area_m2;
+    }
+    struct pp_lit_point at = {.space = PP_OUTDOORS};
+    if (!target)
+        return at;
+    at.normal = pp_vec_scale(target->normal, -1.0);
+    at.point =
+        target->rectangle
+            ? pp_target_point(target, u[0] * target->width_m, u[1] * target->height_m)
+            : pp_triangle_point_of((const struct pp_vec3(*)[3])target->triangles,
+                                   target->triangle_count, target->area_m2, u[0], u[1]);
+    return at;
+}
+
+static enum pp_status follow_panes(struct batch_work *work, struct pp_error *err)
+{
+    const struct pp_year_task *task = work->task;
+    struct pp_year_batch *batch = work->batch;
+    struct pp_year_sink sink = batch_sink;
+    struct pp_sparse_rows *rows = work->of_panes;
+    enum pp_status status = PP_OK;
+    sink.data = work;
+    work->rows = rows;
+    work->views_sky = false;
+    work->scale = 1.0 / task->point_paths;
+    for (int g = 0; g < task->group_count && status == PP_OK; g++) {
+        begin_paths(work, (UINT64_C(1) << 41) + (uint64_t)g);
+        for (int i = 0; i < task->point_paths; i++) {
+            work->walk.index = (uint32_t)i;
+            work->walk.vertex = 0;
+            struct pp_lit_point at = draw_on_pane(work, g);
+            if (i < PP_YEAR_PANE_POINTS)
+                batch->pane_points[g * PP_YEAR_PANE_POINTS + i] = at;
+            if (pp_vec_length(at.normal) > 0.0)
+                pp_year_path_lobe(&work->walk, &sink, &at);
+        }
+        for (int k = 0; k < ROWS_COUNT && status == PP_OK; k++)
+            status = pp_sparse_rows_end(&rows[k], err);
+        /* By whichever opening the light has left the room again. */
+        const struct pp_sparse_rows *D = &rows[ROWS_D];
+        for (int k = D->first[g]; status == PP_OK && k < D->first[g + 1]; k++) {
+            int column = D->entries[k].column % columns_a_group(task);
+            float value = D->entries[k].value;
+            if (column < task->column_count)
+                batch->on_pane[g * task->column_count + column] += value;
+            else if (column < columns_a_group(task) - 1)
+                batch->on_pane_outdoor[g * PP_YEAR_OUTDOOR_CELLS + column
+                                       - task->column_count] += value;
+        }
+    }
+    return status;
+}
+
 /* ---- equation (2) ----
  *
  * For a block of receivers at once: V is summed up term by term, V = G_x + G_x G + ...
@@ -231,7 +316,7 @@ static void add_times(block_row *sum, const block_row *factor, int count,
         }
 }
 
-static double sum_of(const block_row *rows, int count)
+static double sum_of_block(const block_row *rows, int count)
 {
     double sum = 0.0;
     for (int c = 0; c < count; c++)
@@ -257,7 +342,7 @@ static void solve_block(struct batch_work *work, struct block_space *space, int 
 {
     const struct pp_year_task *task = work->task;
     int cells = task->cells->count;
-    int per_group = task->column_count + PP_YEAR_OUTDOOR_CELLS;
+    int per_group = columns_a_group(task);
     int columns = task->group_count * per_group;
     size_t cell_bytes = (size_t)cells * sizeof(block_row);
     memset(space->term, 0, cell_bytes);
@@ -275,8 +360,8 @@ static void solve_block(struct batch_work *work, struct block_space *space, int 
         for (int c = 0; c < cells; c++)
             for (int p = 0; p < BLOCK; p++)
                 space->V[c][p] += space->term[c][p];
-        if (sum_of((const block_row *)space->term, cells)
-            <= LAST_TERM * sum_of((const block_row *)space->V, cells))
+        if (sum_of_block((const block_row *)space->term, cells)
+            <= LAST_TERM * sum_of_block((const block_row *)space->V, cells))
             break;
     }
     load(space->D, &work->of_points[ROWS_D], first, count);
@@ -298,16 +383,17 @@ static void solve_block(struct batch_work *work, struct block_space *space, int 
             for (int k = 0; k < PP_YEAR_OUTDOOR_CELLS; k++)
                 batch->outdoor[row * PP_YEAR_OUTDOOR_CELLS + (size_t)k] =
                     space->D[g * per_group + task->column_count + k][p];
+            batch->by_pane[row] =
+                space->D[g * per_group + per_group - 1][p] / (float)PP_PI;
         }
     }
 }
 
-static enum pp_status solve(struct batch_work *work, struct pp_error *err)
+static enum pp_status solve_points(struct batch_work *work, struct pp_error *err)
 {
     const struct pp_year_task *task = work->task;
     size_t cells = (size_t)task->cells->count + 1;
-    size_t columns = (size_t)task->group_count
-                     * (size_t)(task->column_count + PP_YEAR_OUTDOOR_CELLS);
+    size_t columns = (size_t)(task->group_count * columns_a_group(task));
     block_row *all = malloc((4 * cells + columns) * sizeof *all);
     if (!all)
         return pp_fail_memory(err);
@@ -332,10 +418,16 @@ static enum pp_status make_space(struct pp_year_batch *batch,
         calloc(points * groups * (size_t)task->column_count + 1, sizeof(float));
     batch->outdoor = calloc(points * groups * PP_YEAR_OUTDOOR_CELLS + 1, sizeof(float));
     batch->inside = calloc(points * cells + 1, sizeof(float));
+    batch->by_pane = calloc(points * groups + 1, sizeof(float));
+    batch->on_pane = calloc(groups * (size_t)task->column_count + 1, sizeof(float));
+    batch->on_pane_outdoor = calloc(groups * PP_YEAR_OUTDOOR_CELLS + 1, sizeof(float));
+    batch->pane_points =
+        calloc(groups * PP_YEAR_PANE_POINTS + 1, sizeof *batch->pane_points);
     batch->cell_points = calloc(cells + 1, sizeof *batch->cell_points);
     batch->cell_has_point = calloc(cells + 1, sizeof *batch->cell_has_point);
     if (!batch->light || !batch->outdoor || !batch->inside || !batch->cell_points
-        || !batch->cell_has_point)
+        || !batch->by_pane || !batch->on_pane || !batch->on_pane_outdoor
+        || !batch->pane_points || !batch->cell_has_point)
         return pp_fail_memory(err);
     return PP_OK;
 }
@@ -362,6 +454,8 @@ enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
         status = pp_sparse_rows_init(&work->of_cells[k], width, err);
         if (status == PP_OK)
             status = pp_sparse_rows_init(&work->of_points[k], width, err);
+        if (status == PP_OK)
+            status = pp_sparse_rows_init(&work->of_panes[k], width, err);
     }
     if (status == PP_OK) {
         place_suns(work, index);
@@ -370,12 +464,15 @@ enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
     if (status == PP_OK)
         status = follow_points(work, err);
     if (status == PP_OK)
-        status = solve(work, err);
+        status = follow_panes(work, err);
+    if (status == PP_OK)
+        status = solve_points(work, err);
     for (int i = 0; i < PP_YEAR_OUTDOOR_CELLS; i++)
         batch->outdoor_is_used[i] = work->outdoor.weights[i] > 0.0;
     for (int k = 0; k < ROWS_COUNT; k++) {
         pp_sparse_rows_clear(&work->of_cells[k]);
         pp_sparse_rows_clear(&work->of_points[k]);
+        pp_sparse_rows_clear(&work->of_panes[k]);
     }
     free(work);
     return status;
@@ -391,5 +488,6 @@ void pp_year_batch_clear(struct pp_year_batch *batch)
     free(batch->by_pane);
     free(batch->on_pane);
     free(batch->on_pane_outdoor);
+    free(batch->pane_points);
     *batch = (struct pp_year_batch){.light = NULL};
 }

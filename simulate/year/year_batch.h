@@ -31,7 +31,7 @@
 #include "model/light/sky_patches.h"
 #include "simulate/year/year_cells.h"
 
-enum { PP_YEAR_OUTDOOR_CELLS = 192 };
+enum { PP_YEAR_OUTDOOR_CELLS = 192, PP_YEAR_PANE_POINTS = 4 };
 
 /* The problem, the same for all randomisations. */
 struct pp_year_task {
@@ -61,10 +61,12 @@ struct pp_year_batch {
     struct pp_lit_point outdoor_points[PP_YEAR_OUTDOOR_CELLS];
     bool outdoor_is_used[PP_YEAR_OUTDOOR_CELLS];
 
-    /* Of blinds; NULL without. */
-    float *by_pane;         /* [receiver][group]: lx over lm/m2 of Lambertian panes */
-    float *on_pane;         /* [group][column]: mean over its openings' outside */
+    /* For blinds: */
+    float
+        *by_pane; /* [receiver][group]: lx by panes with an even exitance of 1 lm/m2 */
+    float *on_pane;         /* [group][column]: lx on the outside of panes, the mean */
     float *on_pane_outdoor; /* [group][outdoor cell] */
+    struct pp_lit_point *pane_points; /* [group][PP_YEAR_PANE_POINTS]: for the sun */
 };
 
 /* Works out randomisation `index`; the caller clears *batch, after a failure too. */

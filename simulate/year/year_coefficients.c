@@ -1,6 +1,7 @@
 /* year_coefficients.c - the batches, the sun on their cells, and the hours of a point. */
 #include "simulate/year/year_coefficients.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -58,7 +59,7 @@ enum pp_status pp_year_coefficients_create(
     struct pp_year_coefficients **coefficients, const struct pp_light_scene *scene,
     const struct pp_environment *environment, const struct pp_receiver *receivers,
     int receiver_count, const int *group_of_opening, int group_count,
-    const struct pp_year_options *options, struct pp_thread_pool *pool,
+    const struct pp_year_coefficient_options *options, struct pp_thread_pool *pool,
     struct pp_error *err)
 {
     *coefficients = NULL;
@@ -85,7 +86,6 @@ enum pp_status pp_year_coefficients_create(
         .column_count = options->patches + 1 + scene->skylines.far_count,
         .cell_paths = options->paths >= 4 ? options->paths / 4 : 1,
         .point_paths = options->paths,
-        .pane_light = options->pane_light,
         .sobol = &c->sobol,
         .seed = options->seed};
     if (status == PP_OK)
@@ -238,16 +238,77 @@ enum pp_status pp_year_coefficients_point(const struct pp_year_coefficients *c,
     return PP_OK;
 }
 
-void pp_year_coefficients_mean(const struct pp_year_coefficients *c, int receiver,
-                               double *mean)
+/* ---- panes ---- */
+
+static double sun_on_panes(const struct pp_year_coefficients *c, int group, int b,
+                           const struct pp_perez_sky *sky)
 {
-    int groups = c->task.group_count, columns = c->task.column_count;
-    for (int i = 0; i < groups * columns; i++) {
-        mean[i] = 0.0;
-        for (int b = 0; b < PP_YEAR_BATCHES; b++)
-            mean[i] += c->batches[b].light[(size_t)(receiver * groups * columns + i)]
-                       / PP_YEAR_BATCHES;
+    double share = 0.0;
+    int opening;
+    const struct pp_lit_point *points =
+        c->batches[b].pane_points + group * PP_YEAR_PANE_POINTS;
+    for (int i = 0; i < PP_YEAR_PANE_POINTS && sky->direct_lx > 0.0; i++)
+        share += pp_sun_on_surface(c->task.scene, &points[i], sky->sun, &opening);
+    return sky->direct_lx * share / PP_YEAR_PANE_POINTS;
+}
+
+/* The work of one batch on a group's panes. */
+struct panes_work {
+    const struct pp_year_coefficients *c;
+    int group;
+    float *lx;
+    size_t step;
+};
+
+static bool light_panes(void *data, int worker, int b)
+{
+    (void)worker;
+    struct panes_work *work = data;
+    const struct pp_year_coefficients *c = work->c;
+    const struct pp_year_batch *batch = &c->batches[b];
+    const struct sun_list *list = &c->suns[b];
+    float *lx = work->lx + (size_t)b * work->step;
+    pp_year_product(lx, batch->on_pane + work->group * c->task.column_count, 1,
+                    c->light);
+    const float *outdoor = batch->on_pane_outdoor + work->group * PP_YEAR_OUTDOOR_CELLS;
+    for (int t = 0; t < c->light->count; t++) {
+        lx[t] += (float)sun_on_panes(c, work->group, b, &c->light->skies[t]);
+        for (int k = list->first[t]; k < list->first[t + 1]; k++)
+            if (list->entries[k].group < 0)
+                lx[t] += outdoor[list->entries[k].cell] * list->entries[k].lx;
     }
+    return true;
+}
+
+void pp_year_coefficients_on_panes(const struct pp_year_coefficients *c, int group,
+                                   float *lx)
+{
+    struct panes_work work = {c, group, lx, (size_t)c->light->tiles * PP_LIGHT_LANES};
+    pp_thread_pool_run(c->pool, 0, PP_YEAR_BATCHES, light_panes, &work);
+}
+
+float pp_year_coefficients_by_panes(const struct pp_year_coefficients *c, int receiver,
+                                    int group, int batch)
+{
+    return c->batches[batch].by_pane[receiver * c->task.group_count + group];
+}
+
+double pp_year_coefficients_spread(const struct pp_year_coefficients *c, int receiver)
+{
+    int columns = c->task.group_count * c->task.column_count;
+    double sums[PP_YEAR_BATCHES], mean = 0.0, squares = 0.0;
+    for (int b = 0; b < PP_YEAR_BATCHES; b++) {
+        const float *row = c->batches[b].light + (size_t)receiver * (size_t)columns;
+        sums[b] = 0.0;
+        for (int i = 0; i < columns; i++)
+            sums[b] += row[i];
+        mean += sums[b] / PP_YEAR_BATCHES;
+    }
+    for (int b = 0; b < PP_YEAR_BATCHES; b++)
+        squares += (sums[b] - mean) * (sums[b] - mean);
+    return mean > 0.0
+               ? sqrt(squares / (PP_YEAR_BATCHES * (PP_YEAR_BATCHES - 1.0))) / mean
+               : 0.0;
 }
 
 int pp_year_coefficients_cells(const struct pp_year_coefficients *c)

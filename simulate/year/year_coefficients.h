@@ -15,12 +15,11 @@
 
 enum { PP_YEAR_BATCHES = 16 };
 
-struct pp_year_options {
+struct pp_year_coefficient_options {
     int paths;   /* of a point in each randomisation; a power of two */
     int cells;   /* wanted */
     int patches; /* 145, 577, 2305 */
     uint64_t seed;
-    bool pane_light; /* light on and by panes, for blinds */
 };
 
 struct pp_year_coefficients;
@@ -31,7 +30,7 @@ enum pp_status pp_year_coefficients_create(
     struct pp_year_coefficients **coefficients, const struct pp_light_scene *scene,
     const struct pp_environment *environment, const struct pp_receiver *receivers,
     int receiver_count, const int *group_of_opening, int group_count,
-    const struct pp_year_options *options, struct pp_thread_pool *pool,
+    const struct pp_year_coefficient_options *options, struct pp_thread_pool *pool,
     struct pp_error *err);
 void pp_year_coefficients_destroy(struct pp_year_coefficients *coefficients);
 
@@ -39,6 +38,16 @@ void pp_year_coefficients_destroy(struct pp_year_coefficients *coefficients);
 enum pp_status pp_year_coefficients_light(struct pp_year_coefficients *coefficients,
                                           const struct pp_light_columns *light,
                                           struct pp_error *err);
+
+/* Illuminance (lx) on the outside of a group's panes, the mean over their area, in every
+ * hour and batch: [batch][hour, tiles x PP_LIGHT_LANES of them]. */
+void pp_year_coefficients_on_panes(const struct pp_year_coefficients *coefficients,
+                                   int group, float *lx);
+
+/* Illuminance of a receiver by panes of a group that have an even exitance of 1 lm/m2, by
+ * batch. */
+float pp_year_coefficients_by_panes(const struct pp_year_coefficients *coefficients,
+                                    int receiver, int group, int batch);
 
 /* Parts of a point's illuminances. */
 struct pp_year_point {
@@ -52,9 +61,11 @@ enum pp_status pp_year_coefficients_point(
     const struct pp_year_coefficients *coefficients, int receiver, const float *direct,
     struct pp_year_point *point, struct pp_error *err);
 
-/* The mean over batches of a point's coefficients: [group][column]. */
-void pp_year_coefficients_mean(const struct pp_year_coefficients *coefficients,
-                               int receiver, double *mean);
+/* Standard error of a point's simulated light over that light, under a uniform sky and
+ * with the sun evenly over all cells: a first figure, before there are hours. 0 where there
+ * is no light. */
+double pp_year_coefficients_spread(const struct pp_year_coefficients *coefficients,
+                                   int receiver);
 
 int pp_year_coefficients_cells(const struct pp_year_coefficients *coefficients);
 const struct pp_sky_patches *pp_year_coefficients_patches(

@@ -21,7 +21,7 @@ struct year_path {
     bool scattered; /* by anything but clear glass */
 };
 
-static enum pp_meeting meet(struct year_path *path, struct pp_light_hit *hit)
+static enum pp_meeting meet_next(struct year_path *path, struct pp_light_hit *hit)
 {
     struct pp_path_walk *walk = path->walk;
     enum pp_meeting meeting = pp_light_scene_meet(walk->scene, &path->ray, hit);
@@ -94,7 +94,7 @@ static void aim(const struct year_path *from, const struct pp_lit_point *at,
     path.ray = (struct pp_light_ray){at->point, at->normal, to.direction, at->space};
     double cosine = pp_vec_dot(at->normal, to.direction);
     struct pp_light_hit hit;
-    if (!(cosine > 0.0) || meet(&path, &hit) != PP_MEETS_PART
+    if (!(cosine > 0.0) || meet_next(&path, &hit) != PP_MEETS_PART
         || hit.part != scene->panes[opening].part)
         return;
 
@@ -106,6 +106,10 @@ static void aim(const struct year_path *from, const struct pp_lit_point *at,
             lobes.share[i] = pp_rgb_grey(0.0);
     path.weight = weight * cosine * to.per_density / probability;
     path.opening = scene->parts[hit.part].window;
+    if (path.sink->pane) {
+        struct pp_year_event event = event_of(&path, path.weight);
+        path.sink->pane(path.sink->data, &event);
+    }
     double diffuse = lobes.share[PP_LOBE_THROUGH_DIFFUSE].g;
     if (diffuse > 0.0) {
         struct pp_year_event event = event_of(&path, path.weight * diffuse / PP_PI);
@@ -168,7 +172,7 @@ static void follow(struct year_path *path)
     for (int bounce = 0; bounce < MOST_BOUNCES; bounce++) {
         /* 1. The first surface that the ray meets, if any. */
         struct pp_light_hit hit;
-        enum pp_meeting meeting = meet(path, &hit);
+        enum pp_meeting meeting = meet_next(path, &hit);
         if (meeting == PP_MEETS_LEAK)
             return;
         if (meeting == PP_MEETS_ENVIRONMENT) {

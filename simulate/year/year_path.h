@@ -10,6 +10,8 @@
  *                                          surfaces with an exitance of their own
  *     lit          E += w Es(y)            Es illuminance of the sun on one side of a
  *                                          surface, at y
+ *     pane         E += w M/pi             M exitance of a pane, if it were an even emitter in
+ *                                          place of the light that comes through it
  *
  * E is the irradiance of the receiver. A sink may also end a path at an inside surface
  * whose irradiance it knows.
@@ -38,18 +40,17 @@ struct pp_year_sink {
     void (*skyline)(void *data, const struct pp_year_event *event);
     void (*horizontal)(void *data, const struct pp_year_event *event);
     void (*lit)(void *data, const struct pp_year_event *event);
+    void (*pane)(void *data, const struct pp_year_event *event); /* NULL: not needed */
     /* Is the irradiance at this inside surface known? Then it counts as E += w times it,
      * and the path ends. NULL: never. */
     bool (*known)(void *data, const struct pp_year_event *event);
 };
 
 /* One path through the openings, by next-event estimation, from one side of a surface; and
- * one in a direction of its cosine lobe. Each is a sample of its part of E. */
+ * one in a direction of its cosine lobe. Each is a sample of its part of E; outdoors the lobe has all. */
 void pp_year_path_openings(struct pp_path_walk *walk, const struct pp_year_sink *sink,
                            const struct pp_lit_point *at);
 void pp_year_path_lobe(struct pp_path_walk *walk, const struct pp_year_sink *sink,
                        const struct pp_lit_point *at);
-
-/* Outdoors there are no openings to aim at, and the lobe has all light. */
 
 #endif

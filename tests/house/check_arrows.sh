@@ -29,6 +29,7 @@ simulate/transport  model simulate/sampling simulate/estimate simulate/scene
 simulate/fast       model simulate/sampling simulate/estimate simulate/scene simulate/transport
 simulate/cache      model simulate/sampling simulate/estimate simulate/scene simulate/transport
 simulate/render     model simulate
+simulate/year       model simulate/sampling simulate/scene simulate/path_tracer
 simulate/research/radiosity model
 simulate/research/photons model simulate/sampling simulate/estimate simulate/scene
 studies             model formats methods simulate

@@ -1,0 +1,361 @@
+/* cmd_annual.c - the command annual: the daylight of every hour of a year. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/availability/availability_options.h"
+#include "cli/command.h"
+#include "cli/format_option.h"
+#include "cli/interrupt.h"
+#include "cli/job.h"
+#include "cli/message.h"
+#include "cli/output.h"
+#include "cli/rooms.h"
+#include "cli/terminal.h"
+#include "cli/watch.h"
+#include "model/base/read_file.h"
+#include "model/base/text.h"
+#include "model/light/sky_patches.h"
+#include "model/results/lattice.h"
+#include "reports/annual/annual_csv.h"
+#include "reports/annual/annual_hourly.h"
+#include "reports/annual/annual_json.h"
+#include "reports/annual/annual_text.h"
+#include "studies/year/annual.h"
+
+static const char about[] =
+    "The daylight of a room in every hour of a weather file, by simulation: daylight "
+    "autonomy, useful daylight illuminance, sDA and ASE by LM-83-12 with its blinds, "
+    "and "
+    "EN 17037's levels by its method 2, at the reference points and for all of them, "
+    "with "
+    "standard errors. FILE is a room file; - is standard input.";
+
+struct annual_options {
+    struct pp_room_options room;
+    struct pp_year_options light;
+    struct pp_annual_options annual;
+    double sun_shift_min; /* NAN: auto */
+    bool without_blinds, leap_day;
+    const char *hourly;
+    enum pp_format format;
+};
+
+/* State of a run. */
+struct annual_run {
+    struct annual_options *options;
+    const struct pp_rooms *rooms;
+    struct pp_weather_year year;
+    struct pp_annual_results results;
+};
+
+/* ---- the work ---- */
+
+static enum pp_status read_year(struct annual_run *run, struct pp_error *err)
+{
+    const struct annual_options *options = run->options;
+    struct pp_weather_options weather = {.sun_shift_h = options->sun_shift_min / 60.0,
+                                         .leap_day = options->leap_day};
+    return pp_weather_year_of_epw(&run->year, options->light.epw, &weather,
+                                  pp_read_file_title(options->light.weather), err);
+}
+
+static void settle_annual(struct annual_run *run)
+{
+    struct annual_options *options = run->options;
+    const struct pp_study_options *study = &options->room.study;
+    struct pp_annual_options *annual = &options->annual;
+    annual->hours = options->light.hours.list[0];
+    annual->hours.days = options->light.days;
+    annual->summer = options->light.summer.of_file
+                         ? (struct pp_summer_time){options->light.epw->summer_from,
+                                                   options->light.epw->summer_to}
+                         : options->light.summer.time;
+    annual->illuminance_count = options->light.illuminances.count;
+    memcpy(annual->illuminances_lx, options->light.illuminances.lx,
+           sizeof annual->illuminances_lx);
+    annual->blinds = !options->without_blinds && !annual->exact_sky;
+    annual->samples = (int)study->samples;
+    annual->error = study->error;
+    annual->seed = study->seed;
+    annual->threads = study->threads;
+    annual->watch = study->watch;
+}
+
+static enum pp_status compute_room(struct annual_run *run,
+                                   const struct pp_study_room *room,
+                                   struct pp_annual_result *result,
+                                   struct pp_error *err)
+{
+    struct pp_lattice lattice;
+    enum pp_status status =
+        pp_lattice_find(&lattice, room->receivers, room->receiver_count, err);
+    if (status != PP_OK)
+        return status;
+    bool is_grid = lattice.columns > 0;
+    pp_lattice_clear(&lattice);
+    result->file = room->file;
+    return pp_annual_of_room(&result->sheet, room->world, &room->light, room->receivers,
+                             room->receiver_count, is_grid, &run->year,
+                             &run->options->annual, err);
+}
+
+static enum pp_status compute_annual(void *data, struct pp_error *err)
+{
+    struct annual_run *run = data;
+    const struct pp_rooms *rooms = run->rooms;
+    run->results.list = calloc((size_t)rooms->count, sizeof *run->results.list);
+    if (!run->results.list)
+        return pp_fail_memory(err);
+    enum pp_status status = read_year(run, err);
+    if (status != PP_OK)
+        return status;
+    settle_annual(run);
+    pp_interrupt_watch();
+    for (int i = 0; i < rooms->count && status == PP_OK; i++) {
+        run->results.count = i + 1;
+        status = compute_room(run, &rooms->list[i], &run->results.list[i], err);
+        if (status == PP_OK && !run->results.list[i].sheet.finished)
+            break;
+    }
+    return status;
+}
+
+static enum pp_status print_annual(const void *data, FILE *out, struct pp_error *err)
+{
+    const struct annual_run *run = data;
+    switch (run->options->format) {
+    case PP_FORMAT_JSON:
+        return pp_annual_json(&run->results, out, err);
+    case PP_FORMAT_CSV:
+        return pp_annual_csv(&run->results, out, err);
+    case PP_FORMAT_TEXT:
+        break;
+    }
+    return pp_annual_text(&run->results, pp_terminal_width(run->options->room.output),
+                          pp_terminal_utf8(), out, err);
+}
+
+static bool annual_is_finished(const void *data)
+{
+    const struct annual_run *run = data;
+    for (int i = 0; i < run->results.count; i++)
+        if (!run->results.list[i].sheet.finished)
+            return false;
+    return true;
+}
+
+/* Writes the hours of the one room. */
+static enum pp_exit write_hourly(const struct annual_run *run)
+{
+    struct pp_output output;
+    struct pp_error err = {0};
+    const char *name = run->options->hourly;
+    if (!name || !annual_is_finished(run))
+        return PP_EXIT_DONE;
+    enum pp_status status = pp_output_open(&output, name, &err);
+    if (status != PP_OK)
+        return pp_message_error(&err);
+    pp_annual_hourly_put(&run->results.list[0].sheet, pp_annual_hourly_of_name(name),
+                         output.stream);
+    status = pp_output_close(&output, PP_OK, &err);
+    return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
+}
+
+static enum pp_exit run_annual_of_rooms(struct annual_options *options,
+                                        const struct pp_rooms *rooms)
+{
+    struct annual_run run = {
+        .options = options,
+        .rooms = rooms,
+        .results = {.several = rooms->several,
+                    .more_than_one_file = rooms->more_than_one_file}};
+    enum pp_exit exit_status = pp_job_run(&(struct pp_job){
+        options->room.output, compute_annual, print_annual, annual_is_finished, &run});
+    if (exit_status == PP_EXIT_DONE)
+        exit_status = write_hourly(&run);
+    for (int i = 0; i < run.results.count; i++)
+        pp_annual_sheet_clear(&run.results.list[i].sheet);
+    free(run.results.list);
+    pp_weather_year_clear(&run.year);
+    return exit_status;
+}
+
+static enum pp_exit run_annual(void *values, char **files, int file_count)
+{
+    struct annual_options *options = values;
+    struct pp_terminal_watch watch;
+    struct pp_rooms rooms;
+    options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
+    enum pp_exit result = pp_availability_options_load(&options->light);
+    if (result == PP_EXIT_DONE)
+        result = pp_rooms_load(&rooms, "annual", files, file_count, &options->room);
+    if (result != PP_EXIT_DONE)
+        return result;
+    if (options->hourly && rooms.count != 1) {
+        struct pp_error err = {0};
+        pp_fail(&err, PP_BAD_INPUT,
+                "--hourly is of one room, and there are %d; expected --room NAME",
+                rooms.count);
+        result = pp_message_error(&err);
+    } else {
+        result = run_annual_of_rooms(options, &rooms);
+    }
+    pp_rooms_clear(&rooms);
+    return result;
+}
+
+/* ---- the command line ---- */
+
+static enum pp_status read_shift(const char *text, void *place, struct pp_error *err)
+{
+    double minutes;
+    if (strcmp(text, "auto") == 0) {
+        *(double *)place = NAN;
+        return PP_OK;
+    }
+    if (!pp_text_parse_number(text, &minutes) || fabs(minutes) > 720.0)
+        return pp_fail(err, PP_BAD_INPUT, "auto, or minutes from -720 to 720");
+    *(double *)place = minutes;
+    return PP_OK;
+}
+
+static enum pp_status read_patches(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_sky_patches patches;
+    double count;
+    if (!pp_text_parse_number(text, &count)
+        || !pp_sky_patches_init(&patches, (int)count, 0.0) || count != patches.count)
+        return pp_fail(err, PP_BAD_INPUT, "145, 577 or 2305");
+    *(int *)place = (int)count;
+    return PP_OK;
+}
+
+static enum pp_status read_blinds(const char *text, void *place, struct pp_error *err)
+{
+    *(bool *)place = strcmp(text, "none") == 0;
+    if (strcmp(text, "none") != 0 && strcmp(text, "lm83") != 0)
+        return pp_fail(err, PP_BAD_INPUT, "lm83 or none");
+    return PP_OK;
+}
+
+static enum pp_status read_hourly(const char *text, void *place, struct pp_error *err)
+{
+    if (pp_annual_hourly_of_name(text) == PP_ANNUAL_HOURLY_NONE)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a file name that ends with .csv, .ill or .npy");
+    return pp_options_read_output(text, place, err);
+}
+
+#define PLACE(member) offsetof(struct annual_options, member)
+
+static const struct pp_option weather_options[] = {
+    {"weather", 'w', "FILE.epw",
+     "Weather file in EnergyPlus format; - is standard input. Needed.",
+     pp_options_read_input, PLACE(light.weather)},
+    {"sun-shift", 0, "auto|MIN",
+     "Minutes from the middle of each record to its sun; auto (default): as the file's "
+     "own "
+     "radiation has it, where that is clear.",
+     read_shift, PLACE(sun_shift_min)},
+    {"leap-day", 0, NULL, "Keep the records of 29 February.", NULL, PLACE(leap_day)},
+    {0},
+};
+
+static const struct pp_option result_options[] = {
+    {"blinds", 0, "lm83|none",
+     "Blinds for sDA: those of LM-83-12, by window group (default), or none.",
+     read_blinds, PLACE(without_blinds)},
+    {"hourly", 0, "FILE",
+     "Also write the illuminances of all hours: FILE.csv, FILE.ill (DAYSIM's) or "
+     "FILE.npy "
+     "(NumPy's).",
+     read_hourly, PLACE(hourly)},
+    {0},
+};
+
+static const struct pp_option method_options[] = {
+    {"patches", 0, "N", "Patches of the sky: 145, 577 (default) or 2305.", read_patches,
+     PLACE(annual.patches)},
+    {"exact-sky", 0, NULL,
+     "Evaluate each hour's sky and sun at the ends of all paths, without patches and "
+     "cells: "
+     "a slow reference, without blinds.",
+     NULL, PLACE(annual.exact_sky)},
+    {0},
+};
+
+static const struct pp_option_group groups[] = {
+    {"Light outside and working hours", weather_options, 0},
+    {"Light outside and working hours", pp_working_time_options, PLACE(light)},
+    {"What is computed", pp_illuminance_options, PLACE(light)},
+    {"What is computed", result_options, 0},
+    {"What is computed", pp_room_points_option, PLACE(room)},
+    {"What is computed", pp_room_sky_options, PLACE(room)},
+    {"Simulation", method_options, 0},
+    {"Simulation", pp_room_stop_options, PLACE(room)},
+    {"Simulation", pp_room_seed_options, PLACE(room)},
+    {"Output", pp_format_option, PLACE(format)},
+    {"Output", pp_room_output_options, PLACE(room)},
+    {0},
+};
+
+static void init_annual_options(void *values)
+{
+    struct annual_options *options = values;
+    *options = (struct annual_options){.room = pp_room_options_none,
+                                       .light = pp_year_options_default,
+                                       .annual = {.patches = 577},
+                                       .sun_shift_min = NAN};
+    options->light.hours.count = 1;
+}
+
+static enum pp_status check_annual_options(void *values, char **files, int file_count,
+                                           struct pp_error *err)
+{
+    struct annual_options *options = values;
+    struct pp_study_options *study = &options->room.study;
+    if (file_count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected a room file, or - for standard input");
+    if (!options->light.weather)
+        return pp_fail(err, PP_BAD_INPUT, "expected --weather FILE.epw");
+    if (options->light.hours.count != 1)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--hours has %d periods; expected one, such as 8-18",
+                       options->light.hours.count);
+    if (study->sky)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--sky has no place here: the skies are the weather file's");
+    if (study->seconds > 0.0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--time has no place here; expected --error "
+                       "or --samples");
+    if (study->samples > 0
+        && (study->samples > 65536 || (study->samples & (study->samples - 1)) != 0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--samples is %ld; expected a power of two up to 65536",
+                       study->samples);
+    study->simulate = true;
+    return pp_availability_options_check(&options->light, files, file_count, err);
+}
+
+static void clear_annual_options(void *values)
+{
+    struct annual_options *options = values;
+    pp_availability_options_clear(&options->light);
+    pp_room_options_clear(&options->room);
+}
+
+const struct pp_command pp_command_annual = {
+    .name = "annual",
+    .summary = "daylight in every hour of a year",
+    .operands = "FILE...",
+    .about = about,
+    .groups = groups,
+    .size = sizeof(struct annual_options),
+    .init = init_annual_options,
+    .check = check_annual_options,
+    .run = run_annual,
+    .clear = clear_annual_options,
+};

@@ -1,0 +1,131 @@
+/* annual_sheet.h - the year's daylight in a room, as it is printed and drawn.
+ *
+ * studies/year/annual.h fills it. Illuminances are in lx, durations in h, shares 0 to 1.
+ */
+#ifndef PP_MODEL_RESULTS_SHEETS_ANNUAL_SHEET_H
+#define PP_MODEL_RESULTS_SHEETS_ANNUAL_SHEET_H
+
+#include <stdbool.h>
+
+#include "model/room/world.h"
+
+enum {
+    PP_ANNUAL_ILLUMINANCES_MOST = 8,
+    PP_ANNUAL_WORDS = 640,
+    PP_ANNUAL_WARNINGS_MOST = 8,
+    PP_ANNUAL_LEVELS = 4, /* of EN 17037: 100, 300, 500, 750 lx */
+};
+
+extern const double pp_annual_sheet_levels_lx[PP_ANNUAL_LEVELS];
+
+/* A figure with its standard error, 0 where nothing was sampled. */
+struct pp_annual_value {
+    double value, std_error;
+};
+
+/* Figures of a point, and their means over all points. "Hours" are the occupied ones. */
+struct pp_annual_figures {
+    struct pp_annual_value
+        autonomy[PP_ANNUAL_ILLUMINANCES_MOST]; /* share of hours with E >= target */
+    struct pp_annual_value
+        continuous[PP_ANNUAL_ILLUMINANCES_MOST]; /* mean of min(1, E/target) */
+    struct pp_annual_value udi_below, udi_low, udi_good,
+        udi_above;                  /* share of hours with
+                                                                     * E below 100 lx, to
+                                                                     * 300, to 3000, above */
+    struct pp_annual_value sun_h;   /* hours with direct sun above 1000 lx */
+    struct pp_annual_value mean_lx; /* over the hours */
+    struct pp_annual_value
+        median_lx; /* reached in 2190 of the 4380 h of most daylight */
+    struct pp_annual_value year_lxh; /* of all hours of the year */
+    struct pp_annual_value sky_lxh, sun_lxh, sun_reflected_lxh; /* parts of it: sky and
+                                       * ground under it; direct sun; sun on surfaces */
+    struct pp_annual_value autonomy_300; /* share of hours with 300 lx, open blinds */
+    struct pp_annual_value
+        blinds_autonomy; /* E >= 300 lx with blinds; NAN: no blinds */
+};
+
+/* Number of values of pp_annual_figures. */
+enum {
+    PP_ANNUAL_FIGURES =
+        sizeof(struct pp_annual_figures) / sizeof(struct pp_annual_value)
+};
+
+/* A value of pp_annual_figures by its number. */
+static inline struct pp_annual_value *pp_annual_sheet_figure(
+    struct pp_annual_figures *figures, int index)
+{
+    return (struct pp_annual_value *)figures + index;
+}
+
+/* Figures of the plane: shares of the points. */
+struct pp_annual_plane {
+    struct pp_annual_value autonomous; /* with 300 lx in half of the hours or more */
+    struct pp_annual_value sda;        /* the same with blinds; NAN: no blinds */
+    struct pp_annual_value ase; /* with more than 250 h of direct sun > 1000 lx */
+    struct pp_annual_value level[PP_ANNUAL_LEVELS]; /* by EN 17037, method 2 */
+};
+
+enum {
+    PP_ANNUAL_PLANE = sizeof(struct pp_annual_plane) / sizeof(struct pp_annual_value)
+};
+
+/* Openings whose blinds close together: of one wall and one glass. */
+struct pp_annual_group {
+    char name[64];
+    double closed_h; /* occupied hours with closed blinds */
+    double
+        unmet_h; /* of those: hours in which blinds are not enough; 0 for opaque ones */
+    struct pp_annual_value
+        light_lxh; /* that comes in by it, mean of the points, a year */
+};
+
+/* One hour of the year. */
+struct pp_annual_hour {
+    int month, day;
+    double start_h, length_h; /* local standard time */
+    double occupied_h;
+    bool known;
+    double sun_altitude_rad, sun_bearing_rad; /* clockwise from north */
+    double diffuse_lx, direct_lx;             /* horizontal; normal to the sun */
+    int sky;                                  /* index of its values; -1: dark */
+};
+
+struct pp_annual_sheet {
+    const struct pp_world *world;        /* not owned */
+    const struct pp_receiver *receivers; /* not owned */
+    int receiver_count;
+    int illuminance_count;
+    double illuminances_lx[PP_ANNUAL_ILLUMINANCES_MOST];
+    char weather[PP_ANNUAL_WORDS], period[PP_ANNUAL_WORDS], notes[2 * PP_ANNUAL_WORDS],
+        method[PP_ANNUAL_WORDS], blinds[PP_ANNUAL_WORDS];
+    int warning_count;
+    char warnings[PP_ANNUAL_WARNINGS_MOST][PP_ANNUAL_WORDS];
+    double sun_shift_min;
+    double occupied_h;        /* of the year */
+    double daylit_h;          /* hours that have a sky or a sun */
+    double diffuse_median_lx; /* 2190th of the 4380 h of most daylight */
+    bool is_grid;             /* are the points a grid over the plane? else no shares */
+    bool has_blinds;
+    bool finished;
+
+    struct pp_annual_figures *points; /* by receiver; owned */
+    struct pp_annual_figures mean;
+    struct pp_annual_plane plane;
+    int near_half; /* points whose autonomy is within 2 se of a half */
+    int group_count;
+    struct pp_annual_group *groups; /* owned */
+
+    int hour_count;
+    struct pp_annual_hour *hours; /* owned */
+    int sky_count;
+    float *lx;     /* [receiver][sky]: illuminances with open blinds; owned */
+    float *sun_lx; /* [receiver][sky]: direct sun, part of it; owned */
+};
+
+/* Illuminance of a point in an hour, 0 in the dark, NAN where the hour is not known. */
+double pp_annual_sheet_lx(const struct pp_annual_sheet *sheet, int receiver, int hour);
+
+void pp_annual_sheet_clear(struct pp_annual_sheet *sheet);
+
+#endif

@@ -1,0 +1,13 @@
+/* annual_csv.h - the years of rooms as CSV: a figure a line. */
+#ifndef PP_REPORTS_ANNUAL_ANNUAL_CSV_H
+#define PP_REPORTS_ANNUAL_ANNUAL_CSV_H
+
+#include <stdio.h>
+
+#include "model/base/error.h"
+#include "reports/annual/annual_result.h"
+
+enum pp_status pp_annual_csv(const struct pp_annual_results *results, FILE *out,
+                             struct pp_error *err);
+
+#endif

@@ -1,0 +1,106 @@
+/* annual_hourly.c - see annual_hourly.h. */
+#include "reports/annual/annual_hourly.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+#include <strings.h>
+
+enum pp_annual_hourly_format pp_annual_hourly_of_name(const char *name)
+{
+    static const struct {
+        const char *end;
+        enum pp_annual_hourly_format format;
+    } ends[] = {{".csv", PP_ANNUAL_HOURLY_CSV},
+                {".ill", PP_ANNUAL_HOURLY_ILL},
+                {".npy", PP_ANNUAL_HOURLY_NPY}};
+    size_t length = strlen(name);
+    for (int i = 0; i < 3; i++)
+        if (length > 4 && strcasecmp(name + length - 4, ends[i].end) == 0)
+            return ends[i].format;
+    return PP_ANNUAL_HOURLY_NONE;
+}
+
+static void put_csv(const struct pp_annual_sheet *sheet, FILE *out)
+{
+    fputs("month,day,hour_middle,sun_altitude_deg,sun_bearing_deg,"
+          "diffuse_horizontal_lx,direct_normal_lx,occupied_h",
+          out);
+    for (int x = 0; x < sheet->receiver_count; x++)
+        fprintf(out, ",E%d", x + 1);
+    fputs("\r\n", out);
+    for (int i = 0; i < sheet->hour_count; i++) {
+        const struct pp_annual_hour *hour = &sheet->hours[i];
+        fprintf(out, "%d,%d,%g", hour->month, hour->day,
+                hour->start_h + 0.5 * hour->length_h);
+        if (hour->sky >= 0)
+            fprintf(out, ",%.4f,%.4f,%.1f,%.1f", hour->sun_altitude_rad / PP_RAD,
+                    hour->sun_bearing_rad / PP_RAD, hour->diffuse_lx, hour->direct_lx);
+        else
+            fputs(hour->known ? ",,,0,0" : ",,,,", out);
+        fprintf(out, ",%g", hour->occupied_h);
+        for (int x = 0; x < sheet->receiver_count; x++) {
+            double lx = pp_annual_sheet_lx(sheet, x, i);
+            if (isnan(lx))
+                fputc(',', out);
+            else
+                fprintf(out, ",%.1f", lx);
+        }
+        fputs("\r\n", out);
+    }
+}
+
+static void put_ill(const struct pp_annual_sheet *sheet, FILE *out)
+{
+    for (int i = 0; i < sheet->hour_count; i++) {
+        const struct pp_annual_hour *hour = &sheet->hours[i];
+        fprintf(out, "%d %d %.3f", hour->month, hour->day,
+                hour->start_h + 0.5 * hour->length_h);
+        for (int x = 0; x < sheet->receiver_count; x++) {
+            double lx = pp_annual_sheet_lx(sheet, x, i);
+            fprintf(out, " %.0f", isnan(lx) ? 0.0 : lx);
+        }
+        fputc('\n', out);
+    }
+}
+
+/* Version 1.0 of NumPy's format: a header of 128 bytes, then little-endian numbers. */
+static void put_npy(const struct pp_annual_sheet *sheet, FILE *out)
+{
+    enum { HEADER = 128, PREFIX = 10 };
+    char header[HEADER + 1];
+    memset(header, ' ', sizeof header);
+    memcpy(header, "\x93NUMPY\x01\x00\x76\x00", PREFIX);
+    int used = snprintf(header + PREFIX, HEADER - PREFIX,
+                        "{'descr': '<f4', 'fortran_order': False, 'shape': (%d, %d), }",
+                        sheet->receiver_count, sheet->hour_count);
+    header[PREFIX + used] = ' ';
+    header[HEADER - 1] = '\n';
+    fwrite(header, 1, HEADER, out);
+    for (int x = 0; x < sheet->receiver_count; x++)
+        for (int i = 0; i < sheet->hour_count; i++) {
+            float lx = (float)pp_annual_sheet_lx(sheet, x, i);
+            uint32_t bits;
+            memcpy(&bits, &lx, sizeof bits);
+            for (int k = 0; k < 4; k++)
+                fputc((int)(bits >> 8 * k & 0xFF), out);
+        }
+}
+
+void pp_annual_hourly_put(const struct pp_annual_sheet *sheet,
+                          enum pp_annual_hourly_format format, FILE *out)
+{
+    switch (format) {
+    case PP_ANNUAL_HOURLY_CSV:
+        put_csv(sheet, out);
+        break;
+    case PP_ANNUAL_HOURLY_ILL:
+        put_ill(sheet, out);
+        break;
+    case PP_ANNUAL_HOURLY_NPY:
+        put_npy(sheet, out);
+        break;
+    case PP_ANNUAL_HOURLY_NONE:
+        break;
+    }
+}

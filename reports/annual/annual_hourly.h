@@ -1,0 +1,28 @@
+/* annual_hourly.h - the illuminances of every hour and point, with open blinds.
+ *
+ *     .csv   a line an hour: month, day, hour, sun, light outside, points
+ *     .ill   DAYSIM's: month day hour (at its middle) and the points, apart by spaces
+ *     .npy   NumPy's: float32, [point][hour]
+ */
+#ifndef PP_REPORTS_ANNUAL_ANNUAL_HOURLY_H
+#define PP_REPORTS_ANNUAL_ANNUAL_HOURLY_H
+
+#include <stdio.h>
+
+#include "model/base/error.h"
+#include "model/results/sheets/annual_sheet.h"
+
+enum pp_annual_hourly_format {
+    PP_ANNUAL_HOURLY_NONE, /* the name ends otherwise */
+    PP_ANNUAL_HOURLY_CSV,
+    PP_ANNUAL_HOURLY_ILL,
+    PP_ANNUAL_HOURLY_NPY,
+};
+
+/* By the end of a file's name. */
+enum pp_annual_hourly_format pp_annual_hourly_of_name(const char *name);
+
+void pp_annual_hourly_put(const struct pp_annual_sheet *sheet,
+                          enum pp_annual_hourly_format format, FILE *out);
+
+#endif

@@ -1,0 +1,141 @@
+/* annual_json.c - builds the JSON object of one room. */
+#include "reports/annual/annual_json.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "reports/parts/json.h"
+
+/* "name": {"value": 1, "se": 2}, on one line. */
+static bool add_annual_figure(struct json_object *object, const char *key,
+                              const struct pp_annual_value *figure, double unit)
+{
+    struct json_object *line = json_object_new_object();
+    if (!pp_json_add(object, key, line))
+        return false;
+    pp_json_on_one_line(line);
+    if (!isfinite(figure->value))
+        return pp_json_number(line, "value", NAN)
+               && pp_json_text(line, "why", "without blinds there is no such figure");
+    return pp_json_number(line, "value", unit * figure->value)
+           && pp_json_number(line, "se", unit * figure->std_error);
+}
+
+static bool add_figures(struct json_object *object, const struct pp_annual_sheet *sheet,
+                        const struct pp_annual_figures *of)
+{
+    struct pp_annual_figures figures = *of;
+    bool good = true;
+    for (int i = 0; i < sheet->illuminance_count && good; i++) {
+        char key[32];
+        snprintf(key, sizeof key, "da%g", sheet->illuminances_lx[i]);
+        good = add_annual_figure(
+            object, key,
+            pp_annual_sheet_figure(&figures, pp_annual_result_autonomy(i, false)),
+            100.0);
+        snprintf(key, sizeof key, "cda%g", sheet->illuminances_lx[i]);
+        good = good
+               && add_annual_figure(
+                   object, key,
+                   pp_annual_sheet_figure(&figures, pp_annual_result_autonomy(i, true)),
+                   100.0);
+    }
+    for (const struct pp_annual_figure_name *n = pp_annual_result_names;
+         n->name && good; n++)
+        good = add_annual_figure(object, n->name,
+                                 pp_annual_sheet_figure(&figures, n->index), n->unit);
+    return good;
+}
+
+static bool add_plane(struct json_object *object, const struct pp_annual_sheet *sheet)
+{
+    const struct pp_annual_plane *plane = &sheet->plane;
+    struct json_object *to = json_object_new_object();
+    bool good = pp_json_add(object, "plane", to)
+                && add_annual_figure(to, "da300/50-area", &plane->autonomous, 100.0)
+                && add_annual_figure(to, "sda300/50", &plane->sda, 100.0)
+                && add_annual_figure(to, "ase1000,250", &plane->ase, 100.0)
+                && pp_json_number(to, "near_half", sheet->near_half);
+    for (int i = 0; i < PP_ANNUAL_LEVELS && good; i++) {
+        char key[32];
+        snprintf(key, sizeof key, "en17037-%g", pp_annual_sheet_levels_lx[i]);
+        good = add_annual_figure(to, key, &plane->level[i], 100.0);
+    }
+    struct json_object *mean = json_object_new_object();
+    return good && pp_json_add(object, "average", mean)
+           && add_figures(mean, sheet, &sheet->mean);
+}
+
+static bool add_points(struct json_object *object, const struct pp_annual_sheet *sheet)
+{
+    struct json_object *points = json_object_new_array();
+    bool good = pp_json_add(object, "points", points);
+    for (int x = 0; x < sheet->receiver_count && good; x++) {
+        struct pp_vec3 at = sheet->receivers[x].position;
+        struct json_object *point = json_object_new_object();
+        good = pp_json_append(points, point) && pp_json_number(point, "x", at.x)
+               && pp_json_number(point, "y", at.y) && pp_json_number(point, "z", at.z)
+               && add_figures(point, sheet, &sheet->points[x]);
+    }
+    return good;
+}
+
+static bool add_groups(struct json_object *object, const struct pp_annual_sheet *sheet)
+{
+    struct json_object *groups = json_object_new_array();
+    bool good = pp_json_add(object, "window_groups", groups);
+    for (int g = 0; g < sheet->group_count && good; g++) {
+        const struct pp_annual_group *group = &sheet->groups[g];
+        struct json_object *to = json_object_new_object();
+        good =
+            pp_json_append(groups, to) && pp_json_text(to, "name", group->name)
+            && (!sheet->has_blinds || pp_json_number(to, "closed_h", group->closed_h))
+            && add_annual_figure(to, "year-klxh", &group->light_lxh, 0.001);
+    }
+    return good;
+}
+
+static bool add_warnings(struct json_object *object,
+                         const struct pp_annual_sheet *sheet)
+{
+    struct json_object *list = json_object_new_array();
+    bool good = pp_json_add(object, "warnings", list);
+    for (int i = 0; i < sheet->warning_count && good; i++)
+        good = pp_json_append(list, json_object_new_string(sheet->warnings[i]));
+    return good;
+}
+
+static struct json_object *annual_room(const void *all, int index)
+{
+    const struct pp_annual_results *results = all;
+    const struct pp_annual_result *result = &results->list[index];
+    const struct pp_annual_sheet *sheet = &result->sheet;
+    struct json_object *object = json_object_new_object();
+    bool good = object && pp_json_text(object, "format", "pepperpot-annual-1");
+    if (good && results->more_than_one_file)
+        good = pp_json_text(object, "file", result->file);
+    good = good && pp_json_text(object, "room", sheet->world->name)
+           && pp_json_text(object, "weather", sheet->weather)
+           && pp_json_number(object, "sun_shift_minutes", sheet->sun_shift_min)
+           && pp_json_text(object, "hours", sheet->period)
+           && pp_json_number(object, "occupied_h", sheet->occupied_h)
+           && pp_json_number(object, "daylit_h", sheet->daylit_h)
+           && pp_json_number(object, "diffuse_median_lux", sheet->diffuse_median_lx)
+           && pp_json_text(object, "records", sheet->notes)
+           && pp_json_text(object, "calculation", sheet->method)
+           && pp_json_text(object, "blinds", sheet->blinds)
+           && add_warnings(object, sheet)
+           && pp_json_add(object, "grid", json_object_new_boolean(sheet->is_grid))
+           && pp_json_add(object, "finished", json_object_new_boolean(sheet->finished));
+    if (good && sheet->finished)
+        good = add_plane(object, sheet) && add_groups(object, sheet)
+               && add_points(object, sheet);
+    return pp_json_whole(object, good);
+}
+
+enum pp_status pp_annual_json(const struct pp_annual_results *results, FILE *out,
+                              struct pp_error *err)
+{
+    return pp_json_print_rooms(out, annual_room, results, results->count,
+                               results->several, err);
+}

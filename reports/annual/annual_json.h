@@ -1,0 +1,18 @@
+/* annual_json.h - the years of rooms as JSON, "pepperpot-annual-1".
+ *
+ * Autonomies, shares and useful daylight are in per cent, illuminances in lx. Every figure
+ * is an object with its value and standard error "se"; one that does not exist has the
+ * value null and "why".
+ */
+#ifndef PP_REPORTS_ANNUAL_ANNUAL_JSON_H
+#define PP_REPORTS_ANNUAL_ANNUAL_JSON_H
+
+#include <stdio.h>
+
+#include "model/base/error.h"
+#include "reports/annual/annual_result.h"
+
+enum pp_status pp_annual_json(const struct pp_annual_results *results, FILE *out,
+                              struct pp_error *err);
+
+#endif

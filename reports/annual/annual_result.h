@@ -1,0 +1,36 @@
+/* annual_result.h - the years of rooms, the input of the annual reports. */
+#ifndef PP_REPORTS_ANNUAL_ANNUAL_RESULT_H
+#define PP_REPORTS_ANNUAL_ANNUAL_RESULT_H
+
+#include <stdbool.h>
+
+#include "model/results/sheets/annual_sheet.h"
+
+struct pp_annual_result {
+    struct pp_annual_sheet sheet;
+    const char *file; /* as typed; not owned */
+};
+
+struct pp_annual_results {
+    struct pp_annual_result *list;
+    int count;
+    bool several; /* as a list, even if there is only one */
+    bool more_than_one_file;
+};
+
+/* A figure by its name in reports: "udi-good", "per cent". */
+struct pp_annual_figure_name {
+    const char *name;  /* in JSON and CSV; without the target of autonomies */
+    const char *title; /* for readers; NULL: not in the table of points */
+    int index;         /* in struct pp_annual_figures */
+    double unit;       /* factor of the value as printed */
+    int digits;        /* as printed */
+};
+
+/* All but autonomies, which come by illuminance; the last has no name. */
+extern const struct pp_annual_figure_name pp_annual_result_names[];
+
+/* Index of the autonomy, or the continuous autonomy, at a sheet's target i. */
+int pp_annual_result_autonomy(int i, bool continuous);
+
+#endif

@@ -1,0 +1,14 @@
+/* annual_text.h - the years of rooms for people, as text. */
+#ifndef PP_REPORTS_ANNUAL_ANNUAL_TEXT_H
+#define PP_REPORTS_ANNUAL_ANNUAL_TEXT_H
+
+#include <stdio.h>
+
+#include "model/base/error.h"
+#include "reports/annual/annual_result.h"
+
+/* Lines of at most `width` columns; utf8: with characters beyond ASCII. */
+enum pp_status pp_annual_text(const struct pp_annual_results *results, int width,
+                              bool utf8, FILE *out, struct pp_error *err);
+
+#endif

@@ -1,0 +1,31 @@
+/* plain_year.h - the hours of a point without patches and cells, the plain way.
+ *
+ * A set of light paths is kept as the places where it meets sky, ground and sunlit
+ * surfaces; for every hour the sky is evaluated in the direction of each exit, and the sun
+ * is tested at each place. It has no error but noise, and is what year_coefficients.h is
+ * held against; it takes some hundred times as long.
+ */
+#ifndef PP_SIMULATE_YEAR_PLAIN_YEAR_H
+#define PP_SIMULATE_YEAR_PLAIN_YEAR_H
+
+#include "simulate/year/year_coefficients.h"
+
+struct pp_plain_year;
+
+/* paths: of a point in each of PP_YEAR_BATCHES randomisations. Arguments as of
+ * pp_year_coefficients_create. */
+enum pp_status pp_plain_year_create(struct pp_plain_year **plain,
+                                    const struct pp_light_scene *scene,
+                                    const struct pp_environment *environment,
+                                    const struct pp_receiver *receivers,
+                                    const int *group_of_opening, int group_count,
+                                    int paths, uint64_t seed, struct pp_error *err);
+void pp_plain_year_destroy(struct pp_plain_year *plain); /* NULL is allowed */
+
+/* Fills both parts of a point (lx): all light of sky and ground, direct light included;
+ * and sunlight by way of surfaces. */
+enum pp_status pp_plain_year_point(const struct pp_plain_year *plain, int receiver,
+                                   const struct pp_light_columns *light,
+                                   struct pp_year_point *point, struct pp_error *err);
+
+#endif

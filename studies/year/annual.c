@@ -1,0 +1,245 @@
+/* annual.c - the steps from a room and a year to its figures. */
+#include "studies/year/annual.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "simulate/scene/light_scene_of_world.h"
+#include "studies/year/annual_plane.h"
+#include "studies/year/annual_words.h"
+#include "studies/year/annual_work.h"
+
+enum { CELLS = 600, SAMPLES = 128, SAMPLES_MOST = 8192 };
+
+/* Work for every point; out of memory is the only failure. */
+static enum pp_status for_points(struct pp_annual_work *work,
+                                 pp_thread_pool_work *function, struct pp_error *err)
+{
+    pp_thread_pool_run(work->pool, 0, work->receiver_count, function, work);
+    for (int x = 0; x < work->receiver_count; x++)
+        if (work->status[x] == PP_BAD_INPUT)
+            return pp_fail(
+                err, PP_BAD_INPUT,
+                "the outline of the sky through an opening has too many corners");
+        else if (work->status[x] != PP_OK)
+            return pp_fail_memory(err);
+    return PP_OK;
+}
+
+static enum pp_status make_tables(struct pp_annual_work *work, struct pp_error *err)
+{
+    size_t points = (size_t)work->receiver_count, groups = (size_t)work->groups.count;
+    size_t skies = (size_t)work->year->sky_count;
+    struct pp_annual_sheet *sheet = work->sheet;
+    work->step = (size_t)work->columns.tiles * PP_LIGHT_LANES;
+    work->direct =
+        calloc(points * groups * (size_t)work->columns.column_count + 1, sizeof(float));
+    work->direct_sun = calloc(points * groups * skies + 1, sizeof(float));
+    work->closed = calloc(groups * skies + 1, 1);
+    work->on_panes = calloc(groups * PP_YEAR_BATCHES * work->step + 1, sizeof(float));
+    work->without =
+        calloc(points * PP_YEAR_BATCHES * PP_ANNUAL_FIGURES + 1, sizeof(double));
+    work->group_light =
+        calloc(points * groups * (1 + PP_YEAR_BATCHES) + 1, sizeof(double));
+    work->status = calloc(points + 1, sizeof *work->status);
+    sheet->points = calloc(points + 1, sizeof *sheet->points);
+    sheet->groups = calloc(groups + 1, sizeof *sheet->groups);
+    sheet->lx = calloc(points * skies + 1, sizeof *sheet->lx);
+    sheet->sun_lx = calloc(points * skies + 1, sizeof *sheet->sun_lx);
+    if (!work->direct || !work->direct_sun || !work->closed || !work->on_panes
+        || !work->without || !work->group_light || !work->status || !sheet->points
+        || !sheet->groups || !sheet->lx || !sheet->sun_lx)
+        return pp_fail_memory(err);
+    return pp_annual_point_make_spaces(work, err);
+}
+
+/* The worst standard error of a point's annual light over it, by the mean sky. */
+static double worst_error(const struct pp_annual_work *work)
+{
+    double worst = 0.0;
+    for (int x = 0; x < work->receiver_count; x++)
+        worst = fmax(worst, pp_year_coefficients_spread(work->coefficients, x));
+    return worst;
+}
+
+/* Creates the coefficients, with more paths until the error is met. */
+static enum pp_status trace(struct pp_annual_work *work, struct pp_error *err)
+{
+    const struct pp_annual_options *options = work->options;
+    struct pp_year_coefficient_options year = {
+        .paths = options->samples > 0 ? options->samples : SAMPLES,
+        .cells = CELLS,
+        .patches = options->patches,
+        .seed = options->seed};
+    for (;;) {
+        work->samples = year.paths;
+        enum pp_status status = pp_year_coefficients_create(
+            &work->coefficients, work->scene, work->environment, work->receivers,
+            work->receiver_count, work->groups.of_opening, work->groups.count, &year,
+            work->pool, err);
+        if (status != PP_OK || options->samples > 0 || !(options->error > 0.0))
+            return status;
+        double ratio = worst_error(work) / options->error;
+        if (ratio <= 1.0 || year.paths >= SAMPLES_MOST)
+            return PP_OK;
+        while (year.paths < SAMPLES_MOST && ratio > 1.0) {
+            year.paths *= 2;
+            ratio /= sqrt(2.0);
+        }
+        pp_year_coefficients_destroy(work->coefficients);
+        work->coefficients = NULL;
+    }
+}
+
+static bool goes_on(const struct pp_annual_work *work, double done)
+{
+    const struct pp_watch *watch = &work->options->watch;
+    return !watch->look || watch->look(watch->data, done, NAN);
+}
+
+static enum pp_status prepare(struct pp_annual_work *work, struct pp_error *err)
+{
+    const struct pp_annual_options *options = work->options;
+    enum pp_status status = pp_year_clock_init(&work->clock, work->year,
+                                               &options->hours, &options->summer, err);
+    if (status == PP_OK)
+        status = pp_blind_groups_of_world(&work->groups, work->world, err);
+    work->skies = calloc((size_t)work->year->sky_count + 1, sizeof *work->skies);
+    if (status == PP_OK && !work->skies)
+        status = pp_fail_memory(err);
+    for (int t = 0; t < work->year->sky_count && status == PP_OK; t++)
+        work->skies[t] =
+            pp_weather_year_turned(&work->year->skies[t], work->world->north_rad);
+    if (status == PP_OK)
+        status = pp_thread_pool_create(&work->pool, options->threads, err);
+    if (status == PP_OK)
+        status = pp_light_scene_of_world_matt(&work->scene, work->world, err);
+    if (status == PP_OK)
+        status =
+            pp_light_scene_under(&work->environment, work->scene, work->light, err);
+    if (status == PP_OK)
+        status = pp_light_columns_init(&work->columns, work->environment, work->skies,
+                                       work->year->sky_count, options->patches,
+                                       work->world->north_rad, work->pool, err);
+    if (status == PP_OK)
+        status = make_tables(work, err);
+    return status;
+}
+
+static enum pp_status simulate(struct pp_annual_work *work, struct pp_error *err)
+{
+    enum pp_status status;
+    if (work->options->exact_sky) {
+        work->samples = work->options->samples > 0 ? work->options->samples : SAMPLES;
+        status = pp_plain_year_create(&work->plain, work->scene, work->environment,
+                                      work->receivers, work->groups.of_opening,
+                                      work->groups.count, work->samples,
+                                      work->options->seed, err);
+        return status;
+    }
+    status = trace(work, err);
+    if (status == PP_OK && goes_on(work, 0.4))
+        status = pp_year_coefficients_light(work->coefficients, &work->columns, err);
+    return status;
+}
+
+static void finish(struct pp_annual_work *work)
+{
+    struct pp_annual_sheet *sheet = work->sheet;
+    pp_annual_plane_fill(sheet, work->without, PP_YEAR_BATCHES);
+    for (int g = 0; g < work->groups.count; g++) {
+        double sums[1 + PP_YEAR_BATCHES] = {0.0}, without[PP_YEAR_BATCHES];
+        for (int x = 0; x < work->receiver_count; x++)
+            for (int i = 0; i <= PP_YEAR_BATCHES; i++)
+                sums[i] += work->group_light[((size_t)x * (size_t)work->groups.count
+                                              + (size_t)g)
+                                                 * (1 + PP_YEAR_BATCHES)
+                                             + (size_t)i]
+                           / work->receiver_count;
+        for (int b = 0; b < PP_YEAR_BATCHES; b++)
+            without[b] =
+                (PP_YEAR_BATCHES * sums[0] - sums[1 + b]) / (PP_YEAR_BATCHES - 1);
+        sheet->groups[g].light_lxh = (struct pp_annual_value){
+            sums[0], pp_year_metrics_error(without, PP_YEAR_BATCHES)};
+    }
+    sheet->finished = true;
+}
+
+static enum pp_status work_out(struct pp_annual_work *work, struct pp_error *err)
+{
+    enum pp_status status = prepare(work, err);
+    if (status == PP_OK)
+        status = pp_annual_words_fill(work->sheet, work->world, work->year,
+                                      work->options, &work->clock, &work->groups, err);
+    if (status == PP_OK)
+        status = simulate(work, err);
+    if (status != PP_OK)
+        return status;
+    pp_annual_words_method(
+        work->sheet, work->options, work->samples,
+        work->coefficients ? pp_year_coefficients_cells(work->coefficients) : 0);
+    if (!goes_on(work, 0.6))
+        return PP_OK;
+    status = for_points(work, pp_annual_direct_see, err);
+    if (status != PP_OK || !goes_on(work, 0.7))
+        return status;
+    if (work->options->blinds)
+        pp_annual_direct_close_blinds(work);
+    status = for_points(work, pp_annual_point_work, err);
+    if (status == PP_OK)
+        finish(work);
+    return status;
+}
+
+static void clear_work(struct pp_annual_work *work)
+{
+    pp_annual_point_clear_spaces(work);
+    pp_year_coefficients_destroy(work->coefficients);
+    pp_plain_year_destroy(work->plain);
+    pp_light_columns_clear(&work->columns);
+    pp_environment_destroy(work->environment);
+    pp_light_scene_destroy(work->scene);
+    pp_thread_pool_destroy(work->pool);
+    pp_blind_groups_clear(&work->groups);
+    pp_year_clock_clear(&work->clock);
+    free(work->skies);
+    free(work->direct);
+    free(work->direct_sun);
+    free(work->closed);
+    free(work->on_panes);
+    free(work->without);
+    free(work->group_light);
+    free(work->status);
+}
+
+enum pp_status pp_annual_of_room(
+    struct pp_annual_sheet *sheet, const struct pp_world *world,
+    const struct pp_outside_light *light, const struct pp_receiver *receivers,
+    int receiver_count, bool is_grid, const struct pp_weather_year *year,
+    const struct pp_annual_options *options, struct pp_error *err)
+{
+    *sheet = (struct pp_annual_sheet){.world = world,
+                                      .receivers = receivers,
+                                      .receiver_count = receiver_count,
+                                      .is_grid = is_grid};
+    if (world->face_count == 0)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s: there is no room, only its surroundings; expected a plan or an "
+            "envelope",
+            world->name ? world->name : "the room");
+    struct pp_annual_work work = {.sheet = sheet,
+                                  .world = world,
+                                  .light = light,
+                                  .receivers = receivers,
+                                  .receiver_count = receiver_count,
+                                  .year = year,
+                                  .options = options};
+    const struct pp_watch *watch = &options->watch;
+    bool watched = watch->begin && watch->begin(watch->data, world->name);
+    enum pp_status status = work_out(&work, err);
+    if (watched && watch->end)
+        watch->end(watch->data);
+    clear_work(&work);
+    return status;
+}

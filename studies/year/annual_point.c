@@ -1,0 +1,174 @@
+/* annual_point.c - the illuminances of a point in all hours, and its figures with their
+ * standard errors. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "studies/year/annual_work.h"
+
+/* Numbers of one thread. */
+struct pp_annual_space {
+    float *sky, *sun;     /* [group][batch][step] */
+    float *open, *blinds; /* [batch][step]: all light */
+    float *sums[5];       /* by hour: means over batches, or without one of them */
+    float *rank;
+};
+
+enum { SUM_OPEN, SUM_SKY, SUM_SUN, SUM_REFLECTED, SUM_BLINDS };
+
+void pp_annual_point_clear_spaces(struct pp_annual_work *work)
+{
+    for (int i = 0; work->spaces && i < pp_thread_pool_size(work->pool); i++) {
+        struct pp_annual_space *space = &work->spaces[i];
+        free(space->sky);
+        free(space->sun);
+        free(space->open);
+        free(space->blinds);
+        for (int k = 0; k < 5; k++)
+            free(space->sums[k]);
+        free(space->rank);
+    }
+    free(work->spaces);
+    work->spaces = NULL;
+}
+
+enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
+                                           struct pp_error *err)
+{
+    size_t batches = PP_YEAR_BATCHES * work->step, all = batches;
+    all *= (size_t)work->groups.count;
+    bool enough = true;
+    work->spaces =
+        calloc((size_t)pp_thread_pool_size(work->pool), sizeof *work->spaces);
+    if (!work->spaces)
+        return pp_fail_memory(err);
+    for (int i = 0; i < pp_thread_pool_size(work->pool); i++) {
+        struct pp_annual_space *space = &work->spaces[i];
+        space->sky = calloc(all, sizeof(float));
+        space->sun = calloc(all, sizeof(float));
+        space->open = calloc(batches, sizeof(float));
+        space->blinds = calloc(batches, sizeof(float));
+        space->rank = calloc(work->step, sizeof(float));
+        enough &=
+            space->sky && space->sun && space->open && space->blinds && space->rank;
+        for (int k = 0; k < 5; k++)
+            enough &= (space->sums[k] = calloc(work->step, sizeof(float))) != NULL;
+    }
+    return enough ? PP_OK : pp_fail_memory(err);
+}
+
+/* All light of each batch, open and with blinds; its parts, the means over batches. */
+static void add_up(struct pp_annual_work *work, struct pp_annual_space *space, int x)
+{
+    int count = work->year->sky_count, groups = work->groups.count;
+    size_t step = work->step;
+    const float *direct = work->direct_sun + (size_t)x * (size_t)groups * (size_t)count;
+    for (int k = 0; k < 5; k++)
+        memset(space->sums[k], 0, step * sizeof(float));
+    memset(space->open, 0, PP_YEAR_BATCHES * step * sizeof(float));
+    memset(space->blinds, 0, PP_YEAR_BATCHES * step * sizeof(float));
+    for (int g = 0; g < groups; g++) {
+        const float *sun = direct + (size_t)g * (size_t)count;
+        const unsigned char *closed = work->closed + (size_t)g * (size_t)count;
+        double k = work->groups.transmittance[g] * PP_BLIND_GROUPS_TRANSMITTANCE;
+        double *light =
+            work->group_light
+            + ((size_t)x * (size_t)groups + (size_t)g) * (1 + PP_YEAR_BATCHES);
+        for (int t = 0; t < count; t++)
+            space->sums[SUM_SUN][t] += sun[t];
+        for (int b = 0; b < PP_YEAR_BATCHES; b++) {
+            size_t row = (size_t)(g * PP_YEAR_BATCHES + b) * step;
+            float emitted = 0.0f;
+            if (work->coefficients)
+                emitted = (float)k
+                          * pp_year_coefficients_by_panes(work->coefficients, x, g, b);
+            for (int t = 0; t < count; t++) {
+                float sky = space->sky[row + (size_t)t];
+                float reflected = space->sun[row + (size_t)t];
+                float all = sky + reflected + sun[t];
+                space->sums[SUM_SKY][t] += sky / PP_YEAR_BATCHES;
+                space->sums[SUM_REFLECTED][t] += reflected / PP_YEAR_BATCHES;
+                space->open[(size_t)b * step + (size_t)t] += all;
+                space->blinds[(size_t)b * step + (size_t)t] +=
+                    closed[t] ? emitted * work->on_panes[row + (size_t)t] : all;
+                light[1 + b] += (double)all * work->clock.length_h[t];
+            }
+            light[0] += light[1 + b] / PP_YEAR_BATCHES;
+        }
+    }
+    for (int b = 0; b < PP_YEAR_BATCHES; b++)
+        for (int t = 0; t < count; t++) {
+            space->sums[SUM_OPEN][t] +=
+                space->open[(size_t)b * step + (size_t)t] / PP_YEAR_BATCHES;
+            space->sums[SUM_BLINDS][t] +=
+                space->blinds[(size_t)b * step + (size_t)t] / PP_YEAR_BATCHES;
+        }
+}
+
+/* The mean of all batches but one, from the mean of all. */
+static void leave_out(float *out, const float *mean, const float *batch, int count)
+{
+    for (int t = 0; t < count; t++)
+        out[t] = (PP_YEAR_BATCHES * mean[t] - batch[t]) / (PP_YEAR_BATCHES - 1);
+}
+
+static void judge(struct pp_annual_work *work, struct pp_annual_space *space, int x)
+{
+    const struct pp_annual_options *options = work->options;
+    struct pp_annual_figures *figures = &work->sheet->points[x];
+    int count = work->year->sky_count;
+    float *means[2] = {space->sums[SUM_OPEN], space->sums[SUM_BLINDS]};
+    struct pp_year_values values = {.open = means[0],
+                                    .sky = space->sums[SUM_SKY],
+                                    .sun = space->sums[SUM_SUN],
+                                    .sun_reflected = space->sums[SUM_REFLECTED],
+                                    .blinds = options->blinds ? means[1] : NULL,
+                                    .space = space->rank};
+    pp_year_metrics_of(figures, &values, &work->clock, options->illuminances_lx,
+                       options->illuminance_count);
+    float *row = work->sheet->lx + (size_t)x * (size_t)count;
+    memcpy(row, values.open, (size_t)count * sizeof *row);
+    memcpy(work->sheet->sun_lx + (size_t)x * (size_t)count, values.sun,
+           (size_t)count * sizeof *row);
+
+    /* The same without each batch; sky and sun_reflected stay means, as their errors are
+     * those of the sum. */
+    double *without = work->without + (size_t)x * PP_YEAR_BATCHES * PP_ANNUAL_FIGURES;
+    float *open = space->sky, *blinds = space->sun; /* used up */
+    values.open = open;
+    values.blinds = options->blinds ? blinds : NULL;
+    for (int b = 0; b < PP_YEAR_BATCHES; b++) {
+        struct pp_annual_figures part;
+        leave_out(open, means[0], space->open + (size_t)b * work->step, count);
+        leave_out(blinds, means[1], space->blinds + (size_t)b * work->step, count);
+        pp_year_metrics_of(&part, &values, &work->clock, options->illuminances_lx,
+                           options->illuminance_count);
+        for (int i = 0; i < PP_ANNUAL_FIGURES; i++)
+            without[b * PP_ANNUAL_FIGURES + i] =
+                pp_annual_sheet_figure(&part, i)->value;
+    }
+    for (int i = 0; i < PP_ANNUAL_FIGURES; i++) {
+        double list[PP_YEAR_BATCHES];
+        for (int b = 0; b < PP_YEAR_BATCHES; b++)
+            list[b] = without[b * PP_ANNUAL_FIGURES + i];
+        pp_annual_sheet_figure(figures, i)->std_error =
+            pp_year_metrics_error(list, PP_YEAR_BATCHES);
+    }
+}
+
+bool pp_annual_point_work(void *data, int worker, int x)
+{
+    struct pp_annual_work *work = data;
+    struct pp_annual_space *space = &work->spaces[worker];
+    struct pp_year_point point = {space->sky, space->sun};
+    size_t row =
+        (size_t)x * (size_t)work->groups.count * (size_t)work->columns.column_count;
+    work->status[x] =
+        work->plain ? pp_plain_year_point(work->plain, x, &work->columns, &point, NULL)
+                    : pp_year_coefficients_point(work->coefficients, x,
+                                                 work->direct + row, &point, NULL);
+    if (work->status[x] != PP_OK)
+        return false;
+    add_up(work, space, x);
+    judge(work, space, x);
+    return true;
+}

@@ -1,0 +1,200 @@
+/* annual_words.c - see annual_words.h. */
+#include "studies/year/annual_words.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/text.h"
+
+static enum pp_status fill_hours(struct pp_annual_sheet *sheet,
+                                 const struct pp_weather_year *year,
+                                 const struct pp_annual_options *options,
+                                 struct pp_error *err)
+{
+    sheet->hour_count = year->count;
+    sheet->sky_count = year->sky_count;
+    sheet->hours = calloc((size_t)year->count + 1, sizeof *sheet->hours);
+    if (!sheet->hours)
+        return pp_fail_memory(err);
+    for (int i = 0; i < year->count; i++) {
+        const struct pp_weather_hour *from = &year->hours[i];
+        struct pp_annual_hour *to = &sheet->hours[i];
+        struct pp_diffuse_hour at = {.date = from->date,
+                                     .weekday = from->weekday,
+                                     .start_h = from->start_h,
+                                     .length_h = from->length_h};
+        *to = (struct pp_annual_hour){.month = from->date.month,
+                                      .day = from->date.day,
+                                      .start_h = from->start_h,
+                                      .length_h = from->length_h,
+                                      .known = from->known,
+                                      .sky = from->sky,
+                                      .sun_altitude_rad = NAN,
+                                      .sun_bearing_rad = NAN};
+        if (from->known)
+            to->occupied_h =
+                pp_working_hours_share_h(&options->hours, &options->summer, &at);
+        if (from->sky < 0)
+            continue;
+        const struct pp_perez_sky *sky = &year->skies[from->sky];
+        double bearing = atan2(sky->sun.x, sky->sun.y);
+        to->sun_altitude_rad = asin(fmax(-1.0, fmin(1.0, sky->sun.z)));
+        to->sun_bearing_rad = bearing < 0.0 ? bearing + 2.0 * PP_PI : bearing;
+        to->diffuse_lx = sky->diffuse_lx;
+        to->direct_lx = sky->sun.z > 0.0 ? sky->direct_lx : 0.0;
+        sheet->daylit_h += from->length_h;
+    }
+    return PP_OK;
+}
+
+static void warn(struct pp_annual_sheet *sheet, const char *text)
+{
+    if (sheet->warning_count < PP_ANNUAL_WARNINGS_MOST)
+        snprintf(sheet->warnings[sheet->warning_count++], PP_ANNUAL_WORDS, "%s", text);
+}
+
+static void say_period(struct pp_annual_sheet *sheet,
+                       const struct pp_annual_options *options,
+                       const struct pp_year_clock *clock)
+{
+    char from[32], to[32];
+    const struct pp_summer_time *summer = &options->summer;
+    snprintf(sheet->period, sizeof sheet->period,
+             "%g to %g h%s, %g hours, dark ones included; ", options->hours.from_h,
+             options->hours.to_h,
+             options->hours.days == PP_ALL_DAYS ? " on all days"
+                                                : " on the chosen days",
+             clock->all_occupied_h);
+    if (summer->from.month)
+        pp_text_append(sheet->period, sizeof sheet->period,
+                       "clock an hour ahead of standard time from %s to %s",
+                       pp_month_day_words(from, sizeof from, summer->from),
+                       pp_month_day_words(to, sizeof to, summer->to));
+    else
+        pp_text_append(
+            sheet->period, sizeof sheet->period,
+            "standard time all year (LM-83 means clock time: --summer-time)");
+}
+
+static void say_blinds(struct pp_annual_sheet *sheet,
+                       const struct pp_annual_options *options)
+{
+    if (!options->blinds)
+        snprintf(
+            sheet->blinds, sizeof sheet->blinds,
+            "none: the share of the plane with 300 lx in half of the hours is no sDA");
+    else
+        snprintf(
+            sheet->blinds, sizeof sheet->blinds,
+            "LM-83-12, open loop: a window group (one wall, one glass) is closed in "
+            "hours with 1000 lx or more of direct sun through it on more than 2 %% of "
+            "the points; closed, its panes are even diffuse emitters of %g of the "
+            "light on them, times their diffuse transmittance. All other figures are "
+            "with open blinds",
+            PP_BLIND_GROUPS_TRANSMITTANCE);
+}
+
+static void name_groups(struct pp_annual_sheet *sheet, const struct pp_world *world,
+                        const struct pp_blind_groups *groups)
+{
+    sheet->group_count = groups->count;
+    for (int g = 0; g < groups->count; g++) {
+        const struct pp_opening *opening = &world->openings[groups->first[g]];
+        const struct pp_surface *face = &world->surfaces[opening->face];
+        const char *wall = face->name                 ? face->name
+                           : face->role == PP_CEILING ? "ceiling"
+                           : face->role == PP_FLOOR   ? "floor"
+                                                      : "wall";
+        int count = 0;
+        for (int i = 0; i < world->opening_count; i++)
+            count += groups->of_opening[i] == g;
+        if (count == 1 && opening->name)
+            snprintf(sheet->groups[g].name, sizeof sheet->groups[g].name, "%s: %s",
+                     wall, opening->name);
+        else
+            snprintf(sheet->groups[g].name, sizeof sheet->groups[g].name,
+                     "%s: %d opening%s", wall, count, count == 1 ? "" : "s");
+    }
+}
+
+/* Degrees between the place of the file and the room's. */
+static void compare_places(struct pp_annual_sheet *sheet, const struct pp_world *world,
+                           const struct pp_epw *epw)
+{
+    char text[PP_ANNUAL_WORDS];
+    if (isnan(world->latitude_rad)
+        || !(fabs(world->latitude_rad - epw->latitude_rad) > 1.0 * PP_RAD))
+        return;
+    snprintf(
+        text, sizeof text,
+        "the room stands at latitude %.4g, the weather file at %.4g: sun and sky are "
+        "the file's",
+        world->latitude_rad / PP_RAD, epw->latitude_rad / PP_RAD);
+    warn(sheet, text);
+}
+
+enum pp_status pp_annual_words_fill(struct pp_annual_sheet *sheet,
+                                    const struct pp_world *world,
+                                    const struct pp_weather_year *year,
+                                    const struct pp_annual_options *options,
+                                    const struct pp_year_clock *clock,
+                                    const struct pp_blind_groups *groups,
+                                    struct pp_error *err)
+{
+    const struct pp_epw *epw = year->epw;
+    char text[PP_ANNUAL_WORDS];
+    enum pp_status status = fill_hours(sheet, year, options, err);
+    if (status != PP_OK)
+        return status;
+    sheet->illuminance_count = options->illuminance_count;
+    memcpy(sheet->illuminances_lx, options->illuminances_lx,
+           sizeof sheet->illuminances_lx);
+    sheet->has_blinds = options->blinds;
+    sheet->occupied_h = clock->all_occupied_h;
+    sheet->diffuse_median_lx = clock->diffuse_median_lx;
+    sheet->sun_shift_min = 60.0 * year->sun_shift_h;
+    snprintf(
+        sheet->weather, sizeof sheet->weather,
+        "%.160s; latitude %.4g, longitude %.4g, clock %g h ahead of universal time; "
+        "%d records of %g h; sun at the middle of each record%s, in the year %d; "
+        "illuminances by Perez's luminous efficacy of the file's irradiances",
+        epw->place, epw->latitude_rad / PP_RAD, epw->longitude_rad / PP_RAD,
+        epw->time_zone_h, year->count, epw->record_h,
+        year->sun_shift_h != 0.0 ? " moved by the sun shift" : "", year->sun_year);
+    if (year->sun_shift_h != 0.0)
+        pp_text_append(sheet->weather, sizeof sheet->weather, "; sun shift %g minutes",
+                       sheet->sun_shift_min);
+    pp_weather_year_notes(sheet->notes, sizeof sheet->notes, year);
+    if (pp_weather_year_warning(text, sizeof text, year))
+        warn(sheet, text);
+    compare_places(sheet, world, epw);
+    if (clock->diffuse_median_lx <= 0.0)
+        warn(sheet, "a quarter of the year or less has daylight: EN 17037's levels are "
+                    "out of reach at this place");
+    say_period(sheet, options, clock);
+    say_blinds(sheet, options);
+    name_groups(sheet, world, groups);
+    return PP_OK;
+}
+
+void pp_annual_words_method(struct pp_annual_sheet *sheet,
+                            const struct pp_annual_options *options, int samples,
+                            int cells)
+{
+    if (options->exact_sky)
+        snprintf(
+            sheet->method, sizeof sheet->method,
+            "light paths, 16 x %d a point; Perez sky of each hour at the end of each "
+            "path, sun at its true place at every surface",
+            samples);
+    else
+        snprintf(
+            sheet->method, sizeof sheet->method,
+            "direct sun in closed form at its true place; direct sky in closed form, "
+            "%d patches; reflected light by paths, 16 x %d a point, by way of %d "
+            "cells, on which the sun has its true place; sunlight that glass "
+            "reflects regularly is left out",
+            options->patches, samples, cells);
+}

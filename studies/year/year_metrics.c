@@ -1,0 +1,220 @@
+/* year_metrics.c - see year_metrics.h. */
+#include "studies/year/year_metrics.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- the clock ---- */
+
+struct ranked_sky {
+    double diffuse_lx, length_h;
+    int sky;
+};
+
+/* Brightest first; among equals the earlier. */
+static int compare_skies(const void *a, const void *b)
+{
+    const struct ranked_sky *x = a, *y = b;
+    if (x->diffuse_lx != y->diffuse_lx)
+        return x->diffuse_lx < y->diffuse_lx ? 1 : -1;
+    return x->sky - y->sky;
+}
+
+/* Marks the brightest half of the year, and finds the rank of half of that. */
+static enum pp_status mark_daylight(struct pp_year_clock *clock,
+                                    const struct pp_weather_year *year,
+                                    struct pp_error *err)
+{
+    static const double HALF_YEAR_H = 4380.0, QUARTER_YEAR_H = 2190.0;
+    struct ranked_sky *list = malloc((size_t)clock->sky_count * sizeof *list);
+    double sum_h = 0.0;
+    if (!list)
+        return pp_fail_memory(err);
+    for (int i = 0; i < clock->sky_count; i++)
+        list[i] = (struct ranked_sky){year->skies[i].diffuse_lx, clock->length_h[i], i};
+    qsort(list, (size_t)clock->sky_count, sizeof *list, compare_skies);
+    clock->median_rank = clock->sky_count;
+    for (int i = 0; i < clock->sky_count && sum_h < HALF_YEAR_H - 1e-9; i++) {
+        clock->is_daylight[list[i].sky] = true;
+        sum_h += list[i].length_h;
+        if (clock->median_rank == clock->sky_count && sum_h >= QUARTER_YEAR_H - 1e-9) {
+            clock->median_rank = i;
+            clock->diffuse_median_lx = list[i].diffuse_lx;
+        }
+    }
+    free(list);
+    return PP_OK;
+}
+
+enum pp_status pp_year_clock_init(struct pp_year_clock *clock,
+                                  const struct pp_weather_year *year,
+                                  const struct pp_working_hours *hours,
+                                  const struct pp_summer_time *summer,
+                                  struct pp_error *err)
+{
+    size_t count = (size_t)year->sky_count + 1;
+    *clock = (struct pp_year_clock){.sky_count = year->sky_count};
+    clock->occupied_h = calloc(count, sizeof *clock->occupied_h);
+    clock->length_h = calloc(count, sizeof *clock->length_h);
+    clock->is_daylight = calloc(count, sizeof *clock->is_daylight);
+    enum pp_status status = PP_OK;
+    if (!clock->occupied_h || !clock->length_h || !clock->is_daylight)
+        status = pp_fail_memory(err);
+    for (int i = 0; i < year->count && status == PP_OK; i++) {
+        const struct pp_weather_hour *hour = &year->hours[i];
+        struct pp_diffuse_hour at = {.date = hour->date,
+                                     .weekday = hour->weekday,
+                                     .start_h = hour->start_h,
+                                     .length_h = hour->length_h};
+        double occupied_h =
+            hour->known ? pp_working_hours_share_h(hours, summer, &at) : 0.0;
+        clock->all_occupied_h += occupied_h;
+        if (hour->sky < 0)
+            continue;
+        clock->occupied_h[hour->sky] = occupied_h;
+        clock->length_h[hour->sky] = hour->length_h;
+    }
+    if (status == PP_OK && !(clock->all_occupied_h > 0.0))
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "no hour of the weather file is within the hours and days");
+    if (status == PP_OK)
+        status = mark_daylight(clock, year, err);
+    if (status != PP_OK)
+        pp_year_clock_clear(clock);
+    return status;
+}
+
+void pp_year_clock_clear(struct pp_year_clock *clock)
+{
+    free(clock->occupied_h);
+    free(clock->length_h);
+    free(clock->is_daylight);
+    *clock = (struct pp_year_clock){.sky_count = 0};
+}
+
+/* ---- a point ---- */
+
+/* The value of that rank, falling, from 0: partial sorting by quickselect. */
+static float value_of_rank(float *values, int count, int rank)
+{
+    int low = 0, high = count - 1;
+    while (low < high) {
+        float pivot = values[(low + high) / 2];
+        int i = low, k = high;
+        while (i <= k) {
+            while (values[i] > pivot)
+                i++;
+            while (values[k] < pivot)
+                k--;
+            if (i <= k) {
+                float swap = values[i];
+                values[i++] = values[k];
+                values[k--] = swap;
+            }
+        }
+        if (rank <= k)
+            high = k;
+        else if (rank >= i)
+            low = i;
+        else
+            break;
+    }
+    return values[rank];
+}
+
+static double median_of(const struct pp_year_values *values,
+                        const struct pp_year_clock *clock)
+{
+    int count = 0;
+    for (int i = 0; i < clock->sky_count; i++)
+        if (clock->is_daylight[i])
+            values->space[count++] = values->open[i];
+    return clock->median_rank < count
+               ? value_of_rank(values->space, count, clock->median_rank)
+               : 0.0;
+}
+
+static double dot(const float *a, const double *b, int count)
+{
+    double sum = 0.0;
+    for (int i = 0; i < count; i++)
+        sum += (double)a[i] * b[i];
+    return sum;
+}
+
+/* Hours with at least lx. */
+static double hours_with(const float *E, double lx, const struct pp_year_clock *clock)
+{
+    double hours = 0.0;
+    float least = (float)lx;
+    for (int i = 0; i < clock->sky_count; i++)
+        if (E[i] >= least)
+            hours += clock->occupied_h[i];
+    return hours;
+}
+
+static double hours_above(const float *E, double lx, const struct pp_year_clock *clock)
+{
+    double hours = 0.0;
+    float most = (float)lx;
+    for (int i = 0; i < clock->sky_count; i++)
+        if (E[i] > most)
+            hours += clock->occupied_h[i];
+    return hours;
+}
+
+/* The sum of min(1, E/lx) over the hours. */
+static double hours_continuous(const float *E, double lx,
+                               const struct pp_year_clock *clock)
+{
+    double hours = 0.0;
+    for (int i = 0; i < clock->sky_count; i++)
+        hours += clock->occupied_h[i] * (E[i] >= lx ? 1.0 : E[i] / lx);
+    return hours;
+}
+
+void pp_year_metrics_of(struct pp_annual_figures *figures,
+                        const struct pp_year_values *values,
+                        const struct pp_year_clock *clock,
+                        const double *illuminances_lx, int illuminance_count)
+{
+    const float *E = values->open;
+    double all = clock->all_occupied_h;
+    int count = clock->sky_count;
+    *figures = (struct pp_annual_figures){.udi_below = {0.0, 0.0}};
+    for (int i = 0; i < illuminance_count; i++) {
+        figures->autonomy[i].value = hours_with(E, illuminances_lx[i], clock) / all;
+        figures->continuous[i].value =
+            hours_continuous(E, illuminances_lx[i], clock) / all;
+    }
+    double low_h = hours_with(E, 100.0, clock), good_h = hours_with(E, 300.0, clock);
+    double above_h = hours_above(E, 3000.0, clock);
+    figures->autonomy_300.value = good_h / all;
+    figures->udi_below.value = 1.0 - low_h / all;
+    figures->udi_low.value = (low_h - good_h) / all;
+    figures->udi_good.value = (good_h - above_h) / all;
+    figures->udi_above.value = above_h / all;
+    figures->sun_h.value = hours_above(values->sun, 1000.0, clock);
+    figures->mean_lx.value = dot(E, clock->occupied_h, count) / all;
+    figures->median_lx.value = median_of(values, clock);
+    figures->year_lxh.value = dot(E, clock->length_h, count);
+    figures->sky_lxh.value = dot(values->sky, clock->length_h, count);
+    figures->sun_lxh.value = dot(values->sun, clock->length_h, count);
+    figures->sun_reflected_lxh.value =
+        dot(values->sun_reflected, clock->length_h, count);
+    figures->blinds_autonomy.value =
+        values->blinds ? hours_with(values->blinds, 300.0, clock) / all : NAN;
+}
+
+double pp_year_metrics_error(const double *without, int count)
+{
+    double mean = 0.0, squares = 0.0;
+    for (int i = 0; i < count; i++)
+        mean += without[i] / count;
+    for (int i = 0; i < count; i++)
+        squares += (without[i] - mean) * (without[i] - mean);
+    /* Rounding of sums is no spread. */
+    double error = sqrt((count - 1.0) / count * squares);
+    return error > 1e-9 * fabs(mean) ? error : 0.0;
+}

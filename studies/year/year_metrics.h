@@ -1,0 +1,51 @@
+/* year_metrics.h - figures of one point from its illuminances in the hours of a year.
+ *
+ * Occupied hours count whether it is light or not. Useful daylight illuminance after
+ * Mardaljevic: below 100, 100 to 300, 300 to 3000 (both included), above 3000 lx. The
+ * median is that of EN 17037, method 2: reached in 2190 of the 4380 hours of most diffuse
+ * horizontal illuminance. Direct sun counts above 1000 lx [LM83].
+ */
+#ifndef PP_STUDIES_YEAR_YEAR_METRICS_H
+#define PP_STUDIES_YEAR_YEAR_METRICS_H
+
+#include "model/results/sheets/annual_sheet.h"
+#include "studies/climate/working_hours.h"
+#include "studies/year/weather_year.h"
+
+/* The hours of a year as the figures need them; by sky. */
+struct pp_year_clock {
+    int sky_count;
+    double *occupied_h, *length_h;
+    bool *is_daylight;     /* of the 4380 hours */
+    double all_occupied_h; /* dark ones included */
+    int median_rank;       /* of the daylight values, falling; they may be fewer */
+    double diffuse_median_lx;
+};
+
+/* PP_BAD_INPUT where no hour is occupied. On success the caller clears *clock. */
+enum pp_status pp_year_clock_init(struct pp_year_clock *clock,
+                                  const struct pp_weather_year *year,
+                                  const struct pp_working_hours *hours,
+                                  const struct pp_summer_time *summer,
+                                  struct pp_error *err);
+void pp_year_clock_clear(struct pp_year_clock *clock);
+
+/* The illuminances of a point (lx), by sky. */
+struct pp_year_values {
+    const float *open;                      /* all light, without blinds */
+    const float *sky, *sun, *sun_reflected; /* its parts */
+    const float *blinds; /* all light, with blinds; NULL: no blinds */
+    float *space;        /* as many numbers, for the median */
+};
+
+/* Fills the values of *figures, not their standard errors. */
+void pp_year_metrics_of(struct pp_annual_figures *figures,
+                        const struct pp_year_values *values,
+                        const struct pp_year_clock *clock,
+                        const double *illuminances_lx, int illuminance_count);
+
+/* Standard error of a figure from its values with one of `count` batches left out each
+ * (jackknife): sqrt((n - 1)/n sum (x - mean)^2). */
+double pp_year_metrics_error(const double *without, int count);
+
+#endif

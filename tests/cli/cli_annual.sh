@@ -1,0 +1,83 @@
+#!/bin/sh
+# The year's daylight from a weather file to figures, and what is wrong with the input.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+# A year at Brussels: clear from 9 to 16 h, with the radiation of a sun at the middle of
+# each hour as far as a sine has it; dark else.
+awk 'BEGIN {
+    print "LOCATION,Brussels,-,BEL,made up,064510,50.90,4.53,1.0,58.0"
+    print "HOLIDAYS/DAYLIGHT SAVINGS,No,3/26,10/28,0"
+    print "DATA PERIODS,1,1,Data,Sunday,1/1,12/31"
+    split("31 28 31 30 31 30 31 31 30 31 30 31", days, " ")
+    for (m = 1; m <= 12; m++)
+        for (d = 1; d <= days[m]; d++)
+            for (h = 1; h <= 24; h++) {
+                lit = h > 9 && h <= 16
+                printf "%d,%d,%d,%d,0,?,10,7.5,84,101000,0,0,315,%d,%d,%d,0,0,0\n",
+                    2001 + m % 2, m, d, h, lit ? 9999 : 0, lit ? 400 : 0, lit ? 150 : 0
+            }
+}' >"$scratch/year.epw"
+sed 's|</room>|<point x="1.5" y="1"/><point x="1.5" y="6"/></room>|; /<line/d; /<grid/d' \
+    "$deep" >"$scratch/room.xml"
+room=$scratch/room.xml
+annual="annual -w $scratch/year.epw --samples 16"
+
+# value TEXT WORDS: the CSV has a record with that text in it.
+cell() {
+    text=$1
+    shift
+    gives $annual --format csv "$@" && { grep -q -- "$text" "$scratch/out" || told; }
+}
+
+check "text" shows "sDA300/50" $annual "$room"
+check "it names its assumptions" shows "LM-83-12" $annual "$room"
+check "it says that points are no grid" shows "no grid" $annual "$room"
+# lacks TEXT WORDS: the output has no such text.
+lacks() {
+    text=$1
+    shift
+    run "$@"
+    [ $status -eq 0 ] && ! grep -q -- "$text" "$scratch/out" || told
+}
+
+check "without blinds there is no sDA" lacks "sDA300/50  " $annual --blinds none "$room"
+check "JSON" shows '"pepperpot-annual-1"' $annual -f json "$room"
+check "all of the day's 2555 hours" shows '"occupied_h": 2555' $annual -f json \
+    --hours 9-16 "$room"
+# From 22 to 24 h it is dark: the autonomy is 0 %, all hours have less than 100 lx.
+check "a night shift has no autonomy" \
+    cell 'point,1.5,1,0.85,0,0,0,0,0,0,0,0,100,0,' --hours 22-24 "$room"
+check "no record of 29 February" lacks "29 February" $annual "$room"
+check "any illuminance" shows "DA 450" $annual -i 450 "$room"
+check "the shift is said" shows "sun shift 30 minutes" $annual --sun-shift 30 "$room"
+check "hours as CSV" gives $annual --hourly "$scratch/hours.csv" "$room"
+check "8760 lines and a heading" test "$(wc -l <"$scratch/hours.csv")" -eq 8761
+check "hours as DAYSIM has them" \
+    gives $annual --hourly "$scratch/hours.ill" "$room"
+check "a line an hour" test "$(wc -l <"$scratch/hours.ill")" -eq 8760
+check "hours as NumPy has them" \
+    gives $annual --hourly "$scratch/hours.npy" "$room"
+check "128 bytes and 2 x 8760 numbers" \
+    test "$(wc -c <"$scratch/hours.npy")" -eq $((128 + 4 * 2 * 8760))
+run $annual --seed 5 -f csv "$room"
+cp "$scratch/out" "$scratch/first"
+run $annual --seed 5 --threads 3 -f csv "$room"
+check "any number of threads gives the same bytes" same "$scratch/first" "$scratch/out"
+
+check "no weather file" refuses 2 "--weather" annual "$room"
+check "no room" refuses 2 "room file" $annual
+check "a weather file that is none" refuses 1 "EPW" annual -w "$deep" "$room"
+check "a weather file of four days" refuses 1 "8760" annual \
+    -w "$srcdir/tests/formats/epw/four-days.epw" "$room"
+check "a sky" refuses 2 "--sky" $annual --sky overcast "$room"
+check "two periods" refuses 2 "--hours" $annual --hours 8-12,13-18 "$room"
+check "samples that are no power of two" refuses 2 "power of two" $annual --samples 100 "$room"
+check "patches" refuses 2 "145, 577 or 2305" $annual --patches 500 "$room"
+check "a shift" refuses 2 "--sun-shift" $annual --sun-shift noon "$room"
+check "blinds" refuses 2 "lm83 or none" $annual --blinds white "$room"
+check "hours of a building" refuses 1 "--hourly" $annual --hourly "$scratch/h.csv" \
+    "$examples/building.xml"
+check "a name of hours" refuses 2 ".npy" $annual --hourly hours.txt "$room"
+
+tap_done

@@ -1,0 +1,353 @@
+/* The year's daylight of a room against what is known on paper, and by other routes. */
+#include "simulate/scene/light_scene_of_world.h"
+#include "tests/lib/light_on.h"
+#include "tests/lib/near.h"
+#include "tests/lib/room_of.h"
+
+#include <stdlib.h>
+
+#include "methods/exact/sky_view.h"
+#include "model/light/sun.h"
+#include "simulate/fast/tracer.h"
+#include "simulate/year/sun_on_surface.h"
+#include "studies/year/annual.h"
+
+static const char street[] =
+    "<room version='1'><site ground-reflectance='0.2' ground-level='-2.7'/>"
+    "<plan width='3.7' depth='5.3' height='2.9'/>"
+    "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>"
+    "<window wall='south' left='0.6' sill='0.9' width='2.3' height='1.7' "
+    "transmittance='0.7'/>"
+    "<block x='-9' y='-14' width='17' depth='6' base='-2.7' height='9' "
+    "reflectance='0.3'/>"
+    "<working-plane height='0.85'/><point x='1.1' y='0.9'/><point x='2.3' y='2.2'/>"
+    "<point x='1.9' y='4.6'/></room>";
+
+/* A made-up year: hours from 8 on, days on end, with the given skies. */
+struct made_year {
+    struct pp_epw epw;
+    struct pp_weather_year year;
+    struct pp_weather_hour hours[240];
+    struct pp_perez_sky skies[240];
+};
+
+static struct pp_vec3 toward(double altitude_deg, double bearing_deg)
+{
+    double h = altitude_deg * PP_RAD, az = bearing_deg * PP_RAD;
+    return pp_vec(cos(h) * sin(az), cos(h) * cos(az), sin(h));
+}
+
+static void add_made_hour(struct made_year *made, const struct pp_perez_sky *sky)
+{
+    int i = made->year.count++;
+    made->hours[i] = (struct pp_weather_hour){.date = {1 + i / 20, 1},
+                                              .weekday = 0,
+                                              .start_h = i % 20,
+                                              .length_h = 1.0,
+                                              .known = true,
+                                              .lit = sky != NULL,
+                                              .sky = sky ? made->year.sky_count : -1};
+    if (sky)
+        made->skies[made->year.sky_count++] = *sky;
+}
+
+static void make_year(struct made_year *made)
+{
+    memset(made, 0, sizeof *made);
+    static char nowhere[] = "Nowhere";
+    made->epw.place = nowhere;
+    made->epw.record_h = 1.0;
+    made->year.epw = &made->epw;
+    made->year.hours = made->hours;
+    made->year.skies = made->skies;
+}
+
+/* Clear, half-clear and overcast hours, with suns in the east, south and west. */
+static void make_mixed_year(struct made_year *made)
+{
+    static const double bearings[] = {97.0, 131.0, 163.0, 179.0, 208.0, 247.0};
+    make_year(made);
+    for (int i = 0; i < 6; i++)
+        for (int k = 0; k < 4; k++) {
+            struct pp_perez_conditions conditions = {
+                .direct_w_m2 = 260.0 * k,
+                .diffuse_w_m2 = 190.0 - 35.0 * k,
+                .sun = toward(13.0 + 11.0 * k - fabs(i - 2.5), bearings[i]),
+                .sun_distance_au = 1.0,
+                .dew_point_c = 9.0};
+            struct pp_perez_sky sky = pp_perez_sky_of(&conditions);
+            add_made_hour(made, &sky);
+        }
+}
+
+static struct pp_annual_options whole_day(int samples)
+{
+    return (struct pp_annual_options){.hours = {0.0, 24.0, PP_ALL_DAYS},
+                                      .illuminance_count = 1,
+                                      .illuminances_lx = {300.0},
+                                      .patches = 577,
+                                      .samples = samples,
+                                      .blinds = true,
+                                      .seed = 3};
+}
+
+static void compute(struct pp_annual_sheet *sheet, const struct pp_world *world,
+                    const struct pp_outside_light *light, const struct made_year *made,
+                    const struct pp_annual_options *options)
+{
+    assert_int_equal(pp_annual_of_room(sheet, world, light, world->receivers,
+                                       world->receiver_count, false, &made->year,
+                                       options, NULL),
+                     PP_OK);
+    assert_true(sheet->finished);
+}
+
+/* ---- one sky ---- */
+
+/* a and c of 0 make every direction as bright: the daylight factor of a uniform sky, which
+ * the tracer has, times the illuminance outside. */
+static void under_a_uniform_sky_it_is_the_daylight_factor(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, street);
+    struct made_year made;
+    make_year(&made);
+    struct pp_perez_sky sky = {.b = -1.0, .sun = {0, 0, 1}, .N = 2000.0};
+    sky.diffuse_lx = PP_PI * sky.N;
+    add_made_hour(&made, &sky);
+    struct pp_annual_sheet sheet;
+    struct pp_annual_options options = whole_day(256);
+    compute(&sheet, world, &light, &made, &options);
+
+    light.sky = pp_sky_uniform();
+    struct pp_light_scene *scene;
+    struct pp_tracer *tracer;
+    assert_int_equal(pp_light_scene_of_world_matt(&scene, world, NULL), PP_OK);
+    struct pp_environment *environment = pp_test_light_on(scene, &light);
+    const struct pp_tracer_options traced = {.error = 0.002, .seed = 1};
+    assert_int_equal(pp_tracer_create(&tracer, scene, environment, world->receivers,
+                                      world->receiver_count, &traced, NULL),
+                     PP_OK);
+    while (!pp_tracer_done(tracer))
+        assert_int_equal(pp_tracer_advance(tracer, 0.1, NULL), PP_OK);
+    for (int x = 0; x < world->receiver_count; x++) {
+        struct pp_reading readings[PP_COMPONENT_COUNT];
+        pp_tracer_read(tracer, x, readings);
+        double expected = readings[PP_DF].value * sky.diffuse_lx;
+        double error = hypot(readings[PP_DF].std_error * sky.diffuse_lx,
+                             sheet.points[x].year_lxh.std_error);
+        assert_near(sheet.points[x].year_lxh.value, expected,
+                    3.0 * error + 0.003 * expected);
+    }
+    pp_tracer_destroy(tracer);
+    pp_environment_destroy(environment);
+    pp_light_scene_destroy(scene);
+    pp_annual_sheet_clear(&sheet);
+    pp_world_destroy(world);
+}
+
+/* ---- the plain way ---- */
+
+static void patches_and_cells_agree_with_the_plain_year(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, street);
+    struct made_year made;
+    make_mixed_year(&made);
+    struct pp_annual_sheet fast, plain;
+    struct pp_annual_options options = whole_day(256);
+    compute(&fast, world, &light, &made, &options);
+    options.exact_sky = true;
+    options.blinds = false;
+    options.samples = 1024;
+    compute(&plain, world, &light, &made, &options);
+    for (int x = 0; x < world->receiver_count; x++) {
+        const struct pp_annual_value *a = &fast.points[x].year_lxh;
+        const struct pp_annual_value *b = &plain.points[x].year_lxh;
+        assert_near(a->value, b->value,
+                    3.0 * hypot(a->std_error, b->std_error) + 0.004 * b->value);
+        assert_near(fast.points[x].sun_lxh.value, plain.points[x].sun_lxh.value, 1e-3);
+        double gap = fast.points[x].sun_reflected_lxh.value
+                     - plain.points[x].sun_reflected_lxh.value;
+        assert_near(gap, 0.0, 0.1 * plain.points[x].sun_reflected_lxh.value);
+        assert_true(fast.points[x].sun_reflected_lxh.value > 0.0);
+    }
+    pp_annual_sheet_clear(&fast);
+    pp_annual_sheet_clear(&plain);
+    pp_world_destroy(world);
+}
+
+/* ---- symmetries ---- */
+
+/* The same office: its window in the south wall; or in the wall named east of a plan whose
+ * y axis points east, so that this wall faces south, too. */
+static void a_turned_plan_has_the_same_year(void **state)
+{
+    (void)state;
+    static const char south[] =
+        "<room version='1'><site ground='open'/><plan width='3.7' depth='5.3' "
+        "height='2.9'/><window wall='south' left='0.6' sill='0.9' width='2.3' "
+        "height='1.7' glazing='none'/><point x='1.1' y='0.9'/><point x='1.9' "
+        "y='4.6'/></room>";
+    static const char turned[] =
+        "<room version='1' north='90'><site ground='open'/><plan width='5.3' "
+        "depth='3.7' height='2.9'/><window wall='east' left='0.6' sill='0.9' "
+        "width='2.3' height='1.7' glazing='none'/><point x='4.4' y='1.1'/><point "
+        "x='0.7' y='1.9'/></room>";
+    struct pp_outside_light light;
+    struct pp_world *a = pp_test_lit_world(&light, south);
+    struct pp_world *b = pp_test_lit_world(&light, turned);
+    struct made_year made;
+    make_mixed_year(&made);
+    struct pp_annual_sheet sheet_a, sheet_b;
+    struct pp_annual_options options = whole_day(256);
+    compute(&sheet_a, a, &light, &made, &options);
+    compute(&sheet_b, b, &light, &made, &options);
+    for (int x = 0; x < 2; x++) {
+        const struct pp_annual_figures *p = &sheet_a.points[x], *q = &sheet_b.points[x];
+        assert_relative(p->sun_lxh.value, q->sun_lxh.value, 1e-6);
+        assert_near(p->year_lxh.value, q->year_lxh.value,
+                    3.0 * hypot(p->year_lxh.std_error, q->year_lxh.std_error)
+                        + 0.002 * p->year_lxh.value);
+        assert_near(p->blinds_autonomy.value, q->blinds_autonomy.value, 0.05);
+    }
+    assert_near(sheet_a.groups[0].closed_h, sheet_b.groups[0].closed_h, 0.0);
+    assert_true(sheet_a.points[0].sun_lxh.value > 0.0);
+    pp_annual_sheet_clear(&sheet_a);
+    pp_annual_sheet_clear(&sheet_b);
+    pp_world_destroy(a);
+    pp_world_destroy(b);
+}
+
+/* ---- direct light ---- */
+
+static void sum_pieces(void *data, const struct pp_sky_piece *piece)
+{
+    double *sums = data;
+    sums[piece->ground] += piece->coefficient;
+}
+
+/* Without glass the pieces are the whole configuration factor: that of a rectangle at a
+ * point on the normal through its lower corner, facing up, and the same below the
+ * horizon at a point facing the window. */
+static void pieces_of_sky_are_the_whole_of_it(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><site ground='open'/><plan width='5' depth='5' height='3'/>"
+        "<window wall='south' left='1' sill='0.8' width='2' height='1.5' "
+        "glazing='none'/></room>");
+    struct pp_receiver receiver = {.position = {1.0, 1.7, 0.8}, .normal = {0, 0, 1}};
+    struct pp_sky_view view;
+    double sums[2] = {0.0, 0.0};
+    assert_int_equal(pp_sky_view_init(&view, world, &receiver, NULL), PP_OK);
+    assert_int_equal(pp_sky_view_pieces(&view, 0.05, sum_pieces, sums, NULL), PP_OK);
+    double w = 2.0, h = 1.5, d = 1.7, slant = hypot(d, h);
+    double expected = 0.5 * (atan2(w, d) - d / slant * atan2(w, slant));
+    assert_near(sums[0], expected, 1e-12);
+    assert_near(sums[1], 0.0, 0.0);
+    pp_sky_view_clear(&view);
+
+    receiver.position.z = 1.7; /* sees ground below, facing the window */
+    receiver.normal = pp_vec(0.0, -1.0, 0.0);
+    sums[0] = sums[1] = 0.0;
+    assert_int_equal(pp_sky_view_init(&view, world, &receiver, NULL), PP_OK);
+    assert_int_equal(pp_sky_view_pieces(&view, 0.05, sum_pieces, sums, NULL), PP_OK);
+    double below = 0.9, p = atan2(w, hypot(d, below)), q = atan2(below, hypot(d, w));
+    double corner = 0.5 * (below / hypot(d, below) * p + w / hypot(d, w) * q);
+    assert_near(sums[1], corner, 1e-12);
+    pp_sky_view_clear(&view);
+    pp_world_destroy(world);
+}
+
+/* The view of polygons and the ray tracer answer the same question. */
+static void the_sun_is_seen_where_a_ray_reaches_it(void **state)
+{
+    (void)state;
+    struct pp_world *world = pp_test_world(street);
+    struct pp_light_scene *scene;
+    assert_int_equal(pp_light_scene_of_world_matt(&scene, world, NULL), PP_OK);
+    struct pp_vec3 centre = pp_vec(3.7 / 2.0, 5.3 / 2.0, 2.9 / 2.0);
+    int lit = 0, opening;
+    for (int x = 0; x < world->receiver_count; x++) {
+        const struct pp_receiver *receiver = &world->receivers[x];
+        struct pp_sky_view view;
+        assert_int_equal(pp_sky_view_init(&view, world, receiver, NULL), PP_OK);
+        const struct pp_lit_point at = {pp_vec_sub(receiver->position, centre),
+                                        receiver->normal, PP_INDOORS};
+        for (double h = 2.3; h < 80.0; h += 4.1)
+            for (double az = 91.7; az < 270.0; az += 6.3) {
+                struct pp_vec3 sun = toward(h, az);
+                double seen = pp_sky_view_sun(&view, sun, NULL);
+                double traced = pp_sun_on_surface(scene, &at, sun, &opening);
+                assert_near(seen, traced, 1e-6);
+                lit += seen > 0.0;
+            }
+        pp_sky_view_clear(&view);
+    }
+    assert_true(lit > 20);
+    pp_light_scene_destroy(scene);
+    pp_world_destroy(world);
+}
+
+/* ---- counts ---- */
+
+/* A night shift has no daylight: autonomy is 0, all hours below 100 lx. */
+static void dark_hours_count(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, street);
+    struct made_year made;
+    make_mixed_year(&made); /* hours 0 to 19, then 0 to 3 of the next month */
+    for (int i = 0; i < 16; i++)
+        add_made_hour(&made, NULL);
+    struct pp_annual_sheet sheet;
+    struct pp_annual_options options = whole_day(16);
+    compute(&sheet, world, &light, &made, &options);
+    assert_near(sheet.occupied_h, 40.0, 0.0);
+    assert_true(sheet.points[0].udi_below.value >= 16.0 / 40.0);
+    assert_true(sheet.points[0].autonomy[0].value <= 24.0 / 40.0);
+    for (int x = 0; x < 3; x++)
+        assert_true(sheet.points[x].continuous[0].value
+                    >= sheet.points[x].autonomy[0].value);
+    pp_annual_sheet_clear(&sheet);
+    pp_world_destroy(world);
+}
+
+static void it_is_the_same_with_any_number_of_threads(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, street);
+    struct made_year made;
+    make_mixed_year(&made);
+    struct pp_annual_sheet one, three;
+    struct pp_annual_options options = whole_day(16);
+    options.threads = 1;
+    compute(&one, world, &light, &made, &options);
+    options.threads = 3;
+    compute(&three, world, &light, &made, &options);
+    assert_memory_equal(one.points, three.points, 3 * sizeof *one.points);
+    assert_memory_equal(one.lx, three.lx,
+                        3 * (size_t)made.year.sky_count * sizeof *one.lx);
+    pp_annual_sheet_clear(&one);
+    pp_annual_sheet_clear(&three);
+    pp_world_destroy(world);
+}
+
+TEST_FILE
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(under_a_uniform_sky_it_is_the_daylight_factor),
+        cmocka_unit_test(patches_and_cells_agree_with_the_plain_year),
+        cmocka_unit_test(a_turned_plan_has_the_same_year),
+        cmocka_unit_test(pieces_of_sky_are_the_whole_of_it),
+        cmocka_unit_test(the_sun_is_seen_where_a_ray_reaches_it),
+        cmocka_unit_test(dark_hours_count),
+        cmocka_unit_test(it_is_the_same_with_any_number_of_threads),
+    };
+    add_tests(tests, NULL, NULL);
+}
