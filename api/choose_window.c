@@ -63,8 +63,7 @@ enum pp_status pp_choose_window(int *window, const struct pp_world *world,
     if (*window == world->opening_count)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "the room has no upright window, and the vertical sky component is "
-            "for one");
+            "the room has no vertical window; the vertical sky component needs one");
     if (upright && !opening_is_upright(&world->openings[*window]))
         return pp_fail(
             err, PP_BAD_INPUT,

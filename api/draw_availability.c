@@ -38,7 +38,7 @@ static enum pp_status draw_availability(struct pp_canvas *canvas,
 
 const struct pp_chart_kind pp_draw_availability = {
     .name = "availability",
-    .summary = "how often the sky gives how much light in working hours, and inside",
+    .summary = "share of working hours with given light outside and inside",
     .outside = true,
     .landscape = true,
     .draw = draw_availability,

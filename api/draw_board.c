@@ -191,8 +191,8 @@ static enum pp_status draw_brs_table(struct pp_canvas *canvas,
     enum pp_status status = PP_OK;
     if (!room && options->sky.kind != PP_SKY_OVERCAST)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the BRS table is made for the overcast sky; expected no other "
-                       "--sky");
+                       "the BRS table applies to the CIE overcast sky only; expected "
+                       "no other --sky");
     if (room)
         status = pp_brs_sheet_fill_room(&sheet, room->world, &room->light,
                                         room->receivers, err);

@@ -140,13 +140,13 @@ static enum pp_status draw_note(struct pp_canvas *canvas, struct pp_study_room *
 {
     (void)choice, (void)finished;
     if (room->receiver_count < 1 || room->receiver_count > POINTS_MOST)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "%s: a note is of 1 to %d points, and there are %d; expected "
-                       "--points X,Y",
-                       room->world->name, POINTS_MOST, room->receiver_count);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s: a note covers 1 to %d points, and there are %d; expected --points X,Y",
+            room->world->name, POINTS_MOST, room->receiver_count);
     if (room->receiver_count > 1 && !pp_canvas_has_sheets(canvas))
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: there are %d points, and only a PDF has a sheet for each; "
+                       "%s: there are %d points, and only PDF holds a sheet for each; "
                        "expected -o FILE.pdf, or one point",
                        room->world->name, room->receiver_count);
     enum pp_status status = PP_OK;
@@ -164,14 +164,14 @@ static enum pp_status check_note_choice(const char *methods, bool simulate,
 {
     (void)methods;
     return simulate ? pp_fail(err, PP_BAD_INPUT,
-                              "a note sets out sums, and --simulate has none; expected "
-                              "hand methods")
+                              "a note shows the sums of hand methods, and --simulate "
+                              "has none; expected hand methods")
                     : PP_OK;
 }
 
 const struct pp_chart_kind pp_draw_note = {
     .name = "note",
-    .summary = "the sums of df --explain as a typeset note, drawings beside the lines",
+    .summary = "sums of df --explain as a typeset note with drawings",
     .check = check_note_choice,
     .draw = draw_note,
 };

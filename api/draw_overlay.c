@@ -18,13 +18,12 @@ static enum pp_status draw_overlay(struct pp_canvas *canvas, struct pp_study_roo
     struct pp_sky_cell *dots = NULL, *cells = NULL;
     bool sun = options->sun || (!options->said && !isnan(latitude_deg));
     if (room)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "an overlay is laid on a photograph, and no room enters it; "
-                       "expected no room file");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "an overlay is for a photograph and uses no room; expected no room file");
     if (sun && isnan(latitude_deg))
         return pp_fail(err, PP_BAD_INPUT,
-                       "sun paths are of a place; expected "
-                       "--latitude DEG");
+                       "sun paths need a place; expected --latitude DEG");
     enum pp_status status = PP_OK;
     if (options->dots || !options->said)
         status = pp_sky_cells(&dots, &choice->board.sky, DOTS, err);

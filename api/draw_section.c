@@ -16,8 +16,8 @@ enum { NOTE_BYTES = 640 };
 /* A section of nothing is refused, with the reason. */
 static enum pp_status check_values(const struct pp_report *report, struct pp_error *err)
 {
-    const char *why = "the methods asked for give a part of the daylight factor only; "
-                      "expected a pair, such as exact+bre";
+    const char *why = "these methods give only a part of the daylight factor; expected "
+                      "a pair, such as exact+bre";
     for (int i = 0; i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
         if (column->component != PP_DF)
@@ -51,12 +51,11 @@ static enum pp_status say_obstructions(char note[NOTE_BYTES],
             return status;
         if (angle_rad < 0.05 * PP_RAD)
             continue;
-        pp_text_append(note, NOTE_BYTES, "%sline %d %.1f\u00b0",
+        pp_text_append(note, NOTE_BYTES, "%s%s %.1f\u00b0",
                        said++ ? ", "
-                              : "Obstruction angle of the formulae (of the endless "
-                                "skyline that leaves the opening the same sky), by the "
-                                "opening\u2019s line in the file: ",
-                       world->openings[i].line, angle_rad / PP_RAD);
+                              : "Obstruction angle in the formulae (endless "
+                                "skyline that leaves a window the same sky): ",
+                       world->openings[i].label, angle_rad / PP_RAD);
     }
     if (said)
         pp_text_append(note, NOTE_BYTES, ".");

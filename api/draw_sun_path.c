@@ -50,7 +50,7 @@ static void say_sun(char *foot, size_t room, const char *when,
                     const struct window_sun *sun, const struct pp_sunlit_year *open)
 {
     pp_page_say(foot, room,
-                "%s%.1f\u00a0%% of the year's hours of sun on open ground reach it, "
+                "%s%.1f\u00a0%% of the annual sun hours on open ground reach it, "
                 "%.1f\u00a0%% in winter, and %.1f\u00a0h on 21 March.",
                 when, 100.0 * sun->hours.all / open->all,
                 100.0 * sun->hours.winter / open->all,
@@ -70,16 +70,16 @@ static enum pp_status say_sun_path_foot(char *foot, size_t room,
     if (status != PP_OK)
         return status;
     pp_page_say(foot, room,
-                "Grey: hidden from the middle of the window's outside, by its own wall "
-                "and by what stands outside%s.",
-                before ? "; hatched: hidden now and not before" : "");
+                "Grey: hidden from the centre of the window, outer face, by its own "
+                "wall and by obstructions%s.",
+                before ? "; hatched: hidden now, not before" : "");
     if (before)
-        say_sun(foot, room, "Before, ", before, &open);
-    say_sun(foot, room, before ? "Now, " : "", now, &open);
+        say_sun(foot, room, "Existing: ", before, &open);
+    say_sun(foot, room, before ? "Proposed: " : "", now, &open);
     pp_page_say(foot, room,
-                "Possible hours, each with the sun above the horizon counted alike. "
-                "Stereographic, from above; paths of the 21st of the months, hours of "
-                "solar time.");
+                "Possible hours: all hours with the sun above the horizon count alike. "
+                "Stereographic, seen from above; paths of the 21st of the months, "
+                "hours in solar time.");
     return PP_OK;
 }
 
@@ -95,10 +95,11 @@ static enum pp_status draw_sun_path_sheet(struct pp_canvas *canvas,
     if (status != PP_OK)
         return status;
     pp_opening_words(words, world, &world->openings[window]);
-    snprintf(subtitle, sizeof subtitle,
-             "Sun paths at %.4g\u00b0 %s, and what hides the sky from the window %s",
-             fabs(world->latitude_rad) / PP_RAD, world->latitude_rad < 0.0 ? "S" : "N",
-             words);
+    snprintf(
+        subtitle, sizeof subtitle,
+        "Sun paths at %.4g\u00b0 %s, with obstructions to the sky seen from window %s",
+        fabs(world->latitude_rad) / PP_RAD, world->latitude_rad < 0.0 ? "S" : "N",
+        words);
     const struct pp_overlay overlay = {.lens = PP_LENS_STEREOGRAPHIC,
                                        .sun = true,
                                        .latitude_rad = world->latitude_rad,
@@ -138,9 +139,9 @@ static enum pp_status draw_sun_path(struct pp_canvas *canvas,
     enum pp_status status =
         pp_choose_window(&window, world, choice->board.window, false, err);
     if (status == PP_OK && isnan(world->latitude_rad))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "sun paths are of a place; expected a site with a latitude in "
-                       "the room file");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "sun paths need a place; expected a site with a latitude in the room file");
     if (status == PP_OK)
         status = find_sun(&now, world, window, err);
     if (status == PP_OK && former)
@@ -155,7 +156,7 @@ static enum pp_status draw_sun_path(struct pp_canvas *canvas,
 
 const struct pp_chart_kind pp_draw_sun_path = {
     .name = "sun-path",
-    .summary = "the sun's paths, over what hides the sky from a window",
+    .summary = "sun paths over the obstructions seen from a window",
     .of_window = true,
     .compares = true,
     .draw = draw_sun_path,

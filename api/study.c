@@ -180,8 +180,7 @@ enum pp_status pp_study_methods(struct pp_study *study, const char *methods,
                                 bool explain, struct pp_error *err)
 {
     if (explain && study->room.receiver_count != 1)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "sums are set out for one point, and there are %d",
+        return pp_fail(err, PP_BAD_INPUT, "sums are for one point, and there are %d",
                        study->room.receiver_count);
     study->report.explain = study->options.explain = explain;
     return pp_methods_evaluate(&study->report, methods, err);
@@ -246,7 +245,7 @@ enum pp_status pp_study_advance(struct pp_study *study, double seconds,
                                 struct pp_error *err)
 {
     if (!study->simulation)
-        return pp_fail(err, PP_BAD_INPUT, "no simulation was asked for");
+        return pp_fail(err, PP_BAD_INPUT, "no simulation was requested");
     enum pp_status status = pp_simulation_advance(study->simulation, seconds, err);
     if (status == PP_OK)
         status = pp_simulation_add_columns(study->simulation, &study->report, err);
@@ -301,5 +300,5 @@ struct pp_reading pp_study_reading(const struct pp_study *study, int column, int
     if (point >= study->report.receiver_count)
         return pp_reading_none("there is no such point");
     return found->points ? found->points[point]
-                         : pp_reading_none("it speaks for the room as a whole");
+                         : pp_reading_none("it applies to the whole room");
 }

@@ -171,13 +171,12 @@ static bool has_own(const struct pp_atlas_map *map)
 static void draw_keys(struct atlas_plot *plot)
 {
     const struct pp_style *style = &plot->style;
-    struct pp_key keys[2] = {
-        {.kind = PP_KEY_SAMPLED,
-         .curve.marker = PP_DISC,
-         .words = "in the room as it is: assumption and formula"},
-        {.kind = PP_KEY_SAMPLED,
-         .curve.marker = PP_CIRCLE,
-         .words = "in the world that the method calculates in: formula"}};
+    struct pp_key keys[2] = {{.kind = PP_KEY_SAMPLED,
+                              .curve.marker = PP_DISC,
+                              .words = "room as it is: assumption and formula"},
+                             {.kind = PP_KEY_SAMPLED,
+                              .curve.marker = PP_CIRCLE,
+                              .words = "world that the method assumes: formula"}};
     int count = has_own(plot->map) ? 2 : 1;
     double width = 0.7 * plot->field.width;
     struct pp_box size =
@@ -201,7 +200,7 @@ static void draw_by_one(struct atlas_plot *plot)
     draw_classes(plot);
     draw_frame(plot);
     draw_keys(plot);
-    draw_up_title(plot, "Said over true");
+    draw_up_title(plot, "Method over simulation");
 }
 
 /* ---- a map by two numbers ---- */
@@ -314,24 +313,24 @@ static bool is_beyond(const struct pp_atlas_map *map)
 
 static void say_notes(char *foot, size_t room, const struct pp_atlas_map *map)
 {
-    pp_page_say(foot, room, "%s of %d rooms of the atlas; 1 is right.",
+    pp_page_say(foot, room, "%s of %d rooms of the atlas; 1 is exact.",
                 map->averages ? "Averages" : "At the points", map->rooms);
-    pp_page_say(
-        foot, room,
-        map->up.count > 1
-            ? "In a field the median, and the number of rooms below it; without "
-              "a median under %d rooms."
-            : "Median, and whiskers from 5 to 95 %%; the number of rooms above; "
-              "none of under %d rooms.",
-        PP_ATLAS_ENOUGH);
+    pp_page_say(foot, room,
+                map->up.count > 1
+                    ? "Each field: the median, and the number of rooms below it. No "
+                      "median for fewer than %d rooms."
+                    : "Median, with whiskers from 5 to 95 %%; the number of rooms is "
+                      "above. Nothing is drawn for fewer than %d rooms.",
+                PP_ATLAS_ENOUGH);
     if (map->up.count == 1 && is_beyond(map))
-        pp_page_say(foot, room, "What is beyond %g to %g stands at the edge.",
+        pp_page_say(foot, room, "Values outside %g to %g are drawn at the edge.",
                     least_ratio, most_ratio);
     if (!map->averages)
-        pp_page_say(foot, room, "A room's points in a class count together as one.");
+        pp_page_say(foot, room, "Points of one room in one class count as one.");
     if (map->blind)
         pp_page_say(foot, room,
-                    "%d values are left out whose truth is dark or not known to 10 %%.",
+                    "%d values are left out: the simulated value is 0 or uncertain by "
+                    "more than 10 %%.",
                     map->blind);
 }
 
@@ -344,7 +343,8 @@ enum pp_status pp_atlas_chart_draw(struct pp_canvas *canvas,
     char title[96], foot[1024] = "";
     snprintf(title, sizeof title, "Error of %.80s", map->column);
     say_notes(foot, sizeof foot, map);
-    const struct pp_page page = {title, "What the method says over what is true", foot};
+    const struct pp_page page = {title, "Value by the method over simulated value",
+                                 foot};
     struct pp_box body = pp_page_draw(canvas, &plot.style, &page);
     bool by_two = map->up.count > 1;
     double unit = plot.style.scale, left = 12.0 * unit, right = 5.0 * unit;

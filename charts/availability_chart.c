@@ -87,7 +87,7 @@ static void say_rows(struct availability_plot *plot)
         pp_style_percent(percent, sizeof percent, row->df.value);
         if (!isfinite(row->needs_lx)) {
             pp_page_say(plot->foot, sizeof plot->foot,
-                        "With a daylight factor of 0 there are never %g lx %s.",
+                        "The daylight factor is 0: %g lx are never reached %s.",
                         row->lx, plot->place);
             continue;
         }
@@ -109,18 +109,17 @@ static void say_notes(struct availability_plot *plot)
                 sheet->light, sheet->calendar);
     if (isfinite(sheet->median_lx))
         pp_page_say(plot->foot, sizeof plot->foot,
-                    "Median over the brightest 4380 hours of the year: %.0f lx.",
+                    "Median of the brightest 4380 hours of the year: %.0f lx.",
                     sheet->median_lx);
     for (int i = 0; i < sheet->period_count; i++)
         if (sheet->periods[i].missing_h > 0.0)
             pp_page_say(plot->foot, sizeof plot->foot,
-                        "%.0f hours of %s, whose light is not known, are left out.",
+                        "%.0f hours of %s without data are left out.",
                         sheet->periods[i].missing_h, sheet->periods[i].words);
-    pp_page_say(plot->foot, sizeof plot->foot, "Sunlight is left out.");
+    pp_page_say(plot->foot, sizeof plot->foot, "Sunlight is not included.");
     if (sheet->report && !sheet->report->finished)
-        pp_page_say(
-            plot->foot, sizeof plot->foot,
-            "The run was interrupted: sampled values are what was there so far.");
+        pp_page_say(plot->foot, sizeof plot->foot,
+                    "The run was interrupted: simulated values are preliminary.");
 }
 
 /* ---- curves ---- */
@@ -333,10 +332,9 @@ static void draw_availability_sheet(struct availability_plot *plot,
     const struct pp_style *style = &plot->style;
     const char *name = sheet->report ? sheet->report->world->name : NULL;
     say_notes(plot);
-    const struct pp_page page = {name ? name : "Daylight availability",
-                                 "Share of working hours with as much diffuse light "
-                                 "outside, or more",
-                                 plot->foot};
+    const struct pp_page page = {
+        name ? name : "Daylight availability",
+        "Share of working hours with at least this diffuse light outside", plot->foot};
     struct pp_box body = pp_page_draw(canvas, style, &page);
 
     /* The field is never much higher than wide, whatever the sheet. */

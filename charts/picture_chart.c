@@ -55,8 +55,9 @@ static enum pp_status draw_raster(const struct picture_drawing *drawing,
     struct pp_box box = drawing->box;
     cairo_surface_t *image = pp_picture_png_surface(&drawing->sheet->raster);
     if (!image)
-        return pp_fail(err, PP_SYSTEM,
-                       "the picture can't be drawn: too large, or out of memory");
+        return pp_fail(
+            err, PP_SYSTEM,
+            "cannot draw the picture: it is too large, or memory is exhausted");
     cairo_save(cr);
     cairo_translate(cr, box.x, box.y);
     cairo_scale(cr, drawing->mm, drawing->mm);

@@ -33,8 +33,8 @@ enum pp_status pp_picture_png(unsigned char **bytes, size_t *length,
     cairo_surface_t *image = pp_picture_png_surface(raster);
     if (!image)
         return pp_fail(err, PP_SYSTEM,
-                       "a picture of %d x %d pixels can't be shown: too large, or out "
-                       "of memory",
+                       "cannot write a picture of %d x %d pixels: it is too large, or "
+                       "memory is exhausted",
                        raster->width, raster->height);
     cairo_status_t status = pp_png_file_of_image(&file, image, 0.0);
     cairo_surface_destroy(image);
@@ -43,7 +43,7 @@ enum pp_status pp_picture_png(unsigned char **bytes, size_t *length,
     if (status == CAIRO_STATUS_NO_MEMORY)
         return pp_fail_memory(err);
     if (status != CAIRO_STATUS_SUCCESS)
-        return pp_fail(err, PP_SYSTEM, "the picture can't be shown: %s",
+        return pp_fail(err, PP_SYSTEM, "cannot write the picture: %s",
                        cairo_status_to_string(status));
     *bytes = file.list;
     *length = file.count;

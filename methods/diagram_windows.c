@@ -68,7 +68,7 @@ enum pp_status pp_diagram_windows_begin(struct pp_board_window *window,
                                         const struct pp_opening *opening,
                                         struct pp_vec3 point, struct pp_error *err)
 {
-    window->line = opening->line;
+    window->label = opening->label;
     window->allowance = pp_allowance_of(method, world, opening);
     enum pp_status status =
         pp_window_drawing_init(drawing, world, light, opening, point, err);

@@ -94,12 +94,13 @@ static void print_light(const struct pp_availability_sheet *sheet, int width, FI
                  "hours of the year",
                  sheet->median_lx);
     else
-        snprintf(median, sizeof median, "none: the file's data cover less than a year");
+        snprintf(median, sizeof median,
+                 "none: the weather file covers less than a year");
     print_availability_fact("median", median, width, out);
     for (int i = 0; i < sheet->period_count; i++)
         if (sheet->periods[i].missing_h > 0.0) {
             snprintf(median, sizeof median,
-                     "%.0f hours of %s, whose light is not known, are left out",
+                     "%.0f hours of %s without data are left out",
                      sheet->periods[i].missing_h, sheet->periods[i].words);
             print_availability_fact("gaps", median, width, out);
         }
@@ -237,10 +238,9 @@ static enum pp_status print_available_room(const struct pp_availability_result *
     fputc('\n', out);
     bool good = print_periods(sheet, width, out);
     fputs("\n  ", out);
-    pp_print_wrapped(
-        "For each illuminance: what it needs outside in lx, and in how many "
-        "per cent of the working hours that is there.",
-        2, 2, width, out);
+    pp_print_wrapped("For each illuminance: the illuminance needed outside (lx) and "
+                     "its share of the working hours (per cent).",
+                     2, 2, width, out);
     for (int i = 0; i < result->report.column_count && good; i++) {
         const struct pp_column *column = &result->report.columns[i];
         if (column->component != PP_DF)
@@ -255,8 +255,7 @@ static enum pp_status print_available_room(const struct pp_availability_result *
     if (!result->report.finished)
         fputs("  traced: NOT FINISHED, interrupted\n", out);
     else if (result->by_clock)
-        fputs("  traced: stopped by the clock (--time), another run will differ\n",
-              out);
+        fputs("  traced: stopped by --time, so another run will differ\n", out);
     return PP_OK;
 }
 

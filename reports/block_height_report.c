@@ -22,18 +22,18 @@ static void say_verdict(char *text, size_t size, const struct pp_block_height *f
     switch (found->verdict) {
     case PP_BLOCK_HEIGHT_FOUND:
         pp_text_append(text, size,
-                       "at up to %.2f m every %s keeps %s, and above that the one "
-                       "marked keeps less.",
+                       "with up to %.2f m, every %s keeps %s; if it is higher, the "
+                       "marked one keeps less.",
                        found->height_m, who, due);
         break;
     case PP_BLOCK_HEIGHT_ANY:
-        pp_text_append(text, size, "even at %g m every %s keeps %s.", task->most_m, who,
-                       due);
+        pp_text_append(text, size, "even with %g m, every %s keeps %s.", task->most_m,
+                       who, due);
         break;
     case PP_BLOCK_HEIGHT_NONE:
         pp_text_append(text, size,
-                       "without it, too, a %s keeps less than %s: no height of it "
-                       "changes that.",
+                       "even without it, a %s keeps less than %s, so no height meets "
+                       "the criterion.",
                        who, due);
     }
 }
@@ -55,13 +55,12 @@ enum pp_status pp_block_height_report(const struct pp_block_height *found,
         pp_table_print(&table, width, out);
     pp_table_clear(&table);
     fputs("\n  ", out);
-    pp_print_wrapped(
-        pp_building_has_states(task->building)
-            ? "before: the site as existing; now: as proposed; then: with "
-              "the block at the height found [BR209]"
-            : "before: the site without the block; now: as the file has it; "
-              "then: with the block at the height found [BR209]",
-        2, 2, width, out);
+    pp_print_wrapped(pp_building_has_states(task->building)
+                         ? "before: existing site; now: proposal; then: with the block "
+                           "at the height found [BR209]"
+                         : "before: site without the block; now: site of the file; "
+                           "then: with the block at the height found [BR209]",
+                     2, 2, width, out);
     pp_retained_sky_table_point(&task->rule, width, out);
     return good ? PP_OK : pp_fail_memory(err);
 }

@@ -158,15 +158,14 @@ void pp_df_plane_summary(const struct pp_report *report, int width, bool utf8,
     if (name == 0)
         return;
     char text[256];
-    snprintf(
-        text, sizeof text,
-        report->grid_of_standard
-            ? "The plane at %d points of the grid of EN 17037, which leaves out 0.5 "
-              "m along the walls; per cent, uniformity as minimum over mean, and "
-              "the share of the points that reach a level"
-            : "The plane at the %d points of the grid; per cent, uniformity as "
-              "minimum over mean, and the share of the points that reach a level",
-        report->grid_points);
+    snprintf(text, sizeof text,
+             report->grid_of_standard
+                 ? "Plane at the %d points of the EN 17037 grid, which leaves out 0.5 "
+                   "m along the walls. Per cent; uniformity is minimum over mean; then "
+                   "the share of points that reach a level"
+                 : "Plane at the %d points of the grid. Per cent; uniformity is "
+                   "minimum over mean; then the share of points that reach a level",
+             report->grid_points);
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
     fprintf(out, "\n  %-*s", name, "");

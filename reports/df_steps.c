@@ -75,15 +75,16 @@ static void print_step(const struct pp_calculation_step *step, int width, bool u
     }
 }
 
-static void print_list(const struct pp_steps *steps, int width, bool utf8, FILE *out)
+static void print_list(const struct pp_steps *steps, const struct pp_world *world,
+                       int width, bool utf8, FILE *out)
 {
     int line = 0;
     for (int i = 0; i < steps->count; i++) {
         const struct pp_calculation_step *step = &steps->list[i];
         if (step->line != line && step->line)
-            fprintf(out, "%*sopening on line %d\n", HEAD, "", step->line);
+            fprintf(out, "%*swindow %s\n", HEAD, "", pp_world_label(world, step->line));
         else if (step->line != line)
-            fprintf(out, "%*sall openings\n", HEAD, "");
+            fprintf(out, "%*sall windows\n", HEAD, "");
         line = step->line;
         print_step(step, width, utf8, out);
     }
@@ -121,6 +122,6 @@ void pp_df_steps(const struct pp_report *report, int width, bool utf8, FILE *out
             continue;
         fprintf(out, "\n  %s by %s\n", names[column->component], column->name);
         print_contents(column->name, width, out);
-        print_list(reading->steps, width, utf8, out);
+        print_list(reading->steps, report->world, width, utf8, out);
     }
 }

@@ -258,8 +258,7 @@ static void say_engine(char *text, size_t size, const struct pp_report *report,
     const bool interpolated = is_interpolated(report, column);
     pp_text_append(text, size, "%s%s: %s, %s%s %s", text[0] ? "; " : "", column->name,
                    engine->said,
-                   interpolated ? "interpolated at the points, with no error known; "
-                                : "",
+                   interpolated ? "interpolated at the points, error unknown; " : "",
                    utf8 ? "\xc2\xb1" : "+-", engine->deviation);
     if (engine->is_sampled)
         pp_text_append(text, size, ", seed %llu", (unsigned long long)options->seed);
@@ -281,21 +280,21 @@ static void print_simulation(const struct pp_result *result,
         engines++;
         say_engine(text, sizeof text, report, column, options, utf8);
         if (column == truth)
-            pp_text_append(text, sizeof text,
-                           "; off, from %s: how far a method is from it", column->name);
+            pp_text_append(text, sizeof text, "; off: deviation of a method from %s",
+                           column->name);
     }
     if (engines == 0)
         return;
     if (truth && engines > 1)
         pp_text_append(text, sizeof text,
-                       "; apart: how far an engine is from %s, in standard errors of "
+                       "; apart: deviation of an engine from %s, in standard errors of "
                        "the difference",
                        truth->name);
     if (!report->finished)
         pp_text_append(text, sizeof text, "; NOT FINISHED, interrupted");
     else if (result->by_clock)
         pp_text_append(text, sizeof text,
-                       "; stopped by the clock (--time), another run will differ");
+                       "; stopped by --time, so another run will differ");
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
 }

@@ -22,7 +22,7 @@ static void print_formula(const struct pp_formula *formula, FILE *out)
             formula->source ? "  [" : "", formula->source ? formula->source : "",
             formula->source ? "]" : "");
     fprintf(out, "      %-8s%-5s%s%s\n", formula->symbol, units[formula->unit],
-            formula->what, formula->fixed ? "; not to be replaced" : "");
+            formula->what, formula->fixed ? "; fixed" : "");
     const struct pp_formula_quantity *quantity = formula->quantities;
     for (; !formula->fixed && quantity->symbol; quantity++)
         fprintf(out, "      %-8s%-5s%s\n", quantity->symbol, units[quantity->unit],
@@ -37,10 +37,9 @@ void pp_formula_list(FILE *out)
         strcat(text, functions[i]);
         strcat(text, functions[i + 1] ? ", " : ", of degrees; and pi.");
     }
-    fputs(
-        "Formulae that --formula 'METHOD: SYMBOL = ...' may replace, and what they may "
-        "name:\n",
-        out);
+    fputs("Formulae that --formula 'METHOD: SYMBOL = ...' may replace, with their "
+          "symbols:\n",
+          out);
     pp_print_wrapped(text, 0, 0, 80, out);
     for (int i = 0; pp_methods[i]; i++) {
         const struct pp_method *method = pp_methods[i];

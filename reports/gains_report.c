@@ -75,12 +75,12 @@ void pp_gains_report(const struct pp_gains *gains, int width, FILE *out)
     if (!gains->method)
         return;
     int across = width < 100 ? width : 100;
-    fputs("\n  What holds the room back\n", out);
+    fputs("\n  Effect of changes to the room\n", out);
     pp_gains_sentence(gains, sentence, sizeof sentence);
     fprintf(out, "%*s", INDENT, "");
-    pp_print_wrapped(gains->count > 0 ? sentence
-                                      : "Nothing that was tried would bring it more.",
-                     INDENT, INDENT, width, out);
+    pp_print_wrapped(
+        gains->count > 0 ? sentence : "None of the tested changes raises the average.",
+        INDENT, INDENT, width, out);
     struct pp_gain now = {.values = gains->now};
     snprintf(now.change, sizeof now.change, "as it is, by %s", gains->method);
     fprintf(out, "%*s%10s%10s%10s\n", across - FIGURES, "", "average", "gain",
@@ -89,14 +89,13 @@ void pp_gains_report(const struct pp_gains *gains, int width, FILE *out)
     print_kind(gains, true, across, out);
     print_kind(gains, false, across, out);
     fprintf(out, "%*s", INDENT, "");
-    pp_print_wrapped(
-        isnan(gains->now.darkest)
-            ? "Each change by itself, all else as it is. No darkest point: none of "
-              "EN 17037's grid lies in this room."
-            : "Each change by itself, all else as it is. The darkest point is one "
-              "of EN 17037's grid; to it as to all the method gives the room's "
-              "average reflected light.",
-        INDENT, INDENT, across, out);
+    pp_print_wrapped(isnan(gains->now.darkest)
+                         ? "Each change is made alone. There is no darkest point: no "
+                           "point of the EN 17037 grid lies in this room."
+                         : "Each change is made alone. The darkest point is one of the "
+                           "EN 17037 grid. The method adds the room's average "
+                           "reflected light at every point.",
+                     INDENT, INDENT, across, out);
 }
 
 /* ---- JSON ---- */

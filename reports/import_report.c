@@ -94,7 +94,7 @@ static void print_summary(const struct pp_imported *imported, FILE *out)
     fprintf(out, census.suns ? ", %ld of them concentrated\n" : "\n", census.suns);
     fprintf(out, "  materials         %d\n", scene->material_count);
     if (imported->summary.flat > 0)
-        fprintf(out, "  left out          %ld polygons without an area\n",
+        fprintf(out, "  left out          %ld polygons of zero area\n",
                 imported->summary.flat);
     if (imported->summary.unseen > 0)
         fprintf(out, "  left out          %ld shapes of void\n",
@@ -187,17 +187,16 @@ static enum pp_status print_text(const struct pp_imported *imported, int width,
     double horizontal = pp_rgb_luminance(imported->horizontal);
     if (horizontal > 0.0)
         snprintf(text, sizeof text,
-                 "By path tracing, with standard errors; lux at 179 lm/W, daylight "
-                 "factors over the %.6g lx of the open level ground.",
+                 "By path tracing, with standard errors. Lux at 179 lm/W; daylight "
+                 "factors relative to the %.6g lx on open level ground.",
                  lux(horizontal));
     else
-        snprintf(
-            text, sizeof text,
-            "By path tracing, with standard errors; lux at 179 lm/W. The scene has "
-            "no sky, so that there are no daylight factors.");
+        snprintf(text, sizeof text,
+                 "By path tracing, with standard errors. Lux at 179 lm/W. There are no "
+                 "daylight factors, because the scene has no sky.");
     pp_print_wrapped(text, 2, 2, width, out);
     if (imported->by_clock)
-        fprintf(out, "  Stopped by --time: not to be had again to the digit.\n");
+        fprintf(out, "  Stopped by --time, so another run will differ.\n");
     if (!imported->finished)
         fprintf(out, "  Interrupted: not finished.\n");
     return PP_OK;

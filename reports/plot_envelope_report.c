@@ -23,19 +23,20 @@ static void say_verdict(char *text, size_t size, const struct pp_plot_envelope *
     switch (found->verdict) {
     case PP_PLOT_ENVELOPE_FOUND:
         pp_text_append(text, size,
-                       "%.1f m3 may stand so that every window keeps %s; the one "
-                       "marked keeps just that.",
+                       "up to %.1f m3 can be built while every window keeps %s; the "
+                       "marked one keeps exactly that.",
                        found->volume_m3, due);
         break;
     case PP_PLOT_ENVELOPE_ANY:
-        pp_text_append(text, size, "even %g m all over leave every window %s.",
+        pp_text_append(text, size,
+                       "a height of %g m everywhere leaves every window %s.",
                        task->most_m, due);
         break;
     case PP_PLOT_ENVELOPE_NONE:
-        pp_text_append(text, size,
-                       "nothing may stand: without it, too, a window keeps less than "
-                       "%s.",
-                       due);
+        pp_text_append(
+            text, size,
+            "nothing can be built: even on the empty plot a window keeps less than %s.",
+            due);
     }
 }
 
@@ -65,10 +66,10 @@ static void say_plan(const struct pp_plot_cells *cells, int width, FILE *out)
     const struct pp_building_cell *cell = &cells->list[0];
     double rotate_deg = cell->rotate_rad / PP_RAD;
     pp_text_append(text, sizeof text,
-                   "Heights, m, of cells of %.2f m by %.2f m; the rows run along the "
-                   "plot's longest side, %s, the first of it at the bottom.",
+                   "Heights (m) of cells of %.2f m by %.2f m. Rows run along the "
+                   "longest side of the plot, %s; the first row is at the bottom.",
                    cell->width_m, cell->depth_m,
-                   fabs(rotate_deg) < 0.05 ? "as +x does" : "turned as the plot is");
+                   fabs(rotate_deg) < 0.05 ? "along +x" : "turned with the plot");
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
     fputc('\n', out);
@@ -95,15 +96,14 @@ enum pp_status pp_plot_envelope_report(const struct pp_plot_envelope *found,
         pp_table_print(&table, width, out);
     pp_table_clear(&table);
     fputs("\n  ", out);
-    pp_print_wrapped(
-        pp_building_has_states(task->building)
-            ? "before: the site as existing; now: as proposed; then: with the envelope "
-              "[BR209]; plane: its altitude, degrees, where it limits the envelope"
-            : "before: the site with an empty plot; now: as the file has it; then: "
-              "with "
-              "the envelope [BR209]; plane: its altitude, degrees, where it limits "
-              "the envelope",
-        2, 2, width, out);
+    pp_print_wrapped(pp_building_has_states(task->building)
+                         ? "before: existing site; now: proposal; then: with the "
+                           "envelope [BR209]; plane: altitude in degrees of the "
+                           "limiting plane, where it limits the envelope"
+                         : "before: empty plot; now: site of the file; then: with the "
+                           "envelope [BR209]; plane: altitude in degrees of the "
+                           "limiting plane, where it limits the envelope",
+                     2, 2, width, out);
     pp_retained_sky_table_point(&task->rule, width, out);
     return good ? PP_OK : pp_fail_memory(err);
 }

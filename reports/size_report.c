@@ -76,9 +76,9 @@ static void append_size(char text[TEXT_BYTES], const struct pp_size_room_result 
         for (int i = 0; i < was; i++)
             windows += pp_room_opening_at(before, i).kind == PP_WINDOW;
         if (more == 0)
-            pp_text_append(text, TEXT_BYTES, "the number that there is, %d,", windows);
+            pp_text_append(text, TEXT_BYTES, "the present number, %d,", windows);
         else
-            pp_text_append(text, TEXT_BYTES, "%d window%s instead of %d in the room",
+            pp_text_append(text, TEXT_BYTES, "%d window%s instead of %d",
                            windows + more, windows + more == 1 ? "" : "s", windows);
         return;
     }
@@ -101,10 +101,11 @@ static void append_size(char text[TEXT_BYTES], const struct pp_size_room_result 
     if (alike && were_alike)
         pp_text_append(text, TEXT_BYTES, " instead of %.10g m", first_was);
     else if (!alike)
-        pp_text_append(text, TEXT_BYTES, " (line %d, the others %s)",
-                       pp_room_opening_at(before, result->edits[0].opening).line,
-                       result->answer.verdict == PP_SIZE_REACHED ? "as below"
-                                                                 : "likewise");
+        pp_text_append(
+            text, TEXT_BYTES, " (%s, the others %s)",
+            pp_world_label(result->room->world,
+                           pp_room_opening_at(before, result->edits[0].opening).line),
+            result->answer.verdict == PP_SIZE_REACHED ? "as below" : "likewise");
 }
 
 /* Does append_size speak of several windows? */
@@ -135,7 +136,7 @@ static void append_answer(char text[TEXT_BYTES],
         append_reading(text, &answer->reading, utf8);
         break;
     case PP_SIZE_SMALLEST_EXCEEDS:
-        pp_text_append(text, TEXT_BYTES, "the target is exceeded without it: even ");
+        pp_text_append(text, TEXT_BYTES, "the target is exceeded even at the limit: ");
         append_size(text, result, change);
         pp_text_append(text, TEXT_BYTES, " leaves ");
         append_reading(text, &answer->reading, utf8);
@@ -148,13 +149,12 @@ static void append_answer(char text[TEXT_BYTES],
         }
         if (result->holds
             && answer->reading.value <= answer->now.value * (1.0 + 1e-4)) {
-            pp_text_append(text, TEXT_BYTES, "out of reach: this change does not help");
+            pp_text_append(text, TEXT_BYTES, "out of reach: this change has no effect");
             break;
         }
         pp_text_append(text, TEXT_BYTES, "out of reach: ");
         if (answer->is_largest)
-            pp_text_append(text, TEXT_BYTES, "even the %s that there is space for, ",
-                           ends[change]);
+            pp_text_append(text, TEXT_BYTES, "even the %s that fits, ", ends[change]);
         else
             pp_text_append(text, TEXT_BYTES, "the best, ");
         append_size(text, result, change);
@@ -209,16 +209,17 @@ static enum pp_status print_elements(const struct pp_size_room_result *result,
     for (int i = 0; i < result->edit_count && status == PP_OK; i++) {
         const struct pp_text_edit *edit = &result->edits[i];
         int line = pp_room_opening_at(result->room->room, edit->opening).line;
+        const char *label = pp_world_label(result->room->world, line);
         if (edit->kind == PP_TEXT_REMOVE) {
-            fprintf(out, "    line %d: left out\n", line);
+            fprintf(out, "    %s, line %d: left out\n", label, line);
             continue;
         }
         char *element;
         status = element_of(&element, result, *edit, err);
         if (status != PP_OK)
             return status;
-        fprintf(out, "    line %d%s:\n", line,
-                edit->kind == PP_TEXT_ADD ? ", behind it" : "");
+        fprintf(out, "    %s%s, line %d:\n", edit->kind == PP_TEXT_ADD ? "after " : "",
+                label, line);
         put_element(element, out);
         free(element);
     }
@@ -234,9 +235,10 @@ static void append_wanted(char text[TEXT_BYTES],
                                               "internally reflected component ",
                                           [PP_GIVES_WHOLE] = ""};
     if (request->criterion) {
-        pp_text_append(text, TEXT_BYTES,
-                       "all that %s asks for, 100 %% of it by its least finding%s",
-                       request->criterion, request->traced ? ", traced" : "");
+        pp_text_append(
+            text, TEXT_BYTES,
+            "all requirements of %s: 100 %% of the one that is hardest to reach%s",
+            request->criterion, request->traced ? ", simulated" : "");
         return;
     }
     append_per_cent(text, request->target);
@@ -256,7 +258,7 @@ static enum pp_status print_sized_room(const struct pp_size_room_result *result,
     const struct pp_size_answer *answer = &result->answer;
     char text[TEXT_BYTES] = "";
     append_wanted(text, result, request);
-    print_size_fact("wanted", text, width, out);
+    print_size_fact("target", text, width, out);
     if (isfinite(answer->now.value)) {
         text[0] = '\0';
         append_reading(text, &answer->now, utf8);
@@ -269,8 +271,8 @@ static enum pp_status print_sized_room(const struct pp_size_room_result *result,
         char band[48];
         pp_print_band(band, sizeof band, result->band);
         snprintf(text, sizeof text,
-                 "%s %%: where the truth was in 95 of 100 rooms like that one (the "
-                 "atlas)",
+                 "%s %%: the true value was in this range in 95 of 100 similar "
+                 "simulated rooms (the atlas)",
                  band);
         print_size_fact("band", text, width, out);
     }
@@ -278,15 +280,15 @@ static enum pp_status print_sized_room(const struct pp_size_room_result *result,
         text[0] = '\0';
         append_reading(text, &result->traced, utf8);
         if (!result->holds && answer->verdict == PP_SIZE_OUT_OF_REACH)
-            pp_text_append(text, TEXT_BYTES, ", where %s has ",
-                           result->method ? result->method : "the figure by hand");
+            pp_text_append(text, TEXT_BYTES, ", against %s with ",
+                           result->method ? result->method : "the hand figure");
         if (!result->holds && answer->verdict == PP_SIZE_OUT_OF_REACH)
             append_reading(text, &answer->reading, utf8);
         else if (!result->holds)
             pp_text_append(text, TEXT_BYTES,
-                           ": the target is not reached by simulation, and the answer "
-                           "does not hold; --by traced finds one that does");
-        print_size_fact("traced", text, width, out);
+                           ": the simulation does not reach the target, so this answer "
+                           "is not valid; --by traced finds one that is");
+        print_size_fact("simulated", text, width, out);
     }
     if (!request->traced && !request->criterion)
         pp_print_reliability(&result->reliability, width, out);

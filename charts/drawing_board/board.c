@@ -139,8 +139,8 @@ static void say_window(struct pp_board_sums *sums, const struct pp_board_window 
     char *text = sums->text;
     const size_t room = sizeof sums->text;
     bool any = false;
-    pp_page_say(text, room, "Window %s (line %d):", pp_board_letter(sums->windows),
-                window->line);
+    pp_page_say(text, room, "%s, window %s:", pp_board_letter(sums->windows),
+                window->label);
     for (int i = 0; i < window->count; i++) {
         double sum = like(window, i);
         if (sum == 0.0)
@@ -187,7 +187,7 @@ double pp_board_sums_draw(cairo_t *cr, const struct pp_style *style,
     char text[sizeof sums->text + 64], total[256] = "";
     snprintf(text, sizeof text, "%s", sums->text);
     if (sums->windows > SUMS_MOST)
-        pp_page_say(text, sizeof text, "Likewise %d further windows.",
+        pp_page_say(text, sizeof text, "Read %d further windows in the same way.",
                     sums->windows - SUMS_MOST);
     if (sums->upright)
         pp_page_say(total, sizeof total, "Vertical sky component %.1f\u00a0%%.",

@@ -108,11 +108,11 @@ static void draw_rules(const struct table_drawing *drawing)
 static void name_heads(const struct table_drawing *drawing)
 {
     const struct pp_box *box = &drawing->box;
-    put_table_words(
-        drawing, drawing->corner[0] + 0.5 * PP_BRS_COLUMNS * drawing->cell[0],
-        middle_y(drawing, -2.0), false,
-        "w/d: width of the window to one side of the normal, over the distance from "
-        "the window");
+    put_table_words(drawing,
+                    drawing->corner[0] + 0.5 * PP_BRS_COLUMNS * drawing->cell[0],
+                    middle_y(drawing, -2.0), false,
+                    "w/d: width of the window on one side of the normal, divided by "
+                    "the distance to the window");
     put_table_words(drawing, 0.5 * (box->x + drawing->corner[0]),
                     middle_y(drawing, -1.0), true, "h/d");
 }
@@ -251,9 +251,8 @@ static void say_reading(char *text, size_t room, const struct pp_brs_sheet *shee
                         int index)
 {
     const struct pp_brs_reading *reading = &sheet->readings[index];
-    snprintf(text, room,
-             "%d  line %d, %s, %s %s: h/d %.3f, w/d %.3f: %s\u00a0%.2f\u00a0%%",
-             brs_column_number(sheet, index), sheet->windows[reading->window].line,
+    snprintf(text, room, "%d  %s, %s, %s %s: h/d %.3f, w/d %.3f: %s\u00a0%.2f\u00a0%%",
+             brs_column_number(sheet, index), sheet->windows[reading->window].label,
              reading->hidden ? "obstruction" : "sky", reading->lower ? "foot" : "head",
              reading->left ? "left" : "right", reading->h_over_d, reading->w_over_d,
              reading->sign > 0 ? "+" : "\u2212", 100.0 * reading->value);
@@ -266,20 +265,18 @@ static void say_sums(char *text, size_t room, const struct pp_brs_sheet *sheet)
     for (int i = 0; i < sheet->window_count && i < WINDOWS_MOST; i++) {
         const struct pp_brs_window *window = &sheet->windows[i];
         if (!(window->distance_m > 0.0)) {
-            pp_page_say(text, room,
-                        "Line %d: the point lies behind it or in its plane.",
-                        window->line);
+            pp_page_say(text, room, "%s: the point lies behind it or in its plane.",
+                        window->label);
             continue;
         }
-        pp_page_say(
-            text, room,
-            "Line %d, %.2f\u00a0m away: with glass, frame and dirt (\u00d7 %.3f) "
-            "sky component %.2f\u00a0%%, externally reflected %.2f\u00a0%%.",
-            window->line, window->distance_m, window->allowance, 100.0 * window->sky,
-            100.0 * window->external);
+        pp_page_say(text, room,
+                    "%s, %.2f\u00a0m away: with glass, frame and dirt (\u00d7 %.3f) "
+                    "sky component %.2f\u00a0%%, externally reflected %.2f\u00a0%%.",
+                    window->label, window->distance_m, window->allowance,
+                    100.0 * window->sky, 100.0 * window->external);
     }
     if (sheet->window_count > WINDOWS_MOST)
-        pp_page_say(text, room, "And %d windows more.",
+        pp_page_say(text, room, "%d more windows are not listed.",
                     sheet->window_count - WINDOWS_MOST);
     pp_page_say(text, room,
                 "Together: sky component %.2f\u00a0%%, externally reflected component "
@@ -307,8 +304,8 @@ static double draw_readings(const struct table_drawing *drawing, struct pp_box r
     say_sums(text, sizeof text, sheet);
     if (count < sheet->reading_count)
         pp_page_say(text, sizeof text,
-                    "Readings are shown of the first %d; %d more enter the sums.",
-                    count, sheet->reading_count - count);
+                    "The first %d readings are shown; the sums include %d more.", count,
+                    sheet->reading_count - count);
     const struct pp_lettering set = {.size = PP_TEXT_BODY, .width = room.width};
     height += drawing->style.scale;
     return height
@@ -319,24 +316,27 @@ static double draw_readings(const struct table_drawing *drawing, struct pp_box r
 
 static void say_how(char *foot, size_t room, const struct pp_brs_sheet *sheet)
 {
-    pp_page_say(foot, room,
-                "Vertical windows with clear single glass, CIE overcast sky, a "
-                "horizontal plane at the sill; dirt, frame and bars are not in it.");
     pp_page_say(
         foot, room,
-        "h: head above the plane, d: distance of the point from the window, w: "
-        "width to one side of the normal through the point. Jambs on both sides: "
-        "add; both to one side: wider less narrower. Sill above the plane, or an "
-        "obstruction: less the reading at its top. What an obstruction hides is "
-        "its externally reflected component times its luminance factor (0.2).");
+        "For vertical windows with clear single glass, a CIE overcast sky and a "
+        "horizontal plane at the sill. Dirt, frame and glazing bars are not included.");
+    pp_page_say(
+        foot, room,
+        "h: head above the plane. d: distance from the point to the window. w: width "
+        "on one side of the normal through the point. Jambs on both sides: add both "
+        "readings. Both jambs on one side: subtract the narrower from the wider. Sill "
+        "above the plane, or obstruction: subtract the reading at its top. An "
+        "obstruction adds the sky component that it hides, times its luminance factor "
+        "(0.2), as externally reflected component.");
     pp_page_say(foot, room,
-                "Between cells in proportion; beyond the last finite row or column in "
-                "proportion to d/h or d/w; below 0.1 in proportion to zero.");
-    pp_page_say(foot, room,
-                "Hopkinson, Longmore and Graham, Simplified daylight tables, HMSO, "
-                "London, 1958 [HLG58], as printed; * cells are odd in the original.");
+                "Interpolate linearly between cells. Beyond the last finite row or "
+                "column, scale by d/h or d/w. Below 0.1, scale linearly to zero.");
+    pp_page_say(
+        foot, room,
+        "Hopkinson, Longmore and Graham, Simplified daylight tables, HMSO, London, "
+        "1958 [HLG58], as printed. Cells marked * are irregular in the original.");
     if (!sheet->blank)
-        pp_page_say(foot, room, "Crosses: where it is read, in the tinted cells.");
+        pp_page_say(foot, room, "Crosses: reading positions, in the tinted cells.");
 }
 
 static void brs_table_titles(const struct pp_brs_sheet *sheet, char *title,

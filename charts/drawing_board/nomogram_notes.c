@@ -85,21 +85,22 @@ void pp_nomogram_notes_instructions(char *text, size_t room,
     bool top = nomogram->kind == PP_NOMOGRAM_ROOFLIGHT;
     *text = 0;
     if (nomogram->kind == PP_NOMOGRAM_POSITION) {
-        pp_page_say(
-            text, room,
-            "Straight-edge from A to B: read C. From C to D: read E, the mean over "
-            "the working plane. From H through q: read F, by the depth and again "
-            "sideways. From E to the product of both on F: read G, at the point.");
+        pp_page_say(text, room,
+                    "Lay a straight-edge from A to B and read C. From C to D, read E, "
+                    "the mean over the working plane. From H through q, read F twice: "
+                    "by the depth and sideways. From E to the product of both readings "
+                    "on F, read G, the value at the point.");
         return;
     }
-    pp_page_say(text, room,
-                "Straight-edge from A to B: read C, %s. From C to D: read E, %s.",
-                top ? "for horizontal glass" : "without obstruction",
-                top ? "for glass at that slope" : "with it");
+    pp_page_say(
+        text, room,
+        "Lay a straight-edge from A to B and read C, %s. From C to D, read E, %s.",
+        top ? "for horizontal glass" : "without obstruction",
+        top ? "for glass at that slope" : "with the obstruction");
     if (nomogram->kind == PP_NOMOGRAM_MINIMUM)
         pp_page_say(text, room,
-                    "From E (without obstruction, the figure of C on E) to F: read G, "
-                    "the minimum.");
+                    "For the minimum, lay it from E to F and read G. Without "
+                    "obstruction, set the value of C on E.");
 }
 
 /* --- the foot ------------------------------------------------------------------------
@@ -110,17 +111,14 @@ static void say_position_letters(char *text, size_t room)
     pp_page_say(
         text, room,
         "A: diffuse transmittance T of the glass (clear single 0.83) times its net "
-        "area W, "
-        "over the area of all inside surfaces A. B: their mean reflectance R, openings "
-        "0.1. "
-        "D: light L on the glass as it counts. H: place of the point, x from the wall "
-        "of "
-        "the window over the depth d of the room, then y from the middle of the window "
-        "along that wall over half its breadth w.");
-    pp_page_say(
-        text, room,
-        "Off scale A: set ten times or a tenth, and shift the point of the "
-        "component back. Multiply by a factor for dirt; add up several windows.\n");
+        "area W, divided by the area of all inside surfaces A. B: mean reflectance R "
+        "of these surfaces, openings 0.1. D: effective light L on the glass. H: place "
+        "of the point: x, from the window wall, over the depth d of the room; then y, "
+        "from the middle of the window along the wall, over half the breadth w.");
+    pp_page_say(text, room,
+                "Values off scale A: set ten times or a tenth of the value and move "
+                "the decimal point of the result back. Multiply by a factor for dirt. "
+                "Add several windows.\n");
 }
 
 /* The formulae that are worked out on paper, in the units of print. */
@@ -136,35 +134,35 @@ static void say_formulae(char *text, size_t room, const struct pp_nomogram_sheet
     }
     pp_page_say(
         text, room,
-        "V, C_b, C_g: on the glass from the sky, from what stands outside and from "
-        "the ground, without shade on either; \u03c1_l, A_l, \u03c1_u, A_u: "
-        "reflectance "
-        "and area of what is below and above the middle of the window; d, w, h: "
-        "its reveal, breadth and height; d_r, w_r, h_r: the room's. The formula "
-        "irc-atlas, fitted to traced rooms: pepperpot.");
+        "V, C_b, C_g: light on the glass from the sky, from obstructions and from the "
+        "ground, without shading. \u03c1_l, A_l, \u03c1_u, A_u: reflectance and area "
+        "of the surfaces below and above the middle of the window. d, w, h: depth, "
+        "breadth and height of the window with its reveal. d_r, w_r, h_r: those of the "
+        "room. Formula irc-atlas, fitted to simulated rooms: pepperpot.");
 }
 
 static void say_letters(char *text, size_t room, const struct pp_nomogram *nomogram)
 {
     bool top = nomogram->kind == PP_NOMOGRAM_ROOFLIGHT;
     pp_page_say(text, room,
-                "A: net area of glass W over area of all inside surfaces A. B: their "
-                "mean reflectance R, openings 0.1. C: average internally reflected "
-                "component (IRC), %s.",
+                "A: net area of glass W over area of all inside surfaces A. B: mean "
+                "reflectance R of these surfaces, openings 0.1. C: average internally "
+                "reflected component (IRC), %s.",
                 top ? "horizontal glass" : "no obstruction");
-    pp_page_say(text, room,
-                top ? "D: slope \u03b2 of the glass, 0 horizontal. E: IRC with it."
-                    : "D: altitude \u03b1 of a long obstruction from the middle of the "
-                      "window. E: IRC with it.");
+    pp_page_say(
+        text, room,
+        top ? "D: slope \u03b2 of the glass (horizontal: 0). E: IRC at that slope."
+            : "D: altitude \u03b1 of a long obstruction from the middle of the "
+              "window. E: IRC with it.");
     if (nomogram->kind == PP_NOMOGRAM_MINIMUM)
         pp_page_say(
             text, room,
-            "F: mean reflectance of the walls. G: minimum IRC, far from the "
-            "window: E over 1.8, 1.4, 1.3, 1.2 for walls of 0.2, 0.4, 0.6, 0.8.");
+            "F: mean reflectance of the walls. G: minimum IRC, far from the window. It "
+            "is E divided by 1.8, 1.4, 1.3 or 1.2 for walls of 0.2, 0.4, 0.6 or 0.8.");
     pp_page_say(text, room,
-                "Off scale A: set ten times or a tenth of W/A, and shift the point of "
-                "the IRC back. Multiply by factors for other glass and dirt; add up "
-                "several windows.\n");
+                "Values off scale A: set ten times or a tenth of W/A and move the "
+                "decimal point of the IRC back. Multiply by factors for other glass "
+                "and for dirt. Add several windows.\n");
 }
 
 static void say_formula(char *text, size_t room, const struct pp_nomogram *nomogram)
@@ -173,18 +171,17 @@ static void say_formula(char *text, size_t room, const struct pp_nomogram *nomog
     if (nomogram->kind == PP_NOMOGRAM_ROOFLIGHT)
         pp_page_say(text, room,
                     "IRC = 0.85 W/(A (1 \u2212 R)) (C Rfw + 5 (1 \u2212 cos \u03b2) "
-                    "Rcw) %%, C the sky\u2019s share on the glass, 100 if horizontal, "
-                    "ground 0.1, nothing in its way,");
+                    "Rcw) %%; C: the sky\u2019s share on the glass, 100 if horizontal; "
+                    "ground 0.1; no obstruction;");
     else
         pp_page_say(text, room,
-                    "IRC = 0.85 W/(A (1 \u2212 R)) (C Rfw + 5 Rcw) %%, C 39 without "
-                    "obstruction, by the printed table with it,");
-    pp_page_say(
-        text, room,
-        "with the rule Rcw = k Rfw, k = %.3g, and (Rfw + Rcw)/2 = R, so Rfw = "
-        "%.3g\u00a0R, Rcw = %.3g\u00a0R: right on average for floor 0.2, walls 0.5, "
-        "ceiling 0.7.",
-        k, lower, k * lower);
+                    "IRC = 0.85 W/(A (1 \u2212 R)) (C Rfw + 5 Rcw) %%; C: 39 without "
+                    "obstruction, from the printed table with one;");
+    pp_page_say(text, room,
+                "rule Rcw = k Rfw, k = %.3g, and (Rfw + Rcw)/2 = R, so Rfw = "
+                "%.3g\u00a0R and Rcw = %.3g\u00a0R. The rule is exact on average for "
+                "floor 0.2, walls 0.5, ceiling 0.7.",
+                k, lower, k * lower);
     pp_page_say(text, room,
                 "BRE inter-reflection formula (Hopkinson, Longmore and Petherbridge, "
                 "1954; BRE Digest 310, 1986); rule and construction of the scales: "
@@ -246,17 +243,16 @@ static void say_window(char *text, size_t room, const struct pp_nomogram_sheet *
 {
     const struct pp_nomogram_window *window = &sheet->windows[index];
     const struct pp_nomogram_reading *read = &window->read;
-    pp_page_say(text, room, "Window");
     if (sheet->window_count > 1)
-        pp_page_say(text, room, "%d", index + 1);
-    pp_page_say(text, room, "(line %d", window->line);
+        pp_page_say(text, room, "%d.", index + 1);
+    pp_page_say(text, room, "Window %s", window->label);
     if (window->alike > 1)
         pp_page_say(text, room, "and %d like it", window->alike - 1);
     char shift[40] = "";
     if (read->tens)
         snprintf(shift, sizeof shift, ", set %s %.0f",
                  read->tens > 0 ? "times" : "over", pow(10.0, abs(read->tens)));
-    pp_text_append(text, room, "): %sW/A = %.2f/%.2f = %.4f%s;",
+    pp_text_append(text, room, ": %sW/A = %.2f/%.2f = %.4f%s;",
                    sheet->curve.count ? "T" : "", read->glass_m2, read->inside_m2,
                    read->ratio, shift);
     for (int k = 0; k < sheet->nomogram.edge_count; k++) {
@@ -294,7 +290,8 @@ static void say_room(char *text, size_t room, const struct pp_nomogram_sheet *sh
     for (int i = 0; i < sheet->window_count && i < WINDOWS_SAID; i++)
         say_window(text, room, sheet, i);
     if (sheet->window_count > WINDOWS_SAID)
-        pp_page_say(text, room, "And %d more.", sheet->window_count - WINDOWS_SAID);
+        pp_page_say(text, room, "%d more are not listed.",
+                    sheet->window_count - WINDOWS_SAID);
     if (sheet->decorations != 1.0)
         pp_page_say(text, room, "All \303\227 %.3g for decorations.",
                     sheet->decorations);
@@ -306,9 +303,9 @@ static void say_room(char *text, size_t room, const struct pp_nomogram_sheet *sh
                     100.0 * sheet->further);
     pp_page_say(text, room, "as read to a fifth of a division.");
     if (sheet->left_out)
-        pp_page_say(text, room, "%d %s not for this nomogram.", sheet->left_out,
-                    sheet->left_out == 1 ? "further opening is"
-                                         : "further openings are");
+        pp_page_say(
+            text, room, "%d %s outside the scope of this nomogram.", sheet->left_out,
+            sheet->left_out == 1 ? "further opening is" : "further openings are");
     pp_page_say(text, room, "\n");
 }
 

@@ -49,7 +49,8 @@ static void draw_metres(const struct pp_pepper_pot_drawing *drawing, double x, d
     int count = ruler_distances(drawing->sheet, distances);
     double label = 20.0 * style->scale, end = 15.0 * style->scale;
     const struct pp_lettering head = {.size = PP_TEXT_SMALL, .bold = true};
-    pp_lettering_draw(drawing->cr, style, &head, x, y, "Metres in the window's plane");
+    pp_lettering_draw(drawing->cr, style, &head, x, y,
+                      "Metres in the plane of the window");
     for (int i = 0; i < count; i++) {
         double metre = drawing->viewing / distances[i];
         double base = y + (i + 1.85) * ruler_pitch(style);
@@ -85,12 +86,11 @@ static void viewing_words(const struct pp_pepper_pot_drawing *drawing, char *wor
 {
     static const int scales[] = {20, 50, 100, 200};
     *words = 0;
-    pp_page_say(
-        words, room,
-        "Viewing distance %.4g\u00a0mm: a metre d\u00a0metres away is "
-        "%.4g\u00a0mm\u00a0\u00f7\u00a0d. An elevation can be laid under it from "
-        "where it is seen at its own scale:",
-        drawing->viewing, drawing->viewing);
+    pp_page_say(words, room,
+                "Viewing distance %.4g\u00a0mm: 1\u00a0m at a distance of "
+                "d\u00a0metres is drawn %.4g\u00a0mm\u00a0\u00f7\u00a0d long. An "
+                "elevation fits under the sheet at these distances:",
+                drawing->viewing, drawing->viewing);
     for (int i = 0; i < 4; i++) {
         char metres[32];
         pp_style_metres(metres, sizeof metres, drawing->viewing * scales[i] / 1000.0);
@@ -155,15 +155,15 @@ static void say_pepper_pot_foot(char *foot, size_t room,
                                 const struct pp_pepper_pot_sheet *sheet)
 {
     pp_page_say(foot, room,
-                "Each dot is worth %.3g\u00a0%% daylight factor; the outermost are "
-                "beyond the frame.",
+                "Each dot is worth %.3g\u00a0%% daylight factor. The outermost dots "
+                "lie outside the frame.",
                 100.0 * sheet->worth);
     if (!sheet->blank)
-        pp_page_say(foot, room, "Dots in a window count wherever it reaches.");
-    pp_page_say(foot, room,
-                "True perspective %s; no row of dots runs along an edge. After "
-                "Pleijel, 1954.",
-                sheet->any ? "on each window's own plane" : "of vertical windows");
+        pp_page_say(foot, room, "Count all dots inside a window, wherever it lies.");
+    pp_page_say(
+        foot, room,
+        "True perspective %s. No row of dots runs along an edge. After Pleijel, 1954.",
+        sheet->any ? "on each window's own plane" : "of vertical windows");
 }
 
 static void pepper_pot_titles(const struct pp_pepper_pot_drawing *drawing, char *title,

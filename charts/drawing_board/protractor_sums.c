@@ -53,8 +53,9 @@ static void new_line(char **text, size_t *room)
 static void say_result(char *text, size_t room, const struct pp_protractor_sheet *sheet)
 {
     if (sheet->read.less_hidden)
-        pp_page_say(text, room,
-                    "The sky component is the opening's less the obstruction's.");
+        pp_page_say(
+            text, room,
+            "The sky component is that of the opening minus that of the obstruction.");
     char sky[32], external[32];
     if (sheet->allowance < 0.9995 || sheet->allowance > 1.0005)
         pp_page_say(text, room,
@@ -82,9 +83,9 @@ void pp_protractor_sums_say(char *text, size_t room,
     if (behind < sums->all)
         pp_page_say(text, room,
                     sums->last
-                        ? "Likewise %d further parts, which a PDF has on further "
-                          "sheets."
-                        : "Likewise %d further parts, on the next sheets.",
+                        ? "Read %d further parts in the same way; a PDF shows them on "
+                          "further sheets."
+                        : "Read %d further parts in the same way; see the next sheets.",
                     sums->all - behind);
     if (sums->last)
         say_result(text, room, sheet);

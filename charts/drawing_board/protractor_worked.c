@@ -292,7 +292,7 @@ static void draw_turned_down(const struct protractor_drawing *drawing,
     draw_sights(drawing, &disc, pp_protractor_disc_plan, &sights);
     char text[200];
     snprintf(text, sizeof text,
-             "Plan 1:%g, turned down into the average sight line; the opening is "
+             "Plan 1:%g, turned into the average sight line; the opening is "
              "%.2f\u00a0m ahead.",
              scale, slant);
     write_caption(drawing, box.x, disc.y + 1.5 * style->text[PP_TEXT_SMALL], box.width,
@@ -393,9 +393,9 @@ static void say_subtitle(char *text, size_t room,
     snprintf(
         text, room,
         "%s (%s; %s) laid on section and plan at x %.2f, y %.2f, z %.2f\u00a0m, to "
-        "read the opening on line %d",
+        "read window %s",
         name, sheet->scale.sky, sheet->scale.glass, sheet->point.x, sheet->point.y,
-        sheet->point.z, sheet->opening->line);
+        sheet->point.z, sheet->opening->label);
 }
 
 /* A sheet with the readings that `sheet` has, of all that `sums` tells of. */
@@ -413,14 +413,13 @@ static enum pp_status draw_one(struct pp_canvas *canvas,
     say_subtitle(subtitle, sizeof subtitle, sheet);
     pp_protractor_sums_say(sum, sizeof sum, sheet, sums);
     if (sheet->others)
-        pp_page_say(
-            foot, sizeof foot,
-            "Of the room's openings the one that gives this point the most; the "
-            "other %d would be read likewise and added.",
-            sheet->others);
-    pp_page_say(foot, sizeof foot,
-                "Beyond the rim: angles, and what the scales read there. After BRE "
-                "Digest 309, 1986.");
+        pp_page_say(foot, sizeof foot,
+                    "Shown for the opening that contributes most. Read the other %d in "
+                    "the same way and add.",
+                    sheet->others);
+    pp_page_say(
+        foot, sizeof foot,
+        "Beyond the rim: angles and scale readings. After BRE Digest 309, 1986.");
     const struct pp_page page = {
         .title = sheet->world->name, .subtitle = subtitle, .foot = foot};
     struct pp_box box = pp_page_draw(canvas, &drawing.style, &page);

@@ -158,7 +158,7 @@ static void draw_ratios(const struct indicator_drawing *drawing)
     }
     pp_lettering_draw(drawing->cr, style, &set, map->x0,
                       map->y0 + 1.2 * tick + 1.4 * style->text[PP_TEXT_SMALL],
-                      "distance over height above the window's middle");
+                      "distance over height above the middle of the window");
 }
 
 static void say_indicator_foot(char *foot, size_t room,
@@ -166,17 +166,15 @@ static void say_indicator_foot(char *foot, size_t room,
 {
     pp_page_say(
         foot, room,
-        "%d crosses, each worth %.3f\u00a0%%, and so %.1f\u00a0%% of an open sky.",
+        "%d crosses, each worth %.3f\u00a0%%: %.1f\u00a0%% in all under an open sky.",
         PP_SKYLIGHT_RINGS * PP_SKYLIGHT_RAYS, 100.0 * sheet->worth,
         100.0 * sheet->whole);
-    pp_page_say(
-        foot, room, "%s",
-        sheet->blank
-            ? "Lay it on a plan of the site with the middle of the straight side "
-              "on the window; crosses beyond an edge, between the lines of sight "
-              "to its ends, are hidden."
-            : "Obstructions stand at their distance over their height above the "
-              "window's middle.");
+    pp_page_say(foot, room, "%s",
+                sheet->blank ? "Place it on a site plan with the middle of the "
+                               "straight side on the window. An edge hides the crosses "
+                               "beyond it, between the sight lines to its ends."
+                             : "Obstructions are drawn at their distance over their "
+                               "height above the middle of the window.");
 }
 
 /* Writes the heights for which the drawing is correct on plans of several scales. */
@@ -186,12 +184,12 @@ static void plan_words(const struct indicator_drawing *drawing, char *words,
     static const int plans[] = {100, 200, 500, 1000, 1250};
     *words = 0;
     pp_page_say(words, room,
-                "One unit of distance over height is %g\u00a0mm: true for edges",
+                "One unit of distance over height is %g\u00a0mm. It fits edges",
                 drawing->map.mm);
     for (int i = 0; i < 5; i++)
         pp_page_say(words, room, "%.4g\u00a0m%s on a plan 1:%d%s",
                     drawing->map.mm * plans[i] / 1000.0,
-                    i == 0 ? " above the window's middle" : "", plans[i],
+                    i == 0 ? " above the middle of the window" : "", plans[i],
                     i < 4 ? "," : ".");
 }
 
@@ -203,15 +201,13 @@ static void indicator_titles(const struct pp_skylight_indicator_sheet *sheet,
     snprintf(title, room, "%s", sheet->name ? sheet->name : "Skylight indicator");
     if (sheet->blank)
         snprintf(subtitle, room,
-                 "Vertical sky component of a window from the site's "
-                 "plan, %s",
-                 sky);
+                 "Vertical sky component of a window from the site plan, %s", sky);
     else
         snprintf(subtitle, room,
-                 "Skylight indicator for the window on line %d, its outside's middle "
+                 "Skylight indicator for the window %s, middle of its outer face "
                  "x\u00a0%.2f, "
                  "y\u00a0%.2f, z\u00a0%.2f\u00a0m, %s",
-                 sheet->line, sheet->middle.x, sheet->middle.y, sheet->middle.z, sky);
+                 sheet->label, sheet->middle.x, sheet->middle.y, sheet->middle.z, sky);
 }
 
 /* The sum, and the scales; drawn only if `drawn`. Returns their height. */

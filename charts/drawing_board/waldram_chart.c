@@ -16,35 +16,35 @@ static void say_waldram_foot(char *foot, size_t room,
 {
     pp_page_say(
         foot, room, "Each square is worth %.3g\u00a0%% %s.", 100.0 * sheet->worth,
-        sheet->upright ? "of the open level sky, on the wall" : "daylight factor");
+        sheet->upright ? "of the horizontal illuminance under the open sky, on the wall"
+                       : "daylight factor");
     bool glazed = false;
     for (int i = 0; i < sheet->count; i++)
         glazed = glazed || sheet->panels[i].glazed;
     if (glazed)
         pp_page_say(foot, room,
-                    "Glass: the losses of one clear pane by altitude times those by "
-                    "azimuth, each as though it stood alone, for vertical windows.");
+                    "Glass: losses of one clear pane by altitude times losses by "
+                    "azimuth, for vertical windows.");
     if (sheet->inclined)
-        pp_page_say(
-            foot, room,
-            "Droop lines start from the altitude of the edge: in the middle for "
-            "edges parallel to the window, at %.4g\u00b0 to the %s for inclined "
-            "ones, where these are nearest.",
-            fabs(sheet->incline_rad) / PP_RAD,
-            sheet->incline_rad < 0.0 ? "left" : "right");
+        pp_page_say(foot, room,
+                    "Droop lines start at the altitude of the edge: in the middle for "
+                    "edges parallel to the window, at %.4g\u00b0 to the %s for "
+                    "inclined edges, where these are nearest.",
+                    fabs(sheet->incline_rad) / PP_RAD,
+                    sheet->incline_rad < 0.0 ? "left" : "right");
     else
         pp_page_say(
             foot, room,
-            "Droop lines start from the altitude of the edge: in the middle for "
-            "edges parallel to the window, at 90\u00b0 for perpendicular ones.");
+            "Droop lines start at the altitude of the edge: in the middle for edges "
+            "parallel to the window, at 90\u00b0 for perpendicular edges.");
     if (!sheet->blank)
         pp_page_say(foot, room,
-                    "Part squares are estimated to a tenth; the remainder is carried "
-                    "on to the next.");
+                    "Estimate part squares to a tenth, and carry the remainder on to "
+                    "the next square.");
     if (sheet->upright)
         pp_page_say(foot, room,
-                    "Across: the sine of the azimuth; up: the sky's luminance times "
-                    "cos\u00b2 of the altitude, summed. 27\u00a0%% is 270 squares.");
+                    "Across: sine of the azimuth. Up: luminance of the sky times "
+                    "cos\u00b2 of the altitude, summed. 270 squares are 27\u00a0%%.");
     pp_page_say(foot, room, "After Waldram and Waldram, 1923.");
 }
 
@@ -93,9 +93,9 @@ static void upright_titles(const struct pp_waldram_sheet *sheet, const char *sky
         snprintf(subtitle, room, "Vertical sky component, %s", sky);
     else
         snprintf(subtitle, room,
-                 "Vertical sky component of the window on line %d, its outside's "
-                 "%s x\u00a0%.2f, y\u00a0%.2f, z\u00a0%.2f\u00a0m, %s",
-                 sheet->panels->windows->line, sheet->off_middle ? "point" : "middle",
+                 "Vertical sky component of the window %s, %s of its outer "
+                 "face x\u00a0%.2f, y\u00a0%.2f, z\u00a0%.2f\u00a0m, %s",
+                 sheet->panels->windows->label, sheet->off_middle ? "point" : "middle",
                  sheet->point.x, sheet->point.y, sheet->point.z, sky);
 }
 

@@ -340,7 +340,7 @@ static void say_reveals(char *foot, size_t room, const struct pp_model_net *mode
         deepest = fmax(deepest, model->world->openings[i].reveal_m);
     if (deepest > 0.0)
         pp_page_say(foot, room,
-                    "Reveals are up to %.1f\u00a0mm deep: build them up outside.",
+                    "Reveals are up to %.1f\u00a0mm deep; add them outside.",
                     1000.0 * deepest / model->scale);
 }
 
@@ -355,21 +355,20 @@ static bool has_covers(const struct pp_world *world)
 static void say_net_foot(char *foot, size_t room, const struct pp_model_net *model)
 {
     static const int altitudes[] = {10, 20, 30, 45, 60, 90};
-    pp_page_say(
-        foot, room,
-        "Print at 100\u00a0%%; the printed side is inside. Cut along full lines, "
-        "openings (grey) out; fold dashed lines towards you; glue each tab behind "
-        "the edge of its number (*: tape). Paint is the reflectance.");
+    pp_page_say(foot, room,
+                "Print at 100\u00a0%%. The printed side is the inside. Cut along full "
+                "lines and cut out openings (grey). Fold dashed lines towards you. "
+                "Glue each tab behind the edge with its number (*: use tape). The "
+                "paint figure is the reflectance.");
     if (has_covers(model->world))
         pp_page_say(foot, room,
-                    "Dotted lines bound doors and dados, which have their own paint.");
+                    "Dotted lines bound doors and dados; paint them separately.");
     say_reveals(foot, room, model);
-    pp_page_say(
-        foot, room,
-        "Measured under mirrors of reflectance %.2g, %.2g as high as wide, the "
-        "sky component is to be multiplied, by the altitude of the sky that the "
-        "opening shows, by",
-        model->box.rho, model->box.height);
+    pp_page_say(foot, room,
+                "For measurements in a mirror box of reflectance %.2g, %.2g as high as "
+                "wide, multiply the sky component by a factor. By altitude of the sky "
+                "that the opening shows:",
+                model->box.rho, model->box.height);
     for (int i = 0; i < 6; i++)
         pp_page_say(foot, room, "%.2f at %d\u00b0%s",
                     pp_mirror_box_correction(&model->box, altitudes[i] * PP_RAD),
@@ -421,7 +420,7 @@ static enum pp_status draw_sheets(struct net_drawing *drawing, struct pp_error *
     enum pp_status status = PP_OK;
     if (drawing->net.sheet_count > 1 && !pp_canvas_has_sheets(drawing->canvas))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the net takes %d sheets, and only a PDF has several; expected "
+                       "the net takes %d sheets, and only PDF holds several; expected "
                        "-o FILE.pdf, a larger --paper or a smaller model by --scale",
                        drawing->net.sheet_count);
     for (int i = 0; i < drawing->net.sheet_count && status == PP_OK; i++) {

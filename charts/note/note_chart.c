@@ -38,7 +38,7 @@ static void begin_sheet(struct note_drawing *drawing)
     char subtitle[256], sky[96], foot[1024] = "";
     pp_page_sky(sky, sizeof sky, report->world, &report->light);
     snprintf(subtitle, sizeof subtitle,
-             "Note on the light at x\u00a0%.2f, y\u00a0%.2f, z\u00a0%.2f\u00a0m, %s, "
+             "Note on daylight at x\u00a0%.2f, y\u00a0%.2f, z\u00a0%.2f\u00a0m, %s, "
              "sheet %d",
              point.x, point.y, point.z, sky, ++drawing->sheet);
     if (drawing->sheet == 1)
@@ -65,10 +65,10 @@ static void need(struct note_drawing *drawing, double height)
         || drawing->y <= drawing->lines.y + 1e-9)
         return;
     if (!pp_canvas_has_sheets(drawing->canvas)) {
-        drawing->status = pp_fail(drawing->err, PP_BAD_INPUT,
-                                  "the note takes several sheets, and only a PDF has "
-                                  "them; expected -o FILE.pdf, fewer methods by "
-                                  "--methods, or a larger --paper");
+        drawing->status = pp_fail(
+            drawing->err, PP_BAD_INPUT,
+            "the note takes several sheets, and only PDF holds several; expected -o "
+            "FILE.pdf, fewer methods by --methods, or a larger --paper");
         return;
     }
     drawing->status = pp_canvas_next_sheet(drawing->canvas, drawing->err);
@@ -217,7 +217,8 @@ static void put_opening(struct note_drawing *drawing, int line, double below)
 {
     const struct note_line set = {{.size = PP_TEXT_BODY, .italic = true}, 0.0, 0.0};
     char words[64];
-    snprintf(words, sizeof words, line ? "Opening on line %d" : "All openings", line);
+    const char *label = pp_world_label(drawing->note->report->world, line);
+    snprintf(words, sizeof words, line ? "Window %s" : "All windows", label);
     need(drawing, put_note_words(drawing, set, words, false) + below);
     if (drawing->status != PP_OK)
         return;
@@ -279,7 +280,7 @@ static void put_given(struct note_drawing *drawing)
     pp_room_words_size(words, sizeof words, world);
     put_paragraph(drawing, line, words);
     for (int i = 0; i < world->opening_count && drawing->status == PP_OK; i++) {
-        snprintf(words, sizeof words, "Opening on line %d:", world->openings[i].line);
+        snprintf(words, sizeof words, "Window %s:", world->openings[i].label);
         pp_room_words_opening(words, sizeof words, world, i);
         put_paragraph(drawing, line, words);
     }
@@ -288,7 +289,7 @@ static void put_given(struct note_drawing *drawing)
     if (words[0])
         put_paragraph(drawing, line, words);
     snprintf(words, sizeof words,
-             "Wanted: the daylight factor at x\u00a0%.2f, y\u00a0%.2f, "
+             "Calculated: the daylight factor at x\u00a0%.2f, y\u00a0%.2f, "
              "z\u00a0%.2f\u00a0m.",
              point.x, point.y, point.z);
     put_paragraph(drawing, line, words);
@@ -361,7 +362,7 @@ enum pp_status pp_note_chart_draw(struct pp_canvas *canvas,
     if (drawing.status == PP_OK)
         put_results(&drawing);
     if (drawing.status == PP_OK)
-        put_list(&drawing, "To be noted", note->notes, note->note_count);
+        put_list(&drawing, "Notes", note->notes, note->note_count);
     if (drawing.status == PP_OK)
         put_list(&drawing, "Sources", note->sources, note->source_count);
     return drawing.status;

@@ -120,15 +120,15 @@ static void gather_keys(struct lit_drawing *drawing)
     const char *line =
         is_sky_factor(drawing) ? "sky factor of 0.2\u00a0%" : "no-sky line";
     char words[96];
-    snprintf(words, sizeof words, "%s%s", line, chart->before ? ", now" : "");
+    snprintf(words, sizeof words, "%s%s", line, chart->before ? ", proposed" : "");
     add_key(drawing, PP_KEY_LINE, words)->curve.weight *= 1.3;
     if (chart->before) {
-        snprintf(words, sizeof words, "%s, before", line);
+        snprintf(words, sizeof words, "%s, existing", line);
         add_key(drawing, PP_KEY_LINE, words)->curve = pp_style_curve(LINE_BEFORE);
     }
     struct pp_key *dark =
         add_key(drawing, PP_KEY_TINT,
-                is_sky_factor(drawing) ? "not adequately lit" : "sees no sky");
+                is_sky_factor(drawing) ? "not adequately lit" : "no view of the sky");
     dark->grey = PP_GREY_FILL;
     if (chart->before && chart->before->lit_m2 > chart->now->lit_m2 + no_area_m2)
         add_key(drawing, PP_KEY_HATCH, "lost")->curve.dashes[0] = 1.1;
@@ -141,7 +141,8 @@ static void say_area(const struct lit_drawing *drawing, char *text, size_t room,
                      const char *state, const struct pp_lit_area *area)
 {
     pp_page_say(text, room, "%s: %.2f\u00a0m² %s, %.1f\u00a0%% of %.2f\u00a0m².", state,
-                area->lit_m2, is_sky_factor(drawing) ? "adequately lit" : "see sky",
+                area->lit_m2,
+                is_sky_factor(drawing) ? "adequately lit" : "view of the sky",
                 100.0 * area->lit_m2 / area->plane_m2, area->plane_m2);
 }
 
@@ -151,7 +152,7 @@ static void say_loss(const struct lit_drawing *drawing, char *text, size_t room)
                              *before = drawing->chart->before;
     double lost = before->lit_m2 - now->lit_m2;
     if (before->lit_m2 > 0.0)
-        pp_page_say(text, room, "%s: %.2f\u00a0m²; now over before %.3f.",
+        pp_page_say(text, room, "%s: %.2f\u00a0m²; proposed over existing %.3f.",
                     lost < 0.0 ? "Gained" : "Lost", fabs(lost),
                     now->lit_m2 / before->lit_m2);
     if (!is_sky_factor(drawing) || lost < no_area_m2)
@@ -171,7 +172,7 @@ static void say_all(const struct lit_drawing *drawing, char *text, size_t room)
 {
     const struct pp_lit_area_chart *chart = drawing->chart;
     if (!(chart->now->plane_m2 > 0.0)) {
-        pp_page_say(text, room, "The room does not reach the plane.");
+        pp_page_say(text, room, "The working plane has no area.");
         return;
     }
     if (chart->before)
@@ -201,16 +202,17 @@ static void draw_lit_area_sheet(struct lit_drawing *drawing, struct pp_canvas *c
     snprintf(
         subtitle, sizeof subtitle,
         is_sky_factor(drawing)
-            ? "Where the sky factor (uniform sky, no glass) is over 0.2\u00a0%%, %s "
+            ? "Area with a sky factor over 0.2\u00a0%% (uniform sky, no glass), %s "
               "above the floor%s"
-            : "Where some sky is seen, on the working plane %s above the floor%s",
-        plane, chart->before ? ": before and now" : "");
+            : "Area of the working plane with a view of the sky, %s above the floor%s",
+        plane, chart->before ? ": existing and proposed" : "");
     const char *foot =
         is_sky_factor(drawing)
-            ? "Adequately lit: half of the room or more. Zones are quarters of the "
-              "room's area; the equivalent counts front, first, second zone and "
-              "makeweight 3/2, 1, 1/2 and 1/4."
-            : "Of what saw sky before, 0.8 is to see it still [BR209].";
+            ? "Adequately lit: at least half of the room. Zones are quarters of the "
+              "room's area. In the equivalent first zone, front, first and second zone "
+              "and makeweight count 3/2, 1, 1/2 and 1/4."
+            : "At least 0.8 of the area that had a view of the sky should keep it "
+              "[BR209].";
     struct pp_page page = {chart->world->name, subtitle, foot};
     struct pp_box body = pp_page_draw(canvas, style, &page);
     gather_keys(drawing);

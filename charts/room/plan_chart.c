@@ -144,7 +144,7 @@ static void say_flat(struct plan_drawing *drawing)
         snprintf(words, sizeof words, "No contours: the %s is about %s everywhere.",
                  drawing->quantity, percent);
     } else {
-        snprintf(words, sizeof words, "No contours: there is no daylight here.");
+        snprintf(words, sizeof words, "No contours: there is no daylight.");
     }
     double middle[2];
     for (int k = 0; k < 2; k++)
@@ -207,11 +207,11 @@ static void gather_keys(struct plan_drawing *drawing)
     }
     if (pp_room_plan_has_inside(world))
         add_key(drawing, PP_KEY_LINE, 0, style->thick / style->medium, PP_INK,
-                "stands in the room");
+                "furniture and partitions");
     if (drawing->chart->report && drawing->chart->report->receiver_count) {
         add_key(drawing, PP_KEY_MARKER, 0, 1.0, PP_INK,
-                drawing->chart->figures ? "reference points, with their figures"
-                                        : "reference points");
+                drawing->chart->figures ? "calculation points, with values"
+                                        : "calculation points");
         drawing->keys[drawing->key_count - 1].curve.marker = PP_POINT_MARK;
     }
 }
@@ -249,13 +249,12 @@ static void say_plan_foot(const struct plan_drawing *drawing, char *foot, size_t
                     skyline->angle_rad / PP_RAD, wall ? wall : "of the window");
     }
     if (plan->dark.count)
-        pp_page_say(foot, room, "From %.0f\u00a0%% of the plane no sky is seen.",
+        pp_page_say(foot, room, "%.0f\u00a0%% of the plane has no view of the sky.",
                     100.0 * (1.0 - plan->sky_share));
     pp_page_assumptions(foot, room, chart->world, chart->light);
     if (chart->report && !chart->report->finished)
-        pp_page_say(
-            foot, room,
-            "The run was interrupted: sampled values are what was there so far.");
+        pp_page_say(foot, room,
+                    "The run was interrupted: simulated values are preliminary.");
 }
 
 static void place_plan(struct plan_drawing *drawing, struct pp_box room)
@@ -331,9 +330,9 @@ static void draw_plan_sheet(struct plan_drawing *drawing, struct pp_canvas *canv
     pp_style_metres(plane, sizeof plane, world->working_plane_m);
     snprintf(subtitle, sizeof subtitle,
              "%s%s%s on the working plane %s above the floor, %s",
-             chart->plan->direct
-                 ? "Direct component (from the sky and outside, not reflected inside)"
-                 : "Daylight factor",
+             chart->plan->direct ? "Direct component (from sky and obstructions, "
+                                   "without internal reflection)"
+                                 : "Daylight factor",
              is_traced(chart->plan) ? ", " : " by ", chart->plan->name, plane, sky);
     say_plan_foot(drawing, foot, sizeof foot);
     struct pp_page page = {world->name, subtitle, foot};

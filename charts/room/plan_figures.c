@@ -106,8 +106,7 @@ void pp_plan_figures_say(char *text, size_t room, const struct pp_plan_chart *ch
         pp_page_say(
             text, room,
             chart->report->grid_of_standard
-                ? "At the %d points of EN 17037\u2019s grid, 0.5\u00a0m off the "
-                  "walls:"
+                ? "At the %d points of the EN 17037 grid, 0.5\u00a0m from the walls:"
                 : "At the %d points of the grid:",
             chart->report->grid_points);
         say_reading(text, room, "minimum", &plane->minimum, ",");
@@ -117,7 +116,7 @@ void pp_plan_figures_say(char *text, size_t room, const struct pp_plan_chart *ch
             pp_page_say(text, room, "uniformity (minimum over mean) %.4f;",
                         plane->uniformity);
         for (int i = 0; i < PP_PLANE_LEVELS; i++)
-            pp_page_say(text, room, "%s%.0f\u00a0%% of them reach %g\u00a0%%%s",
+            pp_page_say(text, room, "%s%.0f\u00a0%% of points reach %g\u00a0%%%s",
                         i == PP_PLANE_LEVELS - 1 ? "and " : "", 100.0 * plane->over[i],
                         100.0 * pp_plane_levels[i],
                         i == PP_PLANE_LEVELS - 1 ? "." : ",");

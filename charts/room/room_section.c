@@ -426,7 +426,7 @@ static void write_caption(const struct section_drawing *drawing, int behind)
         pp_text_append(text, sizeof text, "; window sill %s, head %s", sill, head);
     }
     pp_text_append(text, sizeof text, ".%s",
-                   behind ? " Openings beside the section dashed." : "");
+                   behind ? " Dashed: openings outside the section." : "");
     struct pp_lettering set = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
     double left = section->x, right = at_s(drawing, section->cut->length_m);
     /* The caption may be wider than a narrow room; then it begins before the room where

@@ -61,26 +61,27 @@ void pp_room_words_outside(char *text, size_t room, const struct pp_world *world
     for (int i = 0; i < world->skyline_count; i++) {
         const struct pp_skyline *skyline = &world->skylines[i];
         const char *wall = world->surfaces[skyline->face].name;
-        pp_page_say(text, room, "Before wall %s an endless skyline at %.4g\u00b0",
+        pp_page_say(text, room, "In front of wall %s: endless skyline at %.4g\u00b0",
                     wall ? wall : "", skyline->angle_rad / PP_RAD);
         if (isfinite(skyline->distance_m))
             pp_page_say(text, room,
                         "above the middle of its windows, %.4g\u00a0m away,",
                         skyline->distance_m);
-        pp_page_say(text, room, "reflecting %.3g.", skyline->reflectance);
+        pp_page_say(text, room, "reflectance %.3g.", skyline->reflectance);
     }
     for (int i = 0; i < world->block_count && i < TOLD; i++) {
         const struct pp_block *block = &world->blocks[i];
-        pp_page_say(
-            text, room,
-            "A block of %.4g by %.4g\u00a0m, %.4g\u00a0m high, from x\u00a0%.4g, "
-            "y\u00a0%.4g, z\u00a0%.4g, reflecting %.3g",
-            block->width_m, block->depth_m, block->height_m, block->corner.x,
-            block->corner.y, block->corner.z, block->reflectance);
+        pp_page_say(text, room,
+                    "Block %.4g by %.4g\u00a0m, %.4g\u00a0m high, from x\u00a0%.4g, "
+                    "y\u00a0%.4g, z\u00a0%.4g, reflectance %.3g",
+                    block->width_m, block->depth_m, block->height_m, block->corner.x,
+                    block->corner.y, block->corner.z, block->reflectance);
         if (block->rotate_rad != 0.0)
-            pp_page_say(text, room, "turned by %.4g\u00b0", block->rotate_rad / PP_RAD);
+            pp_page_say(text, room, "rotated by %.4g\u00b0",
+                        block->rotate_rad / PP_RAD);
         pp_text_append(text, room, ".");
     }
     if (world->block_count > TOLD)
-        pp_page_say(text, room, "And %d blocks more.", world->block_count - TOLD);
+        pp_page_say(text, room, "%d more blocks are not listed.",
+                    world->block_count - TOLD);
 }

@@ -228,10 +228,9 @@ static void say_nothing_there(struct pp_section_plot *plot)
                                 .across = 0.5,
                                 .down = 0.5,
                                 .width = 0.9 * plot->field.width};
-    pp_lettering_draw(plot->cr, &plot->style, &text,
-                      plot->field.x + 0.5 * plot->field.width,
-                      plot->field.y + 0.5 * plot->field.height,
-                      "There are no daylight factors to draw.");
+    pp_lettering_draw(
+        plot->cr, &plot->style, &text, plot->field.x + 0.5 * plot->field.width,
+        plot->field.y + 0.5 * plot->field.height, "No method gives a daylight factor.");
 }
 
 static void draw_plot(struct pp_section_plot *plot, struct pp_box aside)
@@ -284,8 +283,7 @@ static void say_notes(struct pp_section_plot *plot,
             pp_page_say(plot->foot, sizeof plot->foot, "%s", chart->notes[i]);
     if (!chart->report->finished)
         pp_page_say(plot->foot, sizeof plot->foot,
-                    "The run was interrupted: sampled values are what was there so "
-                    "far.");
+                    "The run was interrupted: simulated values are preliminary.");
 }
 
 static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *canvas,

@@ -63,7 +63,7 @@ static enum pp_status find_line(struct pp_section_cut *cut,
 {
     if (count == 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "there are no reference points to draw a section through");
+                       "no calculation points: a section passes through them");
     struct pp_vec3 first = receivers[0].position;
     int far = 0;
     double reach = 0.0;
@@ -97,7 +97,7 @@ static enum pp_status find_line(struct pp_section_cut *cut,
         double off = hypot(off_plane(cut, p), p.z - first.z);
         if (off > OFF_LINE_M)
             return pp_fail(err, PP_BAD_INPUT,
-                           "a section needs its reference points on one horizontal "
+                           "a section needs its calculation points on one horizontal "
                            "straight line, but (%g, %g, %g) lies %.3g m off the line "
                            "through (%g, %g, %g) and (%g, %g, %g)",
                            p.x, p.y, p.z, off, first.x, first.y, first.z,

@@ -52,7 +52,7 @@ static enum pp_status fail_cairo(struct pp_error *err, cairo_status_t status)
 {
     if (status == CAIRO_STATUS_NO_MEMORY)
         return pp_fail_memory(err);
-    return pp_fail(err, PP_SYSTEM, "the chart can't be drawn: %s",
+    return pp_fail(err, PP_SYSTEM, "cannot draw the chart: %s",
                    cairo_status_to_string(status));
 }
 
@@ -175,8 +175,7 @@ enum pp_status pp_canvas_create(struct pp_canvas **canvas_out,
     double dpi = sheet->dpi == 0.0 ? 200.0 : sheet->dpi;
     if (!(dpi >= 20.0 && dpi <= 1200.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "resolution is %g dots an inch; it must be from 20 to 1200",
-                       dpi);
+                       "resolution is %g dots per inch; expected 20 to 1200", dpi);
     if (!has_fonts())
         return pp_fail(err, PP_SYSTEM,
                        "no font is installed; charts need one, such as DejaVu Sans "
@@ -195,10 +194,9 @@ enum pp_status pp_canvas_create(struct pp_canvas **canvas_out,
     open_surface(canvas);
     if (canvas->in_bands && sheet->transparent) {
         pp_canvas_destroy(canvas);
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "a transparent PNG of this size takes more than 128 MiB; expected "
-            "a smaller --dpi or --paper, or an SVG");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a transparent PNG of this size needs more than 128 MiB; "
+                       "expected a smaller --dpi or --paper, or an SVG");
     }
 
     cairo_status_t status = cairo_status(canvas->cr);
@@ -267,7 +265,7 @@ enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *e
 {
     if (!pp_canvas_has_sheets(canvas))
         return pp_fail(err, PP_BAD_INPUT,
-                       "an SVG or PNG file holds one sheet; several need PDF");
+                       "an SVG or PNG file holds one sheet; several sheets need PDF");
     cairo_show_page(canvas->cr);
     canvas->page++;
     return PP_OK;
@@ -321,8 +319,7 @@ enum pp_status pp_canvas_finish(struct pp_canvas *canvas, const unsigned char **
     if (canvas->lacks_memory)
         return pp_fail_memory(err);
     if (canvas->sheet.to_place)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "a drawing that is to be placed is no file by itself");
+        return pp_fail(err, PP_BAD_INPUT, "a placed drawing is not a file of its own");
     if (!canvas->finished) {
         cairo_status_t status = cairo_status(canvas->cr);
         if (status == CAIRO_STATUS_SUCCESS && canvas->sheet.format == PP_CHART_PNG)
@@ -368,10 +365,10 @@ enum pp_status pp_canvas_format_of(enum pp_chart_format *format, const char *pat
             *format = (enum pp_chart_format)i;
             return PP_OK;
         }
-    return pp_fail(err, PP_BAD_INPUT,
-                   "what kind of file \"%s\" is can't be told from its name; it must "
-                   "end in .pdf, .svg or .png",
-                   path);
+    return pp_fail(
+        err, PP_BAD_INPUT,
+        "unknown kind of file: \"%s\"; expected a name that ends in .pdf, .svg or .png",
+        path);
 }
 
 enum pp_status pp_canvas_paper_of(enum pp_paper *paper, const char *name,
@@ -389,6 +386,6 @@ enum pp_status pp_canvas_paper_of(enum pp_paper *paper, const char *name,
             *paper = papers[i].paper;
             return PP_OK;
         }
-    return pp_fail(err, PP_BAD_INPUT,
-                   "paper \"%s\" is not known; it must be a5, a4, a3 or a2", name);
+    return pp_fail(err, PP_BAD_INPUT, "unknown paper \"%s\"; expected a5, a4, a3 or a2",
+                   name);
 }

@@ -93,7 +93,7 @@ static void say_openings(char *text, size_t room, const struct pp_world *world)
             "%s.",
             range_text(glass, sizeof glass, low[GLASS], high[GLASS]), frame, dirt);
     if (low[CURTAINS] < 1.0)
-        pp_page_say(text, room, "Curtains leave %s.",
+        pp_page_say(text, room, "Curtains transmit %s.",
                     range_text(glass, sizeof glass, low[CURTAINS], high[CURTAINS]));
 }
 
@@ -101,7 +101,7 @@ static void say_openings(char *text, size_t room, const struct pp_world *world)
 static void say_decorations(char *text, size_t room, const struct pp_world *world)
 {
     if (world->decorations != 1.0)
-        pp_page_say(text, room, "Decorations leave %.3g of what they reflect.",
+        pp_page_say(text, room, "Decorations keep %.3g of their reflectance.",
                     world->decorations);
 }
 

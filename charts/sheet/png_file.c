@@ -24,7 +24,7 @@ struct png_writer {
 static void append_png_bytes(png_structp png, png_bytep bytes, size_t count)
 {
     if (!pp_bytes_add(png_get_io_ptr(png), bytes, count))
-        png_error(png, "memory is out");
+        png_error(png, "memory is exhausted");
 }
 
 static void flush_nothing(png_structp png)

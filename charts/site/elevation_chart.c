@@ -254,20 +254,21 @@ static void say_elevation_foot(const struct elevation_drawing *drawing, char *fo
 {
     const struct pp_site_sheet *site = &drawing->sheet->site;
     pp_page_say(
-        foot, room, "Figures in per cent, at the middle of each window's outside%s.",
-        site->has_before ? "; above, in light type, what they were before" : "");
+        foot, room,
+        "Figures in per cent, at the middle of the outer face of each window%s.",
+        site->has_before ? "; above, in light type: existing" : "");
     if (site->french_m > 0.0)
-        pp_page_say(foot, room,
-                    "Of windows down to the floor they are those at %g m above it.",
+        pp_page_say(foot, room, "Windows down to the floor: at %g m above it.",
                     site->french_m);
     if (site->has_before)
-        pp_page_say(foot, room,
-                    "Heavily framed: under 27\u00a0%% and under 0.8 of before.");
+        pp_page_say(
+            foot, room,
+            "Heavy frame: under 27\u00a0%% and under 0.8 of the existing value.");
     pp_page_say(
         foot, room,
-        "Of windows with 27\u00a0%% or more usual design gives reasonable "
-        "daylight; with 15 to 27 larger windows or other rooms are needed; with 5 "
-        "to 15 it is very hard to provide; with less often impossible [BR209].");
+        "Windows with 27\u00a0%% or more: normal design gives reasonable daylight. "
+        "With 15 to 27: larger windows or another layout are needed. With 5 to 15: "
+        "adequate daylight is very difficult. With less: often impossible [BR209].");
 }
 
 static void draw_elevation_sheet(struct elevation_drawing *drawing,
@@ -278,10 +279,10 @@ static void draw_elevation_sheet(struct elevation_drawing *drawing,
     struct pp_key keys[PP_SKY_BANDS];
     char foot[1024] = "";
     say_elevation_foot(drawing, foot, sizeof foot);
-    struct pp_page page = {sheet->site.title,
-                           "Vertical sky component over outer walls and at their "
-                           "windows, CIE overcast sky",
-                           foot};
+    struct pp_page page = {
+        sheet->site.title,
+        "Vertical sky component on outer walls and at their windows, CIE overcast sky",
+        foot};
     struct pp_box body = pp_page_draw(canvas, style, &page);
     pp_sky_bands_keys(keys);
     double strip = pp_plan_strip_height(style, PP_SKY_BANDS);

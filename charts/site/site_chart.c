@@ -339,12 +339,12 @@ static int gather_keys(const struct pp_site_sheet *sheet, struct pp_key keys[8])
     if (has_when(sheet, PP_SITE_GONE)) {
         keys[count] = (struct pp_key){
             .kind = PP_KEY_LINE, .curve = pp_style_curve(1), .grey = PP_GREY_TEXT};
-        snprintf(keys[count++].words, sizeof keys->words, "existing, to go");
+        snprintf(keys[count++].words, sizeof keys->words, "to be demolished");
     }
     if (sheet->garden_count > 0) {
         keys[count] = (struct pp_key){.kind = PP_KEY_HATCH, .curve.dashes = {0.8}};
         snprintf(keys[count++].words, sizeof keys->words,
-                 "garden with less than 2 h of sun, 21 March");
+                 "garden: under 2 h of sun on 21 March");
     }
     return count;
 }
@@ -380,31 +380,28 @@ static void draw_site_sheet(struct site_drawing *drawing, struct pp_canvas *canv
     const struct pp_site_sheet *sheet = drawing->sheet;
     struct pp_key keys[8];
     char foot[768] = "";
-    pp_page_say(
-        foot, sizeof foot,
-        "Before each upright window its vertical sky component in per cent, the "
-        "lowest storey next to the wall. Heights are above the ground.");
+    pp_page_say(foot, sizeof foot,
+                "Figures in front of windows: vertical sky component in per cent, "
+                "lowest storey next to the wall. Heights are above the ground.");
     if (sheet->french_m > 0.0)
         pp_page_say(foot, sizeof foot,
-                    "Of windows down to the floor it is that at %g m above the "
-                    "floor, of all others at their middle.",
+                    "Windows down to the floor: at %g m above the floor; all others at "
+                    "their middle.",
                     sheet->french_m);
     if (sheet->cell_count > 0)
         pp_page_say(
             foot, sizeof foot,
-            "On the plot the heights in metres up to which each cell may be built "
-            "on, darker for higher: %.0f\u00a0m³ in all; windows as they are "
-            "with that.",
+            "Plot: permitted height of each cell in metres, darker for higher; "
+            "%.0f\u00a0m³ in all. Figures at windows are those with this envelope.",
             sheet->cells_m3);
     if (sheet->garden_count > 0)
-        pp_page_say(
-            foot, sizeof foot,
-            "Gardens: the share of their area that the sun reaches for two hours "
-            "or more on 21 March; half is wanted [BR209].");
+        pp_page_say(foot, sizeof foot,
+                    "Gardens: share of the area with two hours of sun or more on 21 "
+                    "March; target: half [BR209].");
     if (sheet->has_before)
-        pp_page_say(
-            foot, sizeof foot,
-            "Heavily framed: under 27\u00a0%% and under 0.8 of before [BR209].");
+        pp_page_say(foot, sizeof foot,
+                    "Heavy frame: under 27\u00a0%% and under 0.8 of the existing value "
+                    "[BR209].");
     struct pp_page page = {sheet->title,
                            sheet->cell_count > 0
                                ? "The largest envelope on the plot, with the vertical "

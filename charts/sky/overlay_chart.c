@@ -279,26 +279,24 @@ static void say_overlay_foot(char *foot, size_t room, const struct pp_overlay *o
 {
     pp_page_say(
         foot, room,
-        "For a photograph taken level, looking up: print at 100\u00a0%%, lay the "
-        "circle on the horizon (90\u00b0 from the zenith), N to the north; east is "
+        "For a photograph taken horizontally, pointing up. Print at 100\u00a0%%. Place "
+        "the circle on the horizon (90\u00b0 from the zenith), N to the north; east is "
         "on the left. Lens: %s, angle \u03b8 from the zenith at %s.",
         lens_names[overlay->lens], lens_rules[overlay->lens]);
     if (overlay->dots)
-        pp_page_say(
-            foot, room,
-            "%d crosses, each worth %.3g\u00a0%% of a level plane's light under "
-            "the open sky: those that the photograph shows on the sky, counted, "
-            "are the sky component without glass.",
-            overlay->dot_count, 100.0 / overlay->dot_count);
+        pp_page_say(foot, room,
+                    "%d crosses, each worth %.3g\u00a0%% of the horizontal illuminance "
+                    "under the open sky. Count the crosses on the sky: they give the "
+                    "sky component without glass.",
+                    overlay->dot_count, 100.0 / overlay->dot_count);
     if (overlay->cells)
         pp_page_say(foot, room, "%d cells, each worth %.3g\u00a0%%.",
                     overlay->cell_count, 100.0 / overlay->cell_count);
     if (overlay->sun)
-        pp_page_say(
-            foot, room,
-            "Sun paths of the 21st of the months named, hours by solar time; of "
-            "two months named together the first is drawn, the other's is within "
-            "0.6\u00b0.");
+        pp_page_say(foot, room,
+                    "Sun paths of the 21st of the named months; hours are solar time. "
+                    "Where two months are named the first is drawn; the other differs "
+                    "by less than 0.6\u00b0.");
 }
 
 static void overlay_titles(const struct pp_overlay *overlay, char *title,
@@ -339,7 +337,7 @@ static enum pp_status lay_circle(struct overlay_plot *plot, struct pp_box body,
     double wanted = plot->overlay->diameter_mm;
     if (wanted > most)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--diameter is %g mm, and the sheet holds %.0f; expected less, "
+                       "--diameter is %g mm, but the sheet holds %.0f; expected less, "
                        "or a larger --paper",
                        wanted, floor(most));
     plot->radius = 0.5 * (wanted > 0.0 ? wanted : 10.0 * floor(most / 10.0));

@@ -89,7 +89,7 @@ static enum pp_status fill_window(struct pp_brs_sheet *sheet,
     struct pp_brs_window *window = &sheet->windows[index];
     struct pp_elevation elevation;
     *window = (struct pp_brs_window){
-        .line = opening->line,
+        .label = opening->label,
         .distance_m = pp_vec_dot(pp_vec_sub(point, opening->inner.vertices[0]),
                                  opening->inner.normal),
         .allowance = pp_allowance_of(&pp_method_brs_table, world, opening)};

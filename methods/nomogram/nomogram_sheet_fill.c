@@ -179,7 +179,7 @@ static enum pp_status add_window(const struct room_on_sheet *room,
 {
     struct pp_nomogram_sheet *sheet = room->sheet;
     struct pp_nomogram_window window = {
-        .line = opening->line,
+        .label = opening->label,
         .alike = 1,
         .allowance = pp_allowance_factor(room->method->allowances, opening)};
     enum pp_status status = read_window(&window.read, room, opening, err);

@@ -76,7 +76,7 @@ enum pp_status pp_skylight_indicator_fill_site(
     if (status != PP_OK)
         return status;
     sheet->name = world->name;
-    sheet->line = window->line;
+    sheet->label = window->label;
     sheet->middle = pp_exterior_opening_centroid(window);
     struct pp_waldram_site site;
     status = pp_waldram_site_init_plan(&site, world, sheet->middle, facing,

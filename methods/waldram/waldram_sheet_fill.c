@@ -269,7 +269,7 @@ enum pp_status pp_waldram_sheet_fill_site(struct pp_waldram_sheet *sheet,
     if (status == PP_OK) {
         panel->count = 1;
         panel->windows[0] =
-            (struct pp_board_window){.line = window->line, .allowance = 1.0};
+            (struct pp_board_window){.label = window->label, .allowance = 1.0};
         status = fill_site_pieces(panel->windows, &waldram, &site, err);
         pp_board_sheets_window_sum(panel->windows, PP_WALDRAM_WORTH);
         sheet->sky_component = panel->windows[0].sky;

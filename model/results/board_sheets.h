@@ -28,7 +28,7 @@ struct pp_board_piece {
 };
 
 struct pp_board_window {
-    int line;          /* of the room file */
+    const char *label; /* of the opening, not owned */
     double distance_m; /* from the point to its plane */
     double allowance;  /* for its glass, frame and dirt */
     double sky,

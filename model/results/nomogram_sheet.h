@@ -103,8 +103,8 @@ struct pp_nomogram_scale {
 
 /* An opening, with those that read and count like it. */
 struct pp_nomogram_window {
-    int line;  /* of the room file, of the first */
-    int alike; /* how many there are */
+    const char *label; /* of the first opening, not owned */
+    int alike;         /* how many there are */
     struct pp_nomogram_reading read;
     double y[PP_NOMOGRAM_STEMS]; /* where the readings stand */
     double allowance;            /* for its glass, frame and dirt */

@@ -63,6 +63,14 @@ void pp_world_destroy(struct pp_world *world)
     free(world);
 }
 
+const char *pp_world_label(const struct pp_world *world, int line)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].line == line)
+            return world->openings[i].label;
+    return "";
+}
+
 int pp_world_before_meshes(const struct pp_world *world)
 {
     return world->mesh_count > 0 ? world->meshes[0].first_side : world->surface_count;

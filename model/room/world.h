@@ -67,6 +67,9 @@ struct pp_surface {
 /* When a thing stands there: always, before something is built, or with it. */
 enum pp_site_state { PP_STATE_BOTH, PP_STATE_EXISTING, PP_STATE_PROPOSED };
 
+/* Bytes of an opening's label, its end included. */
+enum { PP_WORLD_LABEL = 32 };
+
 /* An opening in a face, with its glass. Its own axes lie in the face's plane: along is
  * horizontal and runs to the right seen from inside, up completes it; their cross
  * product is the normal, into the room. */
@@ -88,7 +91,10 @@ struct pp_opening {
     int facade;      /* that it looks out of, -1: there is none */
     double recess_m; /* how far the glass stands back from that facade's plane */
     char *name;      /* NULL where it has none */
-    int part;        /* which of its room's openings it is, as the file has them */
+    char
+        label[PP_WORLD_LABEL]; /* for people: its name, shortened to fit, or by its kind
+                                 * and place in the file W1, W2 or RL1 (a rooflight) */
+    int part; /* which of its room's openings it is, as the file has them */
     int line;
 
     /* Lies it before the planes of all faces, or in them? A point that does so too sees it
@@ -230,6 +236,9 @@ struct pp_world {
     struct pp_receiver *receivers; /* the file's, or the default grid */
     int receiver_count;
 };
+
+/* Label of the first opening on that line of the room file; "" if there is none. */
+const char *pp_world_label(const struct pp_world *world, int line);
 
 /* Number of surfaces before those of meshes, which come last. */
 int pp_world_before_meshes(const struct pp_world *world);

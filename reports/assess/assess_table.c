@@ -40,7 +40,8 @@ struct heading {
     bool compares; /* left out where nothing is compared */
 };
 
-static const char sky[] = "vertical sky component, %", lit[] = "area that sees sky, m2",
+static const char sky[] = "vertical sky component, %",
+                  lit[] = "area with a view of the sky, m2",
                   mirror_image[] = "mirror image", found[] = "found",
                   sunlit[] = "sunlit for two hours, %",
                   adequate[] = "adequately lit, m2", lost[] = "lost, m2";
@@ -224,7 +225,7 @@ static void print_foot(const struct pp_site_table *table, int width, FILE *out)
                                          table->rights, table->others};
     const int counts[] = {table->window_count, table->room_count, table->garden_count,
                           table->rights_count, table->other_count};
-    char text[1024] = "Judged by:";
+    char text[1024] = "Criteria:";
     const struct pp_criterion *last = NULL;
     for (int l = 0; l < 5; l++)
         for (int i = 0; i < counts[l] && lists[l][i].room == lists[l][0].room; i++) {
@@ -237,9 +238,9 @@ static void print_foot(const struct pp_site_table *table, int width, FILE *out)
     if (table->has_mirror_image)
         pp_text_append(
             text, sizeof text,
-            ". Under \"mirror image\": as proposed no less than with the mirror "
-            "image of the building's own rooms at the boundary, of their "
-            "height and on the same ground, in place of what is proposed [%s]",
+            ". Mirror image: in place of the proposal stands the mirror image of the "
+            "building's own rooms at the boundary, with their height, on the same "
+            "ground. The criterion is met if the proposal keeps as much [%s]",
             pp_criterion_mirror_image.source);
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
@@ -260,12 +261,12 @@ enum pp_status pp_assess_table(const struct pp_assessments *all, int width, FILE
         status = print_table("Gardens, on 21 March", of_gardens, table.gardens,
                              table.garden_count, NULL, width, out, err);
     if (status == PP_OK)
-        status = print_table("Rights of light: what the 0.2 % contour encloses",
+        status = print_table("Rights of light: area inside the 0.2 % contour",
                              of_rights, table.rights, table.rights_count,
                              &table.rights_sum, width, out, err);
     if (status == PP_OK)
-        status = print_table("All else", of_others, table.others, table.other_count,
-                             NULL, width, out, err);
+        status = print_table("Other criteria", of_others, table.others,
+                             table.other_count, NULL, width, out, err);
     if (status == PP_OK)
         print_foot(&table, width, out);
     pp_site_table_clear(&table);

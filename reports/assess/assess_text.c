@@ -143,10 +143,9 @@ static void print_finding(const struct pp_finding *finding, const struct layout 
     if (finding->note[0])
         put_note(finding->note, layout, out);
     if (pp_finding_is_open(finding))
-        put_note(
-            "the true figure may be on the other side of the bound: by hand this is "
-            "open",
-            layout, out);
+        put_note("the true value may be on the other side of the limit, so hand "
+                 "figures cannot decide",
+                 layout, out);
 }
 
 static void print_answer(const struct pp_answer *answer, struct layout layout,
@@ -211,7 +210,7 @@ static void print_sum(const struct pp_assessment *assessment, FILE *out)
     }
     int left = count_verdicts(assessment, PP_NOT_MET, true);
     if (left > 0)
-        fprintf(out, "%s%d left to the vertical sky component", before, left);
+        fprintf(out, "%s%d decided by the vertical sky component", before, left);
     fputs(*before || left > 0 ? "\n" : "no verdicts\n", out);
 }
 
@@ -221,13 +220,12 @@ static void print_simulation(const struct pp_assessment *assessment,
 {
     char text[256];
     snprintf(text, sizeof text,
-             "By simulation: %s one standard error, seed %llu; behind a verdict the "
+             "By simulation: %s one standard error, seed %llu. After each verdict: the "
              "probability that it is right%s",
              layout->utf8 ? "\xc2\xb1" : "+-", (unsigned long long)options->seed,
              !assessment->report.finished ? "; NOT FINISHED, interrupted"
-             : assessment->by_clock
-                 ? "; stopped by the clock (--time), another run will differ"
-                 : "");
+             : assessment->by_clock ? "; stopped by --time, so another run will differ"
+                                    : "");
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, layout->width, out);
 }
@@ -240,9 +238,9 @@ static void print_bands(const struct pp_assessment *assessment,
     for (int i = 0; i < assessment->answer_count && !text; i++)
         for (int k = 0; k < assessment->answers[i].findings.count; k++)
             if (pp_band_is_known(assessment->answers[i].findings.list[k].band))
-                text = "In brackets: where the true figure was in 95 of 100 rooms like "
-                       "this one, of those that the program has traced (the atlas); of "
-                       "a part of the plane as if all its points erred alike";
+                text = "In brackets, likely range: in 95 of 100 similar simulated "
+                       "rooms (the atlas) the true value was in it. For a part of the "
+                       "plane the same error is assumed at all points.";
     if (!text)
         return;
     fputs("\n  ", out);
@@ -262,8 +260,7 @@ static void print_assessed_room(const struct pp_assessment *assessment,
         pp_print_title(assessment->before->world, assessment->before->file, out);
     }
     if (assessment->answer_count == 0)
-        fprintf(out,
-                "\n  Of what was asked for nothing bears on a room whose use is %s.\n",
+        fprintf(out, "\n  None of these criteria applies to a room whose use is %s.\n",
                 pp_room_use_words[assessment->room->world->use]);
     for (int i = 0; i < assessment->answer_count; i++)
         print_answer(&assessment->answers[i], layout, out);

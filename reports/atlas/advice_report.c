@@ -22,7 +22,7 @@ static void append_place(char text[TEXT], const struct pp_advice_item *item,
         pp_text_append(text, TEXT, "For the average use %s", item->best.column);
         if (item->corrected)
             pp_text_append(text, TEXT,
-                           ", corrected by the middle of its range: %.3g %%",
+                           ", corrected by the median of its range: %.3g %%",
                            100.0 * item->corrected[0]);
         return;
     }
@@ -41,7 +41,7 @@ static void append_place(char text[TEXT], const struct pp_advice_item *item,
             pp_text_append(text, TEXT, ": %.3g %%", 100.0 * item->corrected[i]);
     }
     pp_text_append(text, TEXT, ") use %s%s", item->best.column,
-                   item->corrected ? ", corrected by the middle of its range" : "");
+                   item->corrected ? ", corrected by the median of its range" : "");
 }
 
 static void append_bias(char text[TEXT], const struct pp_band_quantiles *ratio)
@@ -49,7 +49,7 @@ static void append_bias(char text[TEXT], const struct pp_band_quantiles *ratio)
     if (fabs(ratio->median - 1.0) < bias_least)
         return;
     pp_text_append(text, TEXT,
-                   "; its figures are %s there, and %.2f times them is nearer",
+                   "; its values are %s there; %.2f times the value is better",
                    ratio->median < 1.0 ? "high" : "low", ratio->median);
 }
 
@@ -57,7 +57,7 @@ static void append_parts(char text[TEXT], const struct pp_band_entry *entry)
 {
     if (isfinite(entry->formula.low))
         pp_text_append(text, TEXT,
-                       "; of that the formula has %.2f to %.2f, and what it assumes of "
+                       "; the formula contributes %.2f to %.2f, its assumptions about "
                        "ground and surroundings %.2f to %.2f",
                        entry->formula.low, entry->formula.high, entry->assumption.low,
                        entry->assumption.high);
@@ -80,8 +80,8 @@ static void put_item(const struct pp_advice_item *item, const struct pp_report *
     pp_band_words_regime(regime, sizeof regime, &best->regime);
     append_place(text, item, report);
     pp_text_append(text, TEXT,
-                   ": in %d rooms of the atlas like this one (%s) the truth was %.2f "
-                   "to %.2f times its figure in 95 %%",
+                   ". In %d similar rooms of the atlas (%s), the simulated value was "
+                   "%.2f to %.2f times the method's in 95 %%",
                    best->regime.rooms, regime, best->regime.ratio.low,
                    best->regime.ratio.high);
     append_bias(text, &best->regime.ratio);

@@ -25,23 +25,17 @@ static void put_head(const struct pp_atlas_bands *bands, FILE *out)
 {
     fprintf(
         out,
-        "# atlas_bands%s.csv - how true daylight factors were to those of hand "
-        "methods, "
-        "by regimes\n"
-        "#   of rooms: quantiles of (truth + %g) / (hand + %g), daylight factors as "
-        "fractions\n"
-        "# source: own, `pepperpot atlas FILE --bands` over %d rooms of the atlas "
-        "under %s\n"
-        "# place: of figures at points, or averages; span: from the least (low) to the "
-        "most (high)\n"
-        "#   that its rooms have of the feature in the place of the column\n"
-        "# component, column: of the figure; rooms: behind the regime\n"
-        "# low, median, high: quantiles of 2.5, 50 and 97.5 %%; spread: half the "
-        "distance of those of\n"
-        "#   16 and 84 %%; formula: true in the method's own world to hand; "
-        "assumption: true of the room\n"
-        "#   to true in that world\n"
-        "# feature1 to 5: the regime has from <= feature < to; empty: no bound\n",
+        "# atlas_bands%s.csv - accuracy of the hand methods by regimes of rooms:\n#   "
+        "quantiles of (simulated + %g) / (hand + %g), daylight factors as fractions\n# "
+        "source: own, `pepperpot atlas FILE --bands` over %d rooms of the atlas under "
+        "%s\n# place: of figures at points, or averages; span: from the lowest (low) "
+        "to the highest\n#   (high) value of the column's feature in the place that "
+        "its rooms have\n# component, column: of the figure; rooms: number of rooms in "
+        "the regime\n# low, median, high: quantiles of 2.5, 50 and 97.5 %%; spread: "
+        "half the distance between\n#   those of 16 and 84 %%; formula: simulated in "
+        "the method's own world over hand;\n#   assumption: simulated in the room over "
+        "simulated in that world\n# feature1 to 5: the regime is from <= feature < to; "
+        "empty: no bound\n",
         bands->iso ? "_iso" : "", PP_BAND_OFFSET, PP_BAND_OFFSET, bands->rooms,
         bands->iso ? "the skies of ISO 15469" : "the overcast sky");
     fputs("place,component,column,rooms,low,median,high,spread,formula_low,"

@@ -21,26 +21,21 @@ static void put_introduction(FILE *out)
 {
     fprintf(
         out,
-        "# Accuracy of the hand methods\n\n"
-        "What the shipped runs of the atlas found, in %d designed rooms under an "
-        "overcast sky and\n"
-        "in %d under the others of ISO 15469: the ratio of the true figure to that of "
-        "a method, by\n"
-        "regime. `pepperpot atlas --accuracy` prints these pages; `df`, `assess` and "
-        "`size` take\n"
-        "their bands from the same tables.\n\n"
-        "- *rooms*: that have points in the regime.\n"
-        "- *bias*: the median of the method's error, of the true figure.\n"
-        "- *spread*: half the distance of the ratio's quantiles of 16 and 84 %%.\n"
-        "- *band*: 95 %% of the true figures lie between so many times the method's.\n"
-        "- *formula*, *assumption*: the same of its two parts: from the figure to what "
-        "is true in the\n"
-        "  world that the method has in mind, and from there to the room (see "
-        "docs/accuracy.md).\n\n"
-        "A ratio is (truth + %g %%) / (figure + %g %%), so that small figures have "
-        "bands "
-        "of so much more\n"
-        "or less. Each room counts once, however many of its points are in a regime.\n",
+        "# Accuracy of the hand methods\n\nResults of the shipped runs of the atlas: "
+        "%d designed rooms under an overcast sky and\n%d under the other skies of ISO "
+        "15469. Tables show the ratio of the simulated value to\nthat of a method, by "
+        "regime. `pepperpot atlas --accuracy` prints these pages. `df`,\n`assess` and "
+        "`size` take their bands from the same tables.\n\n- *rooms*: rooms with points "
+        "in the regime.\n- *bias*: median error of the method, relative to the "
+        "simulated value.\n- *spread*: half the distance between the ratio's quantiles "
+        "of 16 and 84 %%.\n- *band*: 95 %% of the simulated values lie between so many "
+        "times the method's.\n- *formula*, *assumption*: the two parts of the band. "
+        "The first leads from the figure to the\n  value simulated in the world that "
+        "the method assumes. The second leads from there to the\n  room (see "
+        "docs/accuracy.md).\n\nA ratio is (simulated + %g %%) / (figure + %g %%), "
+        "which "
+        "widens the bands of small figures.\nEach room counts once, however many of "
+        "its points are in a regime.\n",
         pp_band_table_rooms(&pp_band_table_overcast),
         pp_band_table_rooms(&pp_band_table_iso), 100.0 * PP_BAND_OFFSET,
         100.0 * PP_BAND_OFFSET);

@@ -69,7 +69,7 @@ static void print_head(const struct pp_compare_result *result, int width, FILE *
         pp_text_append(text, sizeof text, "Ours as if %s. ", result->variant);
     if (result->other && result->compared.count < result->given)
         pp_text_append(text, sizeof text,
-                       "%d of the %d points of the other program, evenly spread. ",
+                       "%d of the %d points of the other program, evenly chosen. ",
                        result->compared.count, result->given);
     pp_text_append(text, sizeof text,
                    "Daylight factors in per cent; +-: one standard error of ours.");
@@ -119,7 +119,7 @@ static void print_causes(const struct pp_compare_result *result, int width, FILE
         double probability = compared->search.probability[set->causes[i]];
         append_word(text, sizeof text, result, set, i);
         pp_text_append(text, sizeof text,
-                       ": %s. It changes the mean by %+.1f %% and makes %.0f %% of "
+                       ": %s. It changes the mean by %+.1f %% and explains %.0f %% of "
                        "the difference (probability %.0f %%).",
                        cause_of(result, set, i)->action, per_cent(compared->effects[i]),
                        100.0 * compared->shares[i], 100.0 * fmin(probability, 0.99));
@@ -134,7 +134,7 @@ static void print_instead(const struct pp_compare_result *result, int width, FIL
         char text[TEXT_BYTES] = "";
         const struct pp_cause_set *set = &compared->search.sets[i];
         append_words(text, sizeof text, result, set);
-        pp_text_append(text, sizeof text, " (%.0f %%, beside %.0f %% of the set above)",
+        pp_text_append(text, sizeof text, " (%.0f %%; the set above: %.0f %%)",
                        100.0 * set->probability,
                        100.0 * compared->search.sets[0].probability);
         print_item(i == 1 ? "or it is" : "or", text, width, out);
@@ -148,24 +148,23 @@ static void append_left(char text[TEXT_BYTES], const struct pp_compared *compare
     pp_text_append(text, TEXT_BYTES,
                    "%.1f %% root mean square, %+.1f %% in the mean. It scatters ",
                    100.0 * compared->left_rms, per_cent(compared->left));
-    pp_text_append(text, TEXT_BYTES,
-                   noise->near > 0.9   ? "alike at neighbouring points, as values "
-                                         "interpolated in a cache do"
-                   : noise->near < 0.1 ? "from point to point, as few rays make it"
-                                       : "by so much that it may be few rays, or a "
-                                         "cache's interpolation");
+    pp_text_append(
+        text, TEXT_BYTES,
+        noise->near > 0.9
+            ? "alike at neighbouring points, which suggests interpolation in a cache"
+        : noise->near < 0.1
+            ? "independently from point to point, which suggests too few rays"
+            : "in a way that suggests too few rays or interpolation in a cache");
     pp_text_append(text, TEXT_BYTES, " (standard deviation %.1f %%).",
                    100.0 * noise->sigma);
     double share = compared->left_rms / compared->gap_rms;
     if (noise->sigma > PP_COMPARE_HIDES)
-        pp_text_append(
-            text, TEXT_BYTES,
-            " That is much: %.0f %% of the difference is left to it, and it "
-            "may look like other causes or hide them: nothing is sure beside it.",
-            100.0 * fmin(1.0, share * share));
-    if (compared->search.is_cut)
         pp_text_append(text, TEXT_BYTES,
-                       " Not all sets that may be likely have been traced.");
+                       " This noise is large: it makes %.0f %% of the difference and "
+                       "may imitate or hide causes. No cause is certain.",
+                       100.0 * fmin(1.0, share * share));
+    if (compared->search.is_cut)
+        pp_text_append(text, TEXT_BYTES, " Some plausible sets were not simulated.");
 }
 
 /* Appends whether the other program's noise explains the remainder. */
@@ -174,17 +173,15 @@ static void append_over(char text[TEXT_BYTES], const struct pp_left_over *over)
     if (pp_left_over_is_noise(over))
         return;
     if (pp_left_over_exceeds(over))
-        pp_text_append(
-            text, TEXT_BYTES,
-            "More is left than their noise: %.1f %%, where noise of %.1f %% a "
-            "point explains %.1f %%. Something that is not on the list is at "
-            "work, or their values are interpolated. Nothing is sure.",
-            100.0 * over->left, 100.0 * over->noise, 100.0 * over->limit);
+        pp_text_append(text, TEXT_BYTES,
+                       "The remainder exceeds their noise: %.1f %%; noise of %.1f %% a "
+                       "point explains %.1f %%. There is a cause outside the list, or "
+                       "their values are interpolated. No cause is certain.",
+                       100.0 * over->left, 100.0 * over->noise, 100.0 * over->limit);
     else
-        pp_text_append(
-            text, TEXT_BYTES,
-            "By too few points noise is not told from a mistake. Nothing is sure "
-            "(--noise gives it).");
+        pp_text_append(text, TEXT_BYTES,
+                       "The points are too few to separate noise from a mistake. No "
+                       "cause is certain. --noise states the noise.");
 }
 
 static void append_missing(char text[TEXT_BYTES])
@@ -192,8 +189,7 @@ static void append_missing(char text[TEXT_BYTES])
     const char *missing;
     for (int i = 0; (missing = pp_causes_missing_at(i)) != NULL; i++)
         pp_text_append(text, TEXT_BYTES, "%s%s", i > 0 ? "; " : "", missing);
-    pp_text_append(text, TEXT_BYTES,
-                   ". A mistake of these kinds can look like the causes above.");
+    pp_text_append(text, TEXT_BYTES, ". Such mistakes can look like the causes above.");
 }
 
 /* Advice on the noise; NULL: there is little. */
@@ -201,12 +197,10 @@ static const char *cure_of_noise(const struct pp_likelihood *noise)
 {
     return noise->sigma < PP_COMPARE_NOISY ? NULL
            : noise->near > 0.9
-               ? "do without interpolation between points, or let it go "
-                 "less far (rtrace -aa 0)"
-           : noise->near < 0.1
-               ? "take more rays (rtrace -ad 4096 or more)"
-               : "take more rays (rtrace -ad 4096 or more), and do without "
-                 "interpolation between points (rtrace -aa 0)";
+               ? "switch off interpolation between points, or reduce it (rtrace -aa 0)"
+           : noise->near < 0.1 ? "use more rays (rtrace -ad 4096 or more)"
+                               : "use more rays (rtrace -ad 4096 or more) and switch "
+                                 "off interpolation between points (rtrace -aa 0)";
 }
 
 static void print_cures(const struct pp_compare_result *result, int width, FILE *out)
@@ -215,7 +209,7 @@ static void print_cures(const struct pp_compare_result *result, int width, FILE 
     const struct pp_cause_set *set = &compared->search.sets[0];
     const char *noise = cure_of_noise(&set->likelihood);
     if (set->count > 0 || noise)
-        fputs("\n  What to set right there\n\n", out);
+        fputs("\n  Corrections in the other program\n\n", out);
     for (int i = 0; i < set->count; i++) {
         bool sure = pp_compare_is_sure(compared, set->causes[i]);
         print_item(sure ? "" : "perhaps", cause_of(result, set, i)->remedy, width, out);
@@ -230,16 +224,15 @@ static void print_found(const struct pp_compare_result *result, int width, FILE 
     char text[TEXT_BYTES] = "";
     pp_text_append(text, sizeof text,
                    "Theirs are %.1f %% %s than ours in the mean (%.1f %% root mean "
-                   "square). Where that comes from:",
+                   "square). Causes:",
                    fabs(per_cent(compared->gap)),
                    compared->gap < 0.0 ? "lower" : "higher", 100.0 * compared->gap_rms);
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
     fputc('\n', out);
     if (compared->search.sets[0].count == 0)
-        print_item("nothing",
-                   "no suspect on the list explains it better than noise does", width,
-                   out);
+        print_item("nothing", "no cause on the list explains it better than noise",
+                   width, out);
     print_causes(result, width, out);
     print_instead(result, width, out);
     text[0] = '\0';

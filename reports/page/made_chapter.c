@@ -51,12 +51,11 @@ static void put_methods(struct pp_document *document, const struct pp_assessment
         if (!is_used(all, pp_methods[i]->name))
             continue;
         if (!any) {
-            pp_document_heading(document, 3, "Methods by hand");
+            pp_document_heading(document, 3, "Hand methods");
             pp_document_table(document);
             pp_document_column(document, PP_COLUMN_LABELS, "method");
-            pp_document_column(document, PP_COLUMN_WORDS, "what it is");
-            pp_document_column(document, PP_COLUMN_WORDS,
-                               "as published, its figures contain");
+            pp_document_column(document, PP_COLUMN_WORDS, "description");
+            pp_document_column(document, PP_COLUMN_WORDS, "published figures include");
         }
         any = true;
         put_method(document, pp_methods[i]);
@@ -64,9 +63,8 @@ static void put_methods(struct pp_document *document, const struct pp_assessment
     if (any)
         pp_document_paragraph(
             document, PP_TONE_SOFT,
-            "Figures here contain the room's own glass, frame and dirt, each once: "
-            "what published figures lack is applied, what they contain is not applied "
-            "again.");
+            "Figures here include the glass, frame and dirt of the room, each once. "
+            "Losses that published figures include are not applied again.");
 }
 
 /* ---- the sources ---- */
@@ -151,21 +149,22 @@ static void say_engine(struct pp_document *document,
     if (options->simulate)
         pp_document_paragraph(
             document, PP_TONE_PLAIN,
-            "Traced figures are simulated, with one standard error behind ±; seed "
-            "%llu. The same file, options and seed give the same figures.",
+            "Simulated figures have one standard error after ±; seed %llu. The same "
+            "file, options and seed give the same figures.",
             (unsigned long long)options->seed);
     else
         pp_document_paragraph(
             document, PP_TONE_PLAIN,
-            "Nothing is simulated: figures are those of hand methods.");
+            "Nothing was simulated: figures are those of hand methods.");
 }
 
 enum pp_status pp_made_chapter(struct pp_document *document,
                                const struct pp_site_report *report,
                                struct pp_error *err)
 {
-    pp_document_heading(document, 2, "How this was made");
-    pp_document_paragraph(document, PP_TONE_PLAIN, "By pepperpot %s:", report->version);
+    pp_document_heading(document, 2, "How this report was made");
+    pp_document_paragraph(document, PP_TONE_PLAIN,
+                          "Made by pepperpot %s:", report->version);
     pp_document_paragraph(document, PP_TONE_CODE, "%s", report->made_by);
     say_engine(document, report->all->options);
     put_methods(document, report->all);

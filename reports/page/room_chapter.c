@@ -112,9 +112,8 @@ static void put_averages(struct pp_document *document, const struct pp_report *r
             put_average(document, &report->columns[i], sampled, bands);
     if (bands)
         pp_document_paragraph(document, PP_TONE_SOFT,
-                              "95 %% band: where the true figure was in 95 of 100 "
-                              "rooms like this one, of "
-                              "those that the program has traced.");
+                              "95 %% band: in 95 of 100 similar simulated rooms (the "
+                              "atlas) the true value was in this range.");
 }
 
 /* ---- verdicts ---- */
@@ -151,14 +150,14 @@ static void put_answers(struct pp_document *document, const struct pp_assessment
 {
     if (room->answer_count == 0) {
         pp_document_paragraph(document, PP_TONE_PLAIN,
-                              "Of what was asked for nothing bears on this room.");
+                              "None of the selected criteria applies to this room.");
         return;
     }
-    pp_document_heading(document, 3, "What it has to reach");
+    pp_document_heading(document, 3, "Criteria");
     pp_document_table(document);
     pp_document_column(document, PP_COLUMN_WORDS, "what");
     pp_document_column(document, PP_COLUMN_NUMBERS, "found");
-    pp_document_column(document, PP_COLUMN_NUMBERS, "wanted");
+    pp_document_column(document, PP_COLUMN_NUMBERS, "target");
     pp_document_column(document, PP_COLUMN_WORDS, "verdict");
     for (int i = 0; i < room->answer_count; i++)
         put_answer(document, &room->answers[i]);
@@ -170,7 +169,7 @@ static void put_gains(struct pp_document *document, const struct pp_gains *gains
     if (!gains->method || gains->count == 0)
         return;
     pp_gains_sentence(gains, sentence, sizeof sentence);
-    pp_document_heading(document, 3, "What would help");
+    pp_document_heading(document, 3, "Effect of changes");
     pp_document_paragraph(document, PP_TONE_PLAIN, "%s", sentence);
     pp_document_table(document);
     pp_document_column(document, PP_COLUMN_WORDS, "change");

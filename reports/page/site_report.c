@@ -158,7 +158,7 @@ static void put_rights(struct pp_document *document, const struct pp_site_table 
     if (table->rights_count == 0)
         return;
     pp_document_heading(document, 3,
-                        "Rights of light: what the 0.2 %% contour encloses [WW23]");
+                        "Rights of light: area inside the 0.2 %% contour [WW23]");
     pp_document_table(document);
     pp_document_column(document, PP_COLUMN_WORDS, "room");
     pp_document_column(document, PP_COLUMN_NUMBERS, "room, m²");
@@ -190,8 +190,8 @@ static enum pp_status put_tables(struct pp_document *document,
     if (status == PP_OK) {
         put_rows(document, "Vertical sky component of windows [BR209]", "window", "%",
                  table.windows, table.window_count);
-        put_rows(document, "Area of the working plane that sees sky [BR209]", NULL,
-                 "m²", table.rooms, table.room_count);
+        put_rows(document, "Area of the working plane with a view of the sky [BR209]",
+                 NULL, "m²", table.rooms, table.room_count);
         put_rows(document, "Share of gardens with two hours of sun on 21 March [BR209]",
                  "garden", "%", table.gardens, table.garden_count);
         put_rights(document, &table);

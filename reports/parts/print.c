@@ -248,7 +248,7 @@ static void tell_outside(const struct pp_world *world,
                        world->mesh_count, world->mesh_count > 1 ? "es" : "", triangles,
                        triangles > 1 ? "s" : "");
     if (world->skyline_count + world->block_count + loose + triangles == 0)
-        pp_text_append(text, TEXT_BYTES, "; nothing in the way");
+        pp_text_append(text, TEXT_BYTES, "; no obstruction");
     tell(listener, "outside", "%s", text);
 }
 
@@ -261,7 +261,7 @@ void pp_print_facts(const struct pp_world *world, const struct pp_outside_light 
     tell_reflectances(world, &listener);
     tell_openings(world, &listener);
     tell_outside(world, light, &listener);
-    tell(&listener, "working plane", "at %.2f m; the average is over all of it",
+    tell(&listener, "working plane", "at %.2f m; the average covers all of it",
          world->working_plane_m);
 }
 

@@ -70,7 +70,7 @@ static bool has_band(const struct pp_report *report)
 
 static void append_averages(char *text, size_t size, const struct pp_report *report)
 {
-    const char *before = "; of the averages ";
+    const char *before = "; for averages ";
     for (int i = 0; i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
         char band[48];
@@ -89,9 +89,8 @@ void pp_print_band_note(const struct pp_report *report, int width, FILE *out)
         pp_text_append(text, sizeof text, "%s", report->no_bands);
     else if (has_band(report))
         pp_text_append(text, sizeof text,
-                       "95 %% band: where the true daylight factor was in 95 of 100 "
-                       "rooms like this one, of those that the program has traced (the "
-                       "atlas)");
+                       "95 %% band: in 95 of 100 similar simulated rooms (the atlas) "
+                       "the true daylight factor was in this range");
     if (!text[0])
         return;
     append_averages(text, sizeof text, report);

@@ -152,11 +152,10 @@ static void note_decorations(const struct pp_report *report, int width, FILE *ou
     }
     if (!text[0])
         return;
-    pp_text_append(
-        text, sizeof text,
-        ": the decorations' %.3g, which bear on the internally reflected component "
-        "by itself, are not counted",
-        report->world->decorations);
+    pp_text_append(text, sizeof text,
+                   ": decorations (%.3g) are not applied; they concern the internally "
+                   "reflected component alone",
+                   report->world->decorations);
     fputs("  - ", out);
     pp_print_wrapped(text, 4, 4, width, out);
 }
@@ -201,9 +200,9 @@ static void print_hint(const struct pp_report *report, int width, FILE *out)
         || pp_report_find(report, PP_DF, "exact+split-flux"))
         return;
     fputs("  - ", out);
-    pp_print_wrapped("None of these hand methods answers for this room. --methods "
-                     "exact+split-flux does for any sky and openings that slope or lie "
-                     "flat; --simulate for all.",
+    pp_print_wrapped("None of these hand methods applies to this room. Use --methods "
+                     "exact+split-flux for other skies and for sloping or flat "
+                     "openings, or --simulate for any room.",
                      4, 4, width, out);
 }
 

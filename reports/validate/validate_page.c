@@ -130,12 +130,11 @@ static void put_histogram(const struct group *group, FILE *out)
 
 static void put_groups(const struct group *groups, int count, FILE *out)
 {
-    fputs("<h2>How far off</h2>\n<p class=\"soft\">Differences over their limits: what "
-          "lies between &minus;1 and +1 is right.</p>\n<div "
-          "class=\"wide\"><table "
-          "class=\"groups\"><thead><tr><th>group<th>cases<th>outside<th>RMS, share "
-          "of the open sky<th>worst over limit<th>difference over limit"
-          "</tr></thead>\n<tbody>\n",
+    fputs("<h2>Deviations</h2>\n<p class=\"soft\">Differences divided by their limits: "
+          "values between &minus;1 and +1 pass.</p>\n<div class=\"wide\"><table "
+          "class=\"groups\"><thead><tr><th>group<th>cases<th>outside<th>RMS, share of "
+          "the open sky<th>worst over limit<th>difference over "
+          "limit</tr></thead>\n<tbody>\n",
           out);
     for (int i = 0; i < count; i++) {
         const struct group *group = &groups[i];
@@ -159,14 +158,13 @@ static void put_groups(const struct group *groups, int count, FILE *out)
 static void put_parts(const struct group *groups, int count,
                       const struct pp_known_cases *cases, FILE *out)
 {
-    fputs(
-        "<h2>Where it comes from</h2>\n<p class=\"soft\">Each dot is a figure: its "
-        "difference from the simulation, in per cent of that, and the two parts which "
-        "add up to it. Assumption: from the room to the world that the method has in "
-        "mind, both simulated. Formula: from there to the method. Bars are medians; "
-        "rings stand for more than 100 %; figures under 0.01 % daylight factor are "
-        "left out.</p>\n<div class=\"dots\">\n",
-        out);
+    fputs("<h2>Causes of the differences</h2>\n<p class=\"soft\">Each dot is a figure: "
+          "its difference from the simulation, in per cent, and the two parts of this "
+          "difference. Assumption: from the room to the world that the method assumes, "
+          "both simulated. Formula: from there to the method. Bars are medians; rings "
+          "are values over 100 %; figures under 0.01 % daylight factor are left "
+          "out.</p>\n<div class=\"dots\">\n",
+          out);
     for (int i = 0; i < count; i++)
         pp_validate_dots(cases, groups[i].name, out);
     fputs("</div>\n", out);
@@ -259,7 +257,7 @@ static void put_verdict(const struct pp_known_result *result, FILE *out)
     fprintf(out, "<p>%d answers are simulated, %d of them outside", score.traced,
             score.traced_wrong);
     if (result->suite->chance > 0.0)
-        fprintf(out, "; chance may put %.0f there",
+        fprintf(out, "; %.0f are expected by chance",
                 floor(result->suite->chance * score.traced));
     fputs(".</p>\n", out);
 }

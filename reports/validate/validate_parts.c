@@ -8,11 +8,11 @@
 enum { NAME_WIDTH = 20 };
 
 const char pp_validate_parts_note[] =
-    "Where it comes from: assumption, from the room to the world that the method has "
-    "in mind, both traced; formula, from there to the method. They add up to off and "
-    "bias. noise: the standard error of assumption. In that world the ground is open, "
-    "and as bright as the method has it; an endless skyline stands for all that is "
-    "outside, unless the method is a direct one.";
+    "Causes. assumption: from the room to the world that the method assumes, both "
+    "simulated. formula: from there to the method. They add up to off and bias. noise: "
+    "standard error of assumption. In that world the ground is open and as bright as "
+    "the method assumes. An endless skyline replaces all obstructions, unless the "
+    "method is for the direct component alone.";
 
 /* ---- text ---- */
 
@@ -72,7 +72,7 @@ bool pp_validate_parts_print(const struct pp_comparison *list, int count, FILE *
         if (!elsewhere || !something)
             continue;
         if (!begun)
-            print_heads("where it comes from", "of off, %", "of bias", 6, out);
+            print_heads("causes", "of off, %", "of bias", 6, out);
         begun = true;
         print_component(list, count, component, out);
     }
@@ -108,8 +108,7 @@ void pp_validate_parts_print_all(const struct pp_overall *list, int count, FILE 
         if (!elsewhere)
             continue;
         if (!begun)
-            print_heads("Where it comes from", "of the average", "at the points", 0,
-                        out);
+            print_heads("Causes", "of the average", "at the points", 0, out);
         begun = true;
         print_component_of_all(list, count, component, out);
     }

@@ -122,12 +122,11 @@ static bool print_compared_room(const struct pp_result *result,
     for (int i = 0; i < count; i++)
         if (list[i].component == PP_DF && list[i].points > 0)
             bias_error = list[i].bias_error;
-    snprintf(
-        text, sizeof text,
-        "%d point%s; by the simulation's noise alone a bias of the daylight factor "
-        "is uncertain by %.3f%s",
-        report->receiver_count, report->receiver_count == 1 ? "" : "s",
-        100.0 * bias_error, report->finished ? "" : "; NOT FINISHED, interrupted");
+    snprintf(text, sizeof text,
+             "%d point%s; noise of the simulation makes a bias of the daylight factor "
+             "uncertain by %.3f%s",
+             report->receiver_count, report->receiver_count == 1 ? "" : "s",
+             100.0 * bias_error, report->finished ? "" : "; NOT FINISHED, interrupted");
     fputs("  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
     for (int component = PP_SC; component < PP_COMPONENT_COUNT; component++)
@@ -141,7 +140,7 @@ static bool print_compared_room(const struct pp_result *result,
 static void print_overall(const struct pp_validation *validation, FILE *out)
 {
     int rooms = validation->results->count;
-    fprintf(out, "\n\nAll %d rooms, in per cent of the traced value\n", rooms);
+    fprintf(out, "\n\nAll %d rooms, in per cent of the simulated value\n", rooms);
     fprintf(out, "\n  %-22s%-17s%-22s%s\n", "", "   the average", "  at the points",
             "the worst of all points");
     fprintf(out, "  %-22s%7s%8s  %7s%8s%8s  %s\n", "", "bias", "spread", "bias",
@@ -197,10 +196,10 @@ void pp_validate_report_rooms(const struct pp_validation *validation, int width,
     }
     fputs("\n  ", out);
     pp_print_wrapped(
-        "Per cent of the open sky unless it says otherwise. off: the average over the "
-        "working plane, from the traced one, in per cent of that; bias: mean of method "
-        "less traced at the points; spread: its root mean square, less the "
-        "simulation's noise; worst: the largest difference, and where.",
+        "Per cent of the open sky unless stated otherwise. off: average over the "
+        "working plane, relative to the simulated one, in per cent of it. bias: mean "
+        "of method minus simulated at the points. spread: its root mean square without "
+        "the noise of the simulation. worst: the largest difference and its place.",
         2, 2, width, out);
     if (parts) {
         fputs("  ", out);
@@ -209,7 +208,7 @@ void pp_validate_report_rooms(const struct pp_validation *validation, int width,
     if (results->count > 1) {
         fputs("  ", out);
         pp_print_wrapped("Over all rooms, differences at points are in per cent of the "
-                         "room's mean traced value.",
+                         "room's mean simulated value.",
                          2, 2, width, out);
     }
 }

@@ -207,7 +207,7 @@ static void points_that_do_not_lie_on_a_line_are_refused_with_the_one_that_stray
     assert_non_null(strstr(err.message, "(1.4, 3, 0.85) lies 0.4 m off the line"));
     report.receiver_count = 0;
     assert_int_equal(pp_section_chart_draw(canvas, &chart, &err), PP_BAD_INPUT);
-    assert_non_null(strstr(err.message, "no reference points"));
+    assert_non_null(strstr(err.message, "no calculation points"));
     pp_canvas_destroy(canvas);
     pp_report_clear(&report);
     pp_world_destroy(world);
@@ -274,7 +274,7 @@ static void a_report_without_values_says_so_on_the_chart(void **state)
     struct pp_world *world = world_of(&light, "Nothing", ROOM LINE);
     struct pp_report report = report_of(world, &light);
     size_t length;
-    static const char *const sayings[] = {"There are no daylight factors to draw.",
+    static const char *const sayings[] = {"No method gives a daylight factor.",
                                           "Section 1:50", NULL};
     char *pdf = section(&report, false, PP_CHART_PDF, &length);
     assert_says(pdf, length, sayings);
@@ -419,7 +419,7 @@ static void a_plan_without_contours_says_so(void **state)
     struct pp_world *world = world_of(&light, "Cellar", ROOM LINE);
     struct pp_daylight_plan plan = {.name = "exact"};
     size_t length;
-    static const char *const dark[] = {"No contours: there is no daylight here.", NULL};
+    static const char *const dark[] = {"No contours: there is no daylight.", NULL};
     char *pdf = plan_chart(world, &light, &plan, PP_CHART_PDF, PP_PAPER_A4, &length);
     assert_says(pdf, length, dark);
     plan.lowest = plan.highest = 0.0123;

@@ -56,7 +56,7 @@ cat >"$scratch/near.xml" <<EOF
 <skyline wall="south" angle="26"/></room>
 EOF
 check "what the 25 degree rule leaves to the vertical sky component is no failure" \
-    shows "1 not met, 1 left to the vertical sky component" \
+    shows "1 not met, 1 decided by the vertical sky component" \
     assess -c obstruction,vsc "$scratch/near.xml"
 check "by itself it is one" shows "1 not met" assess -c obstruction "$scratch/near.xml"
 check "in JSON it says which decides" shows '"decided_by": "vertical-sky"' \
@@ -81,7 +81,7 @@ interrupted assess --simulate --error 0.01% -c average,uniformity --format json 
 check "an interrupted run says so" sh -c "
     grep -q '\"finished\": false' '$scratch/out' && grep -q interrupted '$scratch/err'"
 check "and has what there is" grep -q '"se"' "$scratch/out"
-check "--time stops" shows "stopped by the clock" assess -s --time 200ms "$deep"
+check "--time stops" shows "stopped by --time" assess -s --time 200ms "$deep"
 
 # The room before: the obstructed office is the deep one with a building opposite.
 blocked=$examples/deep-office-obstructed.xml
@@ -188,10 +188,10 @@ check "and the share of before" shows " without the overhangs and balconies" \
 # begins above 2 %.
 check "an average that is not met, with its bound between it and the band, is open" sh -c "
     '$pepperpot' assess --by-hand -c average --room Bedroom '$examples/building.xml' |
-    grep -A 5 'kitchen ' | tr -s ' \n' ' ' | grep -q 'by hand this is open'"
+    grep -A 5 'kitchen ' | tr -s ' \n' ' ' | grep -q 'hand figures cannot decide'"
 check "but not where it is met" sh -c "
     '$pepperpot' assess --by-hand -c average --room Bedroom '$examples/building.xml' |
-    grep -A 1 'bedroom ' | grep -vq 'is open'"
+    grep -A 1 'bedroom ' | grep -vq 'cannot decide'"
 check "as CSV a finding a line" \
     shows "Deep office,,,vertical-sky,\"south, line 10\",10," \
     assess --by-hand -c vsc --format csv "$deep"

@@ -169,7 +169,7 @@ for kind in vertical-sky skylight-indicator; do
         refuses 1 "line of a window" chart $kind --window 3 -o "$file" "$deep"
     check "a blank $kind has no window" refuses 2 "--window" chart $kind --window 9 -o "$file"
     check "a rooflight faces no wall's sky" \
-        refuses 1 "no upright window" chart $kind -o "$file" "$scratch/lit_from_above.xml"
+        refuses 1 "no vertical window" chart $kind -o "$file" "$scratch/lit_from_above.xml"
 done
 for kind in waldram pepper-pot protractor; do
     for format in pdf svg png; do
@@ -331,16 +331,16 @@ wing 0.5 >"$scratch/bed.xml"
 wing 1.9 >"$scratch/cupboard.xml"
 run chart plan -o "$scratch/cupboard.pdf" "$scratch/cupboard.xml"
 check_words "the key of a plan has what stands in the room" "$scratch/cupboard.pdf" \
-    "stands in the room"
+    "furniture and partitions"
 run chart section -o "$scratch/wing.pdf" "$scratch/bed.xml"
 run chart plan -o "$scratch/bed.pdf" "$scratch/bed.xml"
 run chart brs-table -p 5,2 -o "$scratch/behind.pdf" "$scratch/bed.xml"
 if command -v pdftotext >/dev/null; then
-    check "but not what is below the plane" lacks "stands in" "$scratch/bed.pdf"
+    check "but not what is below the plane" lacks "furniture and" "$scratch/bed.pdf"
     check "a window of another wing is not in the section" \
-        lacks "beside the section" "$scratch/wing.pdf"
-    check "a window behind the point is not minus so far away" lacks "Line 5, .*away" "$scratch/behind.pdf"
-    check "but said to be behind it" has_words "$scratch/behind.pdf" "Line 5: the point lies"
+        lacks "outside the section" "$scratch/wing.pdf"
+    check "a window behind the point is not minus so far away" lacks "^W2, .*away" "$scratch/behind.pdf"
+    check "but said to be behind it" has_words "$scratch/behind.pdf" "W2: the point lies"
 fi
 if [ -c /dev/full ]; then
     check "a full disk is noticed" \

@@ -34,7 +34,7 @@ values bounces=1 >"$other"
 check "a difference is explained" \
     shows "bounces=1: light is followed over one reflection" compare --error 5% "$room" "$other"
 check "and what to set right is said" grep -q "allow more bounces" "$scratch/out"
-check "six points do not tell noise from a mistake" grep -q "too few points" "$scratch/out"
+check "six points do not tell noise from a mistake" grep -q "points are too few" "$scratch/out"
 check "in a tidy way" nothing "$(untidy)"
 check "as JSON, the same with any number of threads" \
     same_by_threads "1 3" compare --error 5% --format json "$room" "$other"
@@ -54,7 +54,7 @@ check "what can look like a cause is said" grep -q "reflectances of surfaces" "$
 awk -F, -v OFS=, 'NR > 1 { $4 *= NR % 2 ? 1.2 : 0.8 } { print }' "$scratch/floor.csv" \
     >"$scratch/uneven.csv"
 check "with less noise than is left nothing is" \
-    shows "More is left than" compare --error 5% --noise 3% "$room" "$scratch/uneven.csv"
+    shows "remainder exceeds their noise" compare --error 5% --noise 3% "$room" "$scratch/uneven.csv"
 check "and none is called sure" nothing "$(grep '^ *sure ' "$scratch/out")"
 
 # Values of another tracer: four reflections of light, and a ground of 0.4 in place of 0.2.

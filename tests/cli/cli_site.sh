@@ -125,7 +125,7 @@ check "in Germany its own code" shows "MBO02" assess --by-hand --room Bedroom "$
 check "and no British one" nothing "$(grep 'BSEN17037\|glass over' "$scratch/out")"
 check "who asks for a criterion gets it" shows "living room: 150" \
     assess --by-hand -c uk-annex --room Workroom "$site"
-check "of a bathroom nothing is judged" shows "nothing bears on a room whose use is bathroom" \
+check "of a bathroom nothing is judged" shows "applies to a room whose use is bathroom" \
     assess --by-hand --for uk-planning --room Bathroom "$site"
 
 check "how high the tower may be" shows "keeps 0.8 of its" size --obstruction Tower "$site"
@@ -137,7 +137,7 @@ sed "s/depth=\"5\" height=\"19\"/depth=\"5\" height=\"$height\"/" "$site" >"$scr
 check "at that height it has it" gives assess --by-hand -c former-sky --room Study -f csv "$scratch/lower.xml"
 check "to 1e-4" is "$(sed -n '2s/.*",29,[0-9.]*,[0-9.]*,\([0-9.]*\),.*/\1/p' "$scratch/out")" 0.8 1e-4
 check "of one window alone" shows "W5" size --obstruction Tower --window-name W5 --keep 90% "$site"
-check "a block over a footprint too" shows "at up to 14.65 m every window keeps 0.6" \
+check "a block over a footprint too" shows "up to 14.65 m, every window keeps 0.6" \
     size --obstruction Corner --keep 60% "$site"
 check "its rooms' lit area" shows '"verdict": "found"' \
     size --obstruction Tower --of lit-area -f json "$site"
@@ -151,10 +151,10 @@ check "of a room there is no such share" refuses 2 "a lit area is a room's" \
     size --obstruction Tower --of lit-area --enough 27% "$site"
 check "vsc or lit-area" refuses 2 "expected vsc or lit-area" size --obstruction Tower --of apsh "$site"
 check "what is kept, of a block" refuses 2 "is for --obstruction" size -t 2% --of lit-area "$site"
-check "no higher than asked" shows "even at 5 m every window" \
+check "no higher than asked" shows "even with 5 m, every window" \
     size --obstruction Tower --highest 5 "$site"
 
-check "what may stand on the tower's plot" shows "may stand so that every window keeps 0.8" \
+check "what may stand on the tower's plot" shows "m3 can be built while every window keeps" \
     size --envelope Tower "$site"
 check "fits in 80 columns" nothing "$(untidy)"
 check "one window has just its due" grep -qE "^  Study +W3 .* 0\.8000 +[0-9.]+  \*$" "$scratch/out"

@@ -155,9 +155,9 @@ check "the text names the worst point" \
     shows "at x, y" validate --samples 16 --methods exact+bre "$deep"
 check "and fits in 80 columns" nothing "$(too_wide)"
 check "it tells the assumption's part of it from the formula's" \
-    grep -qE '^  where it comes from +of off, % +of bias$' "$scratch/out"
+    grep -qE '^  causes +of off, % +of bias$' "$scratch/out"
 check "for the components in which the method's world is another" \
-    test "$(sed '1,/where it comes from/d' "$scratch/out" | grep -cE '^    (exact|bre) ')" -eq 1
+    test "$(sed '1,/causes/d' "$scratch/out" | grep -cE '^    (exact|bre) ')" -eq 1
 check "bre's ground is too dark for it" \
     grep -qE '^    bre +-[0-9.]+ +[+-][0-9.]+ +[0-9.]+ +-[0-9.]+ +[+-][0-9.]+ +[0-9.]+$' \
     "$scratch/out"

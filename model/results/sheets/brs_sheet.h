@@ -25,7 +25,7 @@ struct pp_brs_reading {
 };
 
 struct pp_brs_window {
-    int line; /* of the room file */
+    const char *label; /* of the opening, not owned */
     double distance_m;
     double allowance;     /* for its glass, frame and dirt */
     double sky, external; /* fractions of Eh, allowance included */

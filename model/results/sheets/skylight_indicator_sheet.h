@@ -24,7 +24,7 @@ struct pp_skylight_mark {
 struct pp_skylight_indicator_sheet {
     const char *name; /* the room's, or NULL; not owned */
     bool blank;
-    int line;              /* of the window, in the room file */
+    const char *label;     /* of the window, not owned */
     struct pp_vec3 middle; /* of the window's outside */
     struct pp_sky sky;
     double whole; /* vertical sky component of the open sky, fraction of Eh */

@@ -1,9 +1,11 @@
 /* place_openings.c - see place_openings.h. */
 #include "model/room/build/place_openings.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/text.h"
 #include "model/room/corrections.h"
 #include "model/room/build/opening_outline.h"
 #include "model/room/face_frame.h"
@@ -80,6 +82,37 @@ static void find_maintenance(struct pp_resolver *r, struct pp_opening *opening)
                     "dirt=\"bre-309\" of the site");
 }
 
+/* Is the text the name of any opening of the room? */
+static bool is_opening_name(const struct pp_room *room, const char *text)
+{
+    for (int i = 0; i < room->opening_count; i++)
+        if (room->openings[i].name && strcmp(room->openings[i].name, text) == 0)
+            return true;
+    return false;
+}
+
+/* Sets the label: the name, or a letter and the next number that is no name. Windows and
+ * other openings in walls are W, all others RL. */
+static void label_opening(struct pp_opening *opening, const struct pp_world *world,
+                          const struct pp_room *room)
+{
+    if (room->openings[opening->part].name) {
+        pp_text_excerpt(opening->label, sizeof opening->label,
+                        room->openings[opening->part].name);
+        return;
+    }
+    const char *letters = world->surfaces[opening->face].role == PP_WALL ? "W" : "RL";
+    int number = 1;
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *other = &world->openings[i];
+        if (!other->name && strncmp(other->label, letters, strlen(letters)) == 0)
+            number = (int)strtol(other->label + strlen(letters), NULL, 10) + 1;
+    }
+    do
+        snprintf(opening->label, sizeof opening->label, "%s%d", letters, number++);
+    while (is_opening_name(room, opening->label));
+}
+
 static enum pp_status add_placed_opening(struct pp_resolver *r,
                                          const struct pp_opening_part *part,
                                          const struct pp_face_frame *frame,
@@ -132,6 +165,7 @@ static enum pp_status add_placed_opening(struct pp_resolver *r,
     if (status == PP_OK && part->name && !opening.name)
         status = pp_fail_memory(err);
     if (status == PP_OK) {
+        label_opening(&opening, world, r->room);
         world->openings[world->opening_count++] = opening;
     } else {
         pp_polygon_clear(&opening.inner);

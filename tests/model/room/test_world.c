@@ -331,6 +331,27 @@ static void faces_have_the_finishes_inside_and_bare_walls_outside(void **state)
     pp_world_destroy(world);
 }
 
+static void openings_without_a_name_get_the_next_free_letter_and_number(void **state)
+{
+    (void)state;
+    struct pp_world *world = room_with(
+        "<window wall=\"south\" left=\"0.2\" sill=\"0.7\" width=\"1\" height=\"1.3\"/>"
+        "<rooflight x=\"0.6\" y=\"1.7\" width=\"0.9\" depth=\"0.9\"/>"
+        "<window name=\"W2\" wall=\"south\" left=\"2\" sill=\"0.7\" width=\"1\" "
+        "height=\"1.3\"/>"
+        "<window wall=\"east\" left=\"0.2\" sill=\"0.7\" width=\"1\" height=\"1.3\"/>"
+        "<window name=\"Küche über dem Hof, links oben\" wall=\"north\" left=\"0.2\" "
+        "sill=\"0.7\" width=\"1\" height=\"1.3\"/>");
+    static const char *const labels[] = {"W1", "RL1", "W2", "W3"};
+    for (int i = 0; i < 4; i++)
+        assert_string_equal(world->openings[i].label, labels[i]);
+    assert_int_equal(strncmp(world->openings[4].label, "Küche über dem Hof", 20), 0);
+    assert_true(strlen(world->openings[4].label) < PP_WORLD_LABEL);
+    assert_string_equal(pp_world_label(world, world->openings[0].line), "W1");
+    assert_string_equal(pp_world_label(world, 99), "");
+    pp_world_destroy(world);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -345,6 +366,7 @@ TEST_FILE
         cmocka_unit_test(loose_surfaces_know_whether_they_are_inside),
         cmocka_unit_test(a_skyline_is_seen_from_the_middle_of_its_wall_s_windows),
         cmocka_unit_test(faces_have_the_finishes_inside_and_bare_walls_outside),
+        cmocka_unit_test(openings_without_a_name_get_the_next_free_letter_and_number),
     };
     add_tests(tests, NULL, NULL);
 }

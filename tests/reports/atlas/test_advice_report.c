@@ -62,7 +62,7 @@ static void points_are_told_by_where_they_are(void **state)
     size_t widest;
     char *words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
     assert_non_null(strstr(words, "For 6 points (1.5,0.5; 1.5,1; 1.5,1.5; ...; 1.5,3) "
-                                  "use exact+bre: in 417 rooms of the atlas"));
+                                  "use exact+bre. In 417 similar rooms of the atlas"));
     assert_true(widest <= WIDTH);
     free(words);
     items[0].point_count = 1;
@@ -85,7 +85,7 @@ static void corrected_figures_stand_with_the_average_and_the_points(void **state
     assert_non_null(strstr(words,
                            "For 6 points (1.5,0.5: 2.5 %; 1.5,1: 2 %; 1.5,1.5: 1.5 "
                            "%; ...; 1.5,3: 0 %) use exact+bre, corrected by the "
-                           "middle of its range: in 417 rooms"));
+                           "median of its range. In 417 similar rooms"));
     free(words);
     struct json_object *object = json_object_new_object();
     assert_true(pp_advice_report_json(object, &advice));
@@ -98,7 +98,7 @@ static void corrected_figures_stand_with_the_average_and_the_points(void **state
     items[0].of_average = true;
     words = words_of(&advice, &widest);
     assert_non_null(strstr(words, "For the average use exact+bre, corrected by the "
-                                  "middle of its range: 2.5 %: in 417 rooms"));
+                                  "median of its range: 2.5 %. In 417 similar rooms"));
     free(words);
 }
 
@@ -110,16 +110,16 @@ static void a_bias_is_said_with_the_factor_that_takes_it_away(void **state)
     size_t widest;
     char *words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
     assert_non_null(
-        strstr(words, "its figures are low there, and 1.25 times them is nearer"));
+        strstr(words, "its values are low there; 1.25 times the value is better"));
     free(words);
     items[0] = item_of("exact+bre", 0.8);
     words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
     assert_non_null(
-        strstr(words, "its figures are high there, and 0.80 times them is nearer"));
+        strstr(words, "its values are high there; 0.80 times the value is better"));
     free(words);
     items[0] = item_of("exact+bre", 1.02);
     words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
-    assert_null(strstr(words, "times them"));
+    assert_null(strstr(words, "times the value"));
     free(words);
 }
 
@@ -131,14 +131,14 @@ static void formula_and_assumption_stand_apart_and_the_next_best_behind(void **s
     size_t widest;
     char *words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
     assert_non_null(strstr(words, "For the average use exact+bre"));
-    assert_non_null(strstr(words, "0.90 to 1.20 times its figure in 95 %"));
-    assert_non_null(strstr(words, "the formula has 1.10 to 1.50"));
+    assert_non_null(strstr(words, "0.90 to 1.20 times the method's in 95 %"));
+    assert_non_null(strstr(words, "the formula contributes 1.10 to 1.50"));
     assert_non_null(strstr(words, "ground and surroundings 0.97 to 1.03"));
     assert_non_null(strstr(words, "Next: exact+sphere 0.50 to 1.75"));
     free(words);
     items[0].best.entry.formula.low = NAN;
     words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
-    assert_null(strstr(words, "the formula has"));
+    assert_null(strstr(words, "the formula contributes"));
     free(words);
 }
 
