@@ -108,7 +108,7 @@ double pp_note_drawings_opening(cairo_t *cr, const struct pp_style *style,
     const struct pp_opening *opening = &report->world->openings[index];
     const char *wall = report->world->surfaces[opening->face].name;
     struct pp_room_elevation elevation;
-    char words[160];
+    char words[224];
     pp_room_elevation_init(&elevation, report->world, opening,
                            report->receivers[0].position);
     const struct pp_bounds2 *extent = &elevation.extent;
