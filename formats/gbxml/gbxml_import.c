@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "formats/gbxml/gbxml_openings.h"
 #include "formats/gbxml/gbxml_read.h"
+#include "formats/gbxml/gbxml_trim.h"
 #include "formats/gbxml/gbxml_write.h"
 #include "model/room/building.h"
 
@@ -16,6 +18,7 @@ enum { ROOMS_MOST = 200, TURNS_MOST = 50 };
 struct gbxml_work {
     struct pp_gbxml_model model;
     struct pp_gbxml_room **rooms; /* one a space; NULL: it has none */
+    struct pp_clipper *clipper;
     struct pp_mistakes *notes;
     const char *file;
     char *xml;
@@ -54,30 +57,95 @@ static int count_openings(const struct gbxml_work *work,
 {
     int count = 0;
     for (int i = 0; i < work->model.surface_count; i++)
-        if (pp_gbxml_room_has(&work->model.surfaces[i], space)
-            && pp_gbxml_room_is_outer(&work->model.surfaces[i]))
+        if (pp_gbxml_model_bounds(&work->model.surfaces[i], space)
+            && pp_gbxml_model_is_outer(&work->model.surfaces[i]))
             count += work->model.surfaces[i].opening_count;
     return count;
 }
 
-static enum pp_status make_gbxml_room(struct gbxml_work *work, int index,
-                                      struct pp_error *err)
+/* Takes openings and rooms that are left out away. */
+static void take_away(struct gbxml_work *work)
+{
+    for (int i = 0; i < work->model.space_count; i++) {
+        struct pp_gbxml_room *room = work->rooms[i];
+        int kept = 0;
+        for (int k = 0; room && k < room->opening_count; k++)
+            if (room->openings[k].opening->left_out)
+                free(room->openings[k].corners);
+            else
+                room->openings[kept++] = room->openings[k];
+        if (room)
+            room->opening_count = kept;
+        if (work->model.spaces[i].left_out)
+            drop_room(work, i);
+    }
+}
+
+/* Begins the room of a space; it stays NULL, with a note, if none comes of it. */
+static enum pp_status begin_room(struct gbxml_work *work, int index,
+                                 struct pp_error *err)
 {
     struct pp_gbxml_space *space = &work->model.spaces[index];
     const char *why;
     work->rooms[index] = calloc(1, sizeof *work->rooms[index]);
     if (!work->rooms[index])
         return pp_fail_memory(err);
-    enum pp_status status = pp_gbxml_room_make(work->rooms[index], &why, &work->model,
-                                               space, work->notes, err);
+    enum pp_status status = pp_gbxml_room_begin(work->rooms[index], &why, &work->model,
+                                                space, work->clipper, work->notes, err);
     if (status == PP_OK && why) {
         pp_mistakes_add(
             work->notes, space->line,
-            "space \"%.60s\" %s; no room comes of it, its outside stands as "
-            "surfaces",
-            space->id, why);
+            "space \"%.60s\" %s; no room comes of it or its %d openings, its outside "
+            "stands as surfaces",
+            space->id, why, count_openings(work, space));
         drop_room(work, index);
     }
+    return status;
+}
+
+/* The rooms that there are, and their spaces. */
+struct gbxml_placed {
+    struct pp_gbxml_room **rooms;
+    struct pp_gbxml_space **spaces;
+    int count;
+};
+
+static enum pp_status list_rooms(struct gbxml_placed *placed,
+                                 const struct gbxml_work *work, struct pp_error *err)
+{
+    const size_t most = (size_t)work->model.space_count + 1;
+    *placed = (struct gbxml_placed){calloc(most, sizeof *placed->rooms),
+                                    calloc(most, sizeof *placed->spaces), 0};
+    if (!placed->rooms || !placed->spaces)
+        return pp_fail_memory(err);
+    for (int i = 0; i < work->model.space_count; i++)
+        if (work->rooms[i]) {
+            placed->rooms[placed->count] = work->rooms[i];
+            placed->spaces[placed->count++] = &work->model.spaces[i];
+        }
+    return PP_OK;
+}
+
+/* Trims the rooms, finishes them, and leaves out those that overlap. */
+static enum pp_status finish_rooms(struct gbxml_work *work, struct pp_error *err)
+{
+    struct gbxml_placed placed;
+    enum pp_status status = list_rooms(&placed, work, err);
+    if (status == PP_OK)
+        pp_gbxml_trim_rooms(placed.rooms, placed.spaces, placed.count, work->notes);
+    for (int i = 0; i < placed.count && status == PP_OK; i++) {
+        status = pp_gbxml_room_finish(placed.rooms[i], &work->model, placed.spaces[i],
+                                      work->notes, err);
+        if (status == PP_OK)
+            status =
+                pp_gbxml_openings_add(placed.rooms[i], &work->model, placed.spaces[i],
+                                      work->clipper, work->notes, err);
+    }
+    if (status == PP_OK)
+        status = pp_gbxml_trim_leave_out(placed.rooms, placed.spaces, placed.count,
+                                         work->notes, err);
+    free(placed.rooms);
+    free(placed.spaces);
     return status;
 }
 
@@ -94,14 +162,18 @@ static enum pp_status make_rooms(struct gbxml_work *work, struct pp_error *err)
         } else if (made == ROOMS_MOST) {
             many++;
         } else {
-            status = make_gbxml_room(work, i, err);
+            status = begin_room(work, i, err);
             made += work->rooms[i] != NULL;
         }
     }
+    if (status == PP_OK)
+        status = finish_rooms(work, err);
+    if (status == PP_OK)
+        take_away(work);
     if (blind > 0)
         pp_mistakes_add(
             work->notes, 0,
-            "%d of %d spaces have no window, skylight or sliding door to the "
+            "%d of %d spaces have no window, skylight or glazed door to the "
             "outside; their outside stands as surfaces",
             blind, work->model.space_count);
     if (many > 0)
@@ -205,24 +277,6 @@ static bool leave_out(struct gbxml_work *work, const struct pp_gbxml_writing *wr
     return some;
 }
 
-/* Takes openings and rooms that are left out away. */
-static void take_away(struct gbxml_work *work)
-{
-    for (int i = 0; i < work->model.space_count; i++) {
-        struct pp_gbxml_room *room = work->rooms[i];
-        int kept = 0;
-        for (int k = 0; room && k < room->opening_count; k++)
-            if (room->openings[k].opening->left_out)
-                free(room->openings[k].corners);
-            else
-                room->openings[kept++] = room->openings[k];
-        if (room)
-            room->opening_count = kept;
-        if (work->model.spaces[i].left_out)
-            drop_room(work, i);
-    }
-}
-
 static bool has_rooms(const struct gbxml_work *work)
 {
     for (int i = 0; i < work->model.space_count; i++)
@@ -273,6 +327,8 @@ enum pp_status pp_gbxml_import(char **xml, size_t *length, const char *bytes,
     if (status == PP_OK)
         status = pp_gbxml_read(&work.model, &document, file, notes, err);
     if (status == PP_OK)
+        status = pp_clipper_create(&work.clipper, err);
+    if (status == PP_OK)
         status = make_rooms(&work, err);
     if (status == PP_OK)
         status = write_until_good(&work, err);
@@ -286,6 +342,7 @@ enum pp_status pp_gbxml_import(char **xml, size_t *length, const char *bytes,
     for (int i = 0; work.rooms && i < work.model.space_count; i++)
         drop_room(&work, i);
     free(work.rooms);
+    pp_clipper_destroy(work.clipper);
     free(work.xml);
     pp_gbxml_model_clear(&work.model);
     pp_xml_clear(&document);

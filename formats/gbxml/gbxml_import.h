@@ -1,11 +1,10 @@
 /* gbxml_import.h - a gbXML file [GBXML] as a room file.
  *
- * Spaces with openings become rooms: boxes as `plan`, all others as `envelope`, by the
- * surfaces about them or, where those do not close, by their ShellGeometry. Windows,
- * skylights and sliding doors to the outside become openings with the visible
- * transmittance of their type; shades, and the outside of spaces without a room, become
- * surfaces. The output is parsed as a room file before it is returned; rejected parts
- * are left out.
+ * Spaces with openings become rooms: boxes as `plan`, all others as `envelope`
+ * (gbxml_envelope.h). Windows, skylights, sliding and glazed doors and openings of air
+ * to the outside become openings; shades, and the outside of spaces without a room,
+ * become surfaces. The output is parsed as a room file before it is returned; rejected
+ * parts are left out.
  */
 #ifndef PP_FORMATS_GBXML_GBXML_IMPORT_H
 #define PP_FORMATS_GBXML_GBXML_IMPORT_H

@@ -22,6 +22,7 @@ struct pp_gbxml_opening {
     const char *name; /* NULL: none */
     struct pp_gbxml_polygon outline;
     double transmittance; /* visible, at normal incidence; NAN: the default */
+    bool is_air;          /* without a pane */
     bool left_out;        /* not possible in the room, as already reported */
 };
 
@@ -46,6 +47,7 @@ struct pp_gbxml_space {
         *shell; /* of its ShellGeometry; where surfaces do not close */
     int shell_count;
     struct pp_gbxml_polygon floor; /* of its PlanarGeometry; empty: none */
+    double area_m2, volume_m3;     /* as the file has them; NAN: not given */
     bool left_out;                 /* no room comes of it, as has been said */
 };
 
@@ -60,5 +62,12 @@ struct pp_gbxml_model {
 };
 
 void pp_gbxml_model_clear(struct pp_gbxml_model *model);
+
+/* Is the surface one of the space's that bound it, no column or shade? */
+bool pp_gbxml_model_bounds(const struct pp_gbxml_surface *surface,
+                           const struct pp_gbxml_space *space);
+
+/* True if the surface is between that space and the outside. */
+bool pp_gbxml_model_is_outer(const struct pp_gbxml_surface *surface);
 
 #endif

@@ -5,42 +5,61 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "formats/gbxml/gbxml_loop.h"
 #include "model/base/array.h"
 
-/* Most corners, surfaces and spaces that are read. */
-enum { CORNERS_MOST = 1000, SURFACES_MOST = 100000, SPACES_MOST = 10000 };
-
-/* Most that a coordinate may be, as in a room file. */
-static const double farthest_m = 1e5;
+/* Most surfaces and spaces that are read. */
+enum { SURFACES_MOST = 100000, SPACES_MOST = 10000 };
 
 struct gbxml_named;
 
 struct gbxml_reader {
     struct pp_gbxml_model *model;
     const struct pp_xml_element *root;
-    double metre; /* metres of a unit of the file's lengths */
+    struct pp_gbxml_loop_reader loops;
+    double square_metre, cubic_metre; /* of the file's units; NAN: none that is known */
     struct gbxml_named *named;
     int named_count;
     int between, without_type; /* openings between spaces, and without a window type */
+    int air;                   /* surfaces of air between spaces */
     const char *file;
     struct pp_mistakes *notes;
     struct pp_error *err;
 };
 
-static enum pp_status read_unit(struct gbxml_reader *r)
+/* A unit of length, and its beginning in the names of areas and volumes. */
+struct gbxml_unit {
+    const char *name;
+    double metre;
+};
+
+static const struct gbxml_unit lengths[] = {
+    {"Kilometers", 1e3},   {"Meters", 1.0},     {"Centimeters", 0.01},
+    {"Millimeters", 1e-3}, {"Miles", 1609.344}, {"Yards", 0.9144},
+    {"Feet", 0.3048},      {"Inches", 0.0254}};
+
+/* Metres of the unit of that name after the prefix ("Square"); NAN: no unit. */
+static double find_unit(const char *typed, const char *prefix)
 {
-    static const struct {
-        const char *name;
-        double metre;
-    } units[] = {{"Kilometers", 1e3},   {"Meters", 1.0},     {"Centimeters", 0.01},
-                 {"Millimeters", 1e-3}, {"Miles", 1609.344}, {"Yards", 0.9144},
-                 {"Feet", 0.3048},      {"Inches", 0.0254}};
+    size_t length = strlen(prefix);
+    if (!typed || strncmp(typed, prefix, length) != 0)
+        return NAN;
+    for (int i = 0; i < (int)(sizeof lengths / sizeof *lengths); i++)
+        if (strcmp(typed + length, lengths[i].name) == 0)
+            return lengths[i].metre;
+    return NAN;
+}
+
+static enum pp_status read_units(struct gbxml_reader *r)
+{
     const char *typed = pp_gbxml_document_attribute(r->root, "lengthUnit");
-    for (int i = 0; typed && i < (int)(sizeof units / sizeof *units); i++)
-        if (strcmp(typed, units[i].name) == 0) {
-            r->metre = units[i].metre;
-            return PP_OK;
-        }
+    r->loops.metre = find_unit(typed, "");
+    r->square_metre =
+        pow(find_unit(pp_gbxml_document_attribute(r->root, "areaUnit"), "Square"), 2.0);
+    r->cubic_metre = pow(
+        find_unit(pp_gbxml_document_attribute(r->root, "volumeUnit"), "Cubic"), 3.0);
+    if (isfinite(r->loops.metre))
+        return PP_OK;
     return pp_fail(
         r->err, PP_BAD_INPUT,
         "%s:%d: lengthUnit is \"%.40s\"; expected Meters, Feet, Millimeters, "
@@ -50,64 +69,21 @@ static enum pp_status read_unit(struct gbxml_reader *r)
 
 /* ---- polygons ---- */
 
-static bool read_corner(const struct gbxml_reader *r,
-                        const struct pp_xml_element *point, struct pp_vec3 *corner)
+/* Reads the outline of an element; it is empty, with a note, if there is none. */
+static enum pp_status read_outline(struct gbxml_reader *r,
+                                   const struct pp_xml_element *element,
+                                   struct pp_gbxml_polygon *polygon)
 {
-    double xyz[3];
-    const struct pp_xml_element *coordinate =
-        pp_gbxml_document_child(point, "Coordinate");
-    for (int i = 0; i < 3; i++) {
-        if (!coordinate || !pp_gbxml_document_number(coordinate, &xyz[i]))
-            return false;
-        xyz[i] *= r->metre;
-        if (!(fabs(xyz[i]) <= farthest_m))
-            return false;
-        coordinate = pp_gbxml_document_next(coordinate, "Coordinate");
-    }
-    *corner = (struct pp_vec3){xyz[0], xyz[1], xyz[2]};
-    return true;
-}
-
-/* Reads a PolyLoop; false, with a note, if it is none. */
-static bool read_loop(struct gbxml_reader *r, const struct pp_xml_element *loop,
-                      struct pp_gbxml_polygon *polygon)
-{
-    *polygon = (struct pp_gbxml_polygon){0};
-    for (const struct pp_xml_element *point =
-             pp_gbxml_document_child(loop, "CartesianPoint");
-         point; point = pp_gbxml_document_next(point, "CartesianPoint")) {
-        struct pp_vec3 corner;
-        if (polygon->count == CORNERS_MOST || !read_corner(r, point, &corner)
-            || pp_array_append(&polygon->corners, polygon->count,
-                               sizeof *polygon->corners, r->err)
-                   != PP_OK) {
-            pp_mistakes_add(
-                r->notes, point->line,
-                "no corner of three coordinates within 100 km, of a polygon "
-                "of %d at most: the polygon is left out",
-                CORNERS_MOST);
-            break;
-        }
-        polygon->corners[polygon->count++] = corner;
-        if (!pp_gbxml_document_next(point, "CartesianPoint") && polygon->count >= 3)
-            return true;
-    }
-    free(polygon->corners);
-    *polygon = (struct pp_gbxml_polygon){0};
-    return false;
-}
-
-static bool read_outline(struct gbxml_reader *r, const struct pp_xml_element *element,
-                         struct pp_gbxml_polygon *polygon)
-{
+    const char *id = pp_gbxml_document_attribute(element, "id");
     const struct pp_xml_element *loop =
         pp_gbxml_document_path(element, "PlanarGeometry/PolyLoop");
+    *polygon = (struct pp_gbxml_polygon){0};
     if (loop)
-        return read_loop(r, loop, polygon);
+        return pp_gbxml_loop_read(polygon, &r->loops, loop);
     pp_mistakes_add(r->notes, element->line,
                     "%s \"%.60s\" has no PlanarGeometry; left out", element->name,
-                    pp_gbxml_document_attribute(element, "id"));
-    return false;
+                    id ? id : "");
+    return PP_OK;
 }
 
 /* ---- light ---- */
@@ -179,24 +155,32 @@ static double read_share(const struct pp_xml_element *element, const char *name,
     return NAN;
 }
 
-static double read_transmittance(struct gbxml_reader *r,
-                                 const struct pp_xml_element *opening)
+/* The window type of an opening, or the construction in its place; NULL: none. */
+static const struct pp_xml_element *find_window_type(
+    const struct gbxml_reader *r, const struct pp_xml_element *opening)
 {
     static const char *const refs[] = {"windowTypeIdRef", "constructionIdRef"};
     static const char *const names[] = {"WindowType", "Construction"};
     const struct pp_xml_element *found = NULL;
     for (int i = 0; i < 2 && !found; i++)
         found = find_by_id(r, names[i], pp_gbxml_document_attribute(opening, refs[i]));
-    double share = read_share(found, "Transmittance", "Visible");
+    return found;
+}
+
+/* Transmittance for an opening of that type; NAN, with a note, if there is none. */
+static double take_transmittance(struct gbxml_reader *r,
+                                 const struct pp_xml_element *type)
+{
+    double share = read_share(type, "Transmittance", "Visible");
     if (share > 0.0)
         return share;
-    if (found)
+    if (type)
         pp_mistakes_add(
-            r->notes, found->line,
+            r->notes, type->line,
             "%s \"%.60s\" has no visible transmittance above 0; clear-double "
             "is taken for its openings",
-            found->name, pp_gbxml_document_attribute(found, "id"));
-    r->without_type += !found;
+            type->name, pp_gbxml_document_attribute(type, "id"));
+    r->without_type += !type;
     return NAN;
 }
 
@@ -210,33 +194,50 @@ static bool is_one_of(const char *word, const char *const *words)
     return false;
 }
 
+/* Does light come through an opening of that type? A hinged door counts where its
+ * window type says how much. */
+static bool lets_light_in(const char *opening_type, const struct pp_xml_element *type)
+{
+    static const char *const glazed[] = {"FixedWindow",
+                                         "OperableWindow",
+                                         "FixedSkylight",
+                                         "OperableSkylight",
+                                         "SlidingDoor",
+                                         "Air",
+                                         NULL};
+    return is_one_of(opening_type, glazed)
+           || (strcmp(opening_type, "NonSlidingDoor") == 0
+               && read_share(type, "Transmittance", "Visible") > 0.0);
+}
+
 static enum pp_status add_gbxml_opening(struct gbxml_reader *r,
                                         struct pp_gbxml_surface *surface,
                                         const struct pp_xml_element *element)
 {
-    static const char *const glazed[] = {"FixedWindow",   "OperableWindow",
-                                         "FixedSkylight", "OperableSkylight",
-                                         "SlidingDoor",   NULL};
-    const char *type = pp_gbxml_document_attribute(element, "openingType");
+    const char *kind = pp_gbxml_document_attribute(element, "openingType");
     const char *id = pp_gbxml_document_attribute(element, "id");
-    if (surface->spaces[1]) {
+    const struct pp_xml_element *type = find_window_type(r, element);
+    kind = kind ? kind : "";
+    if (surface->spaces[1] && strcmp(surface->spaces[0], surface->spaces[1]) != 0) {
         r->between++;
         return PP_OK;
     }
-    if (!type || !is_one_of(type, glazed)) {
+    if (!lets_light_in(kind, type)) {
         pp_mistakes_add(
             r->notes, element->line,
-            "opening \"%.60s\" is of type \"%.40s\", no window, skylight or "
-            "sliding door; taken as wall",
-            id ? id : "", type ? type : "");
+            "opening \"%.60s\" is of type \"%.40s\", no window, skylight, sliding or "
+            "glazed door; taken as wall",
+            id ? id : "", kind);
         return PP_OK;
     }
     struct pp_gbxml_opening opening = {.line = element->line, .name = id};
-    if (!read_outline(r, element, &opening.outline))
-        return PP_OK;
-    opening.transmittance = read_transmittance(r, element);
-    enum pp_status status = pp_array_append(&surface->openings, surface->opening_count,
-                                            sizeof *surface->openings, r->err);
+    enum pp_status status = read_outline(r, element, &opening.outline);
+    if (status != PP_OK || opening.outline.count == 0)
+        return status;
+    opening.is_air = strcmp(kind, "Air") == 0;
+    opening.transmittance = opening.is_air ? 1.0 : take_transmittance(r, type);
+    status = pp_array_append(&surface->openings, surface->opening_count,
+                             sizeof *surface->openings, r->err);
     if (status == PP_OK)
         surface->openings[surface->opening_count++] = opening;
     else
@@ -255,19 +256,24 @@ static enum pp_status add_gbxml_surface(struct gbxml_reader *r,
                        "%s:%d: more than %d surfaces, the most that "
                        "are read",
                        r->file, surface.line, SURFACES_MOST);
-    if (!read_outline(r, element, &surface.outline))
-        return PP_OK;
+    enum pp_status status = read_outline(r, element, &surface.outline);
+    if (status != PP_OK || surface.outline.count == 0)
+        return status;
     int neighbours = 0;
     for (const struct pp_xml_element *at =
              pp_gbxml_document_child(element, "AdjacentSpaceId");
          at && neighbours < PP_GBXML_NEIGHBOURS;
-         at = pp_gbxml_document_next(at, "AdjacentSpaceId"))
-        surface.spaces[neighbours++] = pp_gbxml_document_attribute(at, "spaceIdRef");
+         at = pp_gbxml_document_next(at, "AdjacentSpaceId")) {
+        const char *id = pp_gbxml_document_attribute(at, "spaceIdRef");
+        if (id)
+            surface.spaces[neighbours++] = id;
+    }
     const struct pp_xml_element *construction = find_by_id(
         r, "Construction", pp_gbxml_document_attribute(element, "constructionIdRef"));
     surface.reflectance = read_share(construction, "Reflectance", "IntVisible");
-    enum pp_status status = pp_array_append(&model->surfaces, model->surface_count,
-                                            sizeof *model->surfaces, r->err);
+    r->air += strcmp(surface.type, "Air") == 0 && surface.spaces[1];
+    status = pp_array_append(&model->surfaces, model->surface_count,
+                             sizeof *model->surfaces, r->err);
     if (status != PP_OK) {
         free(surface.outline.corners);
         return status;
@@ -291,7 +297,8 @@ static enum pp_status add_shell(struct gbxml_reader *r, struct pp_gbxml_space *s
     for (const struct pp_xml_element *loop = pp_gbxml_document_child(shell, "PolyLoop");
          loop && status == PP_OK; loop = pp_gbxml_document_next(loop, "PolyLoop")) {
         struct pp_gbxml_polygon polygon;
-        if (!read_loop(r, loop, &polygon))
+        status = pp_gbxml_loop_read(&polygon, &r->loops, loop);
+        if (status != PP_OK || polygon.count == 0)
             continue;
         status = pp_array_append(&space->shell, space->shell_count,
                                  sizeof *space->shell, r->err);
@@ -301,6 +308,17 @@ static enum pp_status add_shell(struct gbxml_reader *r, struct pp_gbxml_space *s
             free(polygon.corners);
     }
     return status;
+}
+
+/* A size in the file's unit of it; NAN: not given, or none above 0. */
+static double read_space_size(const struct pp_xml_element *element, const char *name,
+                              double unit)
+{
+    double value;
+    if (!pp_gbxml_document_number(pp_gbxml_document_child(element, name), &value))
+        return NAN;
+    value *= unit;
+    return value > 0.0 && isfinite(value) ? value : NAN;
 }
 
 static enum pp_status add_space(struct gbxml_reader *r,
@@ -327,12 +345,14 @@ static enum pp_status add_space(struct gbxml_reader *r,
         .line = line,
         .id = id,
         .name = name && *name ? name : NULL,
-        .type = pp_gbxml_document_attribute(element, "spaceType")};
+        .type = pp_gbxml_document_attribute(element, "spaceType"),
+        .area_m2 = read_space_size(element, "Area", r->square_metre),
+        .volume_m3 = read_space_size(element, "Volume", r->cubic_metre)};
     const struct pp_xml_element *floor =
         pp_gbxml_document_path(element, "PlanarGeometry/PolyLoop");
     if (floor)
-        read_loop(r, floor, &space->floor);
-    return add_shell(r, space, element);
+        status = pp_gbxml_loop_read(&space->floor, &r->loops, floor);
+    return status == PP_OK ? add_shell(r, space, element) : status;
 }
 
 /* ---- the file ---- */
@@ -396,17 +416,27 @@ enum pp_status pp_gbxml_read(struct pp_gbxml_model *model,
                              .notes = notes,
                              .err = err};
     *model = (struct pp_gbxml_model){.latitude = NAN, .longitude = NAN};
-    enum pp_status status = read_unit(&r);
+    r.loops.notes = notes;
+    r.loops.err = err;
+    enum pp_status status = pp_clipper_create(&r.loops.clipper, err);
+    if (status == PP_OK)
+        status = read_units(&r);
     const struct pp_xml_element *campus = pp_gbxml_document_child(r.root, "Campus");
     if (status == PP_OK && !campus)
         status = pp_fail(err, PP_BAD_INPUT, "%s: it has no Campus", file);
-    if (status == PP_OK)
+    if (status == PP_OK) {
         read_location(&r, campus);
+        pp_gbxml_loop_find_origin(&r.loops, campus);
+    }
     if (status == PP_OK)
         status = list_named(&r);
     if (status == PP_OK)
         status = read_campus(&r, campus);
     free(r.named);
+    pp_clipper_destroy(r.loops.clipper);
+    if (r.air > 0)
+        pp_mistakes_add(notes, 0, "%d surfaces of air between spaces are taken as wall",
+                        r.air);
     if (r.between > 0)
         pp_mistakes_add(notes, 0, "%d openings between spaces are taken as wall",
                         r.between);

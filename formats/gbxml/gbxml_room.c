@@ -1,4 +1,4 @@
-/* gbxml_room.c - faces and openings of one space. */
+/* gbxml_room.c - faces of one space, and the box that they may make. */
 #include "formats/gbxml/gbxml_room.h"
 
 #include <math.h>
@@ -6,15 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "formats/gbxml/gbxml_prism.h"
-#include "model/base/array.h"
-#include "model/base/text.h"
-
-/* Greatest distance of an opening from the plane of its face. */
-static const double reveal_m = 0.6;
-
-/* Tolerance (m) within which two lengths are equal. */
-static const double same_m = 2e-3;
+#include "formats/gbxml/gbxml_envelope.h"
+#include "formats/gbxml/gbxml_planes.h"
+#include "model/geometry/polygon.h"
 
 void pp_gbxml_room_clear(struct pp_gbxml_room *room)
 {
@@ -24,25 +18,6 @@ void pp_gbxml_room_clear(struct pp_gbxml_room *room)
     free(room->faces);
     pp_gbxml_shell_clear(&room->shell);
     *room = (struct pp_gbxml_room){0};
-}
-
-bool pp_gbxml_room_has(const struct pp_gbxml_surface *surface,
-                       const struct pp_gbxml_space *space)
-{
-    if (strcmp(surface->type, "Shade") == 0 || strstr(surface->type, "Column"))
-        return false;
-    for (int i = 0; i < PP_GBXML_NEIGHBOURS; i++)
-        if (surface->spaces[i] && strcmp(surface->spaces[i], space->id) == 0)
-            return true;
-    return false;
-}
-
-bool pp_gbxml_room_is_outer(const struct pp_gbxml_surface *surface)
-{
-    bool one =
-        !surface->spaces[1]
-        || (surface->spaces[0] && strcmp(surface->spaces[0], surface->spaces[1]) == 0);
-    return one && !strstr(surface->type, "Interior");
 }
 
 struct pp_vec3 pp_gbxml_room_own(const struct pp_gbxml_room *room, struct pp_vec3 at)
@@ -86,8 +61,36 @@ static void make_own(struct pp_gbxml_room_face *faces, int index, const char *na
     }
 }
 
+/* The surface that a face shows: the one that it is made of, or else the nearest that is
+ * parallel within 0.6 m. NULL: none. */
+static const struct pp_gbxml_surface *surface_of(
+    const struct pp_gbxml_room *room, int index,
+    struct pp_gbxml_surface *const *surfaces, int count)
+{
+    const struct pp_gbxml_face *face = &room->shell.faces[index];
+    const struct pp_gbxml_surface *nearest = NULL;
+    struct pp_vec3 normal = unit_normal(room, index), middle = {0};
+    double least = 0.6;
+    if (room->by_surfaces)
+        return face->from >= 0 ? surfaces[face->from] : NULL;
+    for (int i = 0; i < face->count; i++)
+        middle = pp_vec_along(middle, 1.0 / face->count,
+                              room->shell.corners[face->corners[i]]);
+    for (int i = 0; i < count; i++) {
+        struct pp_polygon polygon = {.count = surfaces[i]->outline.count,
+                                     .vertices = surfaces[i]->outline.corners};
+        pp_polygon_measure(&polygon);
+        if (!(fabs(pp_vec_dot(polygon.normal, normal)) > 0.98))
+            continue;
+        double away = pp_polygon_distance(&polygon, middle);
+        if (away < least)
+            least = away, nearest = surfaces[i];
+    }
+    return nearest;
+}
+
 static enum pp_status name_faces(struct pp_gbxml_room *room,
-                                 struct pp_gbxml_surface *const *surfaces,
+                                 struct pp_gbxml_surface *const *surfaces, int count,
                                  struct pp_error *err)
 {
     room->faces = calloc((size_t)room->shell.face_count + 1, sizeof *room->faces);
@@ -96,7 +99,7 @@ static enum pp_status name_faces(struct pp_gbxml_room *room,
     for (int i = 0; i < room->shell.face_count; i++) {
         struct pp_gbxml_room_face *face = &room->faces[i];
         struct pp_vec3 normal = unit_normal(room, i);
-        const int from = room->shell.faces[i].from;
+        const struct pp_gbxml_surface *surface = surface_of(room, i, surfaces, count);
         face->role = normal.z > 0.5    ? PP_GBXML_FLOOR
                      : normal.z < -0.2 ? PP_GBXML_CEILING
                                        : PP_GBXML_WALL;
@@ -104,141 +107,10 @@ static enum pp_status name_faces(struct pp_gbxml_room *room,
                  face->role == PP_GBXML_FLOOR     ? "floor"
                  : face->role == PP_GBXML_CEILING ? "ceiling"
                                                   : wall_name(normal));
-        face->reflectance = surfaces && from >= 0 ? surfaces[from]->reflectance : NAN;
-        face->inner = surfaces && from >= 0 && !pp_gbxml_room_is_outer(surfaces[from]);
+        face->reflectance = surface ? surface->reflectance : NAN;
+        face->inner = surface && !pp_gbxml_model_is_outer(surface);
     }
     return PP_OK;
-}
-
-/* ---- openings ---- */
-
-/* The distance of a point from the face's plane, inwards. */
-static double height_over(const struct pp_gbxml_room *room, int face, struct pp_vec3 at)
-{
-    int corner = room->shell.faces[face].corners[0];
-    return pp_vec_dot(pp_vec_sub(at, room->shell.corners[corner]),
-                      unit_normal(room, face));
-}
-
-static struct pp_vec3 gbxml_polygon_middle(const struct pp_gbxml_polygon *polygon)
-{
-    struct pp_vec3 sum = {0.0, 0.0, 0.0};
-    for (int i = 0; i < polygon->count; i++)
-        sum = pp_vec_add(sum, polygon->corners[i]);
-    return pp_vec_scale(sum, 1.0 / polygon->count);
-}
-
-/* Is a point over the face, seen along its normal? By crossings. */
-static bool is_over(const struct pp_gbxml_room *room, int index, struct pp_vec3 at)
-{
-    const struct pp_gbxml_face *face = &room->shell.faces[index];
-    struct pp_vec3 normal = unit_normal(room, index);
-    struct pp_vec3 u = fabs(normal.z) < 0.9
-                           ? pp_vec_cross((struct pp_vec3){0.0, 0.0, 1.0}, normal)
-                           : (struct pp_vec3){1.0, 0.0, 0.0};
-    struct pp_vec3 v = pp_vec_cross(normal, u);
-    bool inside = false;
-    for (int i = 0; i < face->count; i++) {
-        struct pp_vec3 a = pp_vec_sub(room->shell.corners[face->corners[i]], at);
-        struct pp_vec3 b =
-            pp_vec_sub(room->shell.corners[face->corners[(i + 1) % face->count]], at);
-        double au = pp_vec_dot(a, u), av = pp_vec_dot(a, v);
-        double bu = pp_vec_dot(b, u), bv = pp_vec_dot(b, v);
-        if ((av > 0.0) != (bv > 0.0) && au + (bu - au) * av / (av - bv) > 0.0)
-            inside = !inside;
-    }
-    return inside;
-}
-
-/* The face nearest to the opening that looks as it does; -1: none. */
-static int face_for(const struct pp_gbxml_room *room,
-                    const struct pp_gbxml_opening *opening)
-{
-    struct pp_vec3 middle = gbxml_polygon_middle(&opening->outline);
-    int nearest = -1;
-    double least = reveal_m;
-    for (int i = 0; i < room->shell.face_count; i++) {
-        double away = fabs(height_over(room, i, middle));
-        if (!(away < least) || !is_over(room, i, middle))
-            continue;
-        double spread = 0.0;
-        for (int k = 0; k < opening->outline.count; k++)
-            spread = fmax(
-                spread,
-                fabs(fabs(height_over(room, i, opening->outline.corners[k])) - away));
-        if (spread > 0.02)
-            continue;
-        least = away;
-        nearest = i;
-    }
-    return nearest;
-}
-
-/* Corners in the face's plane, in the room's sense of turning. */
-static enum pp_status add_room_opening(struct pp_gbxml_room *room,
-                                       struct pp_gbxml_opening *opening, int face,
-                                       struct pp_error *err)
-{
-    const struct pp_gbxml_polygon *outline = &opening->outline;
-    struct pp_vec3 normal = unit_normal(room, face), sum = {0.0, 0.0, 0.0};
-    struct pp_gbxml_room_opening made = {.opening = opening, .face = face};
-    made.corners = calloc((size_t)outline->count, sizeof *made.corners);
-    enum pp_status status = made.corners
-                                ? pp_array_append(&room->openings, room->opening_count,
-                                                  sizeof *room->openings, err)
-                                : pp_fail_memory(err);
-    if (status != PP_OK) {
-        free(made.corners);
-        return status;
-    }
-    for (int i = 0; i < outline->count; i++) {
-        struct pp_vec3 at = outline->corners[i];
-        at = pp_vec_sub(at, pp_vec_scale(normal, height_over(room, face, at)));
-        if (made.count == 0
-            || pp_vec_length(pp_vec_sub(at, made.corners[made.count - 1])) > same_m)
-            made.corners[made.count++] = at;
-    }
-    while (made.count > 1
-           && pp_vec_length(pp_vec_sub(made.corners[0], made.corners[made.count - 1]))
-                  <= same_m)
-        made.count--;
-    for (int i = 1; i + 1 < made.count; i++)
-        sum = pp_vec_add(
-            sum, pp_vec_cross(pp_vec_sub(made.corners[i], made.corners[0]),
-                              pp_vec_sub(made.corners[i + 1], made.corners[0])));
-    for (int i = 0, k = made.count - 1; i < k && pp_vec_dot(sum, normal) < 0.0;
-         i++, k--) {
-        struct pp_vec3 kept = made.corners[i];
-        made.corners[i] = made.corners[k];
-        made.corners[k] = kept;
-    }
-    room->openings[room->opening_count++] = made;
-    return PP_OK;
-}
-
-/* Adds the openings of surfaces to the outside. */
-static enum pp_status add_openings(struct pp_gbxml_room *room,
-                                   struct pp_gbxml_surface *const *surfaces, int count,
-                                   struct pp_mistakes *notes, struct pp_error *err)
-{
-    enum pp_status status = PP_OK;
-    for (int i = 0; i < count && status == PP_OK; i++)
-        for (int k = 0; k < surfaces[i]->opening_count && status == PP_OK
-                        && pp_gbxml_room_is_outer(surfaces[i]);
-             k++) {
-            struct pp_gbxml_opening *opening = &surfaces[i]->openings[k];
-            if (opening->left_out)
-                continue;
-            int face = face_for(room, opening);
-            if (face < 0)
-                pp_mistakes_add(notes, opening->line,
-                                "opening \"%.60s\" lies in no face of its space; taken "
-                                "as wall",
-                                opening->name ? opening->name : "");
-            else
-                status = add_room_opening(room, opening, face, err);
-        }
-    return status;
 }
 
 /* ---- boxes ---- */
@@ -256,7 +128,7 @@ static void find_axes(struct pp_gbxml_room *room)
                 pp_vec_sub(shell->corners[face->corners[(k + 1) % face->count]],
                            shell->corners[face->corners[k]]);
             double length = pp_vec_length(way);
-            if (length < longest + same_m || fabs(way.z) > same_m)
+            if (length < longest + PP_GBXML_SAME_M || fabs(way.z) > PP_GBXML_SAME_M)
                 continue;
             longest = length;
             double angle = atan2(way.y, way.x);
@@ -296,8 +168,8 @@ static bool is_in_side(const struct pp_gbxml_room *room, int index, struct pp_ve
             pp_gbxml_room_own(room, room->shell.corners[face->corners[i]]);
         const double own[3] = {at.x, at.y, at.z};
         for (int k = 0; k < 3; k++) {
-            in[2 * k] &= fabs(own[k]) < same_m;
-            in[2 * k + 1] &= fabs(own[k] - most[k]) < same_m;
+            in[2 * k] &= fabs(own[k]) < PP_GBXML_SAME_M;
+            in[2 * k + 1] &= fabs(own[k] - most[k]) < PP_GBXML_SAME_M;
         }
     }
     for (int k = 0; k < 6; k++)
@@ -333,7 +205,36 @@ static void find_box(struct pp_gbxml_room *room)
     if (room->is_box)
         return;
     room->rotate_rad = 0.0;
-    find_origin(room);
+    size = find_origin(room);
+    room->width_m = size.x;
+    room->depth_m = size.y;
+}
+
+/* Gives a room that is too low for the default working plane one at half its height, and
+ * a floor too large for the default grid, of 0.5 m, a coarser one. Notes them. */
+static void fit_plane(struct pp_gbxml_room *room, const struct pp_gbxml_model *model,
+                      const struct pp_gbxml_space *space, struct pp_mistakes *notes)
+{
+    const double default_plane_m = 0.85, clear_m = 0.05, default_spacing_m = 0.5;
+    const double points_most = fmin(4e4, 2e7 / (model->surface_count + 20.0));
+    double spacing = default_spacing_m;
+    room->plane_m = room->spacing_m = NAN;
+    while (room->width_m * room->depth_m > points_most * spacing * spacing)
+        spacing *= 2.0;
+    if (spacing > default_spacing_m) {
+        room->spacing_m = spacing;
+        pp_mistakes_add(notes, space->line,
+                        "space \"%.60s\": %g m by %g m have a grid of %g m", space->id,
+                        room->width_m, room->depth_m, spacing);
+    }
+    if (room->height_m < default_plane_m + clear_m) {
+        room->plane_m = 0.5 * room->height_m;
+        pp_mistakes_add(
+            notes, space->line,
+            "space \"%.60s\" is %g m high; its working plane is put at half "
+            "its height",
+            space->id, room->height_m);
+    }
 }
 
 /* ---- the room ---- */
@@ -352,87 +253,73 @@ static enum pp_status list_surfaces(struct pp_gbxml_surface ***surfaces,
     if (!*surfaces || !*polygons)
         return pp_fail_memory(err);
     for (int i = 0; i < model->surface_count; i++)
-        if (pp_gbxml_room_has(&model->surfaces[i], space)) {
+        if (pp_gbxml_model_bounds(&model->surfaces[i], space)) {
             (*surfaces)[*count] = &model->surfaces[i];
             (*polygons)[(*count)++] = model->surfaces[i].outline;
         }
     return PP_OK;
 }
 
-/* Replaces the room's shell by another one if that is better, and notes its kind. */
-static bool take_shell(struct pp_gbxml_room *room, struct pp_gbxml_shell *other,
-                       bool better, const struct pp_gbxml_space *space,
-                       struct pp_mistakes *notes, const char *what)
+/* Level of the highest corner of the openings in surfaces to the outside. */
+static double openings_top(struct pp_gbxml_surface *const *surfaces, int count)
 {
-    if (!better) {
-        pp_gbxml_shell_clear(other);
-        return false;
-    }
-    pp_gbxml_shell_clear(&room->shell);
-    room->shell = *other;
-    pp_mistakes_add(
-        notes, space->line,
-        "space \"%.60s\": its surfaces do not close; %s is taken, without what "
-        "they say of reflectances",
-        space->id, what);
-    return true;
+    double top = -INFINITY;
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < surfaces[i]->opening_count; k++) {
+            const struct pp_gbxml_polygon *outline = &surfaces[i]->openings[k].outline;
+            for (int j = 0; j < outline->count; j++)
+                top = fmax(top, outline->corners[j].z);
+        }
+    return top;
 }
 
-/* Makes the shell from the surfaces, the ShellGeometry, or the floor: the first that
- * closes. */
-static enum pp_status make_shell(struct pp_gbxml_room *room, const char **why,
-                                 bool *by_surfaces, const struct pp_gbxml_space *space,
-                                 const struct pp_gbxml_polygon *polygons, int count,
-                                 struct pp_mistakes *notes, struct pp_error *err)
-{
-    struct pp_gbxml_shell other;
-    const char *other_why;
-    enum pp_status status =
-        pp_gbxml_shell_make(&room->shell, why, polygons, count, err);
-    if (status == PP_OK && (*why || room->shell.lacking > 0)
-        && space->shell_count > 0) {
-        status = pp_gbxml_shell_make(&other, &other_why, space->shell,
-                                     space->shell_count, err);
-        bool better = status == PP_OK && !other_why && (*why || other.lacking == 0);
-        if (take_shell(room, &other, better, space, notes, "its ShellGeometry"))
-            *why = NULL, *by_surfaces = false;
-    }
-    if (status == PP_OK && *why) {
-        status = pp_gbxml_prism_make(&other, &other_why, space, polygons, count, err);
-        if (take_shell(room, &other, status == PP_OK && !other_why, space, notes,
-                       "the upright prism over its floor, as high as it is"))
-            *why = NULL, *by_surfaces = false;
-    }
-    if (status == PP_OK && !*why && room->shell.lacking > 0)
-        pp_mistakes_add(notes, space->line,
-                        "space \"%.60s\" is open; it is closed by %d plane %s",
-                        space->id, room->shell.lacking,
-                        room->shell.lacking == 1 ? "face" : "faces");
-    return status;
-}
-
-enum pp_status pp_gbxml_room_make(struct pp_gbxml_room *room, const char **why,
-                                  struct pp_gbxml_model *model,
-                                  const struct pp_gbxml_space *space,
-                                  struct pp_mistakes *notes, struct pp_error *err)
+enum pp_status pp_gbxml_room_begin(struct pp_gbxml_room *room, const char **why,
+                                   struct pp_gbxml_model *model,
+                                   const struct pp_gbxml_space *space,
+                                   struct pp_clipper *clipper,
+                                   struct pp_mistakes *notes, struct pp_error *err)
 {
     struct pp_gbxml_surface **surfaces;
+    struct pp_gbxml_envelope_parts parts = {.space = space};
     struct pp_gbxml_polygon *polygons;
-    int count;
-    bool by_surfaces = true;
     *room = (struct pp_gbxml_room){0};
     *why = NULL;
     enum pp_status status =
+        list_surfaces(&surfaces, &polygons, &parts.count, model, space, err);
+    if (status == PP_OK) {
+        parts.polygons = polygons;
+        parts.openings_top_m = openings_top(surfaces, parts.count);
+        status = pp_gbxml_envelope_make(&room->shell, why, &room->by_surfaces, &parts,
+                                        clipper, notes, err);
+    }
+    free(surfaces);
+    free(polygons);
+    return status;
+}
+
+enum pp_status pp_gbxml_room_finish(struct pp_gbxml_room *room,
+                                    struct pp_gbxml_model *model,
+                                    const struct pp_gbxml_space *space,
+                                    struct pp_mistakes *notes, struct pp_error *err)
+{
+    struct pp_gbxml_surface **surfaces;
+    struct pp_gbxml_polygon *polygons;
+    int count, divided;
+    enum pp_status status =
         list_surfaces(&surfaces, &polygons, &count, model, space, err);
     if (status == PP_OK)
-        status =
-            make_shell(room, why, &by_surfaces, space, polygons, count, notes, err);
-    if (status == PP_OK && !*why)
-        status = name_faces(room, by_surfaces ? surfaces : NULL, err);
-    if (status == PP_OK && !*why)
+        status = pp_gbxml_planes_divide(&room->shell, &divided, err);
+    if (status == PP_OK && divided > 0)
+        pp_mistakes_add(notes, space->line,
+                        "space \"%.60s\": %d faces that are not plane are divided "
+                        "into triangles",
+                        space->id, divided);
+    if (status == PP_OK)
+        status = name_faces(room, surfaces, count, err);
+    if (status == PP_OK)
         find_box(room);
-    if (status == PP_OK && !*why)
-        status = add_openings(room, surfaces, count, notes, err);
+    if (status == PP_OK)
+        fit_plane(room, model, space, notes);
     free(surfaces);
     free(polygons);
     return status;

@@ -6,9 +6,7 @@
 #include <string.h>
 
 #include "model/base/array.h"
-
-/* Exports round to a millimetre or so. */
-static const double same_m = 2e-3;
+#include "model/geometry/polygon.h"
 
 enum { FACES_MOST = 1000, CORNERS_MOST = 5000 };
 
@@ -35,14 +33,21 @@ struct pp_vec3 pp_gbxml_shell_normal(const struct pp_gbxml_shell *shell, int ind
 
 /* ---- corners ---- */
 
+/* The nearest corner within the tolerance, or a new one. */
 static enum pp_status find_corner(int *index, struct pp_gbxml_shell *shell,
                                   struct pp_vec3 at, struct pp_error *err)
 {
-    for (int i = 0; i < shell->corner_count; i++)
-        if (pp_vec_length(pp_vec_sub(shell->corners[i], at)) < same_m) {
-            *index = i;
-            return PP_OK;
-        }
+    double least = shell->weld_m;
+    *index = -1;
+    for (int i = 0; i < shell->corner_count; i++) {
+        double away = pp_vec_length(pp_vec_sub(shell->corners[i], at));
+        if (away < least)
+            *index = i, least = away;
+    }
+    if (*index >= 0) {
+        shell->moved_m = fmax(shell->moved_m, least);
+        return PP_OK;
+    }
     enum pp_status status = pp_array_append(&shell->corners, shell->corner_count,
                                             sizeof *shell->corners, err);
     if (status == PP_OK) {
@@ -78,9 +83,17 @@ static enum pp_status add_shell_face(struct pp_gbxml_shell *shell,
     if (!face.corners)
         return pp_fail_memory(err);
     enum pp_status status = PP_OK;
-    for (int i = 0; i < polygon->count && status == PP_OK; i++)
-        status =
-            find_corner(&face.corners[face.count++], shell, polygon->corners[i], err);
+    struct pp_vec3 moves = {0.0, 0.0, 0.0};
+    for (int i = 0; i < polygon->count && status == PP_OK; i++) {
+        struct pp_vec3 at = polygon->corners[i];
+        status = find_corner(&face.corners[face.count], shell, at, err);
+        if (status == PP_OK)
+            moves = pp_vec_add(
+                moves, pp_vec_sub(shell->corners[face.corners[face.count++]], at));
+    }
+    shell->moved_m3 += fabs(pp_vec_dot(moves, pp_polygon_area_vector(polygon->corners,
+                                                                     polygon->count)))
+                       / polygon->count;
     tidy(&face);
     if (status == PP_OK && face.count >= 3)
         status = pp_array_append(&shell->faces, shell->face_count, sizeof *shell->faces,
@@ -102,10 +115,11 @@ static double along_edge(const struct pp_gbxml_shell *shell, int a, int b, int c
     if (corner == a || corner == b || !(along > 0.0 && along < length))
         return NAN;
     struct pp_vec3 foot = pp_vec_scale(way, along / length);
-    return pp_vec_length(pp_vec_sub(to, foot)) < same_m ? along : NAN;
+    return pp_vec_length(pp_vec_sub(to, foot)) < shell->weld_m ? along : NAN;
 }
 
-/* Puts corners that lie within the face's edges into it. */
+/* Puts corners that lie within the face's edges into it. A face that this folds up, a
+ * sliver, is left without corners. */
 static enum pp_status divide_edges(struct pp_gbxml_shell *shell,
                                    struct pp_gbxml_face *face, struct pp_error *err)
 {
@@ -133,16 +147,21 @@ static enum pp_status divide_edges(struct pp_gbxml_shell *shell,
         grown[i + 1] = nearest;
         face->count++;
         if (face->count > CORNERS_MOST)
-            return pp_fail(err, PP_BAD_INPUT, "a polygon whose edges fold back");
+            break;
         i++;
     }
+    tidy(face);
+    if (face->count < 3)
+        face->count = 0;
     return PP_OK;
 }
 
-/* True if an earlier face has the same corners, in any order. */
+/* True if it has no corners, or an earlier face has the same, in any order. */
 static bool is_double(const struct pp_gbxml_shell *shell, int index)
 {
     const struct pp_gbxml_face *face = &shell->faces[index];
+    if (face->count == 0)
+        return true;
     for (int i = 0; i < index; i++) {
         const struct pp_gbxml_face *other = &shell->faces[i];
         int shared = 0;
@@ -227,7 +246,7 @@ static int count_same(const struct shell_edges *edges, int at)
 }
 
 /* A polygon of edges that have one face, beginning with `at`; they are marked by a face of
- * -1. Its count is 0 where they do not run round. */
+ * -1. Its count is 0 where they do not run round; its corners are NULL without memory. */
 static struct pp_gbxml_face take_loop(struct shell_edges *loose, int at)
 {
     struct pp_gbxml_face loop = {.from = -1};
@@ -265,7 +284,7 @@ static bool is_plane(const struct pp_gbxml_shell *shell, int index)
     for (int i = 0; i < face->count && length > 0.0; i++) {
         struct pp_vec3 from = pp_vec_sub(shell->corners[face->corners[i]],
                                          shell->corners[face->corners[0]]);
-        if (fabs(pp_vec_dot(from, normal)) / length > same_m)
+        if (fabs(pp_vec_dot(from, normal)) / length > shell->weld_m)
             return false;
     }
     return length > 0.0;
@@ -289,7 +308,9 @@ static enum pp_status close_holes(struct pp_gbxml_shell *shell, const char **why
         if (loose.list[i].face < 0)
             continue;
         struct pp_gbxml_face loop = take_loop(&loose, i);
-        if (loop.count >= 3)
+        if (!loop.corners)
+            status = pp_fail_memory(err);
+        else if (loop.count >= 3)
             status = pp_array_append(&shell->faces, shell->face_count,
                                      sizeof *shell->faces, err);
         if (loop.count < 3 || status != PP_OK) {
@@ -358,7 +379,8 @@ static enum pp_status turn_alike(struct pp_gbxml_shell *shell, const char **why,
     return status;
 }
 
-/* All faces look inwards: the volume by outward normals is negative. */
+/* All faces look inwards: the volume by outward normals is negative, a sixth of the
+ * sums. */
 static void turn_inwards(struct pp_gbxml_shell *shell)
 {
     double volume = 0.0;
@@ -368,15 +390,27 @@ static void turn_inwards(struct pp_gbxml_shell *shell)
             pp_vec_sub(shell->corners[shell->faces[i].corners[0]], shell->corners[0]));
     for (int i = 0; i < shell->face_count && volume > 0.0; i++)
         turn_gbxml_face(&shell->faces[i]);
+    shell->volume_m3 = fabs(volume) / 6.0;
+}
+
+double pp_gbxml_shell_floor_area(const struct pp_gbxml_shell *shell)
+{
+    double area = 0.0;
+    for (int i = 0; i < shell->face_count; i++) {
+        struct pp_vec3 normal = pp_gbxml_shell_normal(shell, i);
+        if (normal.z > 0.5 * pp_vec_length(normal))
+            area += 0.5 * normal.z;
+    }
+    return area;
 }
 
 enum pp_status pp_gbxml_shell_make(struct pp_gbxml_shell *shell, const char **why,
                                    const struct pp_gbxml_polygon *polygons, int count,
-                                   struct pp_error *err)
+                                   double weld_m, struct pp_error *err)
 {
     struct shell_edges edges = {0};
     enum pp_status status = PP_OK;
-    *shell = (struct pp_gbxml_shell){0};
+    *shell = (struct pp_gbxml_shell){.weld_m = weld_m};
     *why = count < 4            ? "has fewer than four surfaces"
            : count > FACES_MOST ? "has more than 1000 surfaces"
                                 : NULL;
@@ -390,6 +424,10 @@ enum pp_status pp_gbxml_shell_make(struct pp_gbxml_shell *shell, const char **wh
     if (status != PP_OK || *why)
         return status;
     drop_doubles(shell);
+    if (shell->face_count < 4) {
+        *why = "has fewer than four surfaces";
+        return PP_OK;
+    }
     status = list_edges(&edges, shell, err);
     if (status == PP_OK)
         status = close_holes(shell, why, &edges, err);

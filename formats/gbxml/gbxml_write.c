@@ -93,7 +93,9 @@ static enum pp_status note_item(struct pp_gbxml_writing *w,
 static void put_glazing(struct pp_gbxml_writing *w,
                         const struct pp_gbxml_opening *opening)
 {
-    if (isnan(opening->transmittance))
+    if (opening->is_air)
+        put_gbxml(w, " glazing=\"none\"");
+    else if (isnan(opening->transmittance))
         put_gbxml(w, " glazing=\"clear-double\"");
     else
         put_gbxml(w, " transmittance=\"%.4g\"", opening->transmittance);
@@ -232,6 +234,21 @@ static void write_envelope(struct pp_gbxml_writing *w, const struct pp_gbxml_roo
     end_line(w);
 }
 
+/* The working plane and the grid, where they are not the default ones. */
+static void write_plane(struct pp_gbxml_writing *w, const struct pp_gbxml_room *room)
+{
+    if (isfinite(room->plane_m)) {
+        put_gbxml(w, "    <working-plane");
+        put_length(w, "height", room->plane_m);
+        put_gbxml(w, "/>");
+        end_line(w);
+    }
+    if (isfinite(room->spacing_m)) {
+        put_gbxml(w, "    <grid spacing=\"%g\" margin=\"0.5\"/>", room->spacing_m);
+        end_line(w);
+    }
+}
+
 /* Walls that have another space behind them all over. */
 static void write_inner_walls(struct pp_gbxml_writing *w,
                               const struct pp_gbxml_room *room)
@@ -310,6 +327,7 @@ static enum pp_status write_room(struct pp_gbxml_writing *w,
     else
         write_envelope(w, room);
     write_inner_walls(w, room);
+    write_plane(w, room);
     enum pp_status status = PP_OK;
     for (int i = 0; i < room->opening_count && status == PP_OK; i++)
         status = write_opening(w, room, &room->openings[i], err);
@@ -340,7 +358,7 @@ static bool has_room(const struct pp_gbxml_model *model,
                      const struct pp_gbxml_surface *surface)
 {
     for (int i = 0; i < model->space_count; i++)
-        if (rooms[i] && pp_gbxml_room_has(surface, &model->spaces[i]))
+        if (rooms[i] && pp_gbxml_model_bounds(surface, &model->spaces[i]))
             return true;
     return false;
 }
@@ -358,7 +376,7 @@ static bool stands_outside(const struct pp_gbxml_model *model,
     for (int i = 0; i < 4; i++)
         if (strstr(surface->type, buried[i]))
             return false;
-    return pp_gbxml_room_is_outer(surface) && !has_room(model, rooms, surface);
+    return pp_gbxml_model_is_outer(surface) && !has_room(model, rooms, surface);
 }
 
 static void write_gbxml_head(struct pp_gbxml_writing *w,

@@ -278,24 +278,51 @@ enum pp_status pp_clipper_take_away(struct pp_clipper *clipper,
     return status;
 }
 
+/* The figure widened by a distance, or narrowed by one below 0; corners stay sharp. NULL
+ * on failure. */
+static GEOSGeometry *widen_figure(GEOSContextHandle_t geos, const GEOSGeometry *figure,
+                                  double distance)
+{
+    enum { ARC_POINTS = 8 };             /* of a quarter circle: there is none */
+    static const double LONGEST = 100.0; /* of a corner, over the distance */
+    return GEOSBufferWithStyle_r(geos, figure, distance, ARC_POINTS, GEOSBUF_CAP_FLAT,
+                                 GEOSBUF_JOIN_MITRE, LONGEST);
+}
+
 enum pp_status pp_clipper_inset(struct pp_clipper *clipper, struct pp_region *result,
                                 const struct pp_region *region, double distance,
                                 struct pp_error *err)
 {
-    enum { ARC_POINTS = 8 };             /* of a quarter circle: there is none */
-    static const double LONGEST = 100.0; /* of a corner, over the distance */
     GEOSContextHandle_t geos = clipper->geos;
     *result = (struct pp_region){0};
     GEOSGeometry *whole = pp_geos_region_polygons(geos, region, 1);
     if (!whole)
         return pp_fail_memory(err);
-    GEOSGeometry *inside =
-        GEOSBufferWithStyle_r(geos, whole, -distance, ARC_POINTS, GEOSBUF_CAP_FLAT,
-                              GEOSBUF_JOIN_MITRE, LONGEST);
+    GEOSGeometry *inside = widen_figure(geos, whole, -distance);
     GEOSGeom_destroy_r(geos, whole);
     if (!inside)
         return fail_geos(clipper, "the inside of an outline", err);
     return pp_geos_region_from(result, geos, inside, clipper->grid, err);
+}
+
+enum pp_status pp_clipper_close_gaps(struct pp_clipper *clipper,
+                                     struct pp_region *result,
+                                     const struct pp_region *region, double width,
+                                     struct pp_error *err)
+{
+    GEOSContextHandle_t geos = clipper->geos;
+    *result = (struct pp_region){0};
+    GEOSGeometry *whole = pp_geos_region_polygons(geos, region, 1);
+    if (!whole)
+        return pp_fail_memory(err);
+    GEOSGeometry *wide = widen_figure(geos, whole, 0.5 * width);
+    GEOSGeom_destroy_r(geos, whole);
+    GEOSGeometry *closed = wide ? widen_figure(geos, wide, -0.5 * width) : NULL;
+    if (wide)
+        GEOSGeom_destroy_r(geos, wide);
+    if (!closed)
+        return fail_geos(clipper, "the closing of gaps", err);
+    return pp_geos_region_from(result, geos, closed, clipper->grid, err);
 }
 
 /* Delaunay: the diagonal 0-2 is taken unless the circle through corners 0, 1 and 2 holds

@@ -62,6 +62,13 @@ enum pp_status pp_clipper_inset(struct pp_clipper *clipper, struct pp_region *re
                                 const struct pp_region *region, double distance,
                                 struct pp_error *err);
 
+/* The region with the gaps in it and between its pieces, as far as they are narrower than
+ * `width` (greater than 0); its outer corners stay sharp. */
+enum pp_status pp_clipper_close_gaps(struct pp_clipper *clipper,
+                                     struct pp_region *result,
+                                     const struct pp_region *region, double width,
+                                     struct pp_error *err);
+
 /* Triangles that cover the region and nothing else (constrained Delaunay), each
  * counter-clockwise: *triangles is *count arrays of three points, to be freed. */
 enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,

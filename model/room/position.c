@@ -7,7 +7,7 @@
  */
 #include "model/room/position.h"
 
-#include <stddef.h>
+#include <stdlib.h>
 
 #include "model/geometry/polygon.h"
 #include "model/geometry/tolerance.h"
@@ -160,8 +160,28 @@ static bool lies_on(const struct pp_surface *surface, struct pp_vec3 normal)
            && pp_vec_dot(surface->outline.normal, normal) > 0.0;
 }
 
-const char *pp_position_receiver_fault(const struct pp_world *world,
-                                       struct pp_vec3 position, struct pp_vec3 normal)
+enum pp_status pp_position_find_surfaces(struct pp_position_surfaces *surfaces,
+                                         const struct pp_world *world,
+                                         const struct pp_bounds3 *box,
+                                         struct pp_error *err)
+{
+    surfaces->count = 0;
+    surfaces->list =
+        malloc(((size_t)world->surface_count + 1) * sizeof *surfaces->list);
+    if (!surfaces->list)
+        return pp_fail_memory(err);
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_polygon *outline = &world->surfaces[i].outline;
+        if (pp_position_is_near(box, outline->vertices, outline->count))
+            surfaces->list[surfaces->count++] = i;
+    }
+    return PP_OK;
+}
+
+/* Of all surfaces, where `among` is NULL. */
+static const char *find_fault(const struct pp_world *world,
+                              const struct pp_position_surfaces *among,
+                              struct pp_vec3 position, struct pp_vec3 normal)
 {
     bool on_face = false;
     for (int i = 0; i < world->opening_count; i++)
@@ -172,8 +192,9 @@ const char *pp_position_receiver_fault(const struct pp_world *world,
             return fault_on_surface(PP_BLOCK);
     if (pp_position_in_fitting(world, position))
         return "lies in furniture, a column or a partition";
-    for (int i = 0; i < world->surface_count; i++) {
-        const struct pp_surface *surface = &world->surfaces[i];
+    const int count = among ? among->count : world->surface_count;
+    for (int i = 0; i < count; i++) {
+        const struct pp_surface *surface = &world->surfaces[among ? among->list[i] : i];
         /* Wider at a door, to include a point on the wall behind it. */
         double near_m = surface->role == PP_COVER ? 2.0 * PP_TOUCH_M : PP_TOUCH_M;
         if (!(fabs(pp_polygon_height(&surface->outline, position)) < near_m
@@ -186,6 +207,19 @@ const char *pp_position_receiver_fault(const struct pp_world *world,
     if (!on_face && !pp_position_in_room(world, position))
         return "lies outside the room";
     return NULL;
+}
+
+const char *pp_position_receiver_fault(const struct pp_world *world,
+                                       struct pp_vec3 position, struct pp_vec3 normal)
+{
+    return find_fault(world, NULL, position, normal);
+}
+
+const char *pp_position_fault_among(const struct pp_world *world,
+                                    const struct pp_position_surfaces *surfaces,
+                                    struct pp_vec3 position, struct pp_vec3 normal)
+{
+    return find_fault(world, surfaces, position, normal);
 }
 
 enum pp_status pp_position_place_receiver(struct pp_receiver *receiver,

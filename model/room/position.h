@@ -29,6 +29,23 @@ bool pp_position_in_fitting(const struct pp_world *world, struct pp_vec3 point);
 const char *pp_position_receiver_fault(const struct pp_world *world,
                                        struct pp_vec3 position, struct pp_vec3 normal);
 
+/* The surfaces of a world that come near a box, for many receivers in it. */
+struct pp_position_surfaces {
+    int *list; /* indices, in order */
+    int count;
+};
+
+/* On success the list is the caller's to free. */
+enum pp_status pp_position_find_surfaces(struct pp_position_surfaces *surfaces,
+                                         const struct pp_world *world,
+                                         const struct pp_bounds3 *box,
+                                         struct pp_error *err);
+
+/* pp_position_receiver_fault for a position in the box of these surfaces. */
+const char *pp_position_fault_among(const struct pp_world *world,
+                                    const struct pp_position_surfaces *surfaces,
+                                    struct pp_vec3 position, struct pp_vec3 normal);
+
 /* A receiver that faces up at a place, z NAN: on the working plane; PP_BAD_INPUT where
  * light can't be measured there. */
 enum pp_status pp_position_place_receiver(struct pp_receiver *receiver,

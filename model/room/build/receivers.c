@@ -162,11 +162,15 @@ static enum pp_status add_grid(struct pp_resolver *r, struct receiver_list *list
                                struct pp_error *err)
 {
     const struct pp_world *world = r->world;
+    const struct pp_bounds3 plane = {pp_vec(low[0], low[1], world->working_plane_m),
+                                     pp_vec(high[0], high[1], world->working_plane_m)};
+    struct pp_position_surfaces surfaces;
     double step[2];
     for (int k = 0; k < 2; k++)
         step[k] = fmax(high[k] - low[k] - 2.0 * margin_m, 0.0) / cells[k];
-    for (int j = 0; j < cells[1]; j++)
-        for (int i = 0; i < cells[0]; i++) {
+    enum pp_status status = pp_position_find_surfaces(&surfaces, world, &plane, err);
+    for (int j = 0; j < cells[1] && status == PP_OK; j++)
+        for (int i = 0; i < cells[0] && status == PP_OK; i++) {
             double x = low[0] + margin_m + (i + 0.5) * step[0];
             double y = low[1] + margin_m + (j + 0.5) * step[1];
             struct pp_receiver receiver = {.position =
@@ -176,13 +180,13 @@ static enum pp_status add_grid(struct pp_resolver *r, struct receiver_list *list
             if (!pp_region_contains(&world->plane, x, y)
                 || pp_region_edge_distance(&world->plane, x, y)
                        < margin_m - PP_ROUNDING_M
-                || pp_position_receiver_fault(world, receiver.position,
-                                              receiver.normal))
+                || pp_position_fault_among(world, &surfaces, receiver.position,
+                                           receiver.normal))
                 continue;
-            if (add_receiver(list, receiver, err) != PP_OK)
-                return PP_SYSTEM;
+            status = add_receiver(list, receiver, err);
         }
-    return PP_OK;
+    free(surfaces.list);
+    return status;
 }
 
 static enum pp_status resolve_grid(struct pp_resolver *r, struct receiver_list *list,

@@ -5,159 +5,8 @@
 #include "formats/gbxml/gbxml_import.h"
 #include "methods/evaluate.h"
 #include "tests/lib/near.h"
+#include "tests/lib/made_gbxml.h"
 #include "tests/lib/room_of.h"
-
-/* A gbXML file that is put together: lengths are given in metres, and written in `unit`. */
-struct file {
-    char *text;
-    size_t length;
-    FILE *out;
-    double metre; /* of a unit */
-};
-
-/* The file stays where it is: the stream knows it. */
-static void begin(struct file *file, const char *unit, double metre,
-                  const char *location)
-{
-    *file = (struct file){.metre = metre};
-    file->out = open_memstream(&file->text, &file->length);
-    fprintf(file->out,
-            "<?xml version=\"1.0\"?>\n<gbXML lengthUnit=\"%s\" "
-            "xmlns=\"http://www.gbxml.org/schema\">\n<Campus id=\"c\">\n<Location>%s"
-            "</Location>\n<Building id=\"b\"><Name>House</Name>\n",
-            unit, location);
-}
-
-static void put_loop(struct file *file, int count, const double *corners)
-{
-    fputs("<PolyLoop>", file->out);
-    for (int i = 0; i < count; i++)
-        fprintf(file->out,
-                "<CartesianPoint><Coordinate>%.9f</Coordinate><Coordinate>%.9f"
-                "</Coordinate><Coordinate>%.9f</Coordinate></CartesianPoint>",
-                corners[3 * i] / file->metre, corners[3 * i + 1] / file->metre,
-                corners[3 * i + 2] / file->metre);
-    fputs("</PolyLoop>\n", file->out);
-}
-
-static void put_geometry(struct file *file, int count, const double *corners)
-{
-    fputs("<PlanarGeometry>", file->out);
-    put_loop(file, count, corners);
-    fputs("</PlanarGeometry>", file->out);
-}
-
-/* inside: what stands in the surface beside its geometry; may be NULL. other: the second
- * space; NULL: none. */
-static void put_surface(struct file *file, const char *type, const char *space,
-                        const char *other, int count, const double *corners)
-{
-    fprintf(file->out,
-            "<Surface id=\"s%ld\" surfaceType=\"%s\" constructionIdRef=\"k\">",
-            ftell(file->out), type);
-    if (space)
-        fprintf(file->out, "<AdjacentSpaceId spaceIdRef=\"%s\"/>", space);
-    if (other)
-        fprintf(file->out, "<AdjacentSpaceId spaceIdRef=\"%s\"/>", other);
-    put_geometry(file, count, corners);
-}
-
-static void put_opening(struct file *file, const char *type, int count,
-                        const double *corners)
-{
-    fprintf(file->out, "<Opening id=\"o\" openingType=\"%s\" windowTypeIdRef=\"w\">",
-            type);
-    put_geometry(file, count, corners);
-    fputs("</Opening>", file->out);
-}
-
-static void end_surface(struct file *file)
-{
-    fputs("</Surface>\n", file->out);
-}
-
-#define CORNERS(...)                                                                   \
-    (int)(sizeof((double[]){__VA_ARGS__}) / sizeof(double) / 3), (const double[])      \
-    {                                                                                  \
-        __VA_ARGS__                                                                    \
-    }
-
-/* The six sides of a box from (x, 0, 0), but for the walls that are left out; the window, 1.6 x
- * 1.2 m, is in the south wall. */
-enum { NO_EAST = 1, NO_WEST = 2, NO_ROOF = 4 };
-
-static void put_box(struct file *f, const char *space, double x, double w, double d,
-                    double h, int without)
-{
-    put_surface(f, "SlabOnGrade", space, NULL,
-                CORNERS(x, 0, 0, x, d, 0, x + w, d, 0, x + w, 0, 0));
-    end_surface(f);
-    if (!(without & NO_ROOF)) {
-        put_surface(f, "Roof", space, NULL,
-                    CORNERS(x, 0, h, x + w, 0, h, x + w, d, h, x, d, h));
-        end_surface(f);
-    }
-    put_surface(f, "ExteriorWall", space, NULL,
-                CORNERS(x, 0, 0, x + w, 0, 0, x + w, 0, h, x, 0, h));
-    put_opening(
-        f, "OperableWindow",
-        CORNERS(x + 1, 0, 0.9, x + 2.6, 0, 0.9, x + 2.6, 0, 2.1, x + 1, 0, 2.1));
-    end_surface(f);
-    put_surface(f, "ExteriorWall", space, NULL,
-                CORNERS(x + w, d, 0, x, d, 0, x, d, h, x + w, d, h));
-    end_surface(f);
-    if (!(without & NO_EAST)) {
-        put_surface(f, "ExteriorWall", space, NULL,
-                    CORNERS(x + w, 0, 0, x + w, d, 0, x + w, d, h, x + w, 0, h));
-        end_surface(f);
-    }
-    if (!(without & NO_WEST)) {
-        put_surface(f, "ExteriorWall", space, NULL,
-                    CORNERS(x, d, 0, x, 0, 0, x, 0, h, x, d, h));
-        end_surface(f);
-    }
-}
-
-static void end(struct file *file, const char *constructions)
-{
-    fprintf(
-        file->out,
-        "</Campus>\n<Construction id=\"k\"><Reflectance unit=\"Fraction\" "
-        "type=\"IntVisible\" surfaceType=\"Both\">0.55</Reflectance></Construction>\n"
-        "<WindowType id=\"w\"><Transmittance unit=\"Percent\" type=\"Visible\" "
-        "surfaceType=\"Both\">80</Transmittance></WindowType>%s</gbXML>\n",
-        constructions);
-    fclose(file->out);
-}
-
-static void put_space(struct file *file, const char *id, const char *type)
-{
-    fprintf(file->out,
-            "<Space id=\"%s\" spaceType=\"%s\"><Name>Room %s</Name></Space>\n", id,
-            type, id);
-}
-
-/* The room file that comes of it; the notes, a line each, in `notes` if that is given. */
-static char *imported(struct file *file, char *notes, size_t room)
-{
-    struct pp_mistakes said;
-    struct pp_error err = {0};
-    char *xml;
-    size_t length;
-    pp_mistakes_init(&said, "test.xml");
-    enum pp_status status = pp_gbxml_import(&xml, &length, file->text, file->length,
-                                            "test.xml", &said, &err);
-    if (notes)
-        *notes = '\0';
-    for (int i = 0; notes && i < said.count; i++)
-        snprintf(notes + strlen(notes), room - strlen(notes), "%s\n",
-                 said.list[i].text);
-    pp_mistakes_clear(&said);
-    free(file->text);
-    if (status != PP_OK)
-        fail_msg("%s", err.message);
-    return xml;
-}
 
 /* Sky component by exact at a point of the room of that number. */
 static double sky_at(const char *xml, int room, struct pp_vec3 at)
@@ -190,13 +39,13 @@ static const char by_hand[] =
     "<room version='1'><plan width='4' depth='6' height='3'/><window wall='south' "
     "left='1' sill='0.9' width='1.6' height='1.2' transmittance='0.8'/></room>";
 
-static void box(struct file *file, const char *unit, double metre)
+static void box(struct made_gbxml *file, const char *unit, double metre)
 {
-    begin(file, unit, metre, "");
-    put_space(file, "a", "OfficeEnclosed");
+    made_gbxml_begin(file, unit, metre, "");
+    made_gbxml_space(file, "a", "OfficeEnclosed");
     fputs("</Building>\n", file->out);
-    put_box(file, "a", 0.0, 4.0, 6.0, 3.0, 0);
-    end(file, "");
+    made_gbxml_box(file, "a", 0.0, 4.0, 6.0, 3.0, 0);
+    made_gbxml_end(file, "");
 }
 
 static void box_has_the_light_of_the_same_room_by_hand(void **state)
@@ -211,9 +60,9 @@ static void box_has_the_light_of_the_same_room_by_hand(void **state)
     double truth = sky_at(by_hand, 0, at);
     assert_true(truth > 0.005);
     for (int i = 0; i < 4; i++) {
-        struct file file;
+        struct made_gbxml file;
         box(&file, units[i].unit, units[i].metre);
-        char *xml = imported(&file, NULL, 0);
+        char *xml = made_gbxml_import(&file, NULL, 0);
         assert_near(sky_at(xml, 0, at), truth, 1e-9);
         assert_non_null(strstr(xml, "<plan width=\"4\" depth=\"6\" height=\"3\"/>"));
         assert_non_null(strstr(xml, "<finishes floor=\"0.55\" walls=\"0.55\" "
@@ -227,20 +76,20 @@ static void box_has_the_light_of_the_same_room_by_hand(void **state)
 static void utf_16_is_read_as_utf_8_is(void **state)
 {
     (void)state;
-    struct file file;
+    struct made_gbxml file;
     box(&file, "Meters", 1.0);
     char *wide = calloc(2 * file.length + 2, 1), *plain = strdup(file.text);
     size_t count = file.length;
     memcpy(wide, "\xff\xfe", 2);
     for (size_t i = 0; i < count; i++)
         wide[2 + 2 * i] = file.text[i];
-    char *expected = imported(&file, NULL, 0);
+    char *expected = made_gbxml_import(&file, NULL, 0);
     file.text = wide;
     file.length = 2 * count + 2;
     assert_true(pp_gbxml_import_is_xml(wide, file.length));
     assert_true(pp_gbxml_import_is_xml(plain, count));
     assert_false(pp_gbxml_import_is_xml("# a scene\nvoid plastic", 22));
-    char *xml = imported(&file, NULL, 0);
+    char *xml = made_gbxml_import(&file, NULL, 0);
     assert_string_equal(xml, expected);
     free(plain);
     free(xml);
@@ -251,13 +100,13 @@ static void utf_16_is_read_as_utf_8_is(void **state)
 static void turned_box_stays_a_box(void **state)
 {
     (void)state;
-    struct file file;
-    begin(&file, "Meters", 1.0, "<CADModelAzimuth>15</CADModelAzimuth>");
+    struct made_gbxml file;
+    made_gbxml_begin(&file, "Meters", 1.0, "<CADModelAzimuth>15</CADModelAzimuth>");
     const double c = cos(PP_PI / 6.0), s = sin(PP_PI / 6.0);
     const double plan[4][2] = {{0, 0}, {4, 0}, {4, 6}, {0, 6}};
     double turned[4][2], flat[2][12];
     char notes[2000];
-    put_space(&file, "a", "");
+    made_gbxml_space(&file, "a", "");
     fputs("</Building>\n", file.out);
     for (int i = 0; i < 4; i++) {
         turned[i][0] = c * plan[i][0] - s * plan[i][1];
@@ -268,23 +117,23 @@ static void turned_box_stays_a_box(void **state)
             flat[k][3 * i + 2] = 3.0 * k;
         }
     }
-    put_surface(&file, "SlabOnGrade", "a", NULL, 4, flat[0]);
-    end_surface(&file);
-    put_surface(&file, "Roof", "a", NULL, 4, flat[1]);
-    end_surface(&file);
+    made_gbxml_surface(&file, "SlabOnGrade", "a", NULL, 4, flat[0]);
+    made_gbxml_end_surface(&file);
+    made_gbxml_surface(&file, "Roof", "a", NULL, 4, flat[1]);
+    made_gbxml_end_surface(&file);
     for (int i = 0; i < 4; i++) {
         const double *a = turned[i], *b = turned[(i + 1) % 4];
-        put_surface(
+        made_gbxml_surface(
             &file, "ExteriorWall", "a", NULL,
             CORNERS(a[0], a[1], 0, b[0], b[1], 0, b[0], b[1], 3, a[0], a[1], 3));
         if (i == 0)
-            put_opening(&file, "FixedWindow",
-                        CORNERS(c, s, 0.9, 2.6 * c, 2.6 * s, 0.9, 2.6 * c, 2.6 * s, 2.1,
-                                c, s, 2.1));
-        end_surface(&file);
+            made_gbxml_opening(&file, "FixedWindow",
+                               CORNERS(c, s, 0.9, 2.6 * c, 2.6 * s, 0.9, 2.6 * c,
+                                       2.6 * s, 2.1, c, s, 2.1));
+        made_gbxml_end_surface(&file);
     }
-    end(&file, "");
-    char *xml = imported(&file, notes, sizeof notes);
+    made_gbxml_end(&file, "");
+    char *xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_non_null(strstr(xml, "rotate=\"30\""));
     assert_non_null(strstr(xml, "north=\"15\""));
     assert_non_null(strstr(notes, "CADModelAzimuth 15"));
@@ -298,19 +147,20 @@ static void turned_box_stays_a_box(void **state)
 static void rooms_share_a_wall(void **state)
 {
     (void)state;
-    struct file file;
-    begin(&file, "Meters", 1.0, "");
-    put_space(&file, "a", "Classroom");
-    put_space(&file, "b", "ConferenceMeetingMultipurpose");
+    struct made_gbxml file;
+    made_gbxml_begin(&file, "Meters", 1.0, "");
+    made_gbxml_space(&file, "a", "Classroom");
+    made_gbxml_space(&file, "b", "ConferenceMeetingMultipurpose");
     fputs("</Building>\n", file.out);
-    put_box(&file, "a", 0.0, 4.0, 6.0, 3.0, NO_EAST);
-    put_box(&file, "b", 4.0, 4.0, 6.0, 3.0, NO_WEST);
-    put_surface(&file, "InteriorWall", "a", "b",
-                CORNERS(4, 0, 0, 4, 6, 0, 4, 6, 3, 4, 0, 3));
-    put_opening(&file, "NonSlidingDoor", CORNERS(4, 1, 0, 4, 2, 0, 4, 2, 2, 4, 1, 2));
-    end_surface(&file);
-    end(&file, "");
-    char notes[2000], *xml = imported(&file, notes, sizeof notes);
+    made_gbxml_box(&file, "a", 0.0, 4.0, 6.0, 3.0, NO_EAST);
+    made_gbxml_box(&file, "b", 4.0, 4.0, 6.0, 3.0, NO_WEST);
+    made_gbxml_surface(&file, "InteriorWall", "a", "b",
+                       CORNERS(4, 0, 0, 4, 6, 0, 4, 6, 3, 4, 0, 3));
+    made_gbxml_opening(&file, "NonSlidingDoor",
+                       CORNERS(4, 1, 0, 4, 2, 0, 4, 2, 2, 4, 1, 2));
+    made_gbxml_end_surface(&file);
+    made_gbxml_end(&file, "");
+    char notes[2000], *xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_non_null(strstr(notes, "1 openings between spaces are taken as wall"));
     assert_non_null(strstr(xml, "<wall name=\"east\" kind=\"inner\"/>"));
     assert_non_null(strstr(xml, "<wall name=\"west\" kind=\"inner\"/>"));
@@ -327,39 +177,39 @@ static void rooms_share_a_wall(void **state)
 static void attic_is_an_envelope(void **state)
 {
     (void)state;
-    struct file file;
-    begin(&file, "Feet", 0.3048, "");
-    put_space(&file, "a", "");
+    struct made_gbxml file;
+    made_gbxml_begin(&file, "Feet", 0.3048, "");
+    made_gbxml_space(&file, "a", "");
     fputs("</Building>\n", file.out);
     const double t = 3.0 * tan(40.0 * PP_RAD), e = 2.2, r = e + t;
-    put_surface(&file, "SlabOnGrade", "a", NULL,
-                CORNERS(0, 0, 0, 6, 0, 0, 6, 8, 0, 0, 8, 0));
-    end_surface(&file);
+    made_gbxml_surface(&file, "SlabOnGrade", "a", NULL,
+                       CORNERS(0, 0, 0, 6, 0, 0, 6, 8, 0, 0, 8, 0));
+    made_gbxml_end_surface(&file);
     for (int i = 0; i < 2; i++) {
         double y = 8.0 * i;
-        put_surface(&file, "ExteriorWall", "a", NULL,
-                    CORNERS(0, y, 0, 6, y, 0, 6, y, e, 0, y, e));
-        end_surface(&file);
-        put_surface(&file, "ExteriorWall", "a", NULL,
-                    CORNERS(0, y, e, 6, y, e, 3, y, r));
-        end_surface(&file);
+        made_gbxml_surface(&file, "ExteriorWall", "a", NULL,
+                           CORNERS(0, y, 0, 6, y, 0, 6, y, e, 0, y, e));
+        made_gbxml_end_surface(&file);
+        made_gbxml_surface(&file, "ExteriorWall", "a", NULL,
+                           CORNERS(0, y, e, 6, y, e, 3, y, r));
+        made_gbxml_end_surface(&file);
         double x = 6.0 * i;
-        put_surface(&file, "ExteriorWall", "a", NULL,
-                    CORNERS(x, 0, 0, x, 8, 0, x, 8, e, x, 0, e));
-        end_surface(&file);
-        put_surface(&file, "Roof", "a", NULL,
-                    CORNERS(x, 0, e, x, 8, e, 3, 8, r, 3, 0, r));
+        made_gbxml_surface(&file, "ExteriorWall", "a", NULL,
+                           CORNERS(x, 0, 0, x, 8, 0, x, 8, e, x, 0, e));
+        made_gbxml_end_surface(&file);
+        made_gbxml_surface(&file, "Roof", "a", NULL,
+                           CORNERS(x, 0, e, x, 8, e, 3, 8, r, 3, 0, r));
         if (i == 1) { /* from the left end seen from outside, along the slope */
             double c = cos(40.0 * PP_RAD), s = sin(40.0 * PP_RAD);
-            put_opening(&file, "FixedSkylight",
-                        CORNERS(6 - 0.9 * c, 1, e + 0.9 * s, 6 - 0.9 * c, 2.2,
-                                e + 0.9 * s, 6 - 2.3 * c, 2.2, e + 2.3 * s, 6 - 2.3 * c,
-                                1, e + 2.3 * s));
+            made_gbxml_opening(&file, "FixedSkylight",
+                               CORNERS(6 - 0.9 * c, 1, e + 0.9 * s, 6 - 0.9 * c, 2.2,
+                                       e + 0.9 * s, 6 - 2.3 * c, 2.2, e + 2.3 * s,
+                                       6 - 2.3 * c, 1, e + 2.3 * s));
         }
-        end_surface(&file);
+        made_gbxml_end_surface(&file);
     }
-    end(&file, "");
-    char *xml = imported(&file, NULL, 0);
+    made_gbxml_end(&file, "");
+    char *xml = made_gbxml_import(&file, NULL, 0);
     static const char roofed[] =
         "<room version='1'><plan width='6' depth='8' height='2.2' roof='gable' "
         "ridge='depth' pitch='40'/><window wall='roof-east' left='1' sill='0.9' "
@@ -379,23 +229,23 @@ static void what_lacks_is_closed_and_said(void **state)
     (void)state;
     const struct pp_vec3 at = {1.3, 2.2, 0.85};
     char notes[2000];
-    struct file file;
-    begin(&file, "Meters", 1.0, "");
-    put_space(&file, "a", "");
+    struct made_gbxml file;
+    made_gbxml_begin(&file, "Meters", 1.0, "");
+    made_gbxml_space(&file, "a", "");
     fputs("</Building>\n", file.out);
-    put_box(&file, "a", 0.0, 4.0, 6.0, 3.0, NO_ROOF);
-    end(&file, "");
-    char *xml = imported(&file, notes, sizeof notes);
+    made_gbxml_box(&file, "a", 0.0, 4.0, 6.0, 3.0, NO_ROOF);
+    made_gbxml_end(&file, "");
+    char *xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_non_null(strstr(notes, "closed by 1 plane face"));
     assert_near(sky_at(xml, 0, at), sky_at(by_hand, 0, at), 1e-9);
     free(xml);
 
-    begin(&file, "Meters", 1.0, "");
-    put_space(&file, "a", "");
+    made_gbxml_begin(&file, "Meters", 1.0, "");
+    made_gbxml_space(&file, "a", "");
     fputs("</Building>\n", file.out);
-    put_box(&file, "a", 0.0, 4.0, 6.0, 3.0, NO_ROOF | NO_EAST);
-    end(&file, "");
-    xml = imported(&file, notes, sizeof notes);
+    made_gbxml_box(&file, "a", 0.0, 4.0, 6.0, 3.0, NO_ROOF | NO_EAST);
+    made_gbxml_end(&file, "");
+    xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_non_null(strstr(notes, "the upright prism over its floor"));
     assert_near(sky_at(xml, 0, at), sky_at(by_hand, 0, at), 1e-9);
     free(xml);
@@ -408,28 +258,29 @@ static void what_is_taken_and_left_out_is_said(void **state)
     (void)state;
     const struct pp_vec3 at = {1.3, 2.2, 0.85};
     char notes[3000];
-    struct file file;
-    begin(&file, "Meters", 1.0, "");
-    put_space(&file, "a", "");
+    struct made_gbxml file;
+    made_gbxml_begin(&file, "Meters", 1.0, "");
+    made_gbxml_space(&file, "a", "");
     fputs("</Building>\n", file.out);
-    put_box(&file, "a", 0.0, 4.0, 6.0, 3.0, NO_WEST);
-    put_surface(&file, "ExteriorWall", "a", NULL,
-                CORNERS(0, 6, 0, 0, 0, 0, 0, 0, 3, 0, 6, 3));
+    made_gbxml_box(&file, "a", 0.0, 4.0, 6.0, 3.0, NO_WEST);
+    made_gbxml_surface(&file, "ExteriorWall", "a", NULL,
+                       CORNERS(0, 6, 0, 0, 0, 0, 0, 0, 3, 0, 6, 3));
     fputs("<Opening id=\"q\" openingType=\"FixedWindow\" windowTypeIdRef=\"bare\">",
           file.out);
-    put_geometry(&file, CORNERS(0, 3, 1, 0, 2, 1, 0, 2, 2, 0, 3, 2));
+    made_gbxml_geometry(&file, CORNERS(0, 3, 1, 0, 2, 1, 0, 2, 2, 0, 3, 2));
     fputs("</Opening>", file.out);
-    put_opening(&file, "NonSlidingDoor",
-                CORNERS(0, 1.5, 0, 0, 0.5, 0, 0, 0.5, 2, 0, 1.5, 2));
-    end_surface(&file);
-    put_surface(&file, "Shade", NULL, NULL,
-                CORNERS(0, -1, 2.5, 4, -1, 2.5, 4, 0, 2.5, 0, 0, 2.5));
-    end_surface(&file);
-    put_surface(&file, "Shade", NULL, NULL,
-                CORNERS(1, 1, 1, 2, 1, 1, 2, 2, 1, 1, 2, 1));
-    end_surface(&file);
-    end(&file, "<WindowType id=\"bare\"/>");
-    char *xml = imported(&file, notes, sizeof notes);
+    fputs("<Opening id=\"d\" openingType=\"NonSlidingDoor\">", file.out);
+    made_gbxml_geometry(&file, CORNERS(0, 1.5, 0, 0, 0.5, 0, 0, 0.5, 2, 0, 1.5, 2));
+    fputs("</Opening>", file.out);
+    made_gbxml_end_surface(&file);
+    made_gbxml_surface(&file, "Shade", NULL, NULL,
+                       CORNERS(0, -1, 2.5, 4, -1, 2.5, 4, 0, 2.5, 0, 0, 2.5));
+    made_gbxml_end_surface(&file);
+    made_gbxml_surface(&file, "Shade", NULL, NULL,
+                       CORNERS(1, 1, 1, 2, 1, 1, 2, 2, 1, 1, 2, 1));
+    made_gbxml_end_surface(&file);
+    made_gbxml_end(&file, "<WindowType id=\"bare\"/>");
+    char *xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_non_null(strstr(notes, "WindowType \"bare\" has no visible transmittance"));
     assert_non_null(strstr(notes, "is of type \"NonSlidingDoor\""));
     assert_non_null(strstr(notes, "surface \"Shade\" is left out"));
@@ -490,7 +341,7 @@ static void others_are_refused_with_a_reason(void **state)
 static void broken_files_do_no_harm(void **state)
 {
     (void)state;
-    struct file file;
+    struct made_gbxml file;
     box(&file, "Meters", 1.0);
     for (size_t cut = 0; cut < file.length; cut += 37)
         for (int way = 0; way < 2; way++) {

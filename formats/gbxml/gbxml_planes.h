@@ -1,0 +1,13 @@
+/* gbxml_planes.h - divides the faces of a shell that are not plane into triangles.
+ * Inside formats/gbxml/ only. */
+#ifndef PP_FORMATS_GBXML_GBXML_PLANES_H
+#define PP_FORMATS_GBXML_GBXML_PLANES_H
+
+#include "formats/gbxml/gbxml_shell.h"
+
+/* Divides them by diagonals, so that the shell stays closed and no corner moves.
+ * *divided: how many faces there were. Fails only without memory. */
+enum pp_status pp_gbxml_planes_divide(struct pp_gbxml_shell *shell, int *divided,
+                                      struct pp_error *err);
+
+#endif
