@@ -141,11 +141,12 @@ glazing=\"clear-double\" frame-factor=\"0.8\" reveal=\"0.2\"/>"
 # choices SCENE: numbers of -ad for paths without a cache; every how many points are compared;
 # rays of the reference.
 choices() {
-    few=1024 many=4096 every=1 fine=32768
+    few=1024 many=4096 every=1 fine=32768 more=0
     case $1 in
     deep) few=512 many=2048 every=8 ;;
     triangles) few=256 many=1024 fine=16384 ;;
     classroom) few=512 many=2048 every=2 ;;
+    well) more=7 ;; # its light reaches the window by many bounces
     esac
 }
 paths='-ab 22 -lr 0 -as 0 -aa 0 -lw 1e-7'

@@ -5,19 +5,20 @@
 
 expert_runs='coarse usual fine'
 # expert RUN: options of mkillum's samples and of mkillum in $samples and $outside, of both passes in
-# $inside.
+# $inside. $more: bounces outside that the scene needs beyond the usual ones (default: 0).
 expert() {
+    more=${more:-0}
     case $1 in
     coarse)
-        samples='d=32 s=8' outside='-ab 1 -ad 128 -aa 0.2 -ar 300'
+        samples='d=32 s=8' outside="-ab $((1 + more)) -ad 128 -aa 0.2 -ar 300"
         inside='-ab 5 -ad 512 -as 0 -aa 0.2 -ar 1000 -ds 0.05'
         ;;
     usual)
-        samples='d=48 s=32' outside='-ab 2 -ad 256 -aa 0.2 -ar 500'
+        samples='d=48 s=32' outside="-ab $((2 + more)) -ad 256 -aa 0.2 -ar 500"
         inside='-ab 6 -ad 1500 -as 0 -aa 0.2 -ar 2000 -ds 0.05'
         ;;
     fine)
-        samples='d=64 s=64' outside='-ab 3 -ad 512 -aa 0.15 -ar 1000'
+        samples='d=64 s=64' outside="-ab $((3 + more)) -ad 512 -aa 0.15 -ar 1000"
         inside='-ab 8 -ad 4096 -as 0 -aa 0.2 -ar 4000 -ds 0.03'
         ;;
     esac
