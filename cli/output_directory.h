@@ -16,7 +16,7 @@
 
 struct pp_output_directory_file {
     char *path;   /* in the directory; with one "/" at most */
-    bool runs;    /* is it a program? */
+    bool runs;    /* a program */
     FILE *stream; /* NULL once closed */
     struct pp_gathered {
         char *bytes;

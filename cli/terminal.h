@@ -8,7 +8,7 @@
  * for a file or a pipe. output NULL: standard output. */
 int pp_terminal_width(const char *output);
 
-/* Does the terminal expect UTF-8? By LC_CTYPE, which main has set. */
+/* True if the terminal expects UTF-8, by LC_CTYPE, which main has set. */
 bool pp_terminal_utf8(void);
 
 #endif

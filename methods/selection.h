@@ -22,7 +22,7 @@ struct pp_choice {
 struct pp_selection {
     int count;
     struct pp_choice *choices;
-    bool usual; /* is "default" among them? */
+    bool usual; /* "default" is among them */
 };
 
 /* Reads a list of that form; NULL is the default. A wrong name or pair is PP_BAD_INPUT,

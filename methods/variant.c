@@ -103,7 +103,7 @@ struct misfit {
     struct pp_expression_mistake mistake;
 };
 
-/* Is the text a variant of this formula? A component has no metres. */
+/* True if the text is a variant of this formula. A component has no metres. */
 static bool fits_formula(const struct pp_formula *formula,
                          const struct pp_formula_variant *variant,
                          struct pp_expression_mistake *mistake)

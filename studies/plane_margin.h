@@ -19,7 +19,7 @@
 struct pp_plane_margin {
     struct pp_world world; /* the room's, but for its plane */
     struct pp_study_room room;
-    bool has_plane; /* is anything left of it? */
+    bool has_plane; /* something is left of it */
 };
 
 enum pp_status pp_plane_margin_init(struct pp_plane_margin *margin,

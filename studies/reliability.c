@@ -110,7 +110,7 @@ static double depth_over_width(const struct pp_world *world)
     return (high[0] - low[0]) / (high[1] - low[1]);
 }
 
-/* Does the method answer for this room, or a point in it? */
+/* True if the method answers for this room, or a point in it. */
 static bool has_figure(const struct pp_report *report, const char *name)
 {
     for (int i = 0; i < report->column_count; i++) {

@@ -7,7 +7,7 @@
 
 #include "studies/study_room.h"
 
-/* Do the receivers lie on one straight horizontal line, at two places or more? */
+/* True if the receivers lie on one straight horizontal line, at two places or more. */
 bool pp_section_line_is_straight(const struct pp_receiver *receivers, int count);
 
 /* Puts a line of points in place of the room's receivers: on the working plane, square

@@ -41,7 +41,7 @@ struct pp_study_options {
     bool alone;  /* points share no light in light paths: sooner for few points */
     struct pp_watch watch;
 
-    bool explain; /* are the methods to set out the sums of the room's one point? */
+    bool explain; /* methods write down the steps of the room's one point */
     struct pp_method_options method_options;
 
     double external_lux; /* of the open level plane; 0: not given */

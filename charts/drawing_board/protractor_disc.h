@@ -17,7 +17,7 @@ struct pp_protractor_disc {
     double x, y;    /* the centre, mm on paper */
     double radius;  /* of the rim */
     double grey;    /* of its lines and figures */
-    bool to_right;  /* does the section look to the right? else to the left */
+    bool to_right;  /* true: the section looks to the right; false: to the left */
     double plan[2]; /* unit, on paper: the normal on the plan, out of the room */
 };
 

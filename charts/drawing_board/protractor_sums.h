@@ -12,7 +12,7 @@ enum { PP_PROTRACTOR_SUMS_MOST = 6 };
 
 struct pp_protractor_sums {
     int first, all; /* of the readings, which are numbered from 0 */
-    bool last;      /* is this the sheet that has the result? */
+    bool last;      /* the sheet with the result */
 };
 
 /* The readings that the sheet has, a line each, numbered where there are more; then, on the

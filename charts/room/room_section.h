@@ -27,7 +27,7 @@ struct pp_room_section {
     double most_x;  /* the caption ends before it; 0: where it likes */
 };
 
-/* Is the window at the near or far end obstructed? */
+/* True if the window at the near or far end is obstructed. */
 bool pp_room_section_has_outside(const struct pp_room_section *section, bool near);
 
 /* The largest round scale at which the room fits into that length and height. */

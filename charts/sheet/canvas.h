@@ -58,7 +58,7 @@ void pp_canvas_lacks_memory(cairo_t *cr);
 void pp_canvas_set_imprint(struct pp_canvas *canvas, const char *words);
 const char *pp_canvas_imprint(const struct pp_canvas *canvas);
 
-/* Can there be further sheets? */
+/* True if there can be further sheets. */
 bool pp_canvas_has_sheets(const struct pp_canvas *canvas);
 
 /* A further sheet of the same size; of PDF only. */

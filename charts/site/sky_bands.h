@@ -15,7 +15,7 @@ int pp_sky_bands_of(double component);
 /* Sets the class's colour; pale: for walls, behind their windows. */
 void pp_sky_bands_colour(cairo_t *cr, int band, bool pale);
 
-/* Does ink not show on it? White does, then. */
+/* True if ink does not show on it, but white does. */
 bool pp_sky_bands_is_dark(int band);
 
 /* Fills PP_SKY_BANDS keys, from the most sky on: "27 % or more", ... */

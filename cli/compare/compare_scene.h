@@ -6,7 +6,7 @@
 #include "cli/compare/other_values.h"
 #include "model/light/scene_description.h"
 
-/* Can the file be read, and begins it otherwise than XML does? Standard input does not. */
+/* True if the file can be read and does not begin as XML does; false for standard input. */
 bool pp_compare_scene_is(const char *file);
 
 struct pp_compare_scene {

@@ -38,7 +38,7 @@ extern const struct pp_option pp_size_task_options[];
 extern const struct pp_option pp_size_write_option[];
 extern const struct pp_option pp_size_block_options[];
 
-/* Do they make sense together? PP_BAD_INPUT if not. */
+/* PP_BAD_INPUT if they contradict each other. */
 enum pp_status pp_size_options_settle(struct pp_size_options *options,
                                       struct pp_error *err);
 

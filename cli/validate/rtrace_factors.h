@@ -13,7 +13,7 @@
 /* Each point is asked so often: rtrace has no standard error, their spread gives one. */
 enum { PP_RTRACE_REPEATS = 16 };
 
-/* Are Radiance's oconv and rtrace on PATH? */
+/* True if Radiance's oconv and rtrace are on PATH. */
 bool pp_rtrace_is_there(void);
 
 /* The readings of the room's receivers, fractions. Works in a directory of its own below

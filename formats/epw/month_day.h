@@ -24,7 +24,7 @@ int pp_month_day_days_of_month(int month);
 
 bool pp_month_day_same(struct pp_month_day a, struct pp_month_day b);
 
-/* Does a come before b in the year? */
+/* True if a comes before b in the year. */
 bool pp_month_day_is_before(struct pp_month_day a, struct pp_month_day b);
 
 #endif

@@ -185,7 +185,7 @@ static bool cannot_hide(const struct pp_beam *beam, struct pp_vec3 normal,
     return low >= -PP_OCCLUDERS_COPLANAR_M || high <= PP_OCCLUDERS_COPLANAR_M;
 }
 
-/* Is all of a block outside of the opening's face? */
+/* True if all of a block is outside the opening's face. */
 static bool is_block_outside(const struct pp_beam *beam, int index)
 {
     const struct pp_block *block = &beam->world->blocks[index];
@@ -257,7 +257,7 @@ static void find_outline_extent(struct pp_beam *beam)
     }
 }
 
-/* Do all pieces and skylines outside reflect and give off the same light? Sets which. */
+/* True if all pieces and skylines outside give off the same light, which it sets. */
 static bool has_one_light(struct pp_beam *beam)
 {
     double reflectance = NAN, exitance = 0.0;

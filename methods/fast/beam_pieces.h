@@ -28,7 +28,7 @@ struct pp_beam {
     const struct pp_opening *opening;
     struct pp_projection axes;
     bool with_outside;
-    bool one_light;                  /* do all obstructions give off the same light? */
+    bool one_light;                  /* all obstructions give off the same light */
     double of_light[2];              /* then its reflectance and exitance */
     struct beam_pieces inner, outer; /* the opening's outlines, in convex parts */
     struct beam_pieces plane;

@@ -50,7 +50,7 @@ enum pp_status pp_sky_table_create(struct pp_sky_table **table,
                                    struct pp_vec3 normal, struct pp_error *err);
 void pp_sky_table_destroy(struct pp_sky_table *table); /* NULL is allowed */
 
-/* Was the table made for a plane with that normal? */
+/* True if the table was made for a plane with that normal. */
 bool pp_sky_table_is_for(const struct pp_sky_table *table, struct pp_vec3 normal);
 
 /* Illuminance over Eh by the part of a ring within the half-spaces, both in the view's axes

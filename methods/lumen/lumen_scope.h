@@ -21,7 +21,7 @@ const char *pp_lumen_scope_refuses_room(const struct pp_world *world);
 const char *pp_lumen_scope_refuses_opening(const struct pp_world *world,
                                            const struct pp_opening *opening);
 
-/* Is a covered opening a rooflight, and not a window? */
+/* True if a covered opening is a rooflight, false for a window. */
 bool pp_lumen_scope_is_rooflight(const struct pp_opening *opening);
 
 /* The size of a covered room (m): along the opening's wall and away from that wall; for

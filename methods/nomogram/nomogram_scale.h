@@ -56,7 +56,7 @@ double pp_nomogram_scale_crossing(const struct pp_nomogram *nomogram, int edge,
 void pp_nomogram_scale_curve(const struct pp_nomogram *nomogram, double q, double *x,
                              double *y);
 
-/* Is the value on the stem, its ends included? */
+/* True if the value is on the stem, ends included. */
 bool pp_nomogram_scale_contains(const struct pp_nomogram *nomogram, int stem,
                                 double value);
 

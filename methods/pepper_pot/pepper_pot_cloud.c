@@ -16,7 +16,7 @@ static const double d_psi = 2.0 * PP_PI / CELLS;
  * far side from the glass. */
 struct frame {
     struct pp_vec3 normal, first, second;
-    bool is_mirror; /* is the light the same at azimuths to the left and the right? */
+    bool is_mirror; /* the light is the same at azimuths to the left and right */
 };
 
 static struct frame frame_of(struct pp_vec3 normal, const struct pp_window_axes *axes,

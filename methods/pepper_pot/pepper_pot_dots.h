@@ -36,7 +36,8 @@ struct pp_pepper_pot {
     struct pp_sky sky;     /* overcast or uniform */
     bool glazed;           /* with the losses of clear single vertical glass */
     struct pp_glass glass; /* clear single, or none */
-    bool upright;      /* is the receiver a vertical plane? else horizontal, face up */
+    bool
+        upright; /* true: the receiver is a vertical plane; false: horizontal, face up */
     double facing_rad; /* azimuth of an upright receiver's normal from straight ahead,
                         * positive to the right */
     double worth;      /* of a dot */

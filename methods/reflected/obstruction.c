@@ -32,7 +32,7 @@ static bool reaches_in_front(const struct pp_polygon *outline,
     return false;
 }
 
-/* Do surfaces stand before the opening other than the skyline of its own wall? */
+/* True if surfaces other than its own wall's skyline stand before the opening. */
 static bool has_surface_in_front(const struct pp_world *world,
                                  const struct pp_opening *opening)
 {

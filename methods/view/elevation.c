@@ -251,7 +251,7 @@ static enum pp_status add_silhouette(struct opening_drawing *drawing,
     return add_obstruction(drawing, obstruction, err);
 }
 
-/* Has a surface a part on the outer side of the glass, or does it lie in the plane? */
+/* True if part of the surface is beyond the glass, or if it lies in the plane. */
 static bool reaches_outside(const struct pp_polygon *outline,
                             const struct opening_drawing *drawing)
 {
@@ -270,7 +270,7 @@ static bool faces(const struct pp_polygon *outline, struct pp_vec3 point)
     return pp_vec_dot(pp_vec_sub(point, outline->vertices[0]), outline->normal) > 0.0;
 }
 
-/* Is the surface the wall of a skyline before another face than the opening's? */
+/* True for the wall of a skyline before another face than the opening's. */
 static bool is_skyline_aside(const struct pp_surface *surface,
                              const struct opening_drawing *drawing)
 {

@@ -15,7 +15,7 @@ enum { PP_ELEVATION_COLUMNS = 1024 };
 
 struct pp_elevation_cover {
     double left, width; /* of the first column */
-    bool alike; /* are all columns as the first one? The others are not set then. */
+    bool alike;         /* all columns are like the first one; the others are not set */
     double high[PP_ELEVATION_COLUMNS];
     double distance_m[PP_ELEVATION_COLUMNS];
 };

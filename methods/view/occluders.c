@@ -262,7 +262,7 @@ static double reach(const struct block_in_view *block, struct pp_vec3 along)
     return far;
 }
 
-/* Does the block lie beside the pyramid through the extent, or behind the eye? */
+/* True if the block is beside the pyramid through the extent, or behind the eye. */
 static bool lies_beside(const struct block_in_view *block, const struct sides *pyramid)
 {
     for (int s = 0; s < CUTS; s++)

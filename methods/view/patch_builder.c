@@ -55,7 +55,7 @@ static void add_patch(struct pp_visible *visible, struct pp_region *region,
     *region = (struct pp_region){0};
 }
 
-/* Do all pieces give off the same light? */
+/* True if all pieces give off the same light. */
 static bool all_same_light(const struct pp_occluders *pieces)
 {
     for (int i = 1; i < pieces->count; i++)

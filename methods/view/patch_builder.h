@@ -15,9 +15,9 @@ struct pp_patch_builder {
     struct pp_occluders inside, outside;
     struct pp_clipper *clipper; /* NULL until it is needed */
     struct pp_region open;      /* the part that is not hidden inside */
-    bool open_is_extent;        /* is it the whole rectangle from scene.low to high? */
+    bool open_is_extent;        /* it is the whole rectangle from scene.low to high */
     double grid;                /* on which regions are overlaid */
-    bool in_parts;              /* may patches come as convex rings that meet? */
+    bool in_parts;              /* patches may be convex rings that meet */
 };
 
 /* Fills visible. The outline is builder->open or, where that is empty, the rectangle

@@ -62,7 +62,7 @@ static inline bool pp_text_is_same(const char *a, const char *b)
     return a[0] == b[0] && strcmp(a, b) == 0;
 }
 
-/* Are the `length` bytes at text the word? There is at least one. */
+/* True if the `length` bytes at text (1 or more) are the word. */
 static inline bool pp_text_is_word(const char *word, const char *text, size_t length)
 {
     return word[0] == text[0] && strncmp(word, text, length) == 0 && !word[length];

@@ -20,7 +20,7 @@ static size_t at(const struct log_picture *field, int x, int y)
     return (size_t)y * (size_t)field->width + (size_t)x;
 }
 
-/* Do two pixels show the same surface? */
+/* True if two pixels show the same surface. */
 static bool alike(const struct log_picture *field, size_t a, size_t b)
 {
     if (!isfinite(field->logs[a]) || !isfinite(field->logs[b]))

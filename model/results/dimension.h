@@ -14,7 +14,7 @@ struct pp_dimension {
     bool number; /* degrees and per cent are open: a number is a factor or the whole */
 };
 
-/* Can the two be added? */
+/* True if the two can be added. */
 bool pp_dimension_alike(struct pp_dimension a, struct pp_dimension b);
 
 /* Fits a ratio, such as a reflectance; an angle. */

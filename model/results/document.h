@@ -103,7 +103,7 @@ void pp_document_cell(struct pp_document *document, enum pp_tone tone,
                       const char *format, ...) __attribute__((format(printf, 3, 4)));
 void pp_document_note(struct pp_document *document, const char *note);
 
-/* Has the table a head? */
+/* True if the table has a head. */
 bool pp_document_has_head(const struct pp_document_table *table);
 
 /* PP_OK, or PP_SYSTEM where a part of the document is missing. */

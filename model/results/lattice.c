@@ -24,7 +24,7 @@ static int distinct(double *values, int count)
     return kept;
 }
 
-/* Are all steps whole multiples of the least one? */
+/* True if all steps are whole multiples of the least one. */
 static bool is_even(const double *values, int count)
 {
     double least = INFINITY;

@@ -33,7 +33,7 @@ struct pp_protractor_readings {
     double distance_m;                  /* from the point to the opening's plane */
     double slope_rad;     /* of that plane: atan2(out, z) of its normal outwards */
     double sky, external; /* sums, before allowances */
-    bool less_hidden;     /* is sky the first reading less the obstructions'? */
+    bool less_hidden;     /* sky is the first reading less the obstructions' */
 };
 
 void pp_protractor_sheet_readings_clear(struct pp_protractor_readings *readings);
@@ -60,7 +60,7 @@ struct pp_protractor_scale {
     double slope_rad;
     double range_rad;        /* the end of the primary scale */
     double whole;            /* its reading there, a fraction */
-    bool turned_down;        /* is the auxiliary laid on the plan turned down? */
+    bool turned_down;        /* the auxiliary is laid on the plan turned down */
     bool symmetric;          /* average altitudes over 90 degrees read as 180 less */
     double last_average_rad; /* of the auxiliary */
     int mark_count;

@@ -58,7 +58,7 @@ struct pp_report {
     struct pp_column *columns; /* in order of component, then of selection */
     int column_count;
     bool finished;        /* false: interrupted; the columns so far are good */
-    bool explain;         /* are the methods to set down their steps? */
+    bool explain;         /* methods write down their steps */
     int threads;          /* for the methods; 0: one for each processor */
     const char *no_bands; /* reason why no column has bands; NULL: some have, or none
                            * were requested. Kept with the sentences */

@@ -24,7 +24,7 @@ struct pp_worksheet {
     /* First sum of a reader's variant without a result: the reason, as the end of a
      * sentence ("divides by nothing"), and the column in its text. */
     struct pp_expression_fault fault;
-    bool varied; /* has a reader's variant been worked out? */
+    bool varied; /* a reader's variant has been calculated */
     int part;    /* number behind the symbols that are put down now; 0: none */
     int count;
     /* Latest figure of each place that symbols have by their letters, counted from 1; 0:

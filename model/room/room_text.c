@@ -116,7 +116,7 @@ static struct span attribute_of(struct span tag, const char *name)
     }
 }
 
-/* Does the text say that number of metres already? */
+/* True if the text gives that number of metres already. */
 static bool is_number(struct span text, double number, double per_metre)
 {
     char copy[64];

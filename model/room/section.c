@@ -17,7 +17,7 @@
 /* One edge of a face that crosses the plane. */
 struct plane_crossing {
     int low, high;   /* numbers of the edge's corners, below and above the plane */
-    bool upward;     /* does the face run up it? */
+    bool upward;     /* the face runs up it */
     double position; /* along the face's section */
     double xy[2];
 };

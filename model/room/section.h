@@ -14,7 +14,7 @@ enum pp_status pp_section_at(struct pp_region *region, const struct pp_world *wo
 enum pp_status pp_section_cut(struct pp_region *region, const struct pp_world *world,
                               const int *corners, double z, struct pp_error *err);
 
-/* Does it stand through the working plane? */
+/* True if it stands through the working plane. */
 bool pp_section_meets(const struct pp_world *world, const struct pp_fitting *fitting);
 
 /* The working plane less the furniture, columns and partitions that it cuts; all of it where

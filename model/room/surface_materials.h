@@ -47,7 +47,7 @@ struct pp_material_key {
 };
 struct pp_material_key pp_surface_materials_key(const struct pp_material *material);
 
-/* Are they the same, name and all? */
+/* True if they are the same, name included. */
 bool pp_surface_materials_same(const struct pp_material *a,
                                const struct pp_material *b);
 

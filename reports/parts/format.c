@@ -58,7 +58,7 @@ static int32_t decode(const char *text, int *length)
     return code;
 }
 
-/* Is it a control character (C0, DEL or C1), or no character at all? */
+/* True for a control character (C0, DEL or C1) and for no character at all. */
 static bool is_unfit(int32_t code)
 {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028

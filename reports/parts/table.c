@@ -370,7 +370,7 @@ static void shorten(char cell[PP_CELL_BYTES], int columns)
     snprintf(cell, PP_CELL_BYTES, "%.*s..%s", head, text, text + tail);
 }
 
-/* Do cells of column k that differ do so still when they are so wide? */
+/* True if cells of column k that differ still do so at that width. */
 static bool tells_apart(const struct pp_table *table, int k, int columns)
 {
     const struct pp_table_column *column = &table->columns[k];

@@ -154,7 +154,7 @@ static double allowed_variance(const struct outlook *outlook, double wanted)
     return left * PP_RANDOMISATIONS / (student * student);
 }
 
-/* Has an estimator as many paths as it may have? */
+/* True if an estimator has as many paths as it may have. */
 static bool is_limited(const struct outlook *outlook)
 {
     const struct pp_sampler *sampler = outlook->pilot->sampler;

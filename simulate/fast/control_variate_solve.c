@@ -27,7 +27,7 @@ struct variate_patch {
     struct pp_vec3 point;
     int part;
     bool back;
-    bool in_figure;                /* is the centre in the surface's outline? */
+    bool in_figure;                /* the centre is in the surface's outline */
     double own;                    /* exitance without exchange: M + rho E */
     double exchanged;              /* and the light by that exchange, before
                                     * smoothing */

@@ -45,7 +45,7 @@ void pp_gather_cells_draw(const struct pp_gather_cells *cells,
                           struct pp_radiance_state *light, const double u[2],
                           double *net);
 
-/* Has the part cells? From all of it they are all seen. */
+/* True if the part has cells. From all of it they are all seen. */
 bool pp_gather_cells_are_on(const struct pp_gather_cells *cells, int part);
 
 /* (1) by the cells of a net, over Eh, at a point in the room that faces `normal`. */

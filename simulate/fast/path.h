@@ -71,7 +71,7 @@ struct pp_path_state {
     const struct pp_shared_density *shared; /* not owned; NULL: nothing is shared */
     const struct pp_gather_cells *cells;    /* not owned; NULL: rays gather all */
     const double *net;         /* of the cells, in this randomisation; not owned */
-    bool glass;                /* are openings sampled by their images in glass? */
+    bool glass;                /* openings are sampled by their images in glass */
     struct pp_glass_view view; /* images seen from the last point */
 };
 

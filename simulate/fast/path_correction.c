@@ -46,15 +46,15 @@ struct path_fan {
     uint32_t lobes;        /* how many */
     double throughput;     /* of all */
     bool gathers; /* true if G is also gathered by arms that reach a surface at once */
-    bool cells;   /* is it gathered by cells as well? */
-    bool glass;   /* are openings sampled from there by their images in glass? */
+    bool cells;   /* gathered by cells as well */
+    bool glass;   /* openings are sampled from there by their images in glass */
 };
 
 /* The rays of the fans of a run of paths, one fan behind another. */
 struct fan_rays {
     struct pp_lanes_directions to;
     struct pp_convex_nearest nearest[PP_RUN_MOST];
-    bool known; /* are the nearest planes? */
+    bool known; /* true if the nearest planes are known */
 };
 
 /* Draws the rays of paths from the present index on, as many as there is space for. All

@@ -50,7 +50,7 @@ enum pp_status pp_shared_density_create(struct pp_shared_density **density,
                                         struct pp_error *err);
 void pp_shared_density_destroy(struct pp_shared_density *density); /* NULL is allowed */
 
-/* Does a receiver there see all points? Nothing is shared with others. */
+/* True if a receiver there sees all points. Nothing is shared with others. */
 bool pp_shared_density_serves(const struct pp_shared_density *density,
                               struct pp_vec3 point);
 

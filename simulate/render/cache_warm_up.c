@@ -19,7 +19,7 @@ struct pp_cache_warm_up {
     struct pp_render view; /* camera and scene, without a picture */
     int step;              /* a part has every step-th pixel of every step-th row */
     int part;              /* the next part to show; step^2 of them are a round */
-    bool first;            /* is it the first round? */
+    bool first;            /* the first round */
     size_t before;         /* records when the round began */
     bool done;
 };

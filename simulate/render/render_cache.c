@@ -25,7 +25,7 @@ uint64_t pp_render_cache_hash(const struct pp_irradiance_cache *cache)
     return hash;
 }
 
-/* Is the record seen there, and nothing before it? */
+/* True if the record is seen there and nothing hides it. */
 static bool is_seen(const struct pp_render *render, struct pp_vec3 point,
                     double place[2])
 {

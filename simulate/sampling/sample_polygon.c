@@ -415,7 +415,7 @@ static double rectangle_pdf(const struct pp_polygon_sampler *sampler,
     return (left + u * (right - left)) / size;
 }
 
-/* Is the point of its plane in the triangle, but for rounding? */
+/* True if the point of its plane is in the triangle, but for rounding. */
 static bool in_triangle(const struct pp_vec3 t[3], struct pp_vec3 p)
 {
     double sum = 0.0;

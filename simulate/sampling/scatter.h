@@ -23,7 +23,7 @@ enum pp_lobe {
     PP_LOBE_COUNT,
 };
 
-/* Does the lobe go through the surface? */
+/* True if the lobe goes through the surface. */
 static inline bool pp_scatter_goes_through(enum pp_lobe lobe)
 {
     return lobe == PP_LOBE_THROUGH_DIFFUSE || lobe == PP_LOBE_THROUGH_GLOSS

@@ -171,7 +171,7 @@ static bool in_triangle(const struct pp_vec3 t[3], struct pp_vec3 normal,
     return true;
 }
 
-/* Is the point in the figure, or on the normal through a point of it? */
+/* True if the point is in the figure, or on the normal through a point of it. */
 static bool in_target(const struct pp_target *target, struct pp_vec3 point)
 {
     if (target->rectangle) {

@@ -46,7 +46,7 @@ enum pp_status pp_convex_room_create(struct pp_convex_room **room,
                                      struct pp_error *err);
 void pp_convex_room_destroy(struct pp_convex_room *room); /* NULL is allowed */
 
-/* Is the point in the room, and not in a niche? */
+/* True if the point is in the room and not in a niche. */
 bool pp_convex_room_encloses(const struct pp_convex_room *room, struct pp_vec3 point);
 
 /* The ray that looks from the middle of the room, where all of it is seen, at a point of its

@@ -181,7 +181,7 @@ static struct pp_vec3 in_cone(struct pp_vec3 axis, double fall, double u, double
                                  sqrt(fmax(0.0, fall * (2.0 - fall))), v);
 }
 
-/* Is any direction of the cone on the side of the normal n? */
+/* True if any direction of the cone is on the side of the normal n. */
 static bool cone_before(struct pp_vec3 axis, double fall, struct pp_vec3 n)
 {
     double facing = pp_vec_dot(axis, n);

@@ -28,7 +28,7 @@ struct pp_emitter {
     struct pp_target target;            /* of a plane emitter */
     int first_triangle, triangle_count; /* of the scene's emitter_triangles */
     struct pp_shape round;              /* of a round emitter */
-    bool back;                          /* is it the back that emits? */
+    bool back;                          /* the back emits */
     struct pp_vec3 middle;
     double area_m2;
 };

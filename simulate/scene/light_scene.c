@@ -112,7 +112,7 @@ static enum pp_status find_gloss(struct pp_light_scene *scene,
                          roughness[1], err);
 }
 
-/* Has the material one law for all channels? */
+/* True if the material has one law for all channels. */
 static bool has_one_glass(const struct pp_material *material)
 {
     return material->kind == PP_MATERIAL_GLASS

@@ -54,7 +54,7 @@ struct pp_light_hit {
     int tag;  /* the shape's */
     struct pp_vec3 point;
     struct pp_vec3 normal; /* unit, on the side that was met */
-    bool back;             /* was that its back? */
+    bool back;             /* true if that was its back */
     double distance_m;
     int material;        /* of that side */
     enum pp_space space; /* of a ray that leaves that side */

@@ -34,7 +34,7 @@ struct pp_light_part {
     unsigned char space[2]; /* enum pp_space of rays that leave front and back */
     bool envelope;          /* of a room: its back is not seen from inside */
     bool back_emits;
-    bool matt[2]; /* are front and back opaque and diffuse alone? */
+    bool matt[2]; /* front and back are opaque and purely diffuse */
 };
 
 struct pp_light_scene {
@@ -56,7 +56,7 @@ struct pp_light_scene {
     double decorations;   /* allowance on internally reflected light, not applied to
                            * paths; 1 also for a description */
     double most_exitance; /* the greatest of any surface's own */
-    bool reflects;        /* does any surface that the room sees? */
+    bool reflects;        /* a surface that the room sees reflects */
 
     struct pp_material *materials;
     int material_count;

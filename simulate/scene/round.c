@@ -66,7 +66,7 @@ static bool meet_cone(const struct pp_shape *shape, struct pp_vec3 p, struct pp_
     return roots(a, b, c, t);
 }
 
-/* Is the point of the double cone between its ends, on the right nappe? */
+/* True if the point of the double cone is between its ends, on the right nappe. */
 static bool on_cone(const struct pp_shape *shape, struct pp_vec3 point)
 {
     struct axis axis = axis_of(shape);

@@ -24,7 +24,7 @@ struct pp_radiance_options {
                          * pixel about 64/n is enough */
     int bounces;        /* diffuse reflections of a path, at most; -1: no limit but
                          * Russian roulette, which has no bias */
-    bool ground_counts; /* is the ground's reflection among them? */
+    bool ground_counts; /* the ground's reflection is among them */
     double least;       /* Russian roulette begins where the throughput falls below
                          * this; after gloss, mirror and clear glass below a tenth of
                          * it; greater than 0 */

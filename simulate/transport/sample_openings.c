@@ -17,7 +17,7 @@ int pp_sample_openings_vertex(const struct pp_shading_point *shading, int openin
                                  opening);
 }
 
-/* Was the sampler made for this target, point and normal? */
+/* True if the sampler was made for this target, point and normal. */
 static bool is_made_for(const struct pp_polygon_sampler *sampler,
                         const struct pp_target *target,
                         const struct pp_shading_point *shading)

@@ -31,7 +31,7 @@ struct pp_opening_sampling {
     uint32_t direction, count;              /* the one in turn, of that opening's */
     uint32_t index; /* the path's own, which `state` has again at the end */
     int numbers;    /* random ones of each: 2 for its place, 1 for which opening */
-    bool drawn;     /* are the random numbers of all directions in u? */
+    bool drawn;     /* u holds the random numbers of all directions */
     double u[3][PP_RUN_MOST];
 };
 

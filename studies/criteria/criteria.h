@@ -26,7 +26,7 @@ extern const struct pp_criterion pp_criterion_rights_of_light;
  * one past the last. */
 const struct pp_criterion *pp_criteria_at(int index);
 
-/* Is that the criterion's name or its short one? */
+/* True if that is the criterion's name or its alias. */
 bool pp_criteria_is_called(const struct pp_criterion *criterion, const char *name);
 
 #endif

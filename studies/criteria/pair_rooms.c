@@ -7,7 +7,7 @@
 /* Corners nearer together than this are the same; chosen, not measured. */
 static const double same_m = 0.01;
 
-/* Has b the same corners as a, in the same order, from whichever corner b begins? */
+/* True if b has the corners of a in the same order, whichever corner b begins with. */
 static bool same_outline(const struct pp_polygon *a, const struct pp_polygon *b)
 {
     if (a->count != b->count)

@@ -52,7 +52,7 @@ static bool put_beside(struct pp_site_table *table, const struct pp_assessment *
     return false;
 }
 
-/* Does the room have findings of that criterion? */
+/* True if the room has findings of that criterion. */
 static bool has(const struct pp_assessment *room, const struct pp_criterion *criterion)
 {
     for (int i = 0; i < room->answer_count; i++)

@@ -23,7 +23,7 @@ struct pp_site_row {
 
 /* The lines of all rooms, in their order. */
 struct pp_site_table {
-    bool has_mirror_image;       /* has any line one? */
+    bool has_mirror_image;       /* some line has one */
     struct pp_site_row *windows; /* vertical sky component, a line a window */
     int window_count;
     struct pp_site_row *rooms; /* area that sees sky, a line a room */

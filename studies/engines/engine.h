@@ -49,7 +49,7 @@ struct pp_engine {
     const char *from;      /* heading for deviations from it: "from traced, %"; NULL:
                             * none, as it is not a reference */
     bool is_truth;         /* true if hand figures can be compared with it */
-    bool is_sampled;       /* does another seed give other figures? */
+    bool is_sampled;       /* another seed gives other figures */
     const struct pp_engine
         *plain; /* gives the same by a plain implementation; NULL: none */
 

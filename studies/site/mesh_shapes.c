@@ -35,7 +35,7 @@ struct mesh_triangle {
 struct mesh_edge {
     int low, high; /* places, low < high */
     int triangle;
-    bool forwards;  /* does it run from low to high? */
+    bool forwards;  /* it runs from low to high */
     bool is_unseen; /* of the boundary: no line */
 };
 
@@ -150,7 +150,7 @@ static int root_of(struct mesh_parts *parts, int triangle)
     return triangle;
 }
 
-/* Do two edges join triangles that are seen as one? */
+/* True if two edges join triangles that are seen as one. */
 static bool is_smooth(const struct mesh_parts *parts, const struct mesh_edge *pair)
 {
     const struct mesh_triangle *a = &parts->triangles[pair[0].triangle];

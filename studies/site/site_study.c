@@ -85,7 +85,7 @@ static enum pp_status add_site_windows(struct pp_site_sheet *sheet,
     return status;
 }
 
-/* Do two windows stand in one plane, and one above the other? */
+/* True if two windows stand in one plane, one above the other. */
 static bool is_above(const struct pp_site_window *a, const struct pp_site_window *b)
 {
     struct pp_vec3 along = pp_vec_sub(b->to, b->from);

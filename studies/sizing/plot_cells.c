@@ -51,7 +51,7 @@ static void turn_plot(struct plot *plot)
     }
 }
 
-/* Does a side of the outline run through the rectangle? By Liang and Barsky. */
+/* True if a side of the outline runs through the rectangle (Liang and Barsky). */
 static bool is_cut(struct pp_vec3 a, struct pp_vec3 b, const double low[2],
                    const double high[2])
 {
@@ -71,7 +71,7 @@ static bool is_cut(struct pp_vec3 a, struct pp_vec3 b, const double low[2],
     return enter < leave;
 }
 
-/* Does the point lie in the outline? By the sides that a ray along x meets. */
+/* True if the point lies in the outline, by the sides that a ray along x meets. */
 static bool contains(const struct plot *plot, double x, double y)
 {
     bool inside = false;

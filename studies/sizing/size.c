@@ -81,7 +81,7 @@ static bool reaches(const struct search *search, const struct size_trial *trial)
     return trial->reading.value >= (1.0 - rounding_share) * search->task->target;
 }
 
-/* Is a sampled value as near to the target as it shall come? */
+/* True if a sampled value is near enough to the target. */
 static bool is_near(const struct search *search, const struct size_trial *trial)
 {
     return is_sampled(trial)

@@ -206,7 +206,7 @@ static void find_text(struct pp_size_room_result *result)
 
 /* ---- The room ---- */
 
-/* Can the method's average of the room as it is be relied on? */
+/* True if the method's average of the room as it is can be relied on. */
 static enum pp_status find_reliability(struct pp_size_room_result *result,
                                        const struct valuation *valuation,
                                        struct pp_error *err)

@@ -102,7 +102,7 @@ static enum pp_status add_station(double **edges, struct pp_window_sizes *sizes,
     return status;
 }
 
-/* Can the room's openings have these edges? */
+/* True if the room's openings can have these edges. */
 static enum pp_status is_possible(bool *possible, const struct pp_window_sizes *sizes,
                                   struct pp_room *trial, const double *edges,
                                   struct pp_error *err)

@@ -18,7 +18,7 @@
 struct pp_rad_transform {
     struct pp_vec3 rows[3], move;
     double scale;  /* greater than 0 */
-    bool mirrored; /* is left on the right? */
+    bool mirrored; /* left and right are exchanged */
 };
 
 struct pp_rad_transform pp_rad_transform_identity(void);

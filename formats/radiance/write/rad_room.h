@@ -40,7 +40,7 @@ struct pp_rad_room {
 enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world *world,
                                 const struct pp_outside_light *light, double horizontal,
                                 bool gloss, struct pp_error *err);
-/* Has any of its finishes a colour or a gloss? */
+/* True if any of its finishes has a colour or a gloss. */
 bool pp_rad_room_has_gloss(const struct pp_world *world);
 
 void pp_rad_room_clear(struct pp_rad_room *room);

@@ -30,7 +30,7 @@ struct pp_rad_writer {
     int *pair_of;     /* of each shape; -1: it has one material */
     bool *in_pairs;   /* of each material: is it written within a pair? */
     bool *on_its_own; /* and by itself? */
-    bool *behind;     /* is it the back of any shape? */
+    bool *behind;     /* true for the back of a shape */
 };
 
 #endif

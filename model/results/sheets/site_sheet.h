@@ -27,7 +27,7 @@ struct pp_site_shape {
                 * NULL: the corners are one ring */
     int ring_count;
     bool *
-        unseen; /* is the edge from a corner to the next no line? NULL: all are lines */
+        unseen; /* true: the edge from a corner to the next is no line; NULL: all are lines */
     double top_m;     /* z of its highest corner */
     const char *name; /* of the thing that it is a side of; NULL: none */
     enum pp_site_when when;

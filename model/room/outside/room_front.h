@@ -47,7 +47,7 @@ enum pp_status pp_room_front_give_way(struct pp_room_front *front,
                                       const struct pp_world *body,
                                       struct pp_clipper *clipper, struct pp_error *err);
 
-/* Do two facades lie in one plane and overlap? */
+/* True if two facades lie in one plane and overlap. */
 bool pp_room_front_overlaps(const struct pp_room_front *a,
                             const struct pp_room_front *b);
 

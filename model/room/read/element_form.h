@@ -18,7 +18,7 @@ bool pp_element_form_check_children(const struct pp_element_rule *rule,
                                     const struct pp_xml_element *element,
                                     struct pp_mistakes *mistakes);
 
-/* Is the element one by that rule? */
+/* True if the rule names the element. */
 bool pp_element_form_matches(const struct pp_xml_element *element,
                              const struct pp_element_rule *rule);
 

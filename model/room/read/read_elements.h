@@ -31,7 +31,7 @@ struct pp_building {
     int *places;           /* of each where it stands in `read`, */
     bool *moved;           /* and has it moved from there? */
     int room_count;
-    bool has_states; /* does anything stand there in one state only? */
+    bool has_states; /* something stands there in one state only */
     char *folder; /* that its paths are relative to, "" or with a / behind it; NULL: it
                       * was in memory */
     char *text;   /* of the file, with a 0 behind it */

@@ -26,7 +26,7 @@ struct pp_reader {
     struct pp_glass glasses[PP_READER_GLASSES];
 };
 
-/* Has the reader met enough mistakes, or is memory out? */
+/* True after enough mistakes, or if memory is out. */
 bool pp_reader_should_stop(const struct pp_reader *r);
 
 /* Room for one item more than `count` in a list that has grown so only (its address is

@@ -34,7 +34,7 @@ struct pp_photon {
     struct pp_light_ray ray;
     struct pp_rgb flux;
     enum pp_photon_last last;
-    bool scattered; /* is it more than the light that an opening sends straight? */
+    bool scattered;          /* scattered at least once since it left the opening */
     struct pp_light_hit hit; /* its present position */
     struct pp_lobes lobes;   /* there */
     int vertex;              /* of its random numbers */

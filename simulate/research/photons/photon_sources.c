@@ -115,7 +115,7 @@ static void add_pane(struct pp_photon_sources *sources,
     sources->pane_power += source->power;
 }
 
-/* Does this side of a part give off light into the room? */
+/* True if this side of a part emits light into the room. */
 static bool is_lamp(const struct pp_light_scene *scene, int index, int side)
 {
     const struct pp_light_part *part = &scene->parts[index];

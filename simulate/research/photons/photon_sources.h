@@ -44,7 +44,7 @@ struct pp_photon_sources {
     int count, pane_count;
     double power, pane_power;       /* of all, and of all openings */
     double limit;                   /* of cos cos'/d^2 at a surface hit by a photon */
-    bool all_seen;                  /* do any two places in the room see each other? */
+    bool all_seen;                  /* any two places in the room see each other */
     struct pp_vec3 (*triangles)[3]; /* of lamps */
 };
 

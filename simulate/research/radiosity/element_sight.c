@@ -38,7 +38,7 @@ static void reach(const struct pp_element_sight *sight, int i, int plane, double
     }
 }
 
-/* Is every facet part of the room's hull, with all others before it? */
+/* True if every facet is part of the room's hull, with all others before it. */
 static bool hull_is_convex(const struct pp_element_sight *sight)
 {
     for (int p = 0; p < sight->count; p++) {

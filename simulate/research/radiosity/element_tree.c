@@ -133,7 +133,7 @@ enum pp_status pp_element_tree_divide(struct pp_element_tree *tree, int index,
     return status;
 }
 
-/* Is it longer than size_m, or too long for its breadth? */
+/* True if it is longer than size_m, or too long for its width. */
 static bool is_too_long(const struct pp_element_tree *tree, int index, double size_m)
 {
     const struct pp_element *element = &tree->list[index];
@@ -226,7 +226,7 @@ static double beyond(const struct pp_element_tree *tree, int index,
     return most;
 }
 
-/* Does the point lie within all edges? */
+/* True if the point lies within all edges. */
 static bool holds(const struct pp_element_tree *tree, int index, struct pp_vec3 point)
 {
     const struct pp_element *element = &tree->list[index];

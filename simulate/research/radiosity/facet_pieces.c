@@ -165,7 +165,7 @@ static enum pp_status less_covers(const struct cutting *work, struct pp_region *
     return status;
 }
 
-/* Is the facet all of its outline, in the place where that is? */
+/* True if the facet is all of its outline, in the same place. */
 static bool is_whole(const struct pp_world *world, int index)
 {
     if (index >= world->face_count)

@@ -57,7 +57,7 @@ static void set_surface(struct pp_facet *facet, const struct pp_world *world, in
     }
 }
 
-/* Does the pane's plane have all surfaces on the side of the room? */
+/* True if all surfaces are on the room's side of the pane's plane. */
 static bool looks_out(const struct pp_facet *pane, const struct pp_world *world)
 {
     for (int i = 0; i < world->surface_count; i++)

@@ -31,7 +31,7 @@ struct pp_facet {
     bool clear;                       /* a pane that is seen through */
     bool looks_out;                   /* a pane with no surface before it outdoors */
     double through;          /* transmittance of a pane that scatters, 0 elsewhere */
-    bool envelope;           /* is one side in the room and the other outdoors? */
+    bool envelope;           /* one side is in the room, the other outdoors */
     struct pp_region region; /* in a and b from the origin, without openings and covers;
                                 * of facets with a side in the room only */
     int first_piece, piece_count;

@@ -24,7 +24,7 @@ struct pp_light_room {
 struct pp_light_ray_start {
     struct pp_vec3 from, to; /* to: unit */
     int but;                 /* the facet that the ray leaves; -1: none */
-    bool indoors;            /* does it begin in the room? */
+    bool indoors;            /* it begins in the room */
 };
 
 /* Adds `weight` times pi times the radiance along the ray to the sum. part: PP_DF: the

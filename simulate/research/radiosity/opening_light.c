@@ -29,7 +29,7 @@ struct looking {
     const struct pp_opening_light_accuracy *accuracy;
     struct pp_light_sum *sum;
     int pane;             /* its facet */
-    bool through_opening; /* is the pane seen through its opening's edges alone? */
+    bool through_opening; /* the pane is seen through its opening's edges only */
     double tolerance;     /* of a pane's light */
 };
 
@@ -39,7 +39,7 @@ struct cell {
     int count;
     double factor, light;
     struct pp_vec3 middle;
-    bool seen; /* is the middle? */
+    bool seen; /* true if the middle is seen */
     struct pp_light_mark from, to;
 };
 
@@ -219,7 +219,7 @@ static double add_pane(const struct looking *l)
     return light;
 }
 
-/* Is the taker before the pane, on the side of the room? */
+/* True if the receiving element is before the pane, on the room's side. */
 static bool faces(const struct looking *l)
 {
     const struct pp_facet *pane = &l->room->facets->list[l->pane];

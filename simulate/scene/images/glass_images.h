@@ -26,7 +26,7 @@ struct pp_glass_image {
  * openings lie in one plane, or in one without glass. */
 enum pp_status pp_glass_images_find(struct pp_light_scene *scene, struct pp_error *err);
 
-/* Is it one of the scene's? */
+/* True if it is one of the scene's. */
 bool pp_glass_images_has(const struct pp_light_scene *scene, int glass, int window);
 
 /* One image, seen from the view's point. */

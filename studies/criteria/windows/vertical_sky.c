@@ -37,7 +37,7 @@ bool pp_vertical_sky_is_upright(const struct pp_opening *opening)
     return fabs(opening->slope_rad - PP_PI / 2.0) < 1.0 * PP_RAD;
 }
 
-/* Is the window one to be judged at french_m? */
+/* True if the window is judged at french_m. */
 static bool is_french(const struct pp_opening *opening, double french_m)
 {
     double low = INFINITY, high = -INFINITY;

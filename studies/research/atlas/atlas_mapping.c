@@ -258,7 +258,7 @@ static void fill_quantiles(struct pp_atlas_quantiles *cells, struct mapped_ratio
     take_quantiles(list, count, cells);
 }
 
-/* Does the method say anything at points? */
+/* True if the method gives values at points. */
 static bool says_at_points(const struct pp_atlas_table *table, int said)
 {
     for (int row = 0; row < table->row_count; row++)

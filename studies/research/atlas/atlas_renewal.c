@@ -60,7 +60,7 @@ static void truth_of(const void *data, int point, struct pp_atlas_truth *truth)
         truth->own[i] = 0.01 * pp_atlas_table_value(kept->table, row, kept->own_at[i]);
 }
 
-/* Do two columns of the report calculate in the same world? */
+/* True if two columns of the report use the same world. */
 static bool are_alike(const struct kept *kept, int one, int other)
 {
     const struct pp_column *a =

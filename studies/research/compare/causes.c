@@ -103,7 +103,7 @@ static bool has_colours(const struct pp_compare_subject *subject)
     return false;
 }
 
-/* Are the points elsewhere, and would all be good there? */
+/* True if the points are elsewhere and all are valid there. */
 static bool is_off(const struct pp_compare_subject *subject, double z_m)
 {
     bool off = !subject->room || z_m < subject->room->world->height_m;

@@ -15,7 +15,7 @@ struct pp_cause {
     const char *remedy; /* correction to make there */
     bool is_factor;
     bool is_alone; /* true if it leaves nothing for other causes */
-    /* Can it be told there at all? NULL: anywhere. */
+    /* True if it can be detected there; NULL: anywhere. */
     bool (*applies)(const struct pp_compare_subject *subject);
 };
 
@@ -31,7 +31,7 @@ const struct pp_cause *pp_causes_at(int index);
 /* Kinds of mistake that no cause imitates, as a sentence's parts; NULL behind the last. */
 const char *pp_causes_missing_at(int index);
 
-/* Has its switch a value that is fitted, a reflectance from 0 to PP_CAUSES_VALUE_MOST? */
+/* True if its value is fitted: a reflectance from 0 to PP_CAUSES_VALUE_MOST. */
 #define PP_CAUSES_VALUE_MOST 0.8
 bool pp_causes_is_fitted(const struct pp_cause *cause);
 

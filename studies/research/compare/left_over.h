@@ -35,10 +35,10 @@ enum pp_status pp_left_over(struct pp_left_over *over, const double *left,
                             const struct pp_vec3 *places, int count, double known_noise,
                             struct pp_error *err);
 
-/* Does noise explain all that is left? False, too, where the noise is not known. */
+/* True if noise explains all that is left; false if the noise is not known. */
 bool pp_left_over_is_noise(const struct pp_left_over *over);
 
-/* Is more left than noise explains? False, too, where the noise is not known. */
+/* True if more is left than noise explains; false if the noise is not known. */
 bool pp_left_over_exceeds(const struct pp_left_over *over);
 
 #endif

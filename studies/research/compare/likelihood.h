@@ -29,7 +29,7 @@ struct pp_likelihood_data {
 struct pp_supposition {
     const double *effect;   /* e_i */
     const double *variance; /* s_i^2 */
-    bool has_factor;        /* is theta unknown? */
+    bool has_factor;        /* theta is unknown */
 };
 
 struct pp_likelihood {

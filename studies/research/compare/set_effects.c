@@ -54,7 +54,7 @@ bool pp_set_effects_has_fitted(const struct pp_set_effects *effects, const int *
     return false;
 }
 
-/* Does it do anything, or its value? */
+/* True if the cause, or its value, has an effect. */
 static bool is_felt(const struct pp_known_set *known, int points)
 {
     double sum = 0.0;

@@ -40,7 +40,7 @@ struct pp_comparison {
     double worst, worst_error; /* d_i and s_i of the worst point */
     int worst_point;           /* of the report's receivers */
     double average, traced_average, traced_average_error; /* NAN: none */
-    bool own_world; /* is the method's another than the room's? else assumption is 0 */
+    bool own_world; /* the method's world is not the room's; else assumption is 0 */
     struct pp_error_parts of_bias, of_average; /* of average - traced_average */
 };
 
@@ -73,7 +73,7 @@ struct pp_overall {
     double average_spread; /* root mean square of the same */
     double assumption, formula;                 /* of bias */
     double average_assumption, average_formula; /* of average_bias */
-    bool own_world; /* is the method's another than the room's in any of the rooms? */
+    bool own_world; /* in some room the method's world is not the room's */
     const struct pp_comparison *worst_comparison; /* of the worst point; not owned */
 };
 

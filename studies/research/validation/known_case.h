@@ -57,7 +57,7 @@ void pp_known_case_add_traced_printed(struct pp_known_cases *cases, const char *
                                       struct pp_reading reading, double per_cent,
                                       int decimals);
 
-/* Is the answer within its limits? Without a verdict it is not. */
+/* True if the answer is within its limits; false without a verdict. */
 bool pp_known_case_is_right(const struct pp_known_case *one);
 
 /* True if it has limits. A case without limits is neither right nor wrong. */
@@ -68,7 +68,7 @@ bool pp_known_case_is_judged(const struct pp_known_case *one);
 const char *pp_known_case_reason(const struct pp_known_cases *cases, int index,
                                  int *count);
 
-/* Has any the two parts of its difference? */
+/* True if any has the two parts of its difference. */
 bool pp_known_case_has_parts(const struct pp_known_cases *cases);
 
 /* The difference over its limit on that side: -1 and 1 at the limits, 0 where there is none;

@@ -109,7 +109,7 @@ static const char *wall_towards(const struct pp_world *world, struct pp_vec3 out
     return NULL;
 }
 
-/* Is nothing outside but far skylines of the formulae's reflectance, at these angles? */
+/* True if only far skylines of the formulae's reflectance stand outside, at these angles. */
 static bool are_the_rooms(const struct pp_own_skylines *skylines,
                           const struct pp_world *world)
 {

@@ -22,7 +22,7 @@ struct own_kind {
 
 struct own_world {
     struct own_kind kind;
-    bool inside; /* is the internally reflected component asked of it, too? */
+    bool inside; /* also gives the internally reflected component */
     struct pp_world *world;
     struct pp_report report;
 };
