@@ -21,6 +21,7 @@ static const struct pp_chart_kind *const kinds[] = {
     &pp_draw_overlay,
     &pp_draw_model_net,
     &pp_draw_availability,
+    &pp_draw_year,
     NULL,
 };
 

@@ -105,6 +105,7 @@ struct pp_chart_kind {
     bool of_site;        /* one sheet for all rooms of a file */
     enum pp_paper paper; /* default paper */
     bool of_sun;         /* takes a latitude, for the sun's paths */
+    bool of_year;        /* needs a weather file and a room */
     bool transparent;    /* is laid on something: has no white ground */
 
     bool landscape; /* its sheet always lies on its side */
@@ -128,7 +129,7 @@ extern const struct pp_chart_kind pp_draw_section, pp_draw_plan, pp_draw_site_pl
     pp_draw_elevation, pp_draw_note, pp_draw_waldram, pp_draw_pepper_pot,
     pp_draw_protractor, pp_draw_nomogram, pp_draw_position_nomogram, pp_draw_brs_table,
     pp_draw_vertical_sky, pp_draw_skylight_indicator, pp_draw_overlay, pp_draw_sun_path,
-    pp_draw_model_net, pp_draw_availability;
+    pp_draw_model_net, pp_draw_availability, pp_draw_year;
 
 /* Chart kinds in list order; NULL for the index just past the end of the list. */
 const struct pp_chart_kind *pp_chart_kind_at(int index);

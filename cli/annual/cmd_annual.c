@@ -37,7 +37,7 @@ struct annual_options {
     struct pp_annual_options annual;
     double sun_shift_min; /* NAN: auto */
     bool without_blinds, leap_day;
-    const char *hourly;
+    const char *hourly, *coefficients;
     enum pp_format format;
 };
 
@@ -75,6 +75,7 @@ static void settle_annual(struct annual_run *run)
     memcpy(annual->illuminances_lx, options->light.illuminances.lx,
            sizeof annual->illuminances_lx);
     annual->blinds = !options->without_blinds && !annual->exact_sky;
+    annual->coefficients = options->coefficients != NULL;
     annual->samples = (int)study->samples;
     annual->error = study->error;
     annual->seed = study->seed;
@@ -145,21 +146,33 @@ static bool annual_is_finished(const void *data)
     return true;
 }
 
-/* Writes the hours of the one room. */
-static enum pp_exit write_hourly(const struct annual_run *run)
+/* Writes a further file on the one room, if it has a name. */
+static enum pp_exit write_further(const struct annual_run *run, const char *name,
+                                  void (*put)(const struct pp_annual_sheet *sheet,
+                                              const char *name, FILE *out))
 {
     struct pp_output output;
     struct pp_error err = {0};
-    const char *name = run->options->hourly;
     if (!name || !annual_is_finished(run))
         return PP_EXIT_DONE;
     enum pp_status status = pp_output_open(&output, name, &err);
     if (status != PP_OK)
         return pp_message_error(&err);
-    pp_annual_hourly_put(&run->results.list[0].sheet, pp_annual_hourly_of_name(name),
-                         output.stream);
+    put(&run->results.list[0].sheet, name, output.stream);
     status = pp_output_close(&output, PP_OK, &err);
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
+}
+
+static void put_hourly(const struct pp_annual_sheet *sheet, const char *name, FILE *out)
+{
+    pp_annual_hourly_put(sheet, pp_annual_hourly_of_name(name), out);
+}
+
+static void put_coefficients(const struct pp_annual_sheet *sheet, const char *name,
+                             FILE *out)
+{
+    (void)name;
+    pp_annual_hourly_put_matrix(sheet, out);
 }
 
 static enum pp_exit run_annual_of_rooms(struct annual_options *options,
@@ -173,7 +186,9 @@ static enum pp_exit run_annual_of_rooms(struct annual_options *options,
     enum pp_exit exit_status = pp_job_run(&(struct pp_job){
         options->room.output, compute_annual, print_annual, annual_is_finished, &run});
     if (exit_status == PP_EXIT_DONE)
-        exit_status = write_hourly(&run);
+        exit_status = write_further(&run, options->hourly, put_hourly);
+    if (exit_status == PP_EXIT_DONE)
+        exit_status = write_further(&run, options->coefficients, put_coefficients);
     for (int i = 0; i < run.results.count; i++)
         pp_annual_sheet_clear(&run.results.list[i].sheet);
     free(run.results.list);
@@ -192,11 +207,11 @@ static enum pp_exit run_annual(void *values, char **files, int file_count)
         result = pp_rooms_load(&rooms, "annual", files, file_count, &options->room);
     if (result != PP_EXIT_DONE)
         return result;
-    if (options->hourly && rooms.count != 1) {
+    if ((options->hourly || options->coefficients) && rooms.count != 1) {
         struct pp_error err = {0};
         pp_fail(&err, PP_BAD_INPUT,
-                "--hourly is of one room, and there are %d; expected --room NAME",
-                rooms.count);
+                "%s is of one room, and there are %d; expected --room NAME",
+                options->hourly ? "--hourly" : "--coefficients", rooms.count);
         result = pp_message_error(&err);
     } else {
         result = run_annual_of_rooms(options, &rooms);
@@ -271,6 +286,11 @@ static const struct pp_option result_options[] = {
      "FILE.npy "
      "(NumPy's).",
      read_hourly, PLACE(hourly)},
+    {"coefficients", 0, "FILE",
+     "Also write the coefficients of the ground and of all patches of the sky, as a "
+     "matrix "
+     "of Radiance's (dctimestep).",
+     pp_options_read_output, PLACE(coefficients)},
     {0},
 };
 
@@ -336,6 +356,8 @@ static enum pp_status check_annual_options(void *values, char **files, int file_
         return pp_fail(err, PP_BAD_INPUT,
                        "--samples is %ld; expected a power of two up to 65536",
                        study->samples);
+    if (options->coefficients && options->annual.exact_sky)
+        return pp_fail(err, PP_BAD_INPUT, "--exact-sky has no --coefficients");
     study->simulate = true;
     return pp_availability_options_check(&options->light, files, file_count, err);
 }

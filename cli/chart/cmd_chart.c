@@ -285,11 +285,18 @@ static enum pp_status check_light(const struct pp_year_options *light,
                                   int file_count, struct pp_error *err)
 {
     bool said = light->weather || !isnan(light->latitude_deg);
+    if (kind->of_year) {
+        if (!light->weather || file_count == 0)
+            return pp_fail(err, PP_BAD_INPUT,
+                           "a chart of the %s needs --weather FILE.epw and a room file",
+                           kind->name);
+        return pp_availability_options_check(light, files, file_count, err);
+    }
     if (!kind->outside)
         return said && (light->weather || !kind->of_sun)
                    ? pp_fail(err, PP_BAD_INPUT,
                              "%s is drawn without a year's light; --weather and "
-                             "--latitude are of availability",
+                             "--latitude are of availability, --weather of year",
                              kind->name)
                    : PP_OK;
     if (!said && file_count == 0)

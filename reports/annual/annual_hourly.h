@@ -22,6 +22,10 @@ enum pp_annual_hourly_format {
 /* By the end of a file's name. */
 enum pp_annual_hourly_format pp_annual_hourly_of_name(const char *name);
 
+/* Writes the coefficients as Radiance's matrix: a row a point; a column for the ground,
+ * then one a patch, as of reinhart.cal; lx over cd/m2. */
+void pp_annual_hourly_put_matrix(const struct pp_annual_sheet *sheet, FILE *out);
+
 void pp_annual_hourly_put(const struct pp_annual_sheet *sheet,
                           enum pp_annual_hourly_format format, FILE *out);
 

@@ -61,6 +61,14 @@ static bool add_plane(struct json_object *object, const struct pp_annual_sheet *
         snprintf(key, sizeof key, "en17037-%g", pp_annual_sheet_levels_lx[i]);
         good = add_annual_figure(to, key, &plane->level[i], 100.0);
     }
+    struct pp_annual_leed leed = pp_annual_sheet_leed(sheet);
+    struct json_object *credit = json_object_new_object();
+    good =
+        good && pp_json_add(object, "leed-v4.1", credit)
+        && pp_json_number(credit, "points", leed.why_not ? NAN : leed.points)
+        && (leed.why_not ? pp_json_text(credit, "why", leed.why_not)
+                         : pp_json_add(credit, "ase_to_explain",
+                                       json_object_new_boolean(leed.ase_to_explain)));
     struct json_object *mean = json_object_new_object();
     return good && pp_json_add(object, "average", mean)
            && add_figures(mean, sheet, &sheet->mean);

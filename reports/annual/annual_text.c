@@ -64,6 +64,23 @@ static void print_levels(const struct text_page *page)
     print_annual_fact(page, "EN 17037", text);
 }
 
+static void print_leed(const struct text_page *page)
+{
+    struct pp_annual_leed leed = pp_annual_sheet_leed(page->sheet);
+    char text[240];
+    if (leed.why_not)
+        return;
+    snprintf(
+        text, sizeof text,
+        "option 1: %d point%s, if this room stands for all regularly occupied area "
+        "(mean sDA 40, 55, 75 %%: 1, 2, 3 points)%s",
+        leed.points, leed.points == 1 ? "" : "s",
+        leed.ase_to_explain
+            ? "; ASE is above 10 %: describe how the space is protected from glare"
+            : "");
+    print_annual_fact(page, "LEED v4.1", text);
+}
+
 static void print_plane(const struct text_page *page)
 {
     const struct pp_annual_sheet *sheet = page->sheet;
@@ -81,6 +98,7 @@ static void print_plane(const struct text_page *page)
     print_share(page, "ASE1000,250", &plane->ase,
                 "of the points have direct sun above 1000 lx in more than 250 h");
     print_levels(page);
+    print_leed(page);
     if (sheet->near_half > 0) {
         snprintf(text, sizeof text,
                  "%d point%s within two standard errors of half of the hours: more "

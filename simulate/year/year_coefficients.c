@@ -311,6 +311,21 @@ double pp_year_coefficients_spread(const struct pp_year_coefficients *c, int rec
                : 0.0;
 }
 
+void pp_year_coefficients_mean(const struct pp_year_coefficients *c, int receiver,
+                               float *mean)
+{
+    int groups = c->task.group_count, columns = c->task.column_count;
+    for (int k = 0; k < columns; k++) {
+        double sum = 0.0;
+        for (int b = 0; b < PP_YEAR_BATCHES; b++)
+            for (int g = 0; g < groups; g++)
+                sum += c->batches[b]
+                           .light[(size_t)(receiver * groups + g) * (size_t)columns
+                                  + (size_t)k];
+        mean[k] = (float)(sum / PP_YEAR_BATCHES);
+    }
+}
+
 int pp_year_coefficients_cells(const struct pp_year_coefficients *c)
 {
     return c->cells.count;

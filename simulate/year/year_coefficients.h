@@ -67,6 +67,11 @@ enum pp_status pp_year_coefficients_point(
 double pp_year_coefficients_spread(const struct pp_year_coefficients *coefficients,
                                    int receiver);
 
+/* The mean over batches of a receiver's coefficients, all groups together, without its
+ * direct light: by column. */
+void pp_year_coefficients_mean(const struct pp_year_coefficients *coefficients,
+                               int receiver, float *mean);
+
 int pp_year_coefficients_cells(const struct pp_year_coefficients *coefficients);
 const struct pp_sky_patches *pp_year_coefficients_patches(
     const struct pp_year_coefficients *coefficients);

@@ -143,6 +143,38 @@ static enum pp_status simulate(struct pp_annual_work *work, struct pp_error *err
     return status;
 }
 
+/* Direct and reflected light of each point by patch, and by the ground's luminance. */
+static enum pp_status keep_coefficients(struct pp_annual_work *work,
+                                        struct pp_error *err)
+{
+    int columns = work->columns.column_count, patches = work->columns.patches.count;
+    int groups = work->groups.count;
+    struct pp_annual_sheet *sheet = work->sheet;
+    double ground = pp_outside_light_ground(work->light) / PP_PI;
+    if (columns > patches + 1)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a skyline without a distance has no place in coefficients; "
+                       "expected one with a distance, or a block");
+    float *row = malloc((size_t)columns * sizeof *row);
+    sheet->patch_count = patches;
+    sheet->coefficients = calloc((size_t)work->receiver_count * (size_t)columns + 1,
+                                 sizeof *sheet->coefficients);
+    for (int x = 0; row && sheet->coefficients && x < work->receiver_count; x++) {
+        float *to = sheet->coefficients + (size_t)x * (size_t)columns;
+        pp_year_coefficients_mean(work->coefficients, x, row);
+        for (int g = 0; g < groups; g++)
+            for (int k = 0; k < columns; k++)
+                row[k] += work->direct[((size_t)x * (size_t)groups + (size_t)g)
+                                           * (size_t)columns
+                                       + (size_t)k];
+        to[0] = ground > 0.0 ? (float)(row[patches] / ground) : 0.0f;
+        for (int k = 0; k < patches; k++)
+            to[1 + k] = row[k];
+    }
+    free(row);
+    return row && sheet->coefficients ? PP_OK : pp_fail_memory(err);
+}
+
 static void finish(struct pp_annual_work *work)
 {
     struct pp_annual_sheet *sheet = work->sheet;
@@ -185,7 +217,10 @@ static enum pp_status work_out(struct pp_annual_work *work, struct pp_error *err
         return status;
     if (work->options->blinds)
         pp_annual_direct_close_blinds(work);
-    status = for_points(work, pp_annual_point_work, err);
+    if (work->options->coefficients && work->coefficients)
+        status = keep_coefficients(work, err);
+    if (status == PP_OK)
+        status = for_points(work, pp_annual_point_work, err);
     if (status == PP_OK)
         finish(work);
     return status;

@@ -27,7 +27,8 @@ struct pp_annual_options {
     int samples;  /* paths of a point in each randomisation; 0: by error */
     double error; /* largest standard error over a point's annual light; 0: not set */
     bool blinds;
-    bool exact_sky; /* without patches and cells: the slow reference */
+    bool coefficients; /* keep them in the sheet */
+    bool exact_sky;    /* without patches and cells: the slow reference */
     uint64_t seed;
     int threads;
     struct pp_watch watch;

@@ -11,6 +11,8 @@ struct pp_annual_space {
     float *open, *blinds; /* [batch][step]: all light */
     float *sums[5];       /* by hour: means over batches, or without one of them */
     float *rank;
+    double parts[2][PP_YEAR_BATCHES]; /* light of the year, lx h: of the sky, of sunlit
+                                       * surfaces */
 };
 
 enum { SUM_OPEN, SUM_SKY, SUM_SUN, SUM_REFLECTED, SUM_BLINDS };
@@ -64,6 +66,7 @@ static void add_up(struct pp_annual_work *work, struct pp_annual_space *space, i
     const float *direct = work->direct_sun + (size_t)x * (size_t)groups * (size_t)count;
     for (int k = 0; k < 5; k++)
         memset(space->sums[k], 0, step * sizeof(float));
+    memset(space->parts, 0, sizeof space->parts);
     memset(space->open, 0, PP_YEAR_BATCHES * step * sizeof(float));
     memset(space->blinds, 0, PP_YEAR_BATCHES * step * sizeof(float));
     for (int g = 0; g < groups; g++) {
@@ -90,6 +93,8 @@ static void add_up(struct pp_annual_work *work, struct pp_annual_space *space, i
                 space->open[(size_t)b * step + (size_t)t] += all;
                 space->blinds[(size_t)b * step + (size_t)t] +=
                     closed[t] ? emitted * work->on_panes[row + (size_t)t] : all;
+                space->parts[0][b] += (double)sky * work->clock.length_h[t];
+                space->parts[1][b] += (double)reflected * work->clock.length_h[t];
                 light[1 + b] += (double)all * work->clock.length_h[t];
             }
             light[0] += light[1 + b] / PP_YEAR_BATCHES;
@@ -111,6 +116,14 @@ static void leave_out(float *out, const float *mean, const float *batch, int cou
         out[t] = (PP_YEAR_BATCHES * mean[t] - batch[t]) / (PP_YEAR_BATCHES - 1);
 }
 
+static double total_without(const double *totals, int batch)
+{
+    double sum = 0.0;
+    for (int b = 0; b < PP_YEAR_BATCHES; b++)
+        sum += b == batch ? 0.0 : totals[b];
+    return sum / (PP_YEAR_BATCHES - 1);
+}
+
 static void judge(struct pp_annual_work *work, struct pp_annual_space *space, int x)
 {
     const struct pp_annual_options *options = work->options;
@@ -130,8 +143,7 @@ static void judge(struct pp_annual_work *work, struct pp_annual_space *space, in
     memcpy(work->sheet->sun_lx + (size_t)x * (size_t)count, values.sun,
            (size_t)count * sizeof *row);
 
-    /* The same without each batch; sky and sun_reflected stay means, as their errors are
-     * those of the sum. */
+    /* The same without each batch. */
     double *without = work->without + (size_t)x * PP_YEAR_BATCHES * PP_ANNUAL_FIGURES;
     float *open = space->sky, *blinds = space->sun; /* used up */
     values.open = open;
@@ -142,6 +154,8 @@ static void judge(struct pp_annual_work *work, struct pp_annual_space *space, in
         leave_out(blinds, means[1], space->blinds + (size_t)b * work->step, count);
         pp_year_metrics_of(&part, &values, &work->clock, options->illuminances_lx,
                            options->illuminance_count);
+        part.sky_lxh.value = total_without(space->parts[0], b);
+        part.sun_reflected_lxh.value = total_without(space->parts[1], b);
         for (int i = 0; i < PP_ANNUAL_FIGURES; i++)
             without[b * PP_ANNUAL_FIGURES + i] =
                 pp_annual_sheet_figure(&part, i)->value;

@@ -152,6 +152,8 @@ enum pp_status pp_annual_words_fill(struct pp_annual_sheet *sheet,
     memcpy(sheet->illuminances_lx, options->illuminances_lx,
            sizeof sheet->illuminances_lx);
     sheet->has_blinds = options->blinds;
+    sheet->standard_hours = options->hours.from_h == 8.0 && options->hours.to_h == 18.0
+                            && options->hours.days == PP_ALL_DAYS;
     sheet->occupied_h = clock->all_occupied_h;
     sheet->diffuse_median_lx = clock->diffuse_median_lx;
     sheet->sun_shift_min = 60.0 * year->sun_shift_h;

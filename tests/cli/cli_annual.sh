@@ -65,6 +65,11 @@ cp "$scratch/out" "$scratch/first"
 run $annual --seed 5 --threads 3 -f csv "$room"
 check "any number of threads gives the same bytes" same "$scratch/first" "$scratch/out"
 
+check "coefficients as Radiance has them" gives $annual --coefficients "$scratch/c.mtx" "$room"
+check "their size" grep -q "NCOLS=578" "$scratch/c.mtx"
+check "a chart" quietly chart year -w "$scratch/year.epw" -o "$scratch/year.svg" "$room"
+check "a chart without weather" refuses 2 "--weather" chart year -o "$scratch/x.svg" "$room"
+
 check "no weather file" refuses 2 "--weather" annual "$room"
 check "no room" refuses 2 "room file" $annual
 check "a weather file that is none" refuses 1 "EPW" annual -w "$deep" "$room"

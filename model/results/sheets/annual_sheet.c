@@ -6,6 +6,21 @@
 
 const double pp_annual_sheet_levels_lx[PP_ANNUAL_LEVELS] = {100.0, 300.0, 500.0, 750.0};
 
+struct pp_annual_leed pp_annual_sheet_leed(const struct pp_annual_sheet *sheet)
+{
+    struct pp_annual_leed leed = {.why_not = NULL};
+    double sda = sheet->plane.sda.value;
+    if (!sheet->has_blinds)
+        leed.why_not = "there is no sDA without blinds";
+    else if (!sheet->is_grid)
+        leed.why_not = "the points are no grid";
+    else if (!sheet->standard_hours)
+        leed.why_not = "the hours are not 8 to 18 h on all days";
+    leed.points = leed.why_not ? 0 : (sda >= 0.40) + (sda >= 0.55) + (sda >= 0.75);
+    leed.ase_to_explain = sheet->plane.ase.value > 0.10;
+    return leed;
+}
+
 double pp_annual_sheet_lx(const struct pp_annual_sheet *sheet, int receiver, int hour)
 {
     const struct pp_annual_hour *at = &sheet->hours[hour];
@@ -23,5 +38,6 @@ void pp_annual_sheet_clear(struct pp_annual_sheet *sheet)
     free(sheet->hours);
     free(sheet->lx);
     free(sheet->sun_lx);
+    free(sheet->coefficients);
     *sheet = (struct pp_annual_sheet){.points = NULL};
 }

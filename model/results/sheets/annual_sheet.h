@@ -107,6 +107,7 @@ struct pp_annual_sheet {
     double diffuse_median_lx; /* 2190th of the 4380 h of most daylight */
     bool is_grid;             /* are the points a grid over the plane? else no shares */
     bool has_blinds;
+    bool standard_hours; /* 8 to 18 h on all days, as LM-83 has them */
     bool finished;
 
     struct pp_annual_figures *points; /* by receiver; owned */
@@ -119,9 +120,22 @@ struct pp_annual_sheet {
     int hour_count;
     struct pp_annual_hour *hours; /* owned */
     int sky_count;
-    float *lx;     /* [receiver][sky]: illuminances with open blinds; owned */
-    float *sun_lx; /* [receiver][sky]: direct sun, part of it; owned */
+    float *lx; /* [receiver][sky]: illuminances with open blinds; owned */
+    int patch_count;
+    float *
+        coefficients; /* [receiver][1 + patch]: lx over cd/m2 of the ground, of patches of
+                          * the sky; owned; NULL: not kept */
+    float *sun_lx;    /* [receiver][sky]: direct sun, part of it; owned */
 };
+
+/* Credits of LEED v4.1, daylight, option 1, by the mean sDA of all regularly occupied area;
+ * this room stands for it. */
+struct pp_annual_leed {
+    const char *why_not; /* NULL: points are known */
+    int points;          /* 1, 2, 3 from an sDA of 40, 55, 75 % */
+    bool ase_to_explain; /* ASE above 10 %: a statement on glare is due */
+};
+struct pp_annual_leed pp_annual_sheet_leed(const struct pp_annual_sheet *sheet);
 
 /* Illuminance of a point in an hour, 0 in the dark, NAN where the hour is not known. */
 double pp_annual_sheet_lx(const struct pp_annual_sheet *sheet, int receiver, int hour);

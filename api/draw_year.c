@@ -1,0 +1,59 @@
+/* draw_year.c - the year's daylight of a room. */
+#include <math.h>
+
+#include "api/chart_kind.h"
+#include "charts/year/year_chart.h"
+#include "model/base/read_file.h"
+#include "studies/year/annual.h"
+
+static enum pp_status draw_year(struct pp_canvas *canvas, struct pp_study_room *room,
+                                const struct pp_study_options *study,
+                                const struct pp_chart_choice *choice, bool *finished,
+                                struct pp_error *err)
+{
+    const struct pp_year_options *year_options = &choice->availability;
+    struct pp_weather_year year;
+    struct pp_annual_sheet sheet = {.points = NULL};
+    if (!year_options->epw)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a chart of the year needs --weather FILE.epw");
+    const struct pp_weather_options weather = {.sun_shift_h = NAN};
+    struct pp_annual_options options = {
+        .hours = year_options->hours.list[0],
+        .summer = year_options->summer.of_file
+                      ? (struct pp_summer_time){year_options->epw->summer_from,
+                                                year_options->epw->summer_to}
+                      : year_options->summer.time,
+        .illuminance_count = 1,
+        .illuminances_lx = {300.0},
+        .patches = 577,
+        .samples = (int)study->samples,
+        .error = study->error,
+        .blinds = true,
+        .seed = study->seed,
+        .threads = study->threads,
+        .watch = study->watch};
+    options.hours.days = year_options->days;
+    enum pp_status status =
+        pp_weather_year_of_epw(&year, year_options->epw, &weather,
+                               pp_read_file_title(year_options->weather), err);
+    if (status != PP_OK)
+        return status;
+    status = pp_annual_of_room(&sheet, room->world, &room->light, room->receivers,
+                               room->receiver_count, false, &year, &options, err);
+    if (status == PP_OK && sheet.finished)
+        status = pp_year_chart_draw(canvas, &sheet, err);
+    *finished &= sheet.finished;
+    pp_annual_sheet_clear(&sheet);
+    pp_weather_year_clear(&year);
+    return status;
+}
+
+const struct pp_chart_kind pp_draw_year = {
+    .name = "year",
+    .summary =
+        "the daylight of every hour of a year: map of days and hours, plans, curve",
+    .of_year = true,
+    .landscape = true,
+    .draw = draw_year,
+};

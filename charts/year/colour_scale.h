@@ -1,0 +1,27 @@
+/* colour_scale.h - seven colours from dark to light, for classes of a figure. */
+#ifndef PP_CHARTS_YEAR_COLOUR_SCALE_H
+#define PP_CHARTS_YEAR_COLOUR_SCALE_H
+
+#include <cairo.h>
+
+#include "charts/sheet/lettering.h"
+
+enum { PP_COLOUR_CLASSES = 7 };
+
+/* Classes by their lower limits; the first has none. */
+struct pp_colour_scale {
+    double limits[PP_COLOUR_CLASSES]; /* limits[0] is not used */
+    const char *unit;
+};
+
+/* Sets the colour of the value's class. */
+void pp_colour_scale_set(cairo_t *cr, const struct pp_colour_scale *scale,
+                         double value);
+
+/* Draws the legend in a row from x, y, width_mm long: patches with the limits between them.
+ * Returns its height. */
+double pp_colour_scale_legend(cairo_t *cr, const struct pp_style *style,
+                              const struct pp_colour_scale *scale, double x, double y,
+                              double width_mm);
+
+#endif
