@@ -18,6 +18,8 @@ highlight_language = "none"
 
 html_theme = "furo"
 html_title = "pepperpot"
+html_static_path = ["site.css"]
+html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sourcelink = False
 html_show_sphinx = False
