@@ -91,7 +91,8 @@ const struct pp_option pp_room_sky_options[] = {
     {"sky", 0, "TYPE",
      "Another sky than the file's: overcast, uniform, or iso-1 to iso-15, "
      "with \",ALTITUDE,BEARING\" of the sun in degrees behind it where "
-     "the type needs one.",
+     "the type needs one; or a photograph: \"picture,FILE\", with "
+     "\",KEY=VALUE\" for each attribute of <sky> behind it.",
      pp_options_read_text, PLACE(study.sky)},
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room)},

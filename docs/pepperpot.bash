@@ -57,7 +57,7 @@ _pepperpot()
         mapfile -t COMPREPLY < <(compgen -W 'existing proposed' -- "$word")
     elif [ "$previous" = --sky ]; then
         local skies
-        skies="overcast uniform $(printf 'iso-%d ' {1..15})"
+        skies="overcast uniform picture, $(printf 'iso-%d ' {1..15})"
         mapfile -t COMPREPLY < <(compgen -W "$skies" -- "$word")
     elif [ "$command" = assess ] && { [ "$previous" = --criteria ] || [ "$previous" = -c ]; }; then
         local criteria

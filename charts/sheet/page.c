@@ -3,6 +3,7 @@
  */
 #include "charts/sheet/page.h"
 #include "model/base/text.h"
+#include "model/light/sky_picture.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -40,6 +41,9 @@ void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
         return;
     case PP_SKY_UNIFORM:
         snprintf(text, room, "uniform sky");
+        return;
+    case PP_SKY_PICTURE:
+        snprintf(text, room, "sky of the picture %.60s", sky->picture->title);
         return;
     case PP_SKY_ISO:
         break;

@@ -159,11 +159,7 @@ static enum pp_status check_render_command(void *values, char **files, int file_
 {
     struct render_options *options = values;
     (void)files;
-    enum pp_status status =
-        pp_render_choice_check(&options->choice, &options->room, file_count, err);
-    if (options->room.study.external_lux == 0.0)
-        options->room.study.external_lux = 1e4;
-    return status;
+    return pp_render_choice_check(&options->choice, &options->room, file_count, err);
 }
 
 static enum pp_exit run_render(void *values, char **files, int file_count)

@@ -11,6 +11,7 @@
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/render/render_view.h"
+#include "model/light/sky_picture.h"
 #include "model/base/clock.h"
 #include "model/base/read_file.h"
 #include "simulate/cache/cache_file.h"
@@ -257,6 +258,15 @@ static void scale_picture(struct pp_picture *picture, double scale)
         picture->rgb[i] = (float)(scale * picture->rgb[i]);
 }
 
+/* The horizontal illuminance outside: as given, of the photographed sky, or 10,000 lx. */
+static double external_of(const struct pp_room_options *options,
+                          const struct pp_sky *sky)
+{
+    if (options->study.external_lux > 0.0)
+        return options->study.external_lux;
+    return sky->kind == PP_SKY_PICTURE ? sky->picture->horizontal_lx : 1e4;
+}
+
 /* The picture and its errors, out of shares of Eh into their own units. */
 static enum pp_status take_picture(struct pp_made_picture *made,
                                    const struct pp_world *world,
@@ -272,7 +282,7 @@ static enum pp_status take_picture(struct pp_made_picture *made,
     shown->world = world;
     shown->light = light;
     shown->tags = pp_render_tags(made->render);
-    shown->external_lux = options->study.external_lux;
+    shown->external_lux = external_of(options, &light->sky);
     pp_camera_options(&shown->camera, shown->view, sizeof shown->view);
     pp_render_view_words(shown->words, sizeof shown->words, &shown->camera, world);
     if (choice->records) {
@@ -282,7 +292,7 @@ static enum pp_status take_picture(struct pp_made_picture *made,
     }
     double scale = shown->quantity == PP_DAYLIGHT_FACTOR
                        ? 1.0
-                       : options->study.external_lux / PP_LUMENS_PER_WATT;
+                       : shown->external_lux / PP_LUMENS_PER_WATT;
     scale_picture(&shown->picture, scale);
     scale_picture(&made->errors, scale);
     return status;

@@ -11,7 +11,7 @@
 #include "cli/output.h"
 #include "config.h"
 #include "model/base/read_file.h"
-#include "formats/pictures/picture_hdr.h"
+#include "model/pictures/picture_hdr.h"
 #include "model/pictures/iso_lines.h"
 #include "model/pictures/raster.h"
 #include "model/results/sheets/picture_sheet.h"

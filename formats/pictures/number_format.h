@@ -1,15 +1,15 @@
 /* number_format.h - the formats that keep a picture's numbers, in one list.
  *
  * Formats that show a picture (PNG, PDF, SVG) belong to charts/ instead. A new format
- * is a file picture_NAME.c with its entry, declared at the end of this header, and a
- * line in number_format.c.
+ * is a file model/pictures/picture_NAME.c that writes it, and an entry and a line in
+ * number_format.c.
  */
 #ifndef PP_FORMATS_PICTURES_NUMBER_FORMAT_H
 #define PP_FORMATS_PICTURES_NUMBER_FORMAT_H
 
 #include <stdio.h>
 
-#include "formats/pictures/picture_hdr.h"
+#include "model/pictures/picture_hdr.h"
 #include "model/base/error.h"
 #include "model/pictures/picture.h"
 

@@ -30,8 +30,9 @@ static enum pp_status add_patch_light(const struct point_light *of,
 {
     const struct pp_vec3 up = {0.0, 0.0, 1.0};
     const struct pp_plane_light *light = of->light;
-    const struct pp_integrand sky = {light->sky, light->context, NULL};
-    const struct pp_integrand exitance = {light->exitance, light->context, NULL};
+    const struct pp_integrand sky = {light->sky, light->context, NULL,
+                                     light->grain_rad};
+    const struct pp_integrand exitance = {light->exitance, light->context, NULL, 0.0};
     double value;
     enum pp_status status =
         pp_direct_quadrature(&value, visible, patch, up, &sky, NULL);
@@ -112,6 +113,7 @@ enum pp_status pp_plane_light_direct(double mean[2], struct pp_beams *beams,
         .sky = pp_pane_luminance_sky,
         .exitance = pp_pane_luminance_unity,
         .context = &luminance,
+        .grain_rad = PP_QUADRATURE_GRAINS_ROUGH * pp_sky_grain(&light->sky),
         .of_reflectance = pp_visible_luminance_factor(&light->sky, 1.0),
         .with_outside = true};
     struct pp_kept_beam *kept;

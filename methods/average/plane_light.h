@@ -15,6 +15,7 @@ struct pp_plane_light {
     pp_luminance_function *sky;      /* of the sky there, seen or hidden */
     pp_luminance_function *exitance; /* of an exitance of 1; NULL: of none */
     const void *context;
+    double grain_rad;      /* of sky(), as for struct pp_integrand */
     double of_reflectance; /* luminance factor of an obstruction of reflectance 1 */
     bool with_outside;     /* else nothing outside hides the sky */
 };

@@ -335,7 +335,7 @@ static enum pp_status add_cell(struct pp_direct *sum, struct cell_seen *seen,
         struct pp_quadrature result;
         seen->values =
             (const double(*)[NODES])(i == 0 ? seen->cell->sky : seen->cell->external);
-        struct pp_integrand part = {illuminance_at, seen, NULL};
+        struct pp_integrand part = {illuminance_at, seen, NULL, 0.0};
         status = pp_quadrature_over(
             &result, &visible->view, &visible->patches[0].region, half_spaces, 5,
             normal, &part, sum->rough ? PP_QUADRATURE_ROUGH : PP_QUADRATURE_GLAZED,

@@ -235,7 +235,9 @@ static enum pp_status by_quadrature(double *value, const struct task *task,
     struct pp_vec3 sides[2], limits[PP_HALF_SPACES_MOST];
     int count = limits_of(sides, task, side);
     count = join_half_spaces(limits, task->patch, sides, count);
-    struct pp_integrand integrand = {luminance, &task->lights, cusp};
+    double grain_rad =
+        luminance == pp_pane_luminance_unity ? 0.0 : pp_sky_grain(task->lights.sky);
+    struct pp_integrand integrand = {luminance, &task->lights, cusp, grain_rad};
     double relative_error = task->sum->rough    ? PP_QUADRATURE_ROUGH
                             : is_unglazed(task) ? PP_QUADRATURE_UNGLAZED
                                                 : PP_QUADRATURE_GLAZED;
@@ -279,8 +281,9 @@ static enum pp_status from_sky(double *value, const struct task *task,
         struct pp_pane_part part = pane_part_of(task, all, ABOVE);
         if (task->sum->tables && pp_pane_light_has_sky(task->sum->tables, sky, &part))
             return pp_pane_light_sky(value, task->sum->tables, sky, &part, err);
-        return by_quadrature(value, task, ABOVE, pp_pane_luminance_sky,
-                             pp_sky_has_azimuth(sky) ? &sky->sun : NULL, err);
+        return by_quadrature(
+            value, task, ABOVE, pp_pane_luminance_sky,
+            sky->kind == PP_SKY_ISO && pp_sky_has_azimuth(sky) ? &sky->sun : NULL, err);
     }
     struct pp_vec3 limits[2];
     int count = limits_of(limits, task, ABOVE);

@@ -27,6 +27,10 @@
  * 0.1 m and 1e-6 at larger distances; the worst is 2e-4. */
 #define PP_QUADRATURE_ROUGH 1e-3
 
+/* A luminance with grain is summed in its own steps, or in steps this much larger where
+ * PP_QUADRATURE_ROUGH is enough. */
+#define PP_QUADRATURE_GRAINS_ROUGH 3.0
+
 /* Luminance towards the eye from direction u (unit, room's axes). */
 typedef double pp_luminance_function(const void *context, struct pp_vec3 u);
 
@@ -34,7 +38,8 @@ struct pp_integrand {
     pp_luminance_function *luminance;
     const void *context;
     const struct pp_vec3
-        *cusp; /* a direction where the luminance is not smooth, or NULL */
+        *cusp;        /* a direction where the luminance is not smooth, or NULL */
+    double grain_rad; /* angle of the pixels of a photographed sky; 0: it is smooth */
 };
 
 struct pp_quadrature {

@@ -117,7 +117,7 @@ void pp_solid_angle_add_moments(struct pp_moments *sum, const struct pp_vec3 *ve
 
 bool pp_solid_angle_has_closed_form(const struct pp_sky *sky)
 {
-    return sky->kind != PP_SKY_ISO;
+    return pp_sky_is_graded(sky);
 }
 
 double pp_solid_angle_sky_component(const struct pp_moments *moments,

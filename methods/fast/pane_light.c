@@ -101,7 +101,7 @@ static enum pp_status of_gradation(double *value, const struct pp_pane_light *li
 bool pp_pane_light_has_sky(const struct pp_pane_light *light, const struct pp_sky *sky,
                            const struct pp_pane_part *part)
 {
-    if (sky->kind != PP_SKY_ISO)
+    if (pp_sky_is_graded(sky))
         return light->glass;
     if (light->gradation && !part->glazed)
         return true;
@@ -113,7 +113,7 @@ enum pp_status pp_pane_light_sky(double *value, const struct pp_pane_light *ligh
                                  const struct pp_pane_part *part, struct pp_error *err)
 {
     double b = sky->gradation;
-    if (sky->kind != PP_SKY_ISO)
+    if (pp_sky_is_graded(sky))
         return through_glass(value, light, sky->per_horizontal / (1.0 + b), b, part,
                              err);
     if (light->gradation && !part->glazed)

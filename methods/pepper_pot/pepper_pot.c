@@ -66,7 +66,7 @@ static const char *pepper_pot_refuses_room(const struct pp_world *world,
                                            const struct pp_outside_light *light,
                                            const struct pp_receiver *receiver)
 {
-    if (light->sky.kind == PP_SKY_ISO)
+    if (!pp_sky_is_graded(&light->sky))
         return "the diagram holds the overcast and the uniform sky only";
     if (receiver && !pane_is_upright(receiver->normal)
         && pp_refusals_unless_up(receiver))

@@ -99,7 +99,7 @@ enum pp_status pp_pepper_pot_dots_create(struct pp_pepper_pot **pot,
                                          struct pp_error *err)
 {
     *pot = NULL;
-    if (sky->kind == PP_SKY_ISO)
+    if (!pp_sky_is_graded(sky))
         return pp_fail(err, PP_BAD_INPUT,
                        "a pepper-pot diagram is for the overcast or the uniform sky, "
                        "not for %s",

@@ -86,7 +86,7 @@ static const char *protractor_refuses_room(const struct pp_world *world,
                                            const struct pp_outside_light *light,
                                            const struct pp_receiver *receiver)
 {
-    if (light->sky.kind == PP_SKY_ISO)
+    if (!pp_sky_is_graded(&light->sky))
         return "there are protractors for the overcast and the uniform sky only";
     const char *why = pp_refusals_unless_up(receiver);
     why = why ? why : pp_refusals_if_mesh(world);

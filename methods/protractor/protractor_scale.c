@@ -93,7 +93,7 @@ double pp_protractor_scale_density(const struct pp_protractor *protractor,
 
 static bool closed_form(const struct pp_protractor *protractor)
 {
-    return protractor->glass.panes == 0 && protractor->sky.kind != PP_SKY_ISO
+    return protractor->glass.panes == 0 && pp_sky_is_graded(&protractor->sky)
            && protractor->receiver == PP_PROTRACTOR_UP;
 }
 

@@ -143,7 +143,7 @@ static const char *upright_protractor_refuses_room(const struct pp_world *world,
                                                    const struct pp_outside_light *light,
                                                    const struct pp_receiver *receiver)
 {
-    if (light->sky.kind == PP_SKY_ISO)
+    if (!pp_sky_is_graded(&light->sky))
         return "there are protractors for the overcast and the uniform sky only";
     if (receiver && fabs(receiver->normal.z) > 1e-9)
         return "it is made for points that stand only";

@@ -106,7 +106,7 @@ double pp_waldram_scale_x(const struct pp_waldram *waldram, double azimuth_rad)
 /* True if Y has a closed form. */
 static bool is_closed(const struct pp_waldram *waldram)
 {
-    return !waldram->glazed && waldram->sky.kind != PP_SKY_ISO;
+    return !waldram->glazed && pp_sky_is_graded(&waldram->sky);
 }
 
 double pp_waldram_scale_y(const struct pp_waldram *waldram, double altitude_rad)

@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "model/light/graded_sky.h"
+#include "model/light/sky_picture.h"
 
 static const double iso_parameters[][6] = {
 #include "tables/iso15469.inc"
@@ -36,8 +37,20 @@ bool pp_sky_iso_has_sun(int type)
     return type >= 1 && type <= ISO_TYPES && iso_parameters[type - 1][3] != 0.0;
 }
 
+struct pp_sky pp_sky_of_picture(const struct pp_sky_picture *picture, double north_rad)
+{
+    return (struct pp_sky){.kind = PP_SKY_PICTURE,
+                           .gradation = PP_GRADED_SKY_OVERCAST,
+                           .sun = {0.0, 0.0, 1.0},
+                           .per_horizontal = 1.0 / picture->horizontal_lx,
+                           .picture = picture,
+                           .north = {cos(north_rad), sin(north_rad)}};
+}
+
 bool pp_sky_has_azimuth(const struct pp_sky *sky)
 {
+    if (sky->kind == PP_SKY_PICTURE)
+        return true;
     return sky->kind == PP_SKY_ISO && (sky->c != 0.0 || sky->e != 0.0);
 }
 
@@ -49,13 +62,16 @@ static double faded_luminance(double fade, double z)
            / (weight + 1.0 / weight);
 }
 
-/* Luminance over that of the zenith; for ISO skies over 1 / (f(Zs) phi(0)) of it. */
+/* Luminance over that of the zenith; for ISO skies over 1 / (f(Zs) phi(0)) of it; of a
+ * photograph in cd/m2. */
 static double relative_luminance(const struct pp_sky *sky, struct pp_vec3 u)
 {
     if (sky->fade > 0.0)
         return faded_luminance(sky->fade, u.z);
-    if (sky->kind != PP_SKY_ISO)
+    if (pp_sky_is_graded(sky))
         return pp_graded_sky_luminance(sky->gradation, u.z);
+    if (sky->kind == PP_SKY_PICTURE)
+        return pp_sky_picture_luminance(sky->picture, pp_sky_to_north(sky, u), NULL);
     double gradation = 1.0;
     if (sky->a != 0.0)
         gradation += sky->a * exp(sky->b / u.z);
@@ -178,9 +194,17 @@ struct pp_sky pp_sky_faded(double ground_reflectance)
 
 double pp_sky_on_plane(const struct pp_sky *sky, struct pp_vec3 n)
 {
+    if (sky->kind == PP_SKY_PICTURE)
+        return sky->per_horizontal
+               * pp_sky_picture_on_plane(sky->picture, pp_sky_to_north(sky, n));
     if (sky->kind == PP_SKY_ISO || sky->fade > 0.0)
         return quadrature_on_plane(sky, n);
     return pp_graded_sky_on_plane(sky->gradation, atan2(hypot(n.x, n.y), n.z));
+}
+
+double pp_sky_grain(const struct pp_sky *sky)
+{
+    return sky->kind == PP_SKY_PICTURE ? sky->picture->step_rad : 0.0;
 }
 
 const char *pp_sky_name(const struct pp_sky *sky)
@@ -193,6 +217,8 @@ const char *pp_sky_name(const struct pp_sky *sky)
         return "overcast";
     case PP_SKY_UNIFORM:
         return "uniform";
+    case PP_SKY_PICTURE:
+        return "picture";
     case PP_SKY_ISO:
         break;
     }

@@ -1,5 +1,6 @@
 /* sky.h - the luminance of the sky, for the methods and the simulation: graded skies
- * (overcast, uniform: graded_sky.h) and those of ISO 15469.
+ * (overcast, uniform: graded_sky.h), those of ISO 15469, and photographs
+ * (sky_picture.h).
  *
  * A sky is normalised by its own unobstructed horizontal illuminance Eh, so that the
  * illuminance of a receiver is a daylight factor without further division:
@@ -21,19 +22,23 @@
 #include "model/base/error.h"
 #include "model/geometry/vec.h"
 
-enum pp_sky_kind { PP_SKY_OVERCAST, PP_SKY_UNIFORM, PP_SKY_ISO };
+enum pp_sky_kind { PP_SKY_OVERCAST, PP_SKY_UNIFORM, PP_SKY_ISO, PP_SKY_PICTURE };
+
+struct pp_sky_picture;
 
 struct pp_sky {
     enum pp_sky_kind kind;
     int iso;              /* 1 to 15 for PP_SKY_ISO, else 0 */
-    double gradation;     /* b of graded_sky.h. An ISO sky has that of the overcast one,
-                           * which replaces it where an obstruction becomes an angle and
-                           * where light is only estimated */
+    double gradation;     /* b of graded_sky.h. A sky that is not graded has that of the
+                           * overcast one, which replaces it where an obstruction becomes
+                           * an angle and where light is only estimated */
     struct pp_vec3 sun;   /* towards the sun, unit length; zenith where there is none */
     double a, b, c, d, e; /* ISO 15469, zero elsewhere */
     double per_horizontal; /* L / Eh (1/sr) where the relative luminance is 1 */
     double fade; /* Lg / Lz of a faded sky, which only luminances know of (simulation);
                   * 0: it is none */
+    const struct pp_sky_picture *picture; /* of PP_SKY_PICTURE; not owned */
+    double north[2]; /* its: cosine and sine of the bearing of +y */
 };
 
 struct pp_sky pp_sky_overcast(void);
@@ -56,6 +61,23 @@ enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
 /* True if the luminance of ISO type `type` depends on the position of the sun. */
 bool pp_sky_iso_has_sun(int type);
 
+/* Sky of a photograph in axes whose +y has the bearing north_rad. The picture must live
+ * as long. */
+struct pp_sky pp_sky_of_picture(const struct pp_sky_picture *picture, double north_rad);
+
+/* Is the luminance a gradation in the sine of the altitude? */
+static inline bool pp_sky_is_graded(const struct pp_sky *sky)
+{
+    return sky->kind == PP_SKY_OVERCAST || sky->kind == PP_SKY_UNIFORM;
+}
+
+/* Direction u of the sky's axes with x to the east and y to the north. */
+static inline struct pp_vec3 pp_sky_to_north(const struct pp_sky *sky, struct pp_vec3 u)
+{
+    return pp_vec(u.x * sky->north[0] + u.y * sky->north[1],
+                  u.y * sky->north[0] - u.x * sky->north[1], u.z);
+}
+
 /* Does the luminance change with azimuth? */
 bool pp_sky_has_azimuth(const struct pp_sky *sky);
 
@@ -63,11 +85,15 @@ bool pp_sky_has_azimuth(const struct pp_sky *sky);
  * horizon. */
 double pp_sky_luminance(const struct pp_sky *sky, struct pp_vec3 u);
 
+/* Angle (rad) of a photograph's pixels; 0 for other skies, which are smooth. */
+double pp_sky_grain(const struct pp_sky *sky);
+
 /* Illuminance of a plane with normal n (unit, any tilt) from the unobstructed sky,
- * as a fraction of Eh. Closed form for graded skies, else to 1e-9. */
+ * as a fraction of Eh. Closed form for graded skies, else to 1e-9; to 1e-4 for a
+ * photograph. */
 double pp_sky_on_plane(const struct pp_sky *sky, struct pp_vec3 n);
 
-/* "overcast", "uniform", "iso-1" ... "iso-15". */
+/* "overcast", "uniform", "iso-1" ... "iso-15", "picture". */
 const char *pp_sky_name(const struct pp_sky *sky);
 
 #endif

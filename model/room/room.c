@@ -59,6 +59,7 @@ static void copy_parts(struct pp_room *room, bool *good)
 {
     copy_text(&room->name, good);
     copy_text(&room->ref, good);
+    room->sky = pp_sky_words_copy(&room->sky);
     copy_plan(&room->plan, good);
     COPY_LIST(room->finishes, room->finish_count, good);
     for (int i = 0; i < room->finish_count; i++)
@@ -246,7 +247,9 @@ enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
 
 void pp_room_take_sky(struct pp_room *room, const struct pp_room *other)
 {
-    room->sky = other->sky;
+    struct pp_sky_part sky = pp_sky_words_copy(&other->sky);
+    pp_sky_words_clear(&room->sky);
+    room->sky = sky;
 }
 
 void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance)

@@ -3,14 +3,19 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "model/base/text.h"
+#include "model/light/sky_picture.h"
+#include "model/pictures/sky_picture_file.h"
 
-const char *const pp_sky_words[] = {"overcast", "uniform", "iso-1",  "iso-2",  "iso-3",
-                                    "iso-4",    "iso-5",   "iso-6",  "iso-7",  "iso-8",
-                                    "iso-9",    "iso-10",  "iso-11", "iso-12", "iso-13",
-                                    "iso-14",   "iso-15",  NULL};
+const char *const pp_sky_words[] = {
+    "overcast", "uniform", "iso-1",  "iso-2",   "iso-3",  "iso-4",  "iso-5",
+    "iso-6",    "iso-7",   "iso-8",  "iso-9",   "iso-10", "iso-11", "iso-12",
+    "iso-13",   "iso-14",  "iso-15", "picture", NULL};
+
+enum { ISO_TYPES = 15 };
 
 struct pp_sky_part pp_sky_words_default(void)
 {
@@ -20,10 +25,24 @@ struct pp_sky_part pp_sky_words_default(void)
 
 void pp_sky_words_set_type(struct pp_sky_part *part, int index)
 {
-    part->kind = index == 0   ? PP_SKY_OVERCAST
-                 : index == 1 ? PP_SKY_UNIFORM
-                              : PP_SKY_ISO;
-    part->iso = index > 1 ? index - 1 : 0;
+    part->kind = index == 0               ? PP_SKY_OVERCAST
+                 : index == 1             ? PP_SKY_UNIFORM
+                 : index - 1 <= ISO_TYPES ? PP_SKY_ISO
+                                          : PP_SKY_PICTURE;
+    part->iso = part->kind == PP_SKY_ISO ? index - 1 : 0;
+}
+
+struct pp_sky_part pp_sky_words_copy(const struct pp_sky_part *part)
+{
+    if (part->picture)
+        part->picture->holders++;
+    return *part;
+}
+
+void pp_sky_words_clear(struct pp_sky_part *part)
+{
+    pp_sky_picture_release(part->picture);
+    part->picture = NULL;
 }
 
 /* The sun of "TYPE,ALTITUDE,BEARING", behind the first comma. */
@@ -43,6 +62,24 @@ static bool read_sun(const char *text, double *altitude_deg, double *bearing_deg
            && *altitude_deg <= 90.0 && fabs(*bearing_deg) <= 360.0;
 }
 
+/* Reads "FILE" or "FILE,KEY=VALUE...". */
+static enum pp_status read_sky_file(struct pp_sky_picture **picture, const char *words,
+                                    struct pp_error *err)
+{
+    struct pp_sky_picture_options options = pp_sky_picture_options_none();
+    size_t length = strcspn(words, ",");
+    const char *pairs = words[length] ? words + length + 1 : "";
+    char *second = NULL, *path = strndup(words, length);
+    enum pp_status status =
+        path ? pp_sky_picture_options_parse(&options, &second, pairs, err)
+             : pp_fail_memory(err);
+    if (status == PP_OK)
+        status = pp_sky_picture_file_read(picture, path, second, &options, err);
+    free(path);
+    free(second);
+    return status;
+}
+
 enum pp_status pp_sky_words_parse(struct pp_sky_part *part, const char *spec,
                                   struct pp_error *err)
 {
@@ -58,11 +95,24 @@ enum pp_status pp_sky_words_parse(struct pp_sky_part *part, const char *spec,
     }
     if (length >= sizeof type || !pp_sky_words[index])
         return pp_fail(err, PP_BAD_INPUT,
-                       "there is no sky \"%s\"; expected overcast, uniform or iso-1 to "
-                       "iso-15",
+                       "there is no sky \"%s\"; expected overcast, uniform, iso-1 to "
+                       "iso-15, or picture,FILE",
                        pp_text_excerpt(shown, sizeof shown, spec));
 
     struct pp_sky_part sky = *part;
+    sky.picture = NULL;
+    pp_sky_words_set_type(&sky, index);
+    if (sky.kind == PP_SKY_PICTURE) {
+        if (!comma || !comma[1])
+            return pp_fail(err, PP_BAD_INPUT,
+                           "the sky \"picture\" has no file; expected picture,FILE");
+        enum pp_status status = read_sky_file(&sky.picture, comma + 1, err);
+        if (status == PP_OK) {
+            pp_sky_words_clear(part);
+            *part = sky;
+        }
+        return status;
+    }
     double altitude_deg, bearing_deg;
     if (comma && !read_sun(comma + 1, &altitude_deg, &bearing_deg))
         return pp_fail(err, PP_BAD_INPUT,
@@ -73,13 +123,13 @@ enum pp_status pp_sky_words_parse(struct pp_sky_part *part, const char *spec,
         sky.sun_altitude_rad = altitude_deg * PP_RAD;
         sky.sun_bearing_rad = bearing_deg * PP_RAD;
     }
-    pp_sky_words_set_type(&sky, index);
     if (sky.kind == PP_SKY_ISO && pp_sky_iso_has_sun(sky.iso)
         && (isnan(sky.sun_altitude_rad) || isnan(sky.sun_bearing_rad)))
         return pp_fail(err, PP_BAD_INPUT,
                        "the sky %s needs to know where the sun stands, and the room "
                        "file does not say; expected %s,ALTITUDE,BEARING in degrees",
                        type, type);
+    pp_sky_words_clear(part);
     *part = sky;
     return PP_OK;
 }
@@ -103,6 +153,9 @@ enum pp_status pp_sky_words_sky(struct pp_sky *sky, const struct pp_sky_part *pa
         return PP_OK;
     case PP_SKY_UNIFORM:
         *sky = pp_sky_uniform();
+        return PP_OK;
+    case PP_SKY_PICTURE:
+        *sky = pp_sky_of_picture(part->picture, north_rad);
         return PP_OK;
     case PP_SKY_ISO:
         break;

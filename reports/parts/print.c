@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "reports/parts/format.h"
+#include "model/light/sky_picture.h"
 #include "model/room/corrections.h"
 #include "model/base/text.h"
 
@@ -69,6 +70,20 @@ static void tell(const struct listener *listener, const char *label, const char 
     listener->tell(listener->closure, label, text);
 }
 
+static void tell_picture(const struct pp_sky_picture *picture,
+                         const struct listener *listener)
+{
+    tell(listener, "sky", "picture %s, %.0f lx on the horizontal", picture->title,
+         picture->horizontal_lx);
+    if (picture->filled >= 5e-4)
+        tell(listener, "", "%.1f %% of it from directions that are filled in",
+             100.0 * picture->filled);
+    if (picture->saturated)
+        tell(listener, "",
+             "%d pixels share the largest value, %.3g cd/m2: a sun there is cut off",
+             picture->saturated, picture->peak_cd_m2);
+}
+
 static void tell_sky(const struct pp_world *world, const struct pp_outside_light *light,
                      const struct listener *listener)
 {
@@ -77,6 +92,8 @@ static void tell_sky(const struct pp_world *world, const struct pp_outside_light
         tell(listener, "sky", "CIE standard overcast");
     } else if (sky->kind == PP_SKY_UNIFORM) {
         tell(listener, "sky", "uniform");
+    } else if (sky->kind == PP_SKY_PICTURE) {
+        tell_picture(sky->picture, listener);
     } else if (!pp_sky_iso_has_sun(sky->iso)) {
         tell(listener, "sky", "ISO 15469 type %d", sky->iso);
     } else {

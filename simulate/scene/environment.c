@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "model/light/graded_sky.h"
+#include "model/light/sky_picture.h"
 #include "simulate/sampling/hash.h"
 
 /* Brightness of an overcast sky, and of the ground, over its horizon. */
@@ -71,6 +72,8 @@ uint64_t pp_environment_hash(const struct pp_environment *environment)
                               sky->per_horizontal,
                               pp_outside_light_ground(&environment->light)};
     uint64_t hash = pp_hash_vec(0, sky->sun);
+    if (sky->kind == PP_SKY_PICTURE)
+        hash = pp_hash(pp_hash_double(hash, sky->north[1]), sky->picture->hash);
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
         hash = pp_hash_double(hash, numbers[i]);
     return hash;

@@ -2,6 +2,7 @@
  * structs hold anything. */
 #include "simulate/scene/light_hash.h"
 
+#include "model/light/sky_picture.h"
 #include "model/room/surface_materials.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/light_scene_parts.h"
@@ -15,6 +16,8 @@ static uint64_t stir_sky(uint64_t hash, const struct pp_sky *sky)
 {
     hash = stir(stir(hash, sky->kind), sky->iso);
     hash = pp_hash_vec(hash, sky->sun);
+    if (sky->kind == PP_SKY_PICTURE)
+        hash = pp_hash(stir(hash, sky->north[1]), sky->picture->hash);
     hash = stir(stir(stir(hash, sky->a), sky->b), sky->c);
     return stir(stir(stir(hash, sky->d), sky->e), sky->per_horizontal);
 }

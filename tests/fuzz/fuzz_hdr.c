@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "formats/pictures/picture_hdr.h"
+#include "model/pictures/picture_hdr.h"
 #include "tests/fuzz/must.h"
 
 static size_t numbers_of(const struct pp_picture *picture)

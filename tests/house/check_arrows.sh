@@ -16,8 +16,8 @@ model/base
 model/geometry      model/base
 model/light         model/base model/geometry
 model/mesh          model/base model/geometry
-model/room          model/base model/geometry model/light model/mesh
 model/pictures      model/base model/geometry model/light
+model/room          model/base model/geometry model/light model/mesh model/pictures
 model/results       model/base model/geometry model/light model/room model/pictures
 formats             model
 methods             model

@@ -358,6 +358,10 @@ enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world 
 {
     *room = (struct pp_rad_room){0};
     pp_scene_description_init(&room->scene);
+    if (light->sky.kind == PP_SKY_PICTURE)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a photographed sky has no formula to write; expected another "
+                       "sky (--sky)");
     struct rad_room_builder b = {.scene = &room->scene,
                                  .world = world,
                                  .light = light,

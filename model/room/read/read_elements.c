@@ -10,6 +10,7 @@
 #include "model/room/read/read_opening.h"
 #include "model/room/read/read_outside.h"
 #include "model/room/read/read_shape.h"
+#include "model/room/read/read_sky.h"
 #include "model/room/read/reader.h"
 #include "model/room/sky_words.h"
 
@@ -52,30 +53,6 @@ static void read_site(struct pp_reader *r, struct pp_room *room,
         .line = e->line};
     snprintf(room->site.country, sizeof room->site.country, "%s",
              form.country ? form.country : "");
-}
-
-static void read_sky(struct pp_reader *r, struct pp_sky_part *sky,
-                     const struct pp_xml_element *e)
-{
-    struct pp_sky_form form;
-    if (!pp_reader_fill_form(r, &form, &pp_rule_sky, e))
-        return;
-    struct pp_sky_part part = {.sun_altitude_rad = form.sun_altitude_rad,
-                               .sun_bearing_rad = form.sun_bearing_rad,
-                               .line = e->line};
-    pp_sky_words_set_type(&part, form.type);
-    bool altitude = !isnan(form.sun_altitude_rad),
-         bearing = !isnan(form.sun_bearing_rad);
-    if (part.iso > 0 && pp_sky_iso_has_sun(part.iso) && !(altitude && bearing)) {
-        pp_mistakes_add(r->mistakes, e->line,
-                        "sky: %s needs to know where the sun stands; %s missing",
-                        pp_sky_words[form.type],
-                        altitude  ? "sun-bearing is"
-                        : bearing ? "sun-altitude is"
-                                  : "sun-altitude and sun-bearing are");
-        return;
-    }
-    *sky = part;
 }
 
 static void read_finishes(struct pp_reader *r, struct pp_room *room,
@@ -245,7 +222,7 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
     if (pp_element_form_matches(e, &pp_rule_site))
         read_site(r, room, e);
     else if (pp_element_form_matches(e, &pp_rule_sky))
-        read_sky(r, &room->sky, e);
+        pp_read_sky(r, &room->sky, e);
     else if (pp_element_form_matches(e, &pp_rule_window))
         pp_read_opening(r, room, e, PP_WINDOW, &pp_rule_window);
     else if (pp_element_form_matches(e, &pp_rule_rooflight))
@@ -350,7 +327,8 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
             || !PP_READER_RESERVE(r, building->read, building->read_count))
             continue;
         struct pp_room *room = &building->read[building->read_count++];
-        *room = (struct pp_room){.site = common->site, .sky = common->sky};
+        *room = (struct pp_room){.site = common->site,
+                                 .sky = pp_sky_words_copy(&common->sky)};
         read_room(r, room, c, false);
         if (room->placement.given && ++placed == PP_ROOM_PLACED_MOST + 1)
             pp_mistakes_add(

@@ -48,6 +48,25 @@ static const struct pp_attribute_rule sky_rows[] = {
     {"type", &pp_room_values_sky_type, OR(0), IN(sky, type)},
     {"sun-altitude", &pp_room_values_altitude, OR(NAN), IN(sky, sun_altitude_rad)},
     {"sun-bearing", &pp_room_values_bearing, OR(NAN), IN(sky, sun_bearing_rad)},
+    {"file", &file_name, OR(NAN), IN(sky, file)},
+    {"second", &file_name, OR(NAN), IN(sky, second)},
+    {"projection", &text, OR(NAN), IN(sky, picture[0])},
+    {"view-angle", &text, OR(NAN), IN(sky, picture[1])},
+    {"top-bearing", &text, OR(NAN), IN(sky, picture[2])},
+    {"view-bearing", &text, OR(NAN), IN(sky, picture[3])},
+    {"view-altitude", &text, OR(NAN), IN(sky, picture[4])},
+    {"mirrored", &text, OR(NAN), IN(sky, picture[5])},
+    {"circle", &text, OR(NAN), IN(sky, picture[6])},
+    {"horizon", &text, OR(NAN), IN(sky, picture[7])},
+    {"fill", &text, OR(NAN), IN(sky, picture[8])},
+    {"illuminance", &text, OR(NAN), IN(sky, picture[9])},
+    {"exposure", &text, OR(NAN), IN(sky, picture[10])},
+    {"primaries", &text, OR(NAN), IN(sky, picture[11])},
+};
+const char *const pp_sky_form_keys[PP_SKY_FORM_OPTIONS] = {
+    "projection",    "view-angle",  "top-bearing", "view-bearing",
+    "view-altitude", "mirrored",    "circle",      "horizon",
+    "fill",          "illuminance", "exposure",    "primaries",
 };
 LEAF(sky, "sky", sky_rows);
 

@@ -109,9 +109,16 @@ struct pp_site_form {
     int dirt;            /* enum pp_dirt */
 };
 
+/* Attributes that sky_picture_file.h reads. */
+enum { PP_SKY_FORM_OPTIONS = 12 };
+extern const char *const pp_sky_form_keys[PP_SKY_FORM_OPTIONS];
+
 struct pp_sky_form {
-    int type; /* 0 overcast, 1 uniform, 1 + i iso-i */
+    int type; /* of pp_sky_words */
     double sun_altitude_rad, sun_bearing_rad;
+    const char *file, *second; /* of a photograph */
+    const char
+        *picture[PP_SKY_FORM_OPTIONS]; /* pp_sky_form_keys, as written; NULL: not */
 };
 
 struct pp_plan_form {

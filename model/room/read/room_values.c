@@ -176,7 +176,7 @@ const struct pp_value_kind pp_room_values_pitch = {
     .unit = PP_RAD};
 const struct pp_value_kind pp_room_values_sky_type = {
     .reading = PP_VALUE_CHOICE,
-    .expected = "\"overcast\", \"uniform\" or \"iso-1\" to \"iso-15\"",
+    .expected = "\"overcast\", \"uniform\", \"iso-1\" to \"iso-15\" or \"picture\"",
     .words = pp_sky_words};
 
 const struct pp_value_kind pp_room_values_scale = {

@@ -94,7 +94,8 @@ static enum pp_status read_sky(struct pp_room_variant *variant, const char *text
     const char *words[32] = {"gensky"};
     int count = 1;
     for (int i = 0; pp_sky_words[i] && count < 32; i++)
-        words[count++] = pp_sky_words[i];
+        if (strcmp(pp_sky_words[i], "picture") != 0)
+            words[count++] = pp_sky_words[i];
     for (int i = 0; i < count; i++)
         if (strcmp(text, words[i]) == 0) {
             strcpy(variant->sky, words[i]);

@@ -140,7 +140,7 @@ static enum pp_status integrate_visible(double *value, const struct pp_visible *
 {
     const struct through_glass through = {sky, visible->view.toward};
     const struct pp_integrand integrand = {
-        luminance, &through, sky && pp_sky_has_azimuth(sky) ? &sky->sun : NULL};
+        luminance, &through, sky && pp_sky_has_azimuth(sky) ? &sky->sun : NULL, 0.0};
     const struct pp_vec3 limits[2] = {normal, {0.0, 0.0, up}};
     struct pp_quadrature result = {0};
     enum pp_status status =

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "formats/pictures/picture_hdr.h"
-#include "formats/pictures/picture_pfm.h"
+#include "model/pictures/picture_hdr.h"
+#include "model/pictures/picture_pfm.h"
 
 /* Contents of a file, as its writer has them. */
 struct file {

@@ -1,12 +1,11 @@
 /* picture_hdr.c - see picture_hdr.h. */
-#include "formats/pictures/picture_hdr.h"
+#include "model/pictures/picture_hdr.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "formats/pictures/number_format.h"
 #include "model/base/text.h"
 
 /* Limits of widths whose rows may be packed channel by channel: the width has 15 bits,
@@ -127,13 +126,6 @@ enum pp_status pp_picture_hdr_write(FILE *out, const struct pp_picture *picture,
         return pp_fail(err, PP_SYSTEM, "the picture can't be written");
     return PP_OK;
 }
-
-const struct pp_number_format pp_number_format_hdr = {
-    .ending = "hdr",
-    .other_ending = "pic",
-    .summary = "Radiance's, to 1 % of the brightest channel, with notes",
-    .write = pp_picture_hdr_write,
-};
 
 /* ---- reading the header ---- */
 

@@ -7,8 +7,8 @@
  * Pixels are radiances (W/sr/m2 in three channels; their luminance is 179 times the
  * grey of rgb.h, in cd/m2), times the exposure that the header gives.
  */
-#ifndef PP_FORMATS_PICTURES_PICTURE_HDR_H
-#define PP_FORMATS_PICTURES_PICTURE_HDR_H
+#ifndef PP_MODEL_PICTURES_PICTURE_HDR_H
+#define PP_MODEL_PICTURES_PICTURE_HDR_H
 
 #include <stdio.h>
 
