@@ -82,7 +82,10 @@ void pp_gains_report(const struct pp_gains *gains, int width, FILE *out)
         gains->count > 0 ? sentence : "None of the tested changes raises the average.",
         INDENT, INDENT, width, out);
     struct pp_gain now = {.values = gains->now};
-    snprintf(now.change, sizeof now.change, "as it is, by %s", gains->method);
+    bool simulated = strcmp(gains->method, "traced") == 0;
+    snprintf(now.change, sizeof now.change,
+             simulated ? "as it is, %s" : "as it is, by %s",
+             simulated ? "simulated" : gains->method);
     fprintf(out, "%*s%10s%10s%10s\n", across - FIGURES, "", "average", "gain",
             "darkest");
     print_gain(&now, gains, across, out);
@@ -92,6 +95,9 @@ void pp_gains_report(const struct pp_gains *gains, int width, FILE *out)
     pp_print_wrapped(isnan(gains->now.darkest)
                          ? "Each change is made alone. There is no darkest point: no "
                            "point of the EN 17037 grid lies in this room."
+                     : simulated
+                         ? "Each change is made alone and simulated. The darkest point "
+                           "is one of the EN 17037 grid."
                          : "Each change is made alone. The darkest point is one of the "
                            "EN 17037 grid. The method adds the room's average "
                            "reflected light at every point.",

@@ -188,10 +188,66 @@ static enum pp_status by_hand(struct pp_plan_study *study,
 
 /* ---- traced ---- */
 
-/* Factor on the target error for each point. The fit uses some twenty points for each
- * place; they have a third of their variance in common, so that the fit still meets the
- * target. */
-static const double error_of_points = 1.4;
+/* The target error is that of the median and of the area shares. They are means over many
+ * points, so each point may have this many times the error at first. */
+static const double coarse = 4.0;
+
+/* Do median and area shares of the grid at these points meet the target error? */
+static enum pp_status plane_is_known(bool *known, const struct pp_column *column,
+                                     int first, int count, double error,
+                                     struct pp_error *err)
+{
+    struct pp_column grid = {.component = PP_DF, .common = column->common};
+    *known = true;
+    if (count - first < 1)
+        return PP_OK;
+    enum pp_status status =
+        pp_plane_figures_sum_up(&grid, column->points + first, count - first, err);
+    if (status != PP_OK || !grid.has_plane)
+        return status;
+    *known = grid.plane.median.std_error <= error * grid.plane.median.value;
+    for (int k = 0; k < PP_PLANE_LEVELS; k++) {
+        double variance = 0.0;
+        for (int i = first; i < count; i++) {
+            const struct pp_reading *point = &column->points[i];
+            double off = (point->value - pp_plane_levels[k]) / point->std_error;
+            double reaches = 0.5 * erfc(-off / sqrt(2.0));
+            variance += point->std_error > 0.0 ? reaches * (1.0 - reaches) : 0.0;
+        }
+        *known &= sqrt(variance) / (count - first) <= error;
+    }
+    return PP_OK;
+}
+
+/* Simulates the room's points and the grid's, coarsely first, and then with half the error
+ * until the plane is known. With a given number of samples or an end by the clock there is
+ * one run. */
+static enum pp_status trace_points(struct pp_report *report,
+                                   const struct pp_study_room *room,
+                                   const struct pp_study_options *options,
+                                   bool *by_clock, struct pp_error *err)
+{
+    struct pp_study_options own = *options;
+    int own_points = room->receiver_count, count = report->receiver_count;
+    bool known = false, once = options->error == 0.0 || options->seconds > 0.0;
+    own.error = once ? options->error : fmin(coarse * options->error, 1.0);
+    for (;;) {
+        enum pp_status status = pp_study_report_traced(report, &own, by_clock, err);
+        if (status == PP_OK)
+            status = plane_is_known(&known, pp_report_find(report, PP_DF, traced),
+                                    count > own_points ? own_points : 0, count,
+                                    options->error, err);
+        if (status != PP_OK || known || once || own.error <= options->error
+            || !report->finished)
+            return status;
+        own.error = fmax(0.5 * own.error, options->error);
+    }
+}
+
+/* Factor on the target error for each point of the contours. The fit uses some twenty
+ * points for each place and they have a third of their variance in common, so that a place
+ * has some two or three times the target; the contours' bands show it. */
+static const double error_of_points = 4.0;
 
 /* Traces the points that the contours are drawn from. */
 static enum pp_status trace_plane(struct pp_traced_plane **plane,
@@ -215,8 +271,31 @@ static enum pp_status trace_plane(struct pp_traced_plane **plane,
                                 factors->common_near, err);
 }
 
-/* The room's points and the grid's are simulated to the target error. Each run has half
- * of the time. */
+/* Notes the median and mean by the usual pair of hand methods, where it has them. */
+static enum pp_status note_by_hand(struct pp_plan_study *study,
+                                   const struct pp_study_room *room,
+                                   const struct pp_study_options *options,
+                                   struct pp_error *err)
+{
+    struct pp_study_options one = *options;
+    struct pp_report report = {.finished = true};
+    one.methods = pp_default_methods(room->world, &room->light, NULL, 0).name;
+    enum pp_status status = pp_study_report_with_plane(&report, room, &one, err);
+    if (status == PP_OK)
+        status = pp_study_report_settle(&report, room, err);
+    const struct pp_column *column =
+        status == PP_OK ? pp_report_find(&report, PP_DF, one.methods) : NULL;
+    if (column && column->has_plane)
+        snprintf(study->note, sizeof study->note,
+                 "For comparison, by hand (%s): median %.2f\u00a0%%, mean "
+                 "%.2f\u00a0%%.",
+                 one.methods, 100.0 * column->plane.median.value,
+                 100.0 * column->plane.average.value);
+    pp_report_clear(&report);
+    return status;
+}
+
+/* Each of the two runs has half of the time. */
 static enum pp_status by_trace(struct pp_plan_study *study,
                                const struct pp_study_room *room,
                                const struct pp_study_options *options, bool *by_clock,
@@ -237,11 +316,13 @@ static enum pp_status by_trace(struct pp_plan_study *study,
                                             &report->receiver_count, room, err);
     report->receivers = report->more_receivers;
     if (status == PP_OK)
-        status = pp_study_report_traced(report, &half, by_clock, err);
+        status = trace_points(report, room, &half, by_clock, err);
     if (status == PP_OK)
         status = set_figures(study, traced, false, err);
     if (status == PP_OK)
         status = trace_plane(&plane, &contoured, &half, by_clock, err);
+    if (status == PP_OK)
+        status = note_by_hand(study, room, options, err);
     report->finished &= contoured.finished;
     if (status == PP_OK)
         status =

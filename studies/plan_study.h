@@ -13,7 +13,8 @@ struct pp_plan_study {
     struct pp_daylight_plan plan;
     struct pp_report report;  /* of the room's points; with grid_points, of the plane */
     struct pp_column figures; /* figures at the report's receivers, and `plane` */
-    char note[320];           /* another method stands in for the usual one, or empty */
+    char note[320]; /* another method stands in for the usual one, or hand figures to
+                     * compare simulated ones with, or empty */
 };
 
 /* Can a plan show what is asked for? It shows one figure: that of one direct method, or of a

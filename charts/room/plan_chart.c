@@ -187,7 +187,8 @@ static void gather_keys(struct plan_drawing *drawing)
     char words[96];
     if (plan->contours.count) {
         snprintf(words, sizeof words, "%s%s%s (%%)", drawing->quantity,
-                 is_traced(plan) ? ", " : " by ", plan->name);
+                 is_traced(plan) ? ", " : " by ",
+                 is_traced(plan) ? "simulated" : plan->name);
         add_key(drawing, PP_KEY_LINE, 0, style->thin / style->medium, PP_INK, words);
     }
     if (plan->bands.count)
@@ -329,11 +330,12 @@ static void draw_plan_sheet(struct plan_drawing *drawing, struct pp_canvas *canv
     pp_page_sky(sky, sizeof sky, world, chart->light);
     pp_style_metres(plane, sizeof plane, world->working_plane_m);
     snprintf(subtitle, sizeof subtitle,
-             "%s%s%s on the working plane %s above the floor, %s",
+             "%s%s%s, on the working plane %s above the floor, %s",
              chart->plan->direct ? "Direct component (from sky and obstructions, "
                                    "without internal reflection)"
                                  : "Daylight factor",
-             is_traced(chart->plan) ? ", " : " by ", chart->plan->name, plane, sky);
+             is_traced(chart->plan) ? ", " : " by ",
+             is_traced(chart->plan) ? "simulated" : chart->plan->name, plane, sky);
     say_plan_foot(drawing, foot, sizeof foot);
     struct pp_page page = {world->name, subtitle, foot};
     struct pp_box body = pp_page_draw(canvas, style, &page);

@@ -259,10 +259,10 @@ static void draw_plot(struct pp_section_plot *plot, struct pp_box aside)
                 continue;
             if (kind == PP_LEVEL)
                 draw_level(plot, i);
-            else if (kind == PP_SAMPLED)
-                draw_samples(plot, i);
             else
                 draw_curve(plot, i);
+            if (kind == PP_SAMPLED)
+                draw_samples(plot, i);
         }
     plot->labels->field = plot->field;
     if (plot->series_count == 0)

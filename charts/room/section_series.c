@@ -56,7 +56,7 @@ static void name_series(struct pp_series *series)
     if (series->kind == PP_SAMPLED) {
         key->kind = PP_KEY_SAMPLED;
         snprintf(key->words, sizeof key->words, "%s \u00b1 standard error",
-                 column->name);
+                 strcmp(column->name, "traced") == 0 ? "simulated" : column->name);
     } else if (series->kind == PP_LEVEL) {
         char percent[32];
         pp_style_percent(percent, sizeof percent, column->average.value);
@@ -69,9 +69,20 @@ static void name_series(struct pp_series *series)
     }
 }
 
+/* True if any column of daylight factors was simulated. */
+static bool has_samples(const struct pp_report *report)
+{
+    for (int i = 0; i < report->column_count; i++)
+        if (report->columns[i].component == PP_DF && report->columns[i].points
+            && is_sampled(report, &report->columns[i]))
+            return true;
+    return false;
+}
+
 void pp_section_series_choose(struct pp_section_plot *plot)
 {
-    int lines = 0, sampled = 0;
+    /* Full lines are for simulated values. Where there are some, hand figures are dashed. */
+    int lines = has_samples(plot->report) ? 1 : 0, sampled = 0;
     for (int i = 0; i < plot->report->column_count; i++) {
         const struct pp_column *column = &plot->report->columns[i];
         if (column->component != PP_DF)
@@ -92,7 +103,8 @@ void pp_section_series_choose(struct pp_section_plot *plot)
             continue;
         series->look =
             series->kind == PP_SAMPLED
-                ? (struct pp_curve_style){.marker = sampled++ ? PP_DIAMOND : PP_CIRCLE}
+                ? (struct pp_curve_style){.marker = sampled++ ? PP_DIAMOND : PP_CIRCLE,
+                                          .weight = 0.7}
                 : pp_style_curve(lines++);
         if (series->kind == PP_LEVEL)
             series->look.weight *= 0.6;

@@ -23,7 +23,7 @@ static const char about[] =
     "needs "
     "nothing else, to -o FILE.pdf sheets of A4. It holds what is known of each room, "
     "daylight factors by hand with their bands and traced with their standard errors, "
-    "what they have to reach, what would help, the room's plan and section, and how it "
+    "criteria, the effect of changes, the room's plan and section, and how it "
     "was made. Of a site also its plan and elevations and, existing and proposed, "
     "every "
     "window's sky and every room's lit area before and after; with a --for that judges "

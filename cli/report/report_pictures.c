@@ -23,11 +23,11 @@ struct drawing_task {
  * nothing to draw. */
 static enum pp_status draw_chart(struct pp_canvas **canvas, const char *name,
                                  const struct pp_study_room *room,
+                                 const struct pp_study_options *options,
                                  const struct pp_chart_choice *choice, bool to_place,
                                  struct pp_error *err)
 {
     const struct pp_chart_kind *kind = pp_chart_kind_find(name);
-    const struct pp_study_options options = PP_STUDY_OPTIONS_NONE;
     struct pp_sheet sheet = pp_document_sheets_picture();
     sheet.format = PP_CHART_SVG;
     sheet.to_place = to_place;
@@ -44,7 +44,7 @@ static enum pp_status draw_chart(struct pp_canvas **canvas, const char *name,
     if (drawn.receivers) {
         memcpy(drawn.receivers, room->receivers,
                (size_t)room->receiver_count * sizeof *room->receivers);
-        status = kind->draw(*canvas, &drawn, &options, choice, &finished, err);
+        status = kind->draw(*canvas, &drawn, options, choice, &finished, err);
     } else {
         status = pp_fail_memory(err);
     }
@@ -66,6 +66,22 @@ static enum pp_status grow_pictures(struct pp_report_pictures *pictures,
                            : status;
 }
 
+/* Options for the drawings of a room: simulated if its figures are, to twice their error.
+ * An end by the clock is a tenth of that of the figures. */
+static struct pp_study_options drawing_options(const struct drawing_task *task,
+                                               int room)
+{
+    const struct pp_study_options *study = &task->run->words->room.study;
+    struct pp_study_options options = PP_STUDY_OPTIONS_NONE;
+    options.simulate = study->simulate && room != PP_SITE_WHOLE;
+    options.error = 2.0 * study->error;
+    options.samples = study->samples;
+    options.seconds = 0.1 * study->seconds;
+    options.seed = study->seed;
+    options.threads = study->threads;
+    return options;
+}
+
 /* room: whose the picture is; PP_SITE_WHOLE. The chart is of `choice`, beginning with room
  * `first`. */
 static enum pp_status add_drawing(struct drawing_task *task, int room, int first,
@@ -74,12 +90,13 @@ static enum pp_status add_drawing(struct drawing_task *task, int room, int first
 {
     struct pp_report_pictures *pictures = task->pictures;
     struct pp_canvas *canvas;
+    const struct pp_study_options options = drawing_options(task, room);
     choice.board.sky = pp_sky_overcast();
     choice.availability = pp_year_options_default;
     enum pp_status status = grow_pictures(pictures, err);
     if (status == PP_OK)
-        status = draw_chart(&canvas, kind, &task->run->rooms->list[first], &choice,
-                            task->to_place, err);
+        status = draw_chart(&canvas, kind, &task->run->rooms->list[first], &options,
+                            &choice, task->to_place, err);
     if (status != PP_OK || !canvas)
         return status;
     pictures->canvases[pictures->count] = canvas;
@@ -158,9 +175,10 @@ static enum pp_status draw_sun(struct drawing_task *task, int room,
         return PP_OK;
     snprintf(words, sizeof words, "%d", line);
     choice.board.window = line > 0 ? words : NULL;
-    return add_drawing(task, room, room, "sun-path",
-                       "Sun paths at the window with least sun, and what hides the sky",
-                       choice, err);
+    return add_drawing(
+        task, room, room, "sun-path",
+        "Sun paths at the window with least sun, and obstructions to the sky", choice,
+        err);
 }
 
 static enum pp_status draw_room(struct drawing_task *task, int room,
@@ -170,16 +188,22 @@ static enum pp_status draw_room(struct drawing_task *task, int room,
                                  compared = {.site = {&task->run->rooms->list[room],
                                                       &task->before[room], 1,
                                                       task->run->words->french_m}};
+    bool simulated = task->run->words->room.study.simulate;
     enum pp_status status =
         add_drawing(task, room, room, "plan",
-                    "Plan, with contours of the daylight factor by hand", alone, err);
+                    simulated ? "Plan, with contours of the simulated daylight factor"
+                              : "Plan, with contours of the daylight factor by hand",
+                    alone, err);
     if (status == PP_OK)
-        status = add_drawing(task, room, room, "section",
-                             "Section, and daylight factors by hand along the room",
-                             alone, err);
+        status = add_drawing(
+            task, room, room, "section",
+            simulated ? "Section, and simulated daylight factors along the room; hand "
+                        "figures dashed"
+                      : "Section, and daylight factors by hand along the room",
+            alone, err);
     if (status == PP_OK && task->before[room])
-        status = add_drawing(task, room, room, "plan", "What sees sky, now and before",
-                             compared, err);
+        status = add_drawing(task, room, room, "plan",
+                             "View of the sky, existing and proposed", compared, err);
     return status == PP_OK ? draw_sun(task, room, compared, err) : status;
 }
 

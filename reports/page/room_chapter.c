@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
 #include "reports/assess/finding_cells.h"
 #include "reports/parts/print.h"
@@ -173,9 +174,14 @@ static void put_gains(struct pp_document *document, const struct pp_gains *gains
     pp_document_paragraph(document, PP_TONE_PLAIN, "%s", sentence);
     pp_document_table(document);
     pp_document_column(document, PP_COLUMN_WORDS, "change");
-    pp_document_column(document, PP_COLUMN_NUMBERS, "average, %%, by %s",
-                       gains->method);
+    pp_document_column(document, PP_COLUMN_NUMBERS, "average, %%, %s",
+                       strcmp(gains->method, "traced") == 0 ? "simulated"
+                                                            : gains->method);
     pp_document_column(document, PP_COLUMN_NUMBERS, "gained");
+    pp_document_row(document, PP_ROW_CELLS);
+    pp_document_cell(document, PP_TONE_SOFT, "as it is");
+    pp_room_chapter_number(document, 100.0 * gains->now.average, 2);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", "");
     for (int i = 0; i < gains->count; i++) {
         const struct pp_gain *gain = &gains->list[i];
         pp_document_row(document, PP_ROW_CELLS);

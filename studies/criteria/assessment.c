@@ -177,6 +177,10 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
     if (status == PP_OK && assessment->has_gains)
         status = pp_gains_find(&assessment->gains, assessment->room->room,
                                assessment->room->world, &assessment->room->light, err);
+    if (status == PP_OK && assessment->has_gains && options->study->simulate)
+        status = pp_gains_simulate(&assessment->gains, assessment->room->room,
+                                   assessment->room->world, &assessment->room->light,
+                                   options->study, err);
     return status;
 }
 

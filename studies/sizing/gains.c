@@ -12,6 +12,7 @@
 #include "methods/evaluate.h"
 #include "methods/default_methods.h"
 #include "model/base/text.h"
+#include "studies/study_report.h"
 
 /* A change that raises the average by a smaller share than this is left out; chosen, not
  * measured. */
@@ -41,10 +42,43 @@ static enum pp_status evaluate_gain(struct pp_gain_values *values,
     return status;
 }
 
+/* The largest standard error of a simulated average, of that average. */
+static const double gain_error = 0.02;
+
+/* The same by simulation. */
+static enum pp_status simulate_gain(struct pp_gain_values *values,
+                                    const struct pp_world *world,
+                                    const struct pp_outside_light *light,
+                                    const struct pp_study_options *options,
+                                    struct pp_error *err)
+{
+    *values = (struct pp_gain_values){NAN, NAN};
+    struct pp_report report = {.world = world, .light = *light, .finished = true};
+    struct pp_receiver *grid = NULL;
+    bool by_clock = false;
+    enum pp_status status = pp_en17037_grid(&grid, &report.receiver_count, world, err);
+    report.receivers = grid;
+    if (status == PP_OK)
+        status = pp_study_report_traced(&report, options, &by_clock, err);
+    const struct pp_column *df =
+        status == PP_OK ? pp_report_find(&report, PP_DF, "traced") : NULL;
+    if (df && report.finished) {
+        values->average = df->average.value;
+        for (int i = 0; i < report.receiver_count; i++)
+            values->darkest = fmin(values->darkest, df->points[i].value);
+    }
+    pp_report_clear(&report);
+    free(grid);
+    return status;
+}
+
+/* By the method; by simulation where options are given. */
 static enum pp_status evaluate_room(struct pp_gain_values *values,
                                     const struct pp_room *room,
                                     const struct pp_outside_light *light,
-                                    const char *method, struct pp_error *err)
+                                    const char *method,
+                                    const struct pp_study_options *options,
+                                    struct pp_error *err)
 {
     struct pp_world *world = NULL;
     struct pp_mistakes mistakes;
@@ -55,7 +89,8 @@ static enum pp_status evaluate_room(struct pp_gain_values *values,
     if (status == PP_BAD_INPUT)
         status = PP_OK;
     else if (status == PP_OK)
-        status = evaluate_gain(values, world, light, method, err);
+        status = options ? simulate_gain(values, world, light, options, err)
+                         : evaluate_gain(values, world, light, method, err);
     pp_world_destroy(world);
     pp_mistakes_clear(&mistakes);
     return status;
@@ -70,18 +105,21 @@ static void insert(struct pp_gains *gains, const struct pp_gain *gain)
     gains->list[at] = *gain;
 }
 
-static enum pp_status try_change(struct pp_gains *gains,
-                                 const struct pp_gain_kind *kind,
+static enum pp_status try_change(struct pp_gains *gains, int kind_index,
                                  const struct pp_room *room,
                                  const struct pp_world *world,
                                  const struct pp_outside_light *light,
+                                 const struct pp_study_options *options,
                                  struct pp_error *err)
 {
-    struct pp_gain gain = {.lacks = kind->lacks, .of_design = kind->of_design};
+    const struct pp_gain_kind *kind = &pp_gain_kinds[kind_index];
+    struct pp_gain gain = {
+        .lacks = kind->lacks, .of_design = kind->of_design, .kind = kind_index};
     struct pp_room *changed = NULL;
     enum pp_status status = kind->make(&changed, &gain, room, world, err);
     if (status == PP_OK && changed) {
-        status = evaluate_room(&gain.values, changed, light, gains->method, err);
+        status =
+            evaluate_room(&gain.values, changed, light, gains->method, options, err);
         if (gain.values.average > (1.0 + least_share) * gains->now.average)
             insert(gains, &gain);
     }
@@ -99,7 +137,28 @@ enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
     if (isfinite(gains->now.average))
         gains->method = pair;
     for (int i = 0; pp_gain_kinds[i].make && gains->method && status == PP_OK; i++)
-        status = try_change(gains, &pp_gain_kinds[i], room, world, light, err);
+        status = try_change(gains, i, room, world, light, NULL, err);
+    return status;
+}
+
+enum pp_status pp_gains_simulate(struct pp_gains *gains, const struct pp_room *room,
+                                 const struct pp_world *world,
+                                 const struct pp_outside_light *light,
+                                 const struct pp_study_options *options,
+                                 struct pp_error *err)
+{
+    struct pp_gains by_hand = *gains;
+    struct pp_study_options own = *options;
+    if (!gains->method)
+        return PP_OK;
+    int count = by_hand.count < PP_GAINS_SIMULATED ? by_hand.count : PP_GAINS_SIMULATED;
+    if (own.samples == 0)
+        own.error = fmax(own.error, gain_error);
+    own.seconds /= count + 1;
+    *gains = (struct pp_gains){.method = "traced"};
+    enum pp_status status = simulate_gain(&gains->now, world, light, &own, err);
+    for (int i = 0; i < count && status == PP_OK && isfinite(gains->now.average); i++)
+        status = try_change(gains, by_hand.list[i].kind, room, world, light, &own, err);
     return status;
 }
 
@@ -111,7 +170,7 @@ void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t size)
     for (int i = 0; i < gains->count && count < NAMED; i++)
         if (gains->list[i].lacks)
             named[count++] = gains->list[i].lacks;
-    snprintf(text, size, "%s", count ? "Most of all " : "");
+    snprintf(text, size, "%s", count ? "Main causes: " : "");
     pp_text_append_list(text, size, named, count, " and ");
     pp_text_append(text, size, "%s", count ? "." : "");
 }

@@ -1,7 +1,8 @@
 /* gains.h - the changes to a room that would raise its daylight factors most.
  *
  * Each change is made to a copy of the room, whose daylight factors are computed by the
- * same method as the room's own: nothing is estimated. The average is over the working
+ * same method as the room's own: nothing is estimated. pp_gains_simulate simulates the
+ * room and the most promising changes, from the same seed, and ranks them anew. The average is over the working
  * plane; the darkest point is that of EN 17037's grid (studies/criteria/en17037_grid.h),
  * of which a room may have none. The method is exact+bre, or exact+split-flux in rooms
  * that exact+bre does not cover.
@@ -15,6 +16,7 @@
 #include "model/light/outside_light.h"
 #include "model/room/building.h"
 #include "model/room/world.h"
+#include "studies/study_options.h"
 
 /* Daylight factors, fractions; NAN where there is none. */
 struct pp_gain_values {
@@ -28,12 +30,14 @@ struct pp_gain {
                         * the change mends no fault of the room */
     bool of_design; /* the designer can make the change; false for obstructions */
     struct pp_gain_values values; /* of the changed room */
+    int kind;                     /* index in the list of kinds (gain_changes.h) */
 };
 
 enum { PP_GAINS_MOST = 16 };
 
 struct pp_gains {
-    const char *method; /* static; NULL: no method covers the room */
+    const char *method; /* "exact+bre", or "traced"; static; NULL: no method covers the
+                         * room */
     struct pp_gain_values now;
     struct pp_gain list[PP_GAINS_MOST]; /* largest average first; all above now's */
     int count;
@@ -45,7 +49,18 @@ enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
                              const struct pp_outside_light *light,
                              struct pp_error *err);
 
-/* The room's three largest faults as a sentence ("Most of all low window heads and a
+/* Replaces values by hand by simulated ones: of the room and of the PP_GAINS_SIMULATED
+ * changes that raise the average most by hand; other changes are dropped. Standard errors
+ * of the averages are 2 % or less, unless options->samples or options->seconds end the
+ * simulation sooner. Does nothing without a method. */
+enum { PP_GAINS_SIMULATED = 6 };
+enum pp_status pp_gains_simulate(struct pp_gains *gains, const struct pp_room *room,
+                                 const struct pp_world *world,
+                                 const struct pp_outside_light *light,
+                                 const struct pp_study_options *options,
+                                 struct pp_error *err);
+
+/* The room's three largest faults as a sentence ("Main causes: low window heads and a
  * dark ceiling."), in `text` of `size` bytes; empty where no change raises the average. */
 void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t size);
 

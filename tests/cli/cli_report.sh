@@ -23,7 +23,7 @@ check "with all its drawings" test "$(grep -c '<figure><svg' "$page")" -eq 18
 check "the sun's paths where its hours are judged" \
     test "$(grep -c '<figcaption>Sun paths' "$page")" -eq 1
 check "what is lit, now and before, of each room" \
-    test "$(grep -c '<figcaption>What sees sky, now and before' "$page")" -eq 5
+    test "$(grep -c '<figcaption>View of the sky, existing and proposed' "$page")" -eq 5
 check "whose ids are all different" nothing \
     "$(grep -oE ' id="[^"]*"' "$page" | sort | uniq -d | head -n 3)"
 check "the sky before and after" grep -q "W3, south, line 29</td><td>27.08</td><td>17.21</td>" "$page"
@@ -39,6 +39,10 @@ check "by one thread or two the same" sh -c "
 check "traced stands beside methods by hand" grep -q "traced</td><td>[0-9.]*</td><td>0.[0-9]*<" \
     "$scratch/out"
 check "what would help" grep -q "Effect of changes" "$scratch/out"
+check "by simulation" grep -q "average, %, simulated" "$scratch/out"
+check "the plan and section show simulated values" sh -c "
+    grep -q 'contours of the simulated daylight factor' '$scratch/out' &&
+    grep -q 'simulated daylight factors along the room; hand figures dashed' '$scratch/out'"
 
 sed 's/Corner house/House \&lt;b\&gt; \&amp; co/' "$site" >"$scratch/name.xml"
 check "names are text" shows '<h1>House &lt;b&gt; &amp; ' report --by-hand -c vsc --room Bathroom \
@@ -104,7 +108,7 @@ check_words "inputs and what is assumed" "$pdf" "floor 0.2, walls 0.5, ceiling 0
     "frame factor 1, maintenance 1"
 check_words "figures by hand, with their bands" "$pdf" "^95 % band$" "exact+bre"
 check_words "drawings of the site and its rooms" "$pdf" "^Site plan, with" "^South elevation" \
-    "^Daylight factor by exact+bre on the working plane" "^Daylight factor against distance" \
+    "^Daylight factor by exact+bre, on the working plane" "^Daylight factor against distance" \
     "existing and proposed$" "^Sun paths at 51.5"
 check_words "how it was made" "$pdf" "report --for uk-planning --by-hand .*pair.xml" \
     "clear single glass and the frame" "^\[BR209\]$"
