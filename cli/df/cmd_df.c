@@ -8,6 +8,7 @@
 #include "cli/df/engine_choice.h"
 #include "cli/format_option.h"
 #include "cli/df/formula_option.h"
+#include "cli/df/moment_choice.h"
 #include "studies/bands/report_bands.h"
 #include "studies/plane_margin.h"
 #include "studies/study_report.h"
@@ -32,6 +33,7 @@ struct df_options {
     struct pp_formula_words formulae;
     bool list_formulae;
     struct pp_engine_choice engine;
+    struct pp_moment_choice moment;
     enum pp_format format;
     bool array;
     bool bands, no_bands;
@@ -334,8 +336,12 @@ static enum pp_exit run_df(void *values, char **files, int file_count)
     options->room.study.method_options.lumen_table = table;
     exit_status = pp_rooms_load(&rooms, "df", files, file_count, &options->room);
     if (exit_status == PP_EXIT_DONE) {
-        exit_status = check_rooms(options, &rooms);
-        if (exit_status == PP_EXIT_DONE)
+        if (options->moment.when)
+            exit_status = pp_moment_choice_run(&options->moment, &options->room,
+                                               options->format, options->array, &rooms);
+        else
+            exit_status = check_rooms(options, &rooms);
+        if (exit_status == PP_EXIT_DONE && !options->moment.when)
             exit_status = run_df_of_rooms(options, &rooms);
         pp_rooms_clear(&rooms);
     }
@@ -368,7 +374,11 @@ static enum pp_status check_df_options(void *values, char **files, int file_coun
     if (options->array && options->format != PP_FORMAT_JSON)
         return pp_fail(err, PP_BAD_INPUT,
                        "--array is a form of JSON; expected --format json with it");
-    enum pp_status status = pp_room_options_settle(&options->room, err);
+    enum pp_status status =
+        pp_moment_choice_settle(&options->moment, &options->room, err);
+    study->simulate |= options->moment.when != NULL;
+    if (status == PP_OK)
+        status = pp_room_options_settle(&options->room, err);
     if (status == PP_OK && study->methods)
         status = pp_selection_check(study->methods, err);
     if (status == PP_OK)
@@ -401,6 +411,7 @@ static const struct pp_option_group groups[] = {
     {"What is computed", pp_formula_option, PLACE(formulae)},
     {"What is computed", list_option, 0},
     {"What is computed", pp_room_external_option, PLACE(room)},
+    {"What is computed", pp_moment_options, PLACE(moment)},
     PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
     {"Simulation", pp_engine_options, PLACE(engine)},
     {"Simulation", pp_room_plain_option, PLACE(room)},

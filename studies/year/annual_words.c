@@ -160,11 +160,14 @@ enum pp_status pp_annual_words_fill(struct pp_annual_sheet *sheet,
     snprintf(
         sheet->weather, sizeof sheet->weather,
         "%.160s; latitude %.4g, longitude %.4g, clock %g h ahead of universal time; "
-        "%d records of %g h; sun at the middle of each record%s, in the year %d; "
+        "sun at the middle of each record%s, in the year %d; "
         "illuminances by Perez's luminous efficacy of the file's irradiances",
         epw->place, epw->latitude_rad / PP_RAD, epw->longitude_rad / PP_RAD,
-        epw->time_zone_h, year->count, epw->record_h,
-        year->sun_shift_h != 0.0 ? " moved by the sun shift" : "", year->sun_year);
+        epw->time_zone_h, year->sun_shift_h != 0.0 ? " moved by the sun shift" : "",
+        year->sun_year);
+    if (year->count > 1)
+        pp_text_append(sheet->weather, sizeof sheet->weather, "; %d records of %g h",
+                       year->count, epw->record_h);
     if (year->sun_shift_h != 0.0)
         pp_text_append(sheet->weather, sizeof sheet->weather, "; sun shift %g minutes",
                        sheet->sun_shift_min);
@@ -172,7 +175,7 @@ enum pp_status pp_annual_words_fill(struct pp_annual_sheet *sheet,
     if (pp_weather_year_warning(text, sizeof text, year))
         warn(sheet, text);
     compare_places(sheet, world, epw);
-    if (clock->diffuse_median_lx <= 0.0)
+    if (clock->diffuse_median_lx <= 0.0 && year->count > 1)
         warn(sheet, "a quarter of the year or less has daylight: EN 17037's levels are "
                     "out of reach at this place");
     say_period(sheet, options, clock);

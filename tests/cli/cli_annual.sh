@@ -70,6 +70,19 @@ check "their size" grep -q "NCOLS=578" "$scratch/c.mtx"
 check "a chart" quietly chart year -w "$scratch/year.epw" -o "$scratch/year.svg" "$room"
 check "a chart without weather" refuses 2 "--weather" chart year -o "$scratch/x.svg" "$room"
 
+# One hour: lux with sunlight, and no daylight factor. At noon the sun has 400 W/m2.
+hour="df -w $scratch/year.epw --samples 16"
+check "an hour" shows "sun-reflected" $hour --when "2023-03-21 12:00" "$room"
+check "an hour has no daylight factor" shows '"df": { "value": null, "why"' $hour \
+    --when "2023-03-21 12:00" -f json "$room"
+check "an hour as CSV" shows "illuminance_se_lx" $hour --when "2023-03-21 12:00" -f csv "$room"
+check "a dark hour" refuses 1 "no light" $hour --when "2023-03-21 02:00" "$room"
+check "no such time" refuses 2 "YYYY-MM-DD" $hour --when "noon" "$room"
+check "a time without weather" refuses 2 "--weather" df --when "2023-03-21 12:00" "$room"
+check "weather without a time" refuses 2 "--when" $hour "$room"
+check "methods have no hour" refuses 2 "--methods" $hour --when "2023-03-21 12:00" \
+    -m exact+bre "$room"
+
 check "no weather file" refuses 2 "--weather" annual "$room"
 check "no room" refuses 2 "room file" $annual
 check "a weather file that is none" refuses 1 "EPW" annual -w "$deep" "$room"
