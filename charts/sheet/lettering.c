@@ -37,6 +37,8 @@ static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
     pango_cairo_context_set_font_options(context, options);
     cairo_font_options_destroy(options);
     pango_context_set_round_glyph_positions(context, FALSE);
+    /* not the locale's: a sheet has the same bytes everywhere */
+    pango_context_set_language(context, pango_language_from_string("en"));
     pango_layout_context_changed(layout);
 
     PangoFontDescription *font = pango_font_description_new();

@@ -248,6 +248,20 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
 
 /* ---- the light ---- */
 
+/* Warns of a longitude whose sun is more than 3 h from the clock's: one of the two has
+ * the wrong sign. Hours that differ by a day are the same. */
+static void say_far_zone(const struct pp_year_options *options)
+{
+    const struct pp_epw *epw = options->epw;
+    double sun_h = epw->longitude_rad / PP_RAD / 15.0;
+    double off_h = fabs(remainder(sun_h - epw->time_zone_h, 24.0));
+    if (off_h > 3.0)
+        pp_message("%s:1: the longitude of %.4g degrees is %.1f h ahead of UT, but the "
+                   "time zone is %.4g h ahead of it; is the sign of one of them wrong?",
+                   pp_read_file_title(options->weather), epw->longitude_rad / PP_RAD,
+                   sun_h, epw->time_zone_h);
+}
+
 enum pp_exit pp_availability_options_load(struct pp_year_options *options)
 {
     if (!options->weather)
@@ -272,6 +286,8 @@ enum pp_exit pp_availability_options_load(struct pp_year_options *options)
         result = pp_message_error(&err);
     }
     pp_mistakes_clear(&mistakes);
+    if (result == PP_EXIT_DONE)
+        say_far_zone(options);
     return result;
 }
 

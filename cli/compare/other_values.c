@@ -42,6 +42,13 @@ static const struct csv_column_name names[] = {
     {"illuminance_lx", VALUE, PP_OTHER_LUX},
     {"e_lx", VALUE, PP_OTHER_LUX},
     {"e [lx]", VALUE, PP_OTHER_LUX},
+    {"illuminance [lx]", VALUE, PP_OTHER_LUX},
+    {"illuminance (lx)", VALUE, PP_OTHER_LUX},
+    {"illuminance [lux]", VALUE, PP_OTHER_LUX},
+    {"e (lx)", VALUE, PP_OTHER_LUX},
+    {"df (%)", VALUE, PP_OTHER_PERCENT},
+    {"daylight factor [%]", VALUE, PP_OTHER_PERCENT},
+    {"daylight factor (%)", VALUE, PP_OTHER_PERCENT},
     {"df", VALUE, PP_OTHER_UNKNOWN},
     {"daylight_factor", VALUE, PP_OTHER_UNKNOWN},
     {"value", VALUE, PP_OTHER_UNKNOWN},
@@ -59,6 +66,7 @@ struct csv_reading {
     enum csv_column columns[COLUMNS_MOST];
     int column_count; /* 0: the header has not been read */
     bool has[COLUMN_KINDS];
+    const char *separators; /* as the header has them */
     struct pp_other_values *values;
     int space;
 };
@@ -74,6 +82,24 @@ static char *trim(char *word)
     return word;
 }
 
+/* Takes the unit behind the name of a coordinate away: "x [m]", "y (m)", "z_m". */
+static void drop_metres(char *word)
+{
+    static const char *const units[] = {"[m]", "(m)", "_m"};
+    size_t length = strlen(word);
+    for (int i = 0; i < 3; i++) {
+        size_t unit = strlen(units[i]);
+        if (length <= unit || !strchr("xyz", word[0])
+            || strcmp(word + length - unit, units[i]) != 0)
+            continue;
+        length -= unit;
+        while (length > 1 && word[length - 1] == ' ')
+            length--;
+        word[length] = '\0';
+        return;
+    }
+}
+
 static enum pp_status take_name(struct csv_reading *reading, char *word,
                                 struct pp_error *err)
 {
@@ -81,6 +107,7 @@ static enum pp_status take_name(struct csv_reading *reading, char *word,
     const char *known[NAME_COUNT];
     for (char *c = word; *c; c++)
         *c = (char)tolower((unsigned char)*c);
+    drop_metres(word);
     for (int i = 0; i < NAME_COUNT; i++) {
         enum csv_column column = names[i].column;
         known[i] = names[i].name;
@@ -122,7 +149,9 @@ static enum pp_status take_header(struct csv_reading *reading, char *text,
                                   struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    for (char *word; status == PP_OK && (word = strsep(&text, ",;\t")) != NULL;) {
+    reading->separators = strpbrk(text, ";\t") ? ";\t" : ",";
+    for (char *word;
+         status == PP_OK && (word = strsep(&text, reading->separators)) != NULL;) {
         if (reading->column_count == COLUMNS_MOST)
             return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: more than %d columns",
                            reading->file, reading->line, COLUMNS_MOST);
@@ -131,14 +160,23 @@ static enum pp_status take_header(struct csv_reading *reading, char *text,
     return status == PP_OK ? check_header(reading, err) : status;
 }
 
+/* Where columns are not parted by commas, a comma is a decimal point. */
+static void point_commas(const struct csv_reading *reading, char *word)
+{
+    char *comma = reading->separators[0] == ',' ? NULL : strchr(word, ',');
+    if (comma)
+        *comma = '.';
+}
+
 static enum pp_status take_number(struct csv_reading *reading, enum csv_column column,
-                                  const char *word, double of[COLUMN_KINDS],
+                                  char *word, double of[COLUMN_KINDS],
                                   struct pp_error *err)
 {
     char shown[64];
     if (column == PASSED_OVER)
         return PP_OK;
     double most = column == VALUE ? 1e9 : 1e6;
+    point_commas(reading, word);
     if (!pp_text_parse_number(word, &of[column]) || fabs(of[column]) > most)
         return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: \"%s\"; expected a number",
                        reading->file, reading->line,
@@ -179,13 +217,22 @@ static enum pp_status take_row(struct csv_reading *reading, char *text,
     double of[COLUMN_KINDS] = {[Z] = NAN, [NZ] = 1.0};
     int count = 0;
     enum pp_status status = PP_OK;
-    for (char *word; status == PP_OK && (word = strsep(&text, ",;\t")) != NULL; count++)
+    for (char *word;
+         status == PP_OK && (word = strsep(&text, reading->separators)) != NULL;
+         count++)
         if (count < reading->column_count)
             status = take_number(reading, reading->columns[count], trim(word), of, err);
     if (status == PP_OK && count != reading->column_count)
         return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: %d fields; expected %d",
                        reading->file, reading->line, count, reading->column_count);
     return status == PP_OK ? add_other_value(reading, of, err) : status;
+}
+
+/* Is the first line one number? Then there is no header, as in what rtrace writes. */
+static bool is_bare(const char *text)
+{
+    double value;
+    return pp_text_parse_number(text, &value);
 }
 
 static enum pp_status take_csv_line(struct csv_reading *reading, char *text,
@@ -199,6 +246,10 @@ static enum pp_status take_csv_line(struct csv_reading *reading, char *text,
     text += strspn(text, " \t\r");
     if (*text == '#' || *text == '\0')
         return PP_OK;
+    if (reading->column_count == 0 && is_bare(text)) {
+        reading->separators = ",";
+        reading->columns[reading->column_count++] = VALUE;
+    }
     return reading->column_count == 0 ? take_header(reading, text, err)
                                       : take_row(reading, text, err);
 }

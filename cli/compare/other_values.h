@@ -10,6 +10,10 @@
  *     lux, lx, illuminance, illuminance_lx, e_lx, e [lx]
  *     df, daylight_factor, value          by what the user says they are
  *
+ * A file that begins with a number has no header: it is a value a line. Where semicolons
+ * or tabs part the names, a comma is a decimal point. A unit may follow a name in
+ * brackets: "x [m]".
+ *
  * label, name, point and id are ignored. Without x and y the values belong to the
  * room's own points, in their order. Empty lines and lines that begin with "#" are
  * ignored.

@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <locale.h>
+#include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -137,6 +138,8 @@ static void occupy_standard_streams(void)
 int main(int argc, char **argv)
 {
     occupy_standard_streams();
+    signal(SIGXFSZ,
+           SIG_IGN); /* a file that grows too large is an error of its writing */
     setlocale(LC_CTYPE, ""); /* the terminal's characters; numbers keep their point */
 
     struct pp_mpirun mpirun;

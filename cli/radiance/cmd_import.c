@@ -251,6 +251,11 @@ static enum pp_status compute_import(void *data, struct pp_error *err)
 {
     struct import_run *run = data;
     enum pp_status status = read_all(run, err);
+    if (status == PP_OK && run->scene.shape_count == 0
+        && run->scene.material_count == 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s: the scene is empty; expected a primitive",
+                       pp_read_file_title(run->imported.files[0]));
     if (status != PP_OK || !run->points)
         return status;
     run->readings = calloc((size_t)run->imported.count + 1, sizeof *run->readings);

@@ -13,13 +13,17 @@
 
 #define MODULE "pepperpot-mpi.so"
 
-/* Open MPI's mpirun says how many ranks there are; others only which one this is. */
+/* mpirun and srun say how many ranks there are; others only which one this is. A single
+ * rank is a process as any other. */
 static bool is_rank(void)
 {
+    static const char *const counts[] = {"PMI_SIZE", "SLURM_STEP_NUM_TASKS",
+                                         "SLURM_NTASKS"};
     const char *count = getenv("OMPI_COMM_WORLD_SIZE");
-    if (count)
-        return atoi(count) > 1;
-    return getenv("PMI_RANK") || getenv("PMIX_RANK");
+    bool ranked = count || getenv("PMI_RANK") || getenv("PMIX_RANK");
+    for (int i = 0; i < 3 && ranked && !count; i++)
+        count = getenv(counts[i]);
+    return ranked && (!count || atoi(count) > 1);
 }
 
 /* The folder of the running program, ending in '/'; empty if the system does not tell. */

@@ -205,6 +205,12 @@ static bool read_time(struct record_reader *r, struct pp_epw_record *record)
     return check_minute(r, minute);
 }
 
+/* Loggers mark a missing value so. */
+static bool is_mark_of_loggers(double value)
+{
+    return value == -999.0 || value == -9999.0;
+}
+
 /* A measured value; NAN where it is missing. */
 static double read_value(struct record_reader *r, int index, const char *name,
                          double low, double high, double missing)
@@ -215,7 +221,7 @@ static double read_value(struct record_reader *r, int index, const char *name,
     if (!*text)
         return NAN;
     if (pp_text_parse_number(text, &value)) {
-        if (value >= missing)
+        if (value >= missing || is_mark_of_loggers(value))
             return NAN;
         if (value >= low && value <= high)
             return value;
@@ -292,6 +298,42 @@ static void check_end(struct record_reader *r)
         r->header->periods_line);
 }
 
+/* Some converters write 9999 for an illuminance that is missing, where the format has
+ * 999999. It is taken so where it stands in a record without any irradiance. */
+static void drop_marks(struct pp_epw *epw)
+{
+    const double mark = 9999.0;
+    bool marked = false;
+    for (int i = 0; i < epw->record_count && !marked; i++) {
+        const struct pp_epw_record *record = &epw->records[i];
+        marked = record->diffuse_lx == mark && record->global_w_m2 == 0.0
+                 && record->diffuse_w_m2 == 0.0;
+    }
+    for (int i = 0; i < epw->record_count && marked; i++)
+        if (epw->records[i].diffuse_lx == mark)
+            epw->records[i].diffuse_lx = NAN;
+}
+
+/* Finds days of summer time that are given in words, "Last Sunday in April", in the year
+ * of the first record. */
+static void settle_summer(struct pp_epw *epw)
+{
+    char *to = strstr(epw->summer_words, " to ");
+    struct pp_month_day first, last;
+    if (!to || epw->record_count == 0)
+        return;
+    *to = '\0';
+    bool found =
+        pp_month_day_parse_words(epw->summer_words, epw->records[0].year, &first)
+        && pp_month_day_parse_words(to + 4, epw->records[0].year, &last);
+    *to = ' ';
+    if (!found)
+        return;
+    epw->summer_from = first;
+    epw->summer_to = last;
+    epw->summer_words[0] = '\0';
+}
+
 /* Reads the records into epw, from `record` on. PP_OK also where there are mistakes. */
 static enum pp_status read_epw_records(struct pp_epw *epw,
                                        const struct pp_epw_header *header,
@@ -314,6 +356,8 @@ static enum pp_status read_epw_records(struct pp_epw *epw,
     r.line = lines->line;
     if (mistakes->count == before)
         check_end(&r);
+    drop_marks(epw);
+    settle_summer(epw);
     return PP_OK;
 }
 

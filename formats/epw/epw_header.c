@@ -96,7 +96,7 @@ static void read_holidays(struct header_reader *r)
         || !pp_month_day_parse(to, &epw->summer_to)) {
         char first[64];
         epw->summer_from = epw->summer_to = (struct pp_month_day){0, 0};
-        snprintf(epw->summer_words, sizeof epw->summer_words, "%.18s to %.17s",
+        snprintf(epw->summer_words, sizeof epw->summer_words, "%s to %s",
                  pp_text_excerpt(first, sizeof first, from),
                  pp_text_excerpt(shown, sizeof shown, to));
     }

@@ -2,6 +2,8 @@
 #include "formats/epw/month_day.h"
 
 #include <stdio.h>
+#include <string.h>
+#include <strings.h>
 
 static const char *const months[] = {"January",   "February", "March",    "April",
                                      "May",       "June",     "July",     "August",
@@ -41,10 +43,35 @@ static int split_date(const char *text, int parts[3])
     return 0;
 }
 
+/* The month whose name, or its first three letters, begins the text; 0: none. *length:
+ * of the letters. */
+static int find_month(const char *text, int *length)
+{
+    for (int i = 0; i < 12; i++) {
+        *length = (int)strlen(months[i]);
+        if (strncasecmp(text, months[i], (size_t)*length) == 0)
+            return i + 1;
+        *length = 3;
+        if (strncasecmp(text, months[i], 3) == 0)
+            return i + 1;
+    }
+    return 0;
+}
+
+/* A day and a month's name with - between them. */
+static bool split_named(const char *text, int parts[3])
+{
+    int used = 0, length;
+    if (sscanf(text, "%2d-%n", &parts[1], &used) != 1 || used == 0 || parts[1] < 1)
+        return false;
+    parts[0] = find_month(text + used, &length);
+    return parts[0] > 0 && text[used + length] == '\0';
+}
+
 bool pp_month_day_parse_dated(const char *text, struct pp_month_day *date, int *year)
 {
     int parts[3];
-    int count = split_date(text, parts);
+    int count = split_named(text, parts) ? 2 : split_date(text, parts);
     if (count < 2)
         return false;
     bool year_first = count == 3 && parts[0] > 31;
@@ -61,6 +88,41 @@ bool pp_month_day_parse(const char *text, struct pp_month_day *date)
     if (!pp_month_day_parse_dated(text, &read, &year) || year != 0)
         return false;
     *date = read;
+    return true;
+}
+
+/* Day of the week, 0 Monday to 6 Sunday, by the Gregorian calendar. */
+static int weekday_of(int year, int month, int day)
+{
+    static const int shifts[] = {0, 3, 2, 5, 0, 3, 5, 1, 4, 6, 2, 4};
+    year -= month < 3;
+    return (year + year / 4 - year / 100 + year / 400 + shifts[month - 1] + day + 6)
+           % 7;
+}
+
+bool pp_month_day_parse_words(const char *text, int year, struct pp_month_day *date)
+{
+    static const char *const days[] = {"monday", "tuesday",  "wednesday", "thursday",
+                                       "friday", "saturday", "sunday"};
+    char which[8], day[12], month[12];
+    int weekday = 0, length, nth = 0, used = 0;
+    if (sscanf(text, " %7s %11s %*[inIN] %11s %n", which, day, month, &used) != 3
+        || used == 0 || text[used] != '\0')
+        return false;
+    while (weekday < 7 && strcasecmp(day, days[weekday]) != 0)
+        weekday++;
+    date->month = find_month(month, &length);
+    if (strcasecmp(which, "last") != 0 && (sscanf(which, "%1d", &nth) != 1 || nth < 1))
+        return false;
+    if (weekday == 7 || date->month == 0 || month[length] != '\0' || nth > 4)
+        return false;
+    int most = pp_month_day_days_of_month(date->month);
+    if (date->month == 2 && (year % 4 != 0 || (year % 100 == 0 && year % 400 != 0)))
+        most = 28;
+    if (nth > 0)
+        date->day = 7 * nth - 6 + (weekday - weekday_of(year, date->month, 1) + 7) % 7;
+    else
+        date->day = most - (weekday_of(year, date->month, most) - weekday + 7) % 7;
     return true;
 }
 

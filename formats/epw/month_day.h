@@ -13,8 +13,13 @@ struct pp_month_day {
 /* Reads "3/26" or "03/26", a day that some year has. */
 bool pp_month_day_parse(const char *text, struct pp_month_day *date);
 
-/* Reads "M/D", "M/D/YEAR" or "YEAR/M/D"; *year is 0 where there is none. */
+/* Reads "M/D", "M/D/YEAR" or "YEAR/M/D", or what a spreadsheet makes of the first,
+ * "21-Jun"; *year is 0 where there is none. */
 bool pp_month_day_parse_dated(const char *text, struct pp_month_day *date, int *year);
+
+/* Reads the n-th or last day of the week of a month, "2nd Sunday in March", in a
+ * year. */
+bool pp_month_day_parse_words(const char *text, int year, struct pp_month_day *date);
 
 /* "26 March". Returns text. */
 const char *pp_month_day_words(char *text, size_t room, struct pp_month_day date);

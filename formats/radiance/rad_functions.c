@@ -99,12 +99,22 @@ static enum pp_status rad_material_side(const struct pp_rad_reader *reader,
     return PP_OK;
 }
 
+/* Is it the expression of a mixfunc of two sides? Blanks in it do not count. */
+static bool is_sides(struct pp_rad_word word)
+{
+    const char *expected = PP_RAD_SIDES;
+    for (size_t i = 0; i < word.length; i++)
+        if (word.text[i] != ' ' && word.text[i] != *expected++)
+            return false;
+    return *expected == '\0';
+}
+
 static enum pp_status take_sides(struct pp_rad_reader *reader,
                                  const struct pp_rad_primitive *primitive,
                                  struct pp_error *err)
 {
     if (primitive->string_count != 4 || primitive->modifier.kind != PP_RAD_VOID
-        || !pp_rad_words_is(primitive->strings[2], PP_RAD_SIDES)
+        || !is_sides(primitive->strings[2])
         || !pp_rad_words_is(primitive->strings[3], "."))
         return pp_rad_words_fail(primitive->words, primitive->line, err,
                                  "a mixfunc that is not understood; expected \"void "

@@ -190,6 +190,107 @@ enum pp_status pp_dxf_shapes_lwpolyline(const struct pp_dxf_entity *e,
     return status;
 }
 
+/* Its corners run across: first, second, fourth, third. */
+enum pp_status pp_dxf_shapes_solid(const struct pp_dxf_entity *e, struct pp_error *err)
+{
+    static const int order[] = {10, 11, 13, 12};
+    struct outline outline = {.closed = true};
+    enum pp_status status = dxf_number(&outline.thickness, e, 39, 0.0, err);
+    bool has_fourth = pp_dxf_tags_find(e->tags, e->from, e->to, 13) != NULL;
+    for (int i = 0; i < 4 && status == PP_OK && outline.thickness != 0.0; i++) {
+        struct pp_vec3 p;
+        if (order[i] == 13 && !has_fourth)
+            continue;
+        status = pp_dxf_shapes_point(&p, e, order[i], err);
+        if (status == PP_OK)
+            status = append_outline_point(&outline, p, err);
+    }
+    if (status == PP_OK && outline.count > 2)
+        status = raise(e, &outline, err);
+    free(outline.list);
+    return status;
+}
+
+/* ---- MESH ---- */
+
+/* The tag at `at` as a whole number of that code, from 0 to `most`. */
+static enum pp_status whole_at(int *whole, const struct pp_dxf_entity *e, int at,
+                               int code, int most, struct pp_error *err)
+{
+    double number = -1.0;
+    int line = at < e->to ? e->tags->list[at].line : line_of(e);
+    enum pp_status status = pp_dxf_tags_number(
+        &number, e->tags, at, at < e->to ? at + 1 : at, code, -1.0, e->lines, err);
+    if (status == PP_OK && (number != floor(number) || number < 0.0 || number > most))
+        return pp_mesh_lines_fail(e->lines, line, err,
+                                  "MESH: expected a whole number from 0 to %d in group "
+                                  "%d",
+                                  most, code);
+    *whole = (int)number;
+    return status;
+}
+
+/* Adds the corners behind the tag at `at` (92, their number); *corners: how many. */
+static enum pp_status read_mesh_corners(int *corners, const struct pp_dxf_entity *e,
+                                        int at, struct pp_error *err)
+{
+    int found = 0;
+    enum pp_status status = whole_at(corners, e, at, 92, PP_MESH_CORNERS_MOST, err);
+    for (int i = at + 1; i < e->to && found < *corners && status == PP_OK; i++) {
+        struct pp_dxf_entity corner = *e;
+        struct pp_vec3 p;
+        if (e->tags->list[i].code != 10)
+            continue;
+        corner.from = i;
+        corner.to = i + 3 < e->to ? i + 3 : e->to;
+        status = pp_dxf_shapes_point(&p, &corner, 10, err);
+        if (status == PP_OK)
+            status = add_dxf_corner(e, p, line_of(&corner), err);
+        found++;
+    }
+    if (status == PP_OK && found < *corners)
+        return pp_mesh_lines_fail(e->lines, e->tags->list[at].line, err,
+                                  "MESH: has %d corners; expected %d", found, *corners);
+    return status;
+}
+
+/* Adds the faces of the list behind the tag at `at` (93, its length): each its number of
+ * corners and these, from 0, all in group 90. */
+static enum pp_status read_mesh_faces(const struct pp_dxf_entity *e, int at, int first,
+                                      int corners, struct pp_error *err)
+{
+    int length, sides = 0;
+    enum pp_status status = whole_at(&length, e, at, 93, PP_MESH_CORNERS_MOST, err);
+    for (int i = at + 1, end = at + 1 + length; i < end && status == PP_OK;
+         i += 1 + sides) {
+        status = whole_at(&sides, e, i, 90, end - i - 1, err);
+        int *face = status == PP_OK ? malloc(((size_t)sides + 1) * sizeof *face) : NULL;
+        if (status == PP_OK && !face)
+            status = pp_fail_memory(err);
+        for (int k = 0; k < sides && status == PP_OK; k++) {
+            status = whole_at(&face[k], e, i + 1 + k, 90, corners - 1, err);
+            face[k] += first;
+        }
+        if (status == PP_OK && sides > 2)
+            status = add_dxf_face(e, face, sides, e->tags->list[i].line, err);
+        free(face);
+    }
+    return status;
+}
+
+enum pp_status pp_dxf_shapes_mesh(const struct pp_dxf_entity *e, struct pp_error *err)
+{
+    int first = e->mesh->corner_count, corners = 0;
+    enum pp_status status = PP_OK;
+    for (int i = e->from; i < e->to && status == PP_OK; i++) {
+        if (e->tags->list[i].code == 92)
+            status = read_mesh_corners(&corners, e, i, err);
+        if (status == PP_OK && e->tags->list[i].code == 93)
+            return read_mesh_faces(e, i, first, corners, err);
+    }
+    return status;
+}
+
 /* ---- POLYLINE with its VERTEX entities ---- */
 
 /* The vertex at `at` as an entity by itself. */

@@ -37,6 +37,13 @@ enum pp_status pp_dxf_shapes_axes(struct pp_dxf_move *move,
 
 enum pp_status pp_dxf_shapes_face(const struct pp_dxf_entity *entity,
                                   struct pp_error *err);
+/* A MESH entity: its corners and faces, before any smoothing. */
+enum pp_status pp_dxf_shapes_mesh(const struct pp_dxf_entity *entity,
+                                  struct pp_error *err);
+
+/* A SOLID or TRACE, which is a surface only if it has a thickness. */
+enum pp_status pp_dxf_shapes_solid(const struct pp_dxf_entity *entity,
+                                   struct pp_error *err);
 enum pp_status pp_dxf_shapes_lwpolyline(const struct pp_dxf_entity *entity,
                                         struct pp_error *err);
 

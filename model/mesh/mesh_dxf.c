@@ -77,6 +77,27 @@ static enum pp_status read_entities(struct dxf *dxf, int from, int to,
                                     const struct pp_dxf_move *move, int depth,
                                     struct pp_error *err);
 
+/* Refuses a block whose drawing is in another file (group 70, 4 or 8). */
+static enum pp_status check_own(const struct pp_dxf_entity *block, const char *name,
+                                struct pp_error *err)
+{
+    const struct pp_dxf_tag *path =
+        pp_dxf_tags_find(block->tags, block->from, block->to, 1);
+    char shown[160], other[160];
+    double flags;
+    enum pp_status status = pp_dxf_tags_number(&flags, block->tags, block->from,
+                                               block->to, 70, 0.0, block->lines, err);
+    bool outside = flags >= 0.0 && flags < 256.0 && ((int)flags & (4 | 8)) != 0;
+    if (status != PP_OK || !outside)
+        return status;
+    return pp_mesh_lines_fail(
+        block->lines, block->tags->list[block->from].line, err,
+        "BLOCK: \"%s\" is an external reference, its drawing is in \"%s\"; expected it "
+        "bound into this file",
+        pp_text_excerpt(shown, sizeof shown, name),
+        pp_text_excerpt(other, sizeof other, path ? path->value : ""));
+}
+
 /* The entities of the block of that name; false: there is none. *base: its origin. */
 static enum pp_status find_block(int range[2], struct pp_vec3 *base, bool *found,
                                  const struct dxf *dxf, const char *name,
@@ -97,16 +118,20 @@ static enum pp_status find_block(int range[2], struct pp_vec3 *base, bool *found
             range[1] = pp_dxf_tags_next(&dxf->tags, range[1]);
         struct pp_dxf_entity block = {
             .tags = &dxf->tags, .lines = dxf->lines, .from = i, .to = next};
-        return pp_dxf_shapes_point(base, &block, 10, err);
+        enum pp_status status = check_own(&block, name, err);
+        return status == PP_OK ? pp_dxf_shapes_point(base, &block, 10, err) : status;
     }
     return PP_OK;
 }
 
-/* Transformation from the block's coordinates to those of the insert. */
-static enum pp_status move_of(struct pp_dxf_move *move, const struct pp_dxf_entity *e,
-                              struct pp_vec3 base, struct pp_error *err)
+/* Transformation from the block's coordinates to those of the insert; steps: from one
+ * column to the next, and one row, where the insert repeats the block. */
+static enum pp_status move_of(struct pp_dxf_move *move, struct pp_vec3 steps[2],
+                              const struct pp_dxf_entity *e, struct pp_vec3 base,
+                              struct pp_error *err)
 {
     struct pp_vec3 at, scale;
+    double spacing[2];
     double *scales[3] = {&scale.x, &scale.y, &scale.z}, degrees;
     struct pp_dxf_move own;
     enum pp_status status = pp_dxf_shapes_axes(&own, e, err);
@@ -117,6 +142,9 @@ static enum pp_status move_of(struct pp_dxf_move *move, const struct pp_dxf_enti
                                     e->lines, err);
     if (status == PP_OK)
         status = pp_dxf_tags_number(&degrees, e->tags, e->from, e->to, 50, 0.0,
+                                    e->lines, err);
+    for (int k = 0; k < 2 && status == PP_OK; k++)
+        status = pp_dxf_tags_number(&spacing[k], e->tags, e->from, e->to, 44 + k, 0.0,
                                     e->lines, err);
     if (status != PP_OK)
         return status;
@@ -135,6 +163,10 @@ static enum pp_status move_of(struct pp_dxf_move *move, const struct pp_dxf_enti
     move->origin = pp_dxf_shapes_moved(e->move, turned.origin);
     for (int k = 0; k < 3; k++)
         move->axes[k] = pp_dxf_shapes_moved(&level, turned.axes[k]);
+    const struct pp_vec3 ways[2] = {{c * spacing[0], s * spacing[0], 0.0},
+                                    {-s * spacing[1], c * spacing[1], 0.0}};
+    for (int k = 0; k < 2; k++)
+        steps[k] = pp_dxf_shapes_moved(&level, pp_dxf_shapes_moved(&own, ways[k]));
     return PP_OK;
 }
 
@@ -146,7 +178,7 @@ static enum pp_status read_insert(struct dxf *dxf, const struct pp_dxf_entity *e
     char shown[160] = "";
     double columns, rows;
     bool found = false;
-    struct pp_vec3 base;
+    struct pp_vec3 base, steps[2];
     struct pp_dxf_move move;
     enum pp_status status = pp_dxf_tags_number(&columns, &dxf->tags, e->from, e->to, 70,
                                                1.0, dxf->lines, err);
@@ -165,33 +197,36 @@ static enum pp_status read_insert(struct dxf *dxf, const struct pp_dxf_entity *e
             "INSERT: there is no block \"%s\" in the file; expected "
             "one of its BLOCKS",
             shown);
-    if (columns > 1.0 || rows > 1.0)
-        return pp_mesh_lines_fail(
-            dxf->lines, line, err,
-            "INSERT: repeats the block \"%s\" in rows and columns, "
-            "which is not read; expected one",
-            shown);
-    if (depth >= DEPTH_MOST || ++dxf->inserts > INSERTS_MOST)
+    columns = fmax(floor(columns), 1.0), rows = fmax(floor(rows), 1.0);
+    if (depth >= DEPTH_MOST || !(columns * rows <= INSERTS_MOST - dxf->inserts))
         return pp_mesh_lines_fail(dxf->lines, line, err,
                                   "INSERT: the block \"%s\" is one too many; expected "
                                   "blocks within each other "
                                   "%d deep at most, and %d in all",
                                   shown, DEPTH_MOST, INSERTS_MOST);
-    status = move_of(&move, e, base, err);
-    return status == PP_OK
-               ? read_entities(dxf, range[0], range[1], &move, depth + 1, err)
-               : status;
+    dxf->inserts += (int)(columns * rows);
+    status = move_of(&move, steps, e, base, err);
+    for (double row = 0.0; row < rows && status == PP_OK; row++)
+        for (double column = 0.0; column < columns && status == PP_OK; column++) {
+            struct pp_dxf_move copy = move;
+            copy.origin = pp_vec_along(copy.origin, column, steps[0]);
+            copy.origin = pp_vec_along(copy.origin, row, steps[1]);
+            status = read_entities(dxf, range[0], range[1], &copy, depth + 1, err);
+        }
+    return status;
 }
 
 /* Refuses surfaces that cannot be read, including those raised by a thickness (39). */
 static enum pp_status refuse_dxf_entity(const struct pp_dxf_entity *e,
                                         struct pp_error *err)
 {
-    static const char *const surfaces[] = {
-        "3DSOLID",         "BODY",         "REGION",          "MESH",
-        "SURFACE",         "PLANESURFACE", "EXTRUDEDSURFACE", "LOFTEDSURFACE",
-        "REVOLVEDSURFACE", "SWEPTSURFACE", "NURBSURFACE",     "ACAD_PROXY_ENTITY"};
-    static const char *const raised[] = {"LINE", "ARC", "CIRCLE", "SOLID", "TRACE"};
+    static const char *const surfaces[] = {"3DSOLID",          "BODY",
+                                           "REGION",           "SURFACE",
+                                           "PLANESURFACE",     "EXTRUDEDSURFACE",
+                                           "LOFTEDSURFACE",    "REVOLVEDSURFACE",
+                                           "SWEPTSURFACE",     "NURBSURFACE",
+                                           "ACAD_PROXY_ENTITY"};
+    static const char *const raised[] = {"LINE", "ARC", "CIRCLE"};
     const struct pp_dxf_tag *tag = &e->tags->list[e->from];
     double thickness;
     for (size_t i = 0; i < sizeof surfaces / sizeof *surfaces; i++)
@@ -227,6 +262,10 @@ static enum pp_status read_entity(struct dxf *dxf, struct pp_dxf_entity *e, int 
         return pp_dxf_shapes_lwpolyline(e, err);
     if (is(tag, "POLYLINE"))
         return pp_dxf_shapes_polyline(e, err);
+    if (is(tag, "MESH"))
+        return pp_dxf_shapes_mesh(e, err);
+    if (is(tag, "SOLID") || is(tag, "TRACE"))
+        return pp_dxf_shapes_solid(e, err);
     if (is(tag, "INSERT"))
         return read_insert(dxf, e, depth, err);
     return refuse_dxf_entity(e, err);

@@ -1,10 +1,11 @@
 /* mesh_dxf.h - the surfaces of a DXF file of text, of AutoCAD R12 and later.
  *
  * ENTITIES that are read: 3DFACE; POLYLINE that is a polyface or a polygon mesh;
- * LWPOLYLINE and POLYLINE with a thickness, extruded along their own normal, with a lid
- * if closed; INSERT, by the entities of its block, moved, scaled and turned. Refused by
- * name and line are entities with an unsupported surface (3DSOLID, REGION, MESH, ...),
- * arcs in extruded outlines, and blocks that are repeated or from another file. Lines,
+ * LWPOLYLINE, POLYLINE, SOLID and TRACE with a thickness, extruded along their own
+ * normal, with a lid if closed; MESH; INSERT, by the entities of its block, moved, scaled,
+ * turned, and repeated in columns and rows. Refused by name and line are entities with an
+ * unsupported surface (3DSOLID, REGION, ...), arcs in extruded outlines, and blocks from
+ * another file. Lines,
  * texts and similar entities are ignored. The unit is $INSUNITS.
  */
 #ifndef PP_MODEL_MESH_MESH_DXF_H

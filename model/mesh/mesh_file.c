@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <sys/stat.h>
 
 #include "model/base/read_file.h"
 #include "model/mesh/mesh_dxf.h"
@@ -15,16 +16,31 @@ static bool ends_with(const char *name, const char *end)
     return length > tail && strcasecmp(name + length - tail, end) == 0;
 }
 
+static enum pp_status fail_kind(const char *name, struct pp_error *err)
+{
+    return pp_fail(err, PP_BAD_INPUT,
+                   "%.200s: is of no known kind; expected a file .obj or .dxf", name);
+}
+
 enum pp_status pp_mesh_file_parse(struct pp_mesh_triangles *mesh, char *bytes,
                                   size_t length, const char *name, struct pp_error *err)
 {
     struct pp_mesh_lines lines = {.text = bytes, .left = length, .file = name};
+    if (length >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0) /* UTF-8's mark */
+        lines.text += 3, lines.left -= 3;
     if (ends_with(name, ".obj"))
         return pp_mesh_obj_read(mesh, &lines, err);
     if (ends_with(name, ".dxf"))
         return pp_mesh_dxf_read(mesh, &lines, err);
-    return pp_fail(err, PP_BAD_INPUT,
-                   "%.200s: is of no known kind; expected a file .obj or .dxf", name);
+    return fail_kind(name, err);
+}
+
+/* Is the path a regular file, or none at all, which reading reports? A pipe would never
+ * end. */
+static bool is_plain_file(const char *path)
+{
+    struct stat found;
+    return stat(path, &found) != 0 || S_ISREG(found.st_mode);
 }
 
 enum pp_status pp_mesh_file_read(struct pp_mesh_triangles *mesh, const char *path,
@@ -32,6 +48,10 @@ enum pp_status pp_mesh_file_read(struct pp_mesh_triangles *mesh, const char *pat
 {
     char *bytes;
     size_t length;
+    if (!ends_with(path, ".obj") && !ends_with(path, ".dxf"))
+        return fail_kind(path, err);
+    if (!is_plain_file(path))
+        return pp_fail(err, PP_BAD_INPUT, "%.200s: is no regular file", path);
     enum pp_status status =
         pp_read_file(&bytes, &length, path, PP_MESH_FILE_BYTES_MOST, err);
     if (status != PP_OK)

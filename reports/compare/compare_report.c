@@ -77,6 +77,13 @@ static void print_head(const struct pp_compare_result *result, int width, FILE *
     pp_print_wrapped(text, 2, 2, width, out);
 }
 
+/* What the explanation leaves; NAN, for a dash, where it explains no light: nothing
+ * beyond its error. */
+static double left_percent(double theirs, double explained, double error)
+{
+    return explained > fmax(error, 1e-9) ? 100.0 * (theirs / explained - 1.0) : NAN;
+}
+
 static void print_values(const struct pp_compare_result *result, FILE *out)
 {
     const struct pp_compared *compared = &result->compared;
@@ -95,7 +102,8 @@ static void print_values(const struct pp_compare_result *result, FILE *out)
             fprintf(out, "%10.3f", 100.0 * theirs);
             pp_format_cell(100.0 * (theirs / ours - 1.0), "%+.1f", 9, out);
             fprintf(out, "%11.3f", 100.0 * explained);
-            pp_format_cell(100.0 * (theirs / explained - 1.0), "%+.1f", 10, out);
+            pp_format_cell(left_percent(theirs, explained, compared->errors[i]),
+                           "%+.1f", 10, out);
         } else if (result->plain) {
             fprintf(out, "%10.3f", 100.0 * result->plain[i]);
             pp_format_cell(100.0 * (ours / result->plain[i] - 1.0), "%+.1f", 9, out);

@@ -27,13 +27,16 @@ void pp_format_cell(double value, const char *format, int width, FILE *out)
 
 void pp_format_csv_field(const char *text, FILE *out)
 {
+    double number;
     if (!text)
         return;
+    const bool formula =
+        *text && strchr("=+-@\t\r", *text) && !pp_text_parse_number(text, &number);
     if (!strpbrk(text, "\",\r\n")) {
-        fputs(text, out);
+        fprintf(out, "%s%s", formula ? "'" : "", text);
         return;
     }
-    fputc('"', out);
+    fprintf(out, "\"%s", formula ? "'" : "");
     for (; *text; text++) {
         if (*text == '"')
             fputc('"', out);

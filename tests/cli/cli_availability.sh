@@ -13,6 +13,11 @@ cell() {
 }
 
 check "a weather file" shows "Nowhere, XXX (four-days.epw)" availability -w "$days" "$deep"
+sed '1s/,\([0-9.-]*\),\([0-9.-]*\),\([0-9.-]*\)$/,122.4,-8,\3/' "$days" >"$scratch/west.epw"
+run availability -w "$scratch/west.epw" "$deep"
+check "a longitude against its time zone is a warning" \
+    grep -q "west.epw:1: the longitude of 122.4 degrees is 8.2 h ahead of UT, but the time zone is -8 h" \
+    "$scratch/err"
 check "a latitude" shows "overcast skies all year at 51 N" availability --latitude 51 "$deep"
 check "the room's own latitude" \
     shows "overcast skies" availability "$examples/office.xml"
@@ -92,8 +97,14 @@ sed 's/Wednesday//' "$days" >"$scratch/undated.epw"
 check "days of the week that are not known" \
     refuses 1 "--days" availability --days mon-fri -w "$scratch/undated.epw" "$deep"
 sed 's|3/26,10/28|Last Sunday in March,Last Sunday in October|' "$days" >"$scratch/sunday.epw"
-check "summer time by words" refuses 1 "sunday.epw:5: summer time" \
-    availability --summer-time file -w "$scratch/sunday.epw" "$deep"
+sed 's|3/26,10/28|26 March,28 October|' "$days" >"$scratch/words.epw"
+check "summer time by words" refuses 1 'words.epw:5: summer time is from "26 March to 28 October"' \
+    availability --summer-time file -w "$scratch/words.epw" "$deep"
+gives availability --summer-time 3/26-10/29 -f csv -w "$days" "$deep"
+sed 's/^[^,]*//' "$scratch/out" >"$scratch/dated"
+gives availability --summer-time file -f csv -w "$scratch/sunday.epw" "$deep"
+sed 's/^[^,]*//' "$scratch/out" >"$scratch/worded"
+check "Sundays are found in the calendar" same "$scratch/dated" "$scratch/worded"
 check "which nobody asked for" gives availability -w "$scratch/sunday.epw" "$deep"
 
 # The median for EN 17037.

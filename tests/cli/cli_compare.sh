@@ -232,6 +232,21 @@ check "a room has no colours" \
 sed 's/,1,/,/; s/,z,/,/' "$scratch/scene.csv" >"$scratch/flat.csv"
 check "a scene has no working plane" \
     refuses 1 "flat.csv:2: no x, y and z" compare "$scratch/scene.rad" "$scratch/flat.csv"
+printf '"x [m]";"y [m]";"DF [%%]"\n1,5;2;3,25\n' >"$scratch/comma.csv"
+printf 'x,y,df_percent\n1.5,2,3.25\n' >"$scratch/point.csv"
+gives compare --error 2% "$room" "$scratch/comma.csv" && sed 1d "$scratch/out" >"$scratch/comma"
+gives compare --error 2% "$room" "$scratch/point.csv" && sed 1d "$scratch/out" >"$scratch/point"
+check "decimal commas between semicolons, and units" same "$scratch/comma" "$scratch/point"
+printf '3.25\n' >"$scratch/bare.csv"
+cat >"$scratch/one.xml" <<'XML'
+<room version="1"><plan width="4" depth="5" height="3"/>
+<window wall="south" left="1" sill="1" width="2" height="1.5"/><point x="1.5" y="2"/></room>
+XML
+check "what rtrace writes has no header" shows "3.250" \
+    compare --error 2% --as percent "$scratch/one.xml" "$scratch/bare.csv"
+printf '3.25 1\n' >"$scratch/bare.csv"
+check "two numbers without one are none" refuses 1 'there is no column "3.25 1"' \
+    compare --as percent "$scratch/one.xml" "$scratch/bare.csv"
 check "a damaged scene" refuses 1 "scene.csv:1: " compare "$scratch/scene.csv" "$scratch/scene.csv"
 
 tap_done

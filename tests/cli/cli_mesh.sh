@@ -152,6 +152,23 @@ room '<mesh file="box.obj" scale="0.001" y="12"/>' >"$scratch/wrong.xml"
 check "a mesh in the room" refuses 1 'wrong.xml:4: mesh: goes through a ' df "$scratch/wrong.xml"
 room '<mesh file="box.obj" scale="1000"/>' >"$scratch/wrong.xml"
 check "a mesh out of scale" refuses 1 'reaches farther than 100000 m' df "$scratch/wrong.xml"
+printf '0\nSECTION\n2\nENTITIES\n0\n' >"$scratch/none"
+room '<mesh file="-"/>' >"$scratch/wrong.xml"
+check "standard input is no mesh, by its name" refuses 1 'expected a file .obj or .dxf' \
+    df "$scratch/wrong.xml"
+room '<mesh file="none"/>' >"$scratch/wrong.xml"
+check "nor is a file of another ending" refuses 1 'none: is of no known kind' \
+    df "$scratch/wrong.xml"
+mkfifo "$scratch/pipe.obj"
+room '<mesh file="pipe.obj"/>' >"$scratch/wrong.xml"
+check "a pipe is not waited for" refuses 1 'is no regular file' df "$scratch/wrong.xml"
+rm "$scratch/pipe.obj"
+{ printf '\357\273\277' && cat "$scratch/box.obj"; } >"$scratch/marked.obj"
+room '<mesh file="box.obj" scale="0.001"/>' >"$scratch/plain.xml"
+room '<mesh file="marked.obj" scale="0.001"/>' >"$scratch/marked.xml"
+figures exact "$scratch/plain.xml" >"$scratch/plain"
+figures exact "$scratch/marked.xml" >"$scratch/marked"
+check "with a byte order mark the same" same "$scratch/plain" "$scratch/marked"
 check "from standard input, from where we are" sh -c \
     "cd '$scratch' && '$pepperpot' df --methods exact - <mesh.xml | grep -q '1 mesh of 10 '"
 tap_done

@@ -176,6 +176,13 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
             primitive->number_count, materials[which].least,
             materials[which].most > materials[which].least ? " or 4" : "");
     bool is_illum = strcmp(name, "illum") == 0;
+    if (strcmp(name, "mirror") == 0 && primitive->string_count == 1)
+        return pp_rad_words_fail(
+            words, primitive->line, err,
+            "mirror with the material \"%.*s\" in its place: it mirrors the light of "
+            "lamps alone, which is not worked out; expected that material, or a mirror "
+            "without strings",
+            pp_rad_words_shown(primitive->strings[0]), primitive->strings[0].text);
     if (!materials[which].grain && primitive->string_count > is_illum)
         return pp_rad_words_fail(words, primitive->line, err,
                                  "%s with %d strings; expected none%s", name,

@@ -248,16 +248,30 @@ static enum pp_status read_scene_text(struct scene_text *text, const char *path,
     return status;
 }
 
+/* A mistake in so many lines, with nothing understood before it. */
+static const int first_lines = 5;
+
 static enum pp_status read_text(struct pp_rad_reader *reader,
                                 const struct scene_text *text, const char *path,
                                 const struct pp_rad_context *context,
                                 struct pp_error *err)
 {
-    struct pp_rad_words words = {pp_read_file_title(path), text->bytes, text->length, 0,
-                                 1};
+    const bool marked =
+        text->length >= 3 && memcmp(text->bytes, "\xef\xbb\xbf", 3) == 0;
+    struct pp_rad_words words = {pp_read_file_title(path), text->bytes, text->length,
+                                 marked ? 3 : 0, 1};
+    const int shapes = reader->scene->shape_count,
+              materials = reader->scene->material_count;
     reader->bytes += text->length;
     reader->copied_bytes += context->copied ? text->length : 0;
-    return read_words(reader, &words, context, err);
+    enum pp_status status = read_words(reader, &words, context, err);
+    /* A file that a scene names, and that is none, is not quoted: it may be any. */
+    if (status == PP_BAD_INPUT && context->depth > 0
+        && shapes == reader->scene->shape_count
+        && materials == reader->scene->material_count && words.line <= first_lines)
+        return pp_fail(err, status, "%.200s:%d: is no scene of Radiance's", words.file,
+                       words.line);
+    return status;
 }
 
 static enum pp_status read_scene_file(struct pp_rad_reader *reader, const char *path,
@@ -265,6 +279,10 @@ static enum pp_status read_scene_file(struct pp_rad_reader *reader, const char *
                                       struct pp_error *err)
 {
     struct scene_text text = {0};
+    if (path[0] == '!') {
+        struct pp_rad_words words = {"command line", path, strlen(path), 0, 1};
+        return read_words(reader, &words, context, err);
+    }
     enum pp_status status = read_scene_text(&text, path, err);
     if (status == PP_OK)
         status = read_text(reader, &text, path, context, err);

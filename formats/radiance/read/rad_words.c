@@ -56,14 +56,30 @@ static void skip_space(struct pp_rad_words *words)
     }
 }
 
+/* The quote that begins the next word, which then may hold blanks; 0: none. A word that
+ * is a quote at the end of the text is itself. */
+static char word_quote(const struct pp_rad_words *words)
+{
+    char c = words->at + 1 < words->length ? words->bytes[words->at] : '\0';
+    return c == '"' || c == '\'' ? c : '\0';
+}
+
 enum pp_status pp_rad_words_next(struct pp_rad_words *words, struct pp_rad_word *word,
                                  struct pp_error *err)
 {
     skip_space(words);
     *word = (struct pp_rad_word){words->bytes + words->at, 0, words->line};
-    while (words->at < words->length && !is_space(words->bytes[words->at])) {
+    const char quote = word_quote(words);
+    if (quote)
+        word->text = words->bytes + ++words->at;
+    while (words->at < words->length
+           && (quote ? words->bytes[words->at] != quote
+                     : !is_space(words->bytes[words->at]))) {
         unsigned char c = (unsigned char)words->bytes[words->at];
-        if (c < 32 || c == 127)
+        if (quote && c == '\n')
+            return pp_rad_words_fail(words, word->line, err,
+                                     "a word in quotes that its line does not end");
+        if ((c < 32 && !is_space((char)c)) || c == 127)
             return pp_rad_words_fail(words, word->line, err,
                                      "a character of code %d; expected text", c);
         if (word->length == PP_RAD_WORD_MOST)
@@ -73,6 +89,10 @@ enum pp_status pp_rad_words_next(struct pp_rad_words *words, struct pp_rad_word 
         word->length++;
         words->at++;
     }
+    words->at += quote && words->at < words->length;
+    if (quote && word->length == 0)
+        return pp_rad_words_fail(words, word->line, err,
+                                 "a word of quotes with nothing in them");
     return PP_OK;
 }
 

@@ -92,18 +92,37 @@ static const char *role_word(enum pp_role role)
     return role == PP_FLOOR ? "floor" : role == PP_WALL ? "wall" : "ceiling";
 }
 
-/* Notes a face of another room that stands in this one. */
+/* Has a mistake on that line been noted that begins so? */
+static bool has_been_said(const struct pp_mistakes *mistakes, int line,
+                          const char *beginning)
+{
+    for (int i = 0; i < mistakes->count; i++)
+        if (mistakes->list[i].line == line
+            && strncmp(mistakes->list[i].text, beginning, strlen(beginning)) == 0)
+            return true;
+    return false;
+}
+
+/* Notes a face of another room that stands in this one, once for the two rooms. */
 static void say_rooms_overlap(struct pp_resolver *r, const struct pp_surface_part *part,
                               struct pp_vec3 where)
 {
     char other[64], own[64];
+    char said[256], there[256];
     const char *name = r->world->name;
+    pp_text_excerpt(own, sizeof own, name ? name : "");
+    pp_text_excerpt(other, sizeof other, part->name ? part->name : "");
+    snprintf(said, sizeof said, "room: \"%s\" and the room \"%s\" of line %d overlap, ",
+             own, other, part->line);
+    snprintf(there, sizeof there,
+             "room: \"%s\" and the room \"%s\" of line %d overlap, ", other, own,
+             r->room->line);
+    if (has_been_said(r->mistakes, r->room->line, said)
+        || has_been_said(r->mistakes, part->line, there))
+        return;
     pp_mistakes_add(r->mistakes, r->room->line,
-                    "room: \"%s\" and the room \"%s\" of line %d overlap, at (%g, %g, "
-                    "%g) of the former; expected rooms side by side",
-                    pp_text_excerpt(own, sizeof own, name ? name : ""),
-                    pp_text_excerpt(other, sizeof other, part->name ? part->name : ""),
-                    part->line, where.x, where.y, where.z);
+                    "%sat (%g, %g, %g) of the former; expected rooms side by side",
+                    said, where.x, where.y, where.z);
 }
 
 /* Name of the room whose coordinates a message gives. Empty for a room's own surfaces. */

@@ -3,6 +3,7 @@
 #include "model/mesh/mesh_file.h"
 
 #include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "tests/lib/near.h"
@@ -112,6 +113,66 @@ static void a_block_of_dxf_is_scaled_and_turned(void **state)
     pp_mesh_triangles_clear(&mesh);
 }
 
+/* A mark of UTF-8 is no part of the first statement. */
+static void a_byte_order_mark_is_passed_over(void **state)
+{
+    (void)state;
+    static const char face[] = "v 0 0 1\nv 2 0 1\nv 0 3 1\nf 1 2 3\n";
+    char marked[100];
+    assert_surface(face, "a.obj", 3.0, 1.0);
+    snprintf(marked, sizeof marked, "\xef\xbb\xbf%s", face);
+    assert_surface(marked, "a.obj", 3.0, 1.0);
+    snprintf(marked, sizeof marked, "\xef\xbb\xbf%sf 1 2 -1\n", face);
+    assert_surface(marked, "a.obj", 6.0, 1.0);
+}
+
+#define POINT(x, y, z) "10\n" #x "\n20\n" #y "\n30\n" #z "\n"
+
+/* A square and a triangle on one edge, by their list. */
+static void a_mesh_of_dxf_has_its_faces(void **state)
+{
+    (void)state;
+    assert_surface(
+        DXF("0\nMESH\n8\n0\n71\n2\n91\n0\n92\n5\n" POINT(0, 0, 1) POINT(2, 0, 1)
+                POINT(2, 2, 1) POINT(0, 2, 1)
+                    POINT(4, 0, 1) "93\n9\n90\n4\n90\n0\n90\n1\n90\n2\n90\n3\n90\n3\n"
+                                   "90\n1\n90\n4\n90\n2\n94\n1\n90\n0\n90\n1\n95\n0\n"),
+        "mesh.dxf", 4.0 + 2.0, 1.0);
+}
+
+/* Its corners run across; a box of 2 x 1 x 3 m has 2 (2 + 2 x 3 + 1 x 3) m2. One without
+ * a thickness is a figure on the ground, and hides nothing. */
+static void a_solid_of_dxf_is_raised(void **state)
+{
+    (void)state;
+    assert_surface(DXF("0\nSOLID\n10\n0\n20\n0\n11\n2\n21\n0\n12\n0\n22\n1\n"
+                       "13\n2\n23\n1\n39\n3\n"
+                       "0\nSOLID\n10\n0\n20\n0\n11\n9\n21\n0\n12\n0\n22\n9\n"),
+                   "solid.dxf", 2.0 * (2.0 + 6.0 + 3.0), 3.0);
+}
+
+/* Two columns and three rows of a triangle of 3 m2, turned by a right angle: the columns
+ * go up y. */
+static void an_insert_repeats_its_block(void **state)
+{
+    (void)state;
+    static const char text[] = SECTION(
+        "BLOCKS", "0\nBLOCK\n2\nT\n0\n3DFACE\n10\n0\n20\n0\n30\n1\n11\n2\n21\n0\n"
+                  "31\n1\n12\n0\n22\n3\n32\n1\n0\nENDBLK\n")
+        DXF("0\nINSERT\n2\nT\n10\n0\n20\n0\n50\n90\n70\n2\n71\n3\n44\n10\n45\n20\n");
+    struct pp_mesh_triangles mesh;
+    assert_surface(text, "rows.dxf", 2.0 * 3.0 * 3.0, 1.0);
+    assert_int_equal(parse(&mesh, text, "rows.dxf", NULL), PP_OK);
+    double x = 0.0, y = 0.0;
+    for (int i = 0; i < mesh.corner_count; i++) {
+        x = fmin(x, mesh.corners[i].x);
+        y = fmax(y, mesh.corners[i].y);
+    }
+    assert_near(x, -2.0 * 20.0 - 3.0, 1e-9);
+    assert_near(y, 10.0 + 2.0, 1e-9);
+    pp_mesh_triangles_clear(&mesh);
+}
+
 static void wrong_files_are_refused_by_line(void **state)
 {
     (void)state;
@@ -148,6 +209,21 @@ static void wrong_files_are_refused_by_line(void **state)
          SECTION("BLOCKS", "0\nBLOCK\n2\nA\n0\nINSERT\n2\nA\n0\nENDBLK\n")
              DXF("0\nINSERT\n2\nA\n"),
          "the block \"A\" is one too many"},
+        {"a.dxf",
+         SECTION("BLOCKS", "0\nBLOCK\n2\nA\n70\n4\n1\nother.dwg\n0\nENDBLK\n")
+             DXF("0\nINSERT\n2\nA\n"),
+         "\"A\" is an external reference, its drawing is in \"other.dwg\""},
+        {"a.dxf",
+         SECTION("BLOCKS", "0\nBLOCK\n2\nA\n0\nENDBLK\n")
+             DXF("0\nINSERT\n2\nA\n70\n1000000\n"),
+         "the block \"A\" is one too many"},
+        {"a.dxf", DXF("0\nMESH\n92\n2\n" POINT(0, 0, 1)), "has 1 corners; expected 2"},
+        {"a.dxf",
+         DXF("0\nMESH\n92\n1\n" POINT(0, 0, 1) "93\n4\n90\n3\n90\n0\n90\n0\n"
+                                               "90\n7\n"),
+         "a whole number from 0 to 0 in group 90"},
+        {"a.dxf", DXF("0\nMESH\n92\n1\n" POINT(0, 0, 1) "93\n4\n90\n9\n"),
+         "a whole number from 0 to 3 in group 90"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         struct pp_mesh_triangles mesh;
@@ -188,6 +264,10 @@ TEST_FILE
         cmocka_unit_test(outlines_of_dxf_are_raised_by_their_thickness),
         cmocka_unit_test(faces_of_dxf_keep_their_area),
         cmocka_unit_test(a_block_of_dxf_is_scaled_and_turned),
+        cmocka_unit_test(a_byte_order_mark_is_passed_over),
+        cmocka_unit_test(a_mesh_of_dxf_has_its_faces),
+        cmocka_unit_test(a_solid_of_dxf_is_raised),
+        cmocka_unit_test(an_insert_repeats_its_block),
         cmocka_unit_test(wrong_files_are_refused_by_line),
         cmocka_unit_test(a_file_may_break_off_anywhere),
     };
