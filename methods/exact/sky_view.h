@@ -1,7 +1,7 @@
 /* sky_view.h - the sky and the sun that a point sees through clear openings, for any hour.
  *
- * What is seen does not change through a year: the view of each opening is found once
- * (methods/view/visible.h), and is then asked for the sun of every hour, or cut into pieces
+ * The view of each opening is the same all year, and is found once
+ * (methods/view/visible.h). It is then tested for the sun of every hour, and cut into pieces
  * with one direction each, for the light of any sky:
  *
  *     E = sum of coefficient x L(u),   coefficient = integral tau (n.u) over the piece

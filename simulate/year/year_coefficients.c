@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "model/base/array.h"
 #include "simulate/scene/light_scene_parts.h"
@@ -12,8 +11,8 @@
 
 /* Sun on one cell in one hour. */
 struct sun_entry {
-    int cell;
-    int group; /* of the opening by which it comes; of an outdoor cell: -1 */
+    uint16_t cell;
+    int16_t group; /* of the opening by which it comes; of an outdoor cell: -1 */
     float lx;
 };
 
@@ -88,6 +87,10 @@ enum pp_status pp_year_coefficients_create(
         .point_paths = options->paths,
         .sobol = &c->sobol,
         .seed = options->seed};
+    if (status == PP_OK && c->cells.count > PP_YEAR_CELLS_MOST)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "the room has %d surfaces inside; expected at most %d",
+                         c->cells.count, PP_YEAR_CELLS_MOST);
     if (status == PP_OK)
         status = for_batches(c, make_batch, err);
     if (status != PP_OK) {
@@ -157,7 +160,8 @@ static enum pp_status add_suns_of_hour(const struct pp_year_coefficients *c, int
                                          sky->sun, &opening);
         if (share > 0.0)
             status = add_sun(
-                list, used, (struct sun_entry){i, -1, (float)(share * sky->direct_lx)});
+                list, used,
+                (struct sun_entry){(uint16_t)i, -1, (float)(share * sky->direct_lx)});
     }
     return status;
 }
@@ -197,18 +201,20 @@ static void add_suns(const struct pp_year_coefficients *c, int receiver, int b,
     const float *inside = batch->inside + (size_t)receiver * (size_t)c->cells.count;
     const float *outdoor =
         batch->outdoor + (size_t)(receiver * groups) * PP_YEAR_OUTDOOR_CELLS;
-    for (int t = 0; t < c->light->count; t++)
+    for (int t = 0; t < c->light->count; t++) {
+        float sums[PP_YEAR_GROUPS_MOST] = {0.0f};
         for (int k = list->first[t]; k < list->first[t + 1]; k++) {
             const struct sun_entry *entry = &list->entries[k];
             if (entry->group >= 0) {
-                sun[(size_t)(entry->group * PP_YEAR_BATCHES + b) * step + (size_t)t] +=
-                    inside[entry->cell] * entry->lx;
+                sums[entry->group] += inside[entry->cell] * entry->lx;
                 continue;
             }
             for (int g = 0; g < groups; g++)
-                sun[(size_t)(g * PP_YEAR_BATCHES + b) * step + (size_t)t] +=
-                    outdoor[g * PP_YEAR_OUTDOOR_CELLS + entry->cell] * entry->lx;
+                sums[g] += outdoor[g * PP_YEAR_OUTDOOR_CELLS + entry->cell] * entry->lx;
         }
+        for (int g = 0; g < groups; g++)
+            sun[(size_t)(g * PP_YEAR_BATCHES + b) * step + (size_t)t] = sums[g];
+    }
 }
 
 enum pp_status pp_year_coefficients_point(const struct pp_year_coefficients *c,
@@ -232,7 +238,6 @@ enum pp_status pp_year_coefficients_point(const struct pp_year_coefficients *c,
         }
     pp_year_product(point->sky, rows, row_count, c->light);
     free(rows);
-    memset(point->sun, 0, (size_t)row_count * step * sizeof *point->sun);
     for (int b = 0; b < PP_YEAR_BATCHES; b++)
         add_suns(c, receiver, b, step, point->sun);
     return PP_OK;

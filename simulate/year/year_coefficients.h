@@ -13,7 +13,7 @@
 #include "simulate/year/light_columns.h"
 #include "simulate/year/year_batch.h"
 
-enum { PP_YEAR_BATCHES = 16 };
+enum { PP_YEAR_BATCHES = 16, PP_YEAR_GROUPS_MOST = 16, PP_YEAR_CELLS_MOST = 65535 };
 
 struct pp_year_coefficient_options {
     int paths;   /* of a point in each randomisation; a power of two */
@@ -25,7 +25,7 @@ struct pp_year_coefficient_options {
 struct pp_year_coefficients;
 
 /* scene: of a world, with every finish diffuse; group_of_opening: by opening, 0 to
- * group_count - 1. All of these, and the receivers and the pool, must live as long. */
+ * group_count - 1, PP_YEAR_GROUPS_MOST at most. All of these, and the receivers and the pool, must live as long. */
 enum pp_status pp_year_coefficients_create(
     struct pp_year_coefficients **coefficients, const struct pp_light_scene *scene,
     const struct pp_environment *environment, const struct pp_receiver *receivers,
