@@ -229,6 +229,20 @@ enum pp_status pp_study_chart(const struct pp_study *study, const char *kind,
                               const struct pp_chart_request *request, char **bytes,
                               size_t *length, struct pp_error *err);
 
+/* Geometry of the resolved room, for programs that draw it, as a JSON object
+ * "pepperpot-scene-1": surfaces, openings, blocks, skylines and gardens, each with the
+ * line of the file that it comes from, and the points. The caller frees *bytes. */
+enum pp_status pp_study_scene(const struct pp_study *study, char **bytes,
+                              size_t *length, struct pp_error *err);
+
+/* Contours of the daylight factor on the working plane and the no-sky line, as a JSON
+ * object "pepperpot-plan-1" of polylines. methods: one direct method or pair that gives a
+ * figure at each place, NULL: the default pair. tolerance: of the lines' places, in metres;
+ * 0.001 is that of a chart. The caller frees *bytes. */
+enum pp_status pp_study_plan(const struct pp_study *study, const char *methods,
+                             double tolerance, char **bytes, size_t *length,
+                             struct pp_error *err);
+
 /* ---- criteria and sizes ---- */
 
 enum pp_verdict {

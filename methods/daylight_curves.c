@@ -263,7 +263,8 @@ enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
                                      const struct pp_outside_light *light,
                                      const struct pp_method *direct, double irc,
                                      const char *irc_name, const double *levels,
-                                     int level_count, struct pp_error *err)
+                                     int level_count, double tolerance_m,
+                                     struct pp_error *err)
 {
     *plan = (struct pp_daylight_plan){.direct = !irc_name};
     if (irc_name && !(isfinite(irc) && irc >= 0.0))
@@ -282,7 +283,8 @@ enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
         .plane = &world->plane,
         .values = daylight_at,
         .context = &added,
-        .tolerance = pp_daylight_curves_tolerance(&world->plane),
+        .tolerance = tolerance_m > 0.0 ? tolerance_m
+                                       : pp_daylight_curves_tolerance(&world->plane),
         .levels = levels,
         .level_count = level_count};
     status = add_all(plan, world, &wanted, err);
@@ -297,7 +299,7 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   int level_count, struct pp_error *err)
 {
     return pp_daylight_curves_by(plan, world, light, &pp_method_exact, irc, irc_name,
-                                 levels, level_count, err);
+                                 levels, level_count, 0.0, err);
 }
 
 enum pp_status pp_daylight_curves_of(struct pp_daylight_plan *plan,

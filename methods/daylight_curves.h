@@ -35,7 +35,7 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   int level_count, struct pp_error *err);
 
 /* The same with the direct component by any method that speaks for a point and does not
- * count (squares, dots); the plan's name is "direct+irc_name". Without irc_name, the figures
+ * count (squares, dots), to another tolerance (m; 0: as above); the plan's name is "direct+irc_name". Without irc_name, the figures
  * are the direct component only. A method that does not cover the room is PP_BAD_INPUT, with
  * the reason. */
 enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
@@ -43,7 +43,8 @@ enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
                                      const struct pp_outside_light *light,
                                      const struct pp_method *direct, double irc,
                                      const char *irc_name, const double *levels,
-                                     int level_count, struct pp_error *err);
+                                     int level_count, double tolerance_m,
+                                     struct pp_error *err);
 
 /* Contours of any daylight factor over the working plane, as above, and the no-sky line.
  * `errors` gives its standard error, for the bands; NULL: none. Both take the context. */

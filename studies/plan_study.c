@@ -137,7 +137,7 @@ static struct pp_reading everywhere(const struct pp_report *report, const char *
 
 static enum pp_status draw_choice(struct pp_plan_study *study,
                                   const struct pp_choice *choice, const char *name,
-                                  struct pp_error *err)
+                                  double tolerance_m, struct pp_error *err)
 {
     const char *internal = choice->internal ? choice->internal->name : NULL;
     struct pp_reading irc = pp_reading_of(0.0);
@@ -150,17 +150,18 @@ static enum pp_status draw_choice(struct pp_plan_study *study,
     struct pp_world open;
     enum pp_status status = open_world(&open, study->report.world, err);
     if (status == PP_OK)
-        status =
-            pp_daylight_curves_by(&study->plan, &open, &study->report.light,
-                                  choice->method, irc.value, internal, NULL, 0, err);
+        status = pp_daylight_curves_by(&study->plan, &open, &study->report.light,
+                                       choice->method, irc.value, internal, NULL, 0,
+                                       tolerance_m, err);
     pp_region_clear(&open.plane);
     return status == PP_OK ? set_figures(study, name, !internal, err) : status;
 }
 
+/* tolerance_m: of a sketch, which has no grid over the plane; 0: of a plan. */
 static enum pp_status by_hand(struct pp_plan_study *study,
                               const struct pp_study_room *room,
                               const struct pp_study_options *options,
-                              struct pp_error *err)
+                              double tolerance_m, struct pp_error *err)
 {
     struct pp_study_options one = *options;
     struct pp_selection selection;
@@ -178,10 +179,13 @@ static enum pp_status by_hand(struct pp_plan_study *study,
     }
     if (status != PP_OK)
         return status;
-    status = pp_study_report_with_plane(&study->report, room, &one, err);
+    status = tolerance_m > 0.0
+                 ? pp_study_report_methods(&study->report, room, &one, err)
+                 : pp_study_report_with_plane(&study->report, room, &one, err);
     study->report.options = &options->method_options; /* `one` ends here */
     if (status == PP_OK)
-        status = draw_choice(study, &selection.choices[0], one.methods, err);
+        status =
+            draw_choice(study, &selection.choices[0], one.methods, tolerance_m, err);
     pp_selection_clear(&selection);
     return status;
 }
@@ -344,9 +348,23 @@ enum pp_status pp_plan_study_make(struct pp_plan_study *study,
         pp_plan_study_check(options->methods, options->simulate, err);
     if (status == PP_OK)
         status = options->simulate ? by_trace(study, room, options, by_clock, err)
-                                   : by_hand(study, room, options, err);
+                                   : by_hand(study, room, options, 0.0, err);
     if (status == PP_OK)
         status = settle_plan_grid(study, room, err);
+    if (status != PP_OK)
+        pp_plan_study_clear(study);
+    return status;
+}
+
+enum pp_status pp_plan_study_sketch(struct pp_plan_study *study,
+                                    const struct pp_study_room *room,
+                                    const struct pp_study_options *options,
+                                    double tolerance_m, struct pp_error *err)
+{
+    *study = (struct pp_plan_study){.report = {.finished = true}};
+    enum pp_status status = pp_plan_study_check(options->methods, false, err);
+    if (status == PP_OK)
+        status = by_hand(study, room, options, tolerance_m, err);
     if (status != PP_OK)
         pp_plan_study_clear(study);
     return status;

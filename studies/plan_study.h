@@ -30,6 +30,13 @@ enum pp_status pp_plan_study_make(struct pp_plan_study *study,
                                   const struct pp_study_room *room,
                                   const struct pp_study_options *options,
                                   bool *by_clock, struct pp_error *err);
+
+/* The same by hand, for a screen: contours to that tolerance (m, above 0), and without the
+ * grid over the plane. */
+enum pp_status pp_plan_study_sketch(struct pp_plan_study *study,
+                                    const struct pp_study_room *room,
+                                    const struct pp_study_options *options,
+                                    double tolerance_m, struct pp_error *err);
 void pp_plan_study_clear(struct pp_plan_study *study);
 
 #endif

@@ -1,0 +1,13 @@
+/* plan_json.h - a plan's contours and no-sky line as JSON, for programs that draw them. */
+#ifndef PP_REPORTS_VECTORS_PLAN_JSON_H
+#define PP_REPORTS_VECTORS_PLAN_JSON_H
+
+#include <stdio.h>
+
+#include "studies/plan_study.h"
+
+/* Prints one object, "pepperpot-plan-1". Lengths in metres, levels in per cent. */
+enum pp_status pp_plan_json(const struct pp_plan_study *study, FILE *out,
+                            struct pp_error *err);
+
+#endif

@@ -1,0 +1,16 @@
+/* scene_json.h - the geometry of a resolved room as JSON, for programs that draw it. */
+#ifndef PP_REPORTS_VECTORS_SCENE_JSON_H
+#define PP_REPORTS_VECTORS_SCENE_JSON_H
+
+#include <stdio.h>
+
+#include "model/room/world.h"
+
+/* Prints one object, "pepperpot-scene-1": surfaces, openings, blocks, skylines and gardens
+ * with the line of the file that each comes from, the working plane, and the points. Metres
+ * of the room's own x, y, z to 0.1 mm, as flat lists; angles in degrees. */
+enum pp_status pp_scene_json(const struct pp_world *world,
+                             const struct pp_receiver *points, int point_count,
+                             FILE *out, struct pp_error *err);
+
+#endif
