@@ -20,6 +20,8 @@ _pepperpot()
     elif [ "$previous" = --to ] || [ "$previous" = --against ] ||
         { [ "$command" = export ] && [ "$previous" = -t ]; }; then
         mapfile -t COMPREPLY < <(compgen -W radiance -- "$word")
+    elif [ "$command" = serve ] && [ "$previous" = --jobs ]; then
+        mapfile -t COMPREPLY < <(compgen -d -- "$word")
     elif [ "$previous" = --which ]; then
         mapfile -t COMPREPLY < <(compgen -W 'average minimum rooflight' -- "$word")
     elif [ "$command" = size ] && { [ "$previous" = --change ] || [ "$previous" = -c ]; }; then

@@ -6,7 +6,7 @@
 # never prints, exits or looks at its surroundings, and keeps nothing in writable data.
 . "$srcdir/tests/lib/tap.sh"
 
-folders="model formats methods simulate studies charts reports api cli"
+folders="model formats methods simulate studies charts reports api serve cli"
 library="model formats methods simulate studies charts reports api"
 
 # Each place, what it may use besides itself, lowest first. "model" as a whole is all of
@@ -36,7 +36,8 @@ studies             model formats methods simulate
 charts              model
 reports             model formats methods simulate studies
 api                 model formats methods simulate studies charts reports
-cli                 model formats methods simulate studies charts reports api'
+serve
+cli                 model formats methods simulate studies charts reports api serve'
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -108,6 +109,11 @@ for folder in $library cli; do
     symbols_of "$folder" --undefined-only >>"$scratch/wants"
     symbols_of "$folder" --defined-only >>"$scratch/gives"
 done
+# The server is a user of pepperpot.h: what that declares is its to call, and no more.
+(cd "$srcdir" && ${AWK:-awk} -f libpepperpot.awk pepperpot.h) >"$scratch/public"
+symbols_of serve --undefined-only |
+    awk 'NR == FNR { public[$1] = 1; next } !($2 in public)' "$scratch/public" - >>"$scratch/wants"
+symbols_of serve --defined-only >>"$scratch/gives"
 
 wrong_calls() {
     awk "$arrows"'
@@ -129,7 +135,7 @@ circles() {
 
 # Lines "FILE uses NAME" for names that match a pattern in the library's objects.
 library_uses() {
-    grep -v '^cli/' "$scratch/wants" |
+    grep -Ev '^(cli|serve)/' "$scratch/wants" |
         awk -v pattern="^($1)\$" '$2 ~ pattern { print $1 " uses " $2 }'
 }
 
@@ -188,11 +194,13 @@ check "one file at most knows Embree 3" one_file_at_most embree3/
 check "one file at most knows Embree 4" one_file_at_most embree4/
 check "only the loader of the MPI module uses dlopen" nothing \
     "$(includers dlfcn.h | grep -v '^cli/ranks/mpirun.c$')"
-check "one file at most starts threads" one_file_at_most '(pthread|threads|omp)\.h'
+check "one file of the library starts threads, and the server's line of tasks" nothing \
+    "$(includers '(pthread|threads|omp)\.h' | grep -Ev '^model/base/thread_pool.c$|^serve/')"
+check "the web server is in serve" only_in serve microhttpd
 check "XML is read in model/base" only_in model/base libxml/
 check "ray queries are made in simulate/scene" only_in simulate/scene embree
 check "charts alone draw" only_in charts 'cairo|<pango'
-check "JSON is written in reports" only_in reports json
+check "JSON is written in reports, and by the server" only_in 'reports|serve' json
 
 if $NM libmodel.a 2>/dev/null | grep -Eq '__(asan|ubsan|gcov|llvm_profile)'; then
     skip "file-scope data is constant" "the build is instrumented, and that keeps data"

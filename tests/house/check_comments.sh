@@ -3,7 +3,7 @@
 # word like "What", "Of" or "How", or with a pronoun whose noun is in the code.
 . "$srcdir/tests/lib/tap.sh"
 
-program="model formats methods simulate studies charts reports api cli"
+program="model formats methods simulate studies charts reports api serve cli"
 openings="What Of How Which It They This That These Those Its Their"
 most=1 # per cent of the comments
 

@@ -14,7 +14,7 @@ cd "$srcdir" || exit 1
 key='\[[A-Z][A-Z]*[0-9][0-9][0-9]*[A-Za-z]*\]'
 sed -n 's/^- \*\*\(\[.*\]\)\*\*.*/\1/p' docs/SOURCES.md >"$scratch/order"
 LC_ALL=C sort -u "$scratch/order" >"$scratch/listed"
-folders="model formats methods simulate studies charts reports api cli"
+folders="model formats methods simulate studies charts reports api serve cli"
 {
     find $folders tests bench -name '*.[ch]' -exec cat {} +
     cat tables/*.csv README.md ARCHITECTURE.md

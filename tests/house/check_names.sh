@@ -5,7 +5,7 @@
 # which of them it is, folders and files of a size that can be surveyed.
 . "$srcdir/tests/lib/tap.sh"
 
-program="model formats methods simulate studies charts reports api cli"
+program="model formats methods simulate studies charts reports api serve cli"
 files_most=35        # a folder
 lines_most=500       # a file of the program
 test_lines_most=700  # a test or benchmark: a list of facts, each short

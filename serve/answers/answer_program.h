@@ -1,0 +1,10 @@
+/* answer_program.h - the endpoints that answer by a command of the program: chart, assess,
+ * size, availability, report, import. Inside serve/ only. */
+#ifndef PP_SERVE_ANSWERS_ANSWER_PROGRAM_H
+#define PP_SERVE_ANSWERS_ANSWER_PROGRAM_H
+
+#include "serve/work/task.h"
+
+pp_task_run pp_answer_program, pp_answer_program_import;
+
+#endif

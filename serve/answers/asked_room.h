@@ -1,0 +1,41 @@
+/* asked_room.h - the room and the options that a request carries. Inside serve/ only.
+ *
+ *     { "room": "<room version='1'>...</room>", "options": { "methods": "exact+bre" } }
+ */
+#ifndef PP_SERVE_ANSWERS_ASKED_ROOM_H
+#define PP_SERVE_ANSWERS_ASKED_ROOM_H
+
+#include "serve/work/task.h"
+
+struct pp_asked_room {
+    const char *text; /* of the room file; the task's */
+    size_t length;
+    struct pp_mistakes *mistakes;
+    struct pp_building *building;
+    struct pp_study *study;
+};
+
+/* Are the request's options among these, and the body's members room, options and no more?
+ * If not, the answer is set. names ends with NULL. */
+bool pp_asked_room_options(struct pp_task *task, const char *const *names);
+
+/* An option of a kind; NULL: it is not there. False: it is of another kind, and the answer
+ * is set. */
+bool pp_asked_room_option(struct json_object **option, struct pp_task *task,
+                          const char *name, enum json_type type);
+
+/* An option that is a number from `least` to `most`; `usual` where it is not there. False: the
+ * answer is set. */
+bool pp_asked_room_number(double *number, struct pp_task *task, const char *name,
+                          double usual, double least, double most);
+
+/* Reads the room, which names no files, with the options "room" (a name) and "sky" and
+ * "points", within the limits of the server. False: the answer is set; cleared in any case
+ * by pp_asked_room_clear. */
+bool pp_asked_room_open(struct pp_asked_room *asked, struct pp_task *task);
+void pp_asked_room_clear(struct pp_asked_room *asked);
+
+/* The mistakes of the room as a list; NULL: memory is out. */
+struct json_object *pp_asked_room_mistakes(const struct pp_asked_room *asked);
+
+#endif

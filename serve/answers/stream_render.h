@@ -1,0 +1,10 @@
+/* stream_render.h - the endpoint render: a picture as a stream, coarse first. Inside serve/
+ * only. */
+#ifndef PP_SERVE_ANSWERS_STREAM_RENDER_H
+#define PP_SERVE_ANSWERS_STREAM_RENDER_H
+
+#include "serve/work/task.h"
+
+pp_task_run pp_stream_render;
+
+#endif

@@ -1,0 +1,101 @@
+// files.js - rooms to start from: examples, files that are dropped or chosen, and what they become:
+// room files open, gbXML is imported by the engine, OBJ becomes surfaces, EPW is weather.
+
+import { board } from './board.js';
+import { engine } from './engine.js';
+import { $, h } from './dom.js';
+import { insertInto } from './room_text.js';
+import { useWeather } from './sheets_panel.js';
+
+export const EXAMPLES = [
+    ['deep-office', 'Deep office'], ['deep-office-obstructed', 'Deep office, obstructed'], ['office', 'Office for two'],
+    ['classroom', 'Classroom'], ['l-shaped', 'L-shaped room'], ['studio', 'Studio'], ['workshop', 'Workshop'],
+];
+
+const SURFACES_MOST = 300;
+
+// Surfaces of an OBJ file, in metres with z up, as elements of the room.
+export function surfacesOfObj(text) {
+    const vertices = [], surfaces = [];
+    for (const line of text.split('\n')) {
+        const words = line.trim().split(/\s+/);
+        if (words[0] === 'v') vertices.push(words.slice(1, 4).map(Number));
+        if (words[0] !== 'f') continue;
+        const corners = words.slice(1).map((word) => {
+            const index = parseInt(word, 10);
+            return vertices[index > 0 ? index - 1 : vertices.length + index];
+        });
+        if (corners.length >= 3 && corners.every((c) => c && c.every(Number.isFinite))) surfaces.push(corners);
+    }
+    return surfaces;
+}
+
+function addObj(text) {
+    const surfaces = surfacesOfObj(text);
+    if (!surfaces.length) throw new Error('The OBJ file has no faces.');
+    if (surfaces.length > SURFACES_MOST) throw new Error(`The OBJ file has ${surfaces.length} faces; the board takes ${SURFACES_MOST}. Use <mesh> in a room file of pepperpot itself.`);
+    const xml = surfaces.map((corners) => `<surface reflectance="0.3">${corners.map(([x, y, z]) => `<vertex x="${x}" y="${y}" z="${z}"/>`).join('')}</surface>`).join('\n');
+    board.change(insertInto(board.text, board.room, xml));
+}
+
+export async function openFile(file) {
+    const ending = file.name.toLowerCase().split('.').pop();
+    if (ending === 'epw') {
+        useWeather(await engine.weather(await file.arrayBuffer()));
+        return `Weather of ${file.name} is in use.`;
+    }
+    const text = await file.text();
+    if (ending === 'obj') {
+        addObj(text);
+        return `${file.name} is added as surfaces.`;
+    }
+    if (/<gbXML[\s>]/.test(text.slice(0, 4000))) {
+        board.open(await engine.importGbxml(text));
+        return `${file.name} is imported.`;
+    }
+    if (!/<(room|building)[\s>]/.test(text)) throw new Error(`${file.name} is no room file, gbXML, OBJ or EPW file.`);
+    board.open(text);
+    return `${file.name} is open.`;
+}
+
+function tell(sentence, isBad = false) {
+    $('message').textContent = sentence;
+    $('message').classList.toggle('bad', isBad);
+}
+
+async function openAndTell(file) {
+    try {
+        tell(await openFile(file));
+    } catch (error) {
+        tell(error.message, true);
+    }
+}
+
+export function setUpFiles() {
+    $('example').append(...EXAMPLES.map(([name, label]) => h('option', { value: name }, label)));
+    $('example').addEventListener('change', async (event) => {
+        const name = event.target.value;
+        event.target.value = '';
+        board.open(await engine.example(name));
+        tell('');
+    });
+    $('file').addEventListener('change', (event) => {
+        const [file] = event.target.files;
+        if (file) openAndTell(file);
+        event.target.value = '';
+    });
+    $('open').addEventListener('click', () => $('file').click());
+    document.addEventListener('dragover', (event) => {
+        event.preventDefault();
+        document.body.classList.add('dropping');
+    });
+    document.addEventListener('dragleave', (event) => {
+        if (!event.relatedTarget) document.body.classList.remove('dropping');
+    });
+    document.addEventListener('drop', (event) => {
+        event.preventDefault();
+        document.body.classList.remove('dropping');
+        const [file] = event.dataTransfer?.files ?? [];
+        if (file) openAndTell(file);
+    });
+}

@@ -1,0 +1,140 @@
+// live.js - asks the engine while the drawing changes. One request for the drawing is on its way
+// at a time, and the next one is of the newest text; when the hand rests, the slower ones follow.
+
+import { board } from './board.js';
+import { engine } from './engine.js';
+import { chooseCut, pointsOfCut } from './section_view.js';
+
+const REST_MS = 120;
+
+let running = false, wanted = false, restTimer = 0;
+let trace = null; // an AbortController
+let asked = 0;
+
+// Times of the last updates, for the benchmark: server and transfer, drawing.
+export const timings = [];
+
+export const switches = { trace: true, error: 1, curves: 'exact+bre' };
+
+function optionsOf(more = {}) {
+    const options = { ...more };
+    if (board.rooms.length > 1 && board.roomName) options.room = board.roomName;
+    return options;
+}
+
+async function updateOnce() {
+    const text = board.text, from = performance.now();
+    const plan = engine.plan(text, optionsOf(board.method ? { methods: board.method } : {}));
+    const cut = board.cut && board.results.scene ? pointsOfCut(board.results.scene, board.cut) : [];
+    const section = cut.length ? engine.df(text, optionsOf({ methods: switches.curves, points: cut })).catch(() => null) : Promise.resolve(null);
+    const [answer, curve] = await Promise.all([plan, section]);
+    const got = performance.now();
+    const hadCut = Boolean(board.cut);
+    board.cut = chooseCut(answer.scene);
+    if (board.cut && !hadCut) wanted = true; // the curve follows, now that its line is known
+    board.settle({ scene: answer.scene, plan: answer.plan, why: answer.why ?? '', section: curve, mistakes: [], error: null });
+    timings.push({ answered: got - from, drawn: performance.now() - got });
+    if (timings.length > 500) timings.shift();
+}
+
+async function update() {
+    wanted = true;
+    if (running) return;
+    running = true;
+    while (wanted) {
+        wanted = false;
+        try {
+            await updateOnce();
+        } catch (error) {
+            if (error.name === 'AbortError') continue;
+            board.settle({ mistakes: error.mistakes ?? [], error: error.message });
+        }
+    }
+    running = false;
+    board.tell('updated');
+}
+
+export const isBusy = () => running;
+
+// ---- when the hand rests ----
+
+async function askFigures() {
+    const turn = ++asked, text = board.text;
+    const values = await Promise.all(board.variants.map((v) => engine.df(v.text, optionsOf()).catch((error) => ({ error: error.message }))));
+    if (turn !== asked || text !== board.text) return;
+    board.settle({ df: values[board.active], all: values });
+}
+
+export function stopTrace() {
+    trace?.abort();
+    trace = null;
+    board.tell('trace');
+}
+
+export const isTracing = () => trace !== null;
+
+export async function startTrace() {
+    stopTrace();
+    const own = trace = new AbortController();
+    board.tell('trace');
+    try {
+        for await (const { event, data } of engine.trace(board.text, optionsOf({ error: switches.error }), own.signal)) {
+            if (own !== trace) return;
+            if (event === 'estimate') board.settle({ trace: data });
+            else board.settle({ traced: data, trace: { ...board.results.trace, isDone: true } });
+        }
+    } catch (error) {
+        if (error.name !== 'AbortError' && own === trace) board.settle({ traceError: error.message });
+    }
+    if (own === trace) trace = null;
+    board.tell('trace');
+}
+
+function rest() {
+    clearTimeout(restTimer);
+    restTimer = setTimeout(() => {
+        if (board.results.error) return;
+        if (switches.trace) startTrace();
+        askFigures();
+        board.tell('rested');
+    }, REST_MS);
+}
+
+// ---- at the pointer ----
+
+let pointing = false, pointed = null;
+
+async function askPoint() {
+    if (pointing || !board.pointer) return;
+    pointing = true;
+    while (board.pointer && board.pointer !== pointed) {
+        pointed = board.pointer;
+        const [x, y] = pointed;
+        try {
+            const answer = await engine.df(board.text, optionsOf({ methods: switches.curves, points: [[Number(x.toFixed(3)), Number(y.toFixed(3))]], explain: true }));
+            board.settle({ point: answer, pointError: '' });
+        } catch (error) {
+            board.settle({ point: null, pointError: error.message });
+        }
+    }
+    pointing = false;
+}
+
+export function setUpLive() {
+    board.on('text', (event) => {
+        if (trace) stopTrace();
+        board.settle({ trace: null, traced: null, traceError: '' });
+        if (['open', 'room', 'variant'].includes(event.detail.from)) {
+            board.cut = null;
+            Object.assign(board.results, { scene: null, df: null, all: null, point: null, section: null });
+        }
+        update();
+        rest();
+    });
+    board.on('selection', () => {
+        if (!board.results.scene) return;
+        board.cut = chooseCut(board.results.scene);
+        update();
+    });
+    board.on('pointer', askPoint);
+}
