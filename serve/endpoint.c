@@ -40,6 +40,8 @@ static const struct pp_endpoint endpoints[] = {
               "Window sizes for a target, as pepperpot size"),
     JSON_POST("availability", PP_LINE_PROGRAMS, pp_answer_program,
               "How often daylight is enough, as pepperpot availability"),
+    JSON_POST("annual", PP_LINE_PROGRAMS, pp_answer_program,
+              "A year's daylight by a weather file, as pepperpot annual"),
     JSON_POST("report", PP_LINE_PROGRAMS, pp_answer_program,
               "The report, as pepperpot report"),
     JSON_POST("import", PP_LINE_PROGRAMS, pp_answer_program_import,

@@ -79,6 +79,18 @@ bool pp_asked_room_number(double *number, struct pp_task *task, const char *name
     return false;
 }
 
+bool pp_asked_room_sky(struct pp_task *task, const char *sky)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyz0123456789-,.+ ";
+    if (!sky
+        || (strncmp(sky, "picture", 7) != 0 && strspn(sky, letters) == strlen(sky)))
+        return true;
+    pp_task_fail(
+        task, MHD_HTTP_BAD_REQUEST,
+        "sky: expected a sky that needs no file, such as overcast or iso-12,40,180");
+    return false;
+}
+
 static int count_of(const char *text, const char *word)
 {
     int count = 0;
@@ -221,6 +233,7 @@ bool pp_asked_room_open(struct pp_asked_room *asked, struct pp_task *task)
     }
     if (!pp_asked_room_option(&name, task, "room", json_type_string)
         || !pp_asked_room_option(&sky, task, "sky", json_type_string)
+        || !pp_asked_room_sky(task, json_object_get_string(sky))
         || !pp_asked_room_option(&points, task, "points", json_type_array))
         return false;
     asked->text = json_object_get_string(room);

@@ -24,6 +24,9 @@ bool pp_asked_room_options(struct pp_task *task, const char *const *names);
 bool pp_asked_room_option(struct json_object **option, struct pp_task *task,
                           const char *name, enum json_type type);
 
+/* Is it a sky without a file: no photograph? If not, the answer is set. NULL is one. */
+bool pp_asked_room_sky(struct pp_task *task, const char *sky);
+
 /* An option that is a number from `least` to `most`; `usual` where it is not there. False: the
  * answer is set. */
 bool pp_asked_room_number(double *number, struct pp_task *task, const char *name,

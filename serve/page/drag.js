@@ -31,7 +31,7 @@ export function drawHandles(view) {
         const [x, y] = view.toScreen(handle.at);
         const name = `${labelOf(board.element)}: ${handle.label}, ${handle.at.map((c) => c.toFixed(2)).join(', ')} m; arrow keys move it`;
         return s('g', { class: `handle ${handle.axes}`, 'data-handle': `${view.name} ${handle.key}`, tabindex: 0, role: 'button', 'aria-label': name },
-            s('circle', { class: 'reach', cx: x, cy: y, r: 16 }),
+            s('circle', { class: 'reach', cx: x, cy: y, r: 12 }),
             handle.axes === 'xy' ? s('circle', { cx: x, cy: y, r: 6 }) : s('rect', { x: x - 5.5, y: y - 5.5, width: 11, height: 11, rx: 2 }));
     });
 }

@@ -119,8 +119,13 @@ function sectionHandles(scene, element, cut) {
     return [];
 }
 
+// Handles whose place is known: a value may be missing or no number while it is typed.
+export function handlesOf(...view) {
+    return placedHandles(...view).filter((handle) => handle.at.every(Number.isFinite));
+}
+
 // Handles of an element in a view; `wall` is the index of the surface that an elevation shows.
-export function handlesOf(view, element, scene, { wall = -1, cut = null } = {}) {
+function placedHandles(view, element, scene, { wall = -1, cut = null } = {}) {
     if (!element || !scene) return [];
     if (view === 'section') return cut ? sectionHandles(scene, element, cut) : [];
     if (element.name === 'window') {

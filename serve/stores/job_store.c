@@ -12,8 +12,8 @@
 
 enum { NAME_DIGITS = 31, PATH_BYTES = 4096 };
 
-static const char *const job_commands[] = {"df",           "assess", "size",
-                                           "availability", "report", "chart"};
+static const char *const job_commands[] = {"df",     "assess", "size",  "availability",
+                                           "report", "chart",  "annual"};
 
 static void job_path(char path[PATH_BYTES], const struct pp_task *task,
                      const char *name, const char *ending)
@@ -105,9 +105,9 @@ bool pp_job_store_put(struct pp_task *task)
     json_object_object_get_ex(task->body, "kind", &kind);
     const char *command = job_command(json_object_get_string(wanted));
     if (!command) {
-        pp_task_fail(
-            task, MHD_HTTP_BAD_REQUEST,
-            "command: expected df, assess, size, availability, report or chart");
+        pp_task_fail(task, MHD_HTTP_BAD_REQUEST,
+                     "command: expected df, assess, size, availability, annual, report "
+                     "or chart");
         return true;
     }
     char *name = new_name();

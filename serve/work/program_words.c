@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "serve/answers/asked_room.h"
 #include "serve/stores/weather_store.h"
 
 /* A command, the options that a request may give it, between blanks, and its formats: the
@@ -38,6 +39,10 @@ static const struct {
      " illuminance methods points sky room state latitude longitude time-zone hours "
      "days "
      "summer-time simulate error samples time seed weather ",
+     " json text csv "},
+    {"annual",
+     " weather sun-shift leap-day blinds patches exact-sky hours days summer-time "
+     "illuminance points room state error samples time seed ",
      " json text csv "},
     {"report",
      " criteria for place median-diffuse room state vsc-point-french by-hand simulate "
@@ -132,6 +137,8 @@ static bool add_option(struct pp_program_words *words, struct pp_task *task,
             pp_task_fail(task, MHD_HTTP_BAD_REQUEST, "%s is empty or too long", name);
             return false;
         }
+        if (strcmp(name, "sky") == 0 && !pp_asked_room_sky(task, text))
+            return false;
         if (strcmp(name, "weather") == 0
             && !(path = pp_weather_store_path(task->server->weather, text))) {
             pp_task_fail(task, MHD_HTTP_NOT_FOUND,

@@ -98,6 +98,14 @@ for command in df plan check assess report trace; do
     ask $command
     check "$command reads no file that a room names" holds 'in memory'
 done
+asks "$deep" '{"sky":"picture,/etc/passwd"}'
+for command in df plan trace chart/section availability; do
+    check "$command takes no photograph as a sky" answers 400 $command
+done
+printf '<room version="1"><sky type="picture" file="/etc/passwd"/><plan width="3" depth="4" height="3"/></room>' \
+    >"$scratch/photo.xml"
+asks "$scratch/photo.xml" '{}'
+check "nor from the room" answers 422 df
 printf '<room version="1"><plan width="300" depth="400" height="3"/><grid spacing="0.3"/></room>' >"$scratch/points.xml"
 asks "$scratch/points.xml" '{}'
 check "too many points are refused" answers 422 df
@@ -137,6 +145,8 @@ keeps_weather() {
     holds "$(sha256sum "$weather" | cut -d ' ' -f 1)"
 }
 check "a weather file is named by its hash" keeps_weather
+asks "$deep" '{}'
+check "annual says that it needs a weather file" answers 400 annual
 asks "$deep" "{\"weather\":\"$(printf '%064d' 0)\"}"
 check "an unknown hash is refused" answers 404 availability
 finishes_job() {

@@ -1,0 +1,193 @@
+// page_test.mjs ADDRESS - the drawing board in Chromium, by what the page shows. Prints TAP.
+//
+// PUPPETEER and AXE name the modules puppeteer-core and axe-core, CHROMIUM the browser.
+
+import { readFileSync, mkdtempSync, readdirSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+const { default: puppeteer } = await import(process.env.PUPPETEER);
+const address = process.argv[2], room = process.argv[3];
+const origin = new URL(address).origin;
+const folder = mkdtempSync(join(tmpdir(), 'pepperpot-page-'));
+let count = 0;
+const wrong = [];
+
+function check(name, holds, about = '') {
+    console.log(`${holds ? 'ok' : 'not ok'} ${++count} - ${name}`);
+    if (!holds && about !== '') console.log(`# ${JSON.stringify(about)}`);
+}
+
+const browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
+const page = await browser.newPage();
+page.on('console', (m) => m.type() === 'error' && wrong.push(`console: ${m.text()}`));
+page.on('pageerror', (e) => wrong.push(`error: ${e.message}`));
+page.on('request', (r) => /^(blob|data):/.test(r.url()) || r.url().startsWith(`${origin}/`) || wrong.push(`request: ${r.url()}`));
+await page.setViewport({ width: 1440, height: 900 });
+const client = await page.createCDPSession();
+await client.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: folder, eventsEnabled: true });
+
+const idle = () => page.waitForFunction(() => window.pepperpot && !window.pepperpot.isBusy() && document.querySelector('#plan .contour'), { timeout: 60000 });
+const until = (test, ...values) => page.waitForFunction(test, { timeout: 60000 }, ...values).then(() => true, () => false);
+const text = () => page.evaluate(() => window.pepperpot.board.text);
+const attribute = (name, key, nth = 0) => page.evaluate((n, k, i) => window.pepperpot.board.elements.filter((e) => e.name === n)[i]?.attributes[k]?.value, name, key, nth);
+const select = (name, nth = 0) => page.evaluate((n, i) => window.pepperpot.board.select(window.pepperpot.board.elements.filter((e) => e.name === n)[i].index), name, nth);
+const tab = (name) => page.click(`#tab-${name}`);
+const average = () => page.$eval('#averages tbody tr:first-child td', (e) => e.textContent);
+const example = (name) => page.evaluate((n) => { const s = document.getElementById('example'); s.value = n; s.dispatchEvent(new Event('change')); }, name);
+
+async function drag(handle, dx, dy) {
+    await idle();
+    const reach = `[data-handle="${handle}"] .reach`;
+    await page.waitForSelector(reach, { timeout: 20000 });
+    const [x, y] = await page.$eval(reach, (e) => { const b = e.getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; });
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= 4; i++) await page.mouse.move(x + dx * i / 4, y + dy * i / 4);
+    await page.mouse.up();
+    await idle();
+}
+
+// ---- figures ----
+
+await page.goto(address);
+await idle();
+check('the room of the command line is drawn', (await text()) === readFileSync(room, 'utf8'));
+check('the average follows', await until(() => /\d/.test(document.querySelector('#averages tbody td')?.textContent ?? '')));
+const answer = await page.evaluate(async (body) => (await fetch('/api/df', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body })).json(), JSON.stringify({ room: await text() }));
+check('and is that of df', Math.abs(parseFloat(await average()) - answer.average.df['exact+bre'].value) < 0.0051, await average());
+check('simulated points stream in with errors', await until(() => /\u00b1/.test(document.querySelector('#points tbody td:last-child')?.textContent ?? '')));
+check('the address has the room', await until(() => location.hash.startsWith('#room=')));
+
+// ---- handles ----
+
+const handles = [
+    ['window', 'plan', 'plan right', 25, 0, 'width'], ['window', 'plan', 'plan left', 8, 0, 'left'], ['window', 'plan', 'plan middle', 20, 0, 'left'],
+    ['window', 'section', 'section head', 0, 15, 'height'], ['window', 'section', 'section sill', 0, 10, 'sill'],
+    ['window', 'elevation', 'elevation middle', 15, -5, 'left'], ['window', 'elevation', 'elevation left', -10, 0, 'left'], ['window', 'elevation', 'elevation right', 10, 0, 'width'],
+    ['window', 'elevation', 'elevation sill', 0, 10, 'sill'], ['window', 'elevation', 'elevation head', 0, 10, 'height'],
+    ['plan', 'plan', 'plan width', 20, 0, 'width'], ['plan', 'plan', 'plan depth', 0, -20, 'depth'], ['plan', 'section', 'section height', 0, -10, 'height'],
+    ['skyline', 'section', 'section angle', 0, -15, 'angle'], ['working-plane', 'section', 'section plane', 0, -10, 'height'],
+];
+await example('office');
+await until(() => document.title.startsWith('Office'));
+for (const [element, view, handle, dx, dy, name] of handles) {
+    if (view !== 'plan') await tab(view);
+    await select(element);
+    const before = await attribute(element, name), comments = (await text()).match(/<!--[\s\S]*?-->/g).join('');
+    try {
+        await drag(handle, dx, dy);
+        const after = await attribute(element, name), kept = (await text()).match(/<!--[\s\S]*?-->/g).join('') === comments;
+        check(`handle "${handle}" of ${element} sets ${name}`, after !== before && kept, [before, after]);
+    } catch (error) {
+        check(`handle "${handle}" of ${element} sets ${name}`, false, error.message);
+    }
+}
+const steps = parseFloat(await attribute('window', 'width'));
+check('in steps of 5 cm', Math.abs(steps * 20 - Math.round(steps * 20)) < 1e-6, steps);
+
+// ---- keys, typing, undo ----
+
+await select('window');
+await idle();
+const left = parseFloat(await attribute('window', 'left'));
+await page.$eval('[data-handle="plan middle"]', (e) => e.focus());
+await page.keyboard.press('ArrowRight');
+await idle();
+check('an arrow key moves it by 5 cm', Math.abs(Math.abs(parseFloat(await attribute('window', 'left')) - left) - 0.05) < 0.026, [left, await attribute('window', 'left')]);
+check('and the handle keeps the focus', await page.evaluate(() => document.activeElement?.dataset.handle === 'plan middle'));
+const before = await text();
+await page.$eval('#value-sill', (e) => { e.value = '1.1'; e.dispatchEvent(new Event('change')); });
+await idle();
+check('a typed value is taken', (await attribute('window', 'sill')) === '1.1');
+await page.click('#undo');
+check('undone', (await text()) === before);
+await page.click('#redo');
+check('and done again', (await attribute('window', 'sill')) === '1.1');
+const parts = await page.evaluate(() => window.pepperpot.board.elements.length);
+for (const kind of ['window', 'rooflight', 'block', 'point', 'skyline']) {
+    await page.select('#add', kind);
+    check(`a ${kind} is added and selected`, await page.evaluate((k) => window.pepperpot.board.element?.name === k, kind));
+}
+await page.click('#delete');
+await select('block');
+await page.click('#copy');
+check('a block is copied', await page.evaluate(() => window.pepperpot.board.elements.filter((e) => e.name === 'block').length === 2));
+while (await page.evaluate((n) => window.pepperpot.board.elements.length > n, parts)) await page.click('#undo');
+check('all of it is undone', (await attribute('window', 'sill')) === '1.1');
+
+// ---- text, mistakes ----
+
+await page.evaluate(() => window.pepperpot.board.change(window.pepperpot.board.text.replace('sill="1.1"', 'sill="high"'), { from: 'text' }));
+check('a mistake is said', await until(() => !document.getElementById('status').hidden && /sill is "high"/.test(document.getElementById('status').textContent)));
+await tab('text');
+check('and listed with its place', await until(() => /Line \d+, column \d+: window: sill/.test(document.getElementById('mistakes').textContent)));
+check('the editor is there', await page.evaluate(() => Boolean(document.querySelector('#editor > div')?.shadowRoot?.querySelector('.cm-content') ?? document.getElementById('text'))));
+await tab('drawing');
+await page.click('#undo');
+check('undo takes the mistake back', await until(() => document.getElementById('status').hidden), await page.$eval('#status', (e) => e.textContent));
+
+// ---- files ----
+
+const drop = (name, content) => page.evaluate((n, c) => {
+    const data = new DataTransfer();
+    data.items.add(new File([c], n));
+    document.dispatchEvent(new DragEvent('drop', { dataTransfer: data, cancelable: true }));
+}, name, content);
+await drop('odd.xml', '<room version="1" name="&lt;script&gt;alert(1)&lt;/script&gt;"><plan width="3" depth="4" height="2.5"/><window wall="south" left="1" sill="1" width="1" height="1"/></room>');
+check('a dropped room opens, and its name is only text', await until(() => document.title.startsWith('<script>')) && !(await page.$('main script')));
+await drop('house.obj', 'v 1 1 0\nv 2 1 0\nv 2 1 1\nf 1 2 3\n');
+check('OBJ becomes surfaces', await until(() => window.pepperpot.board.elements.some((e) => e.name === 'surface')));
+await drop('nothing.txt', 'hello');
+check('another file is refused', await until(() => /no room file/.test(document.getElementById('message').textContent)));
+await page.select('#download', 'room');
+const saved = await (async () => {
+    for (let i = 0; i < 50; i++) {
+        const file = readdirSync(folder).find((f) => f.endsWith('.xml'));
+        if (file) return readFileSync(join(folder, file), 'utf8');
+        await new Promise((done) => setTimeout(done, 100));
+    }
+    return null;
+})();
+check('the room downloads as it is', saved === await text());
+
+// ---- simulation, variants, tabs ----
+
+await example('deep-office');
+await until(() => document.title.startsWith('Deep'));
+await idle();
+await page.select('#trace-error', '0.5');
+check('a simulation runs', await until(() => document.getElementById('trace-button').textContent === 'Stop'));
+await page.click('#trace-button');
+check('and stops', await until(() => document.getElementById('trace-button').textContent === 'Simulate'));
+await page.type('#place-text', '1.5, 2');
+await page.click('#place button');
+check('components at a place are shown by opening', await until(() => /window in south/.test(document.getElementById('point-figures').textContent)));
+await page.click('#compare');
+check('a second variant stands beside the first', await until(() => document.querySelectorAll('#averages thead th').length === 3));
+await page.click('#compare');
+await tab('criteria');
+check('criteria are judged', await until(() => /no-sky line/i.test(document.getElementById('criteria').textContent)));
+await tab('sheets');
+check('a sheet is drawn', await until(() => document.querySelector('#sheet img')?.naturalWidth > 0));
+await tab('axon');
+check('the axonometric view is drawn', await until(() => document.querySelectorAll('#lower .face').length > 2));
+
+// ---- for everybody ----
+
+if (process.env.AXE) {
+    await page.evaluate(readFileSync(process.env.AXE, 'utf8'));
+    const found = await page.evaluate(async () => (await window.axe.run()).violations.filter((v) => ['serious', 'critical'].includes(v.impact)).map((v) => `${v.id}: ${v.nodes[0].html}`));
+    check('axe-core finds nothing serious', found.length === 0, found);
+}
+for (const [width, height, scheme] of [[1440, 900, 'light'], [1440, 900, 'dark'], [390, 844, 'light'], [390, 844, 'dark']]) {
+    await page.setViewport({ width, height });
+    await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
+    check(`nothing is wider than ${width} px, ${scheme}`, await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), await page.evaluate(() => document.documentElement.scrollWidth));
+    if (process.env.SHOTS) writeFileSync(join(process.env.SHOTS, `board-${width}-${scheme}.png`), await page.screenshot({ fullPage: true }));
+}
+// A mistake that is asked about answers 422, which the browser notes in its console.
+const rest = wrong.filter((w) => !/status of 422/.test(w));
+check('no error in the console and no request elsewhere', rest.length === 0, rest);
+await browser.close();
+console.log(`1..${count}`);
