@@ -50,7 +50,7 @@ static enum pp_status draw_elevation(struct pp_canvas *canvas,
 
 const struct pp_chart_kind pp_draw_site_plan = {
     .name = "site",
-    .summary = "plan of the site, with the vertical sky component of windows",
+    .summary = "site plan, with the vertical sky component of windows",
     .compares = true,
     .of_site = true,
     .landscape = true,
@@ -59,7 +59,7 @@ const struct pp_chart_kind pp_draw_site_plan = {
 
 const struct pp_chart_kind pp_draw_elevation = {
     .name = "elevation",
-    .summary = "outer walls with the vertical sky component over them",
+    .summary = "external walls with the vertical sky component on them",
     .compares = true,
     .of_site = true,
     .landscape = true,

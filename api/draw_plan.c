@@ -61,7 +61,7 @@ static enum pp_status draw_plan_chart(struct pp_canvas *canvas,
 
 const struct pp_chart_kind pp_draw_plan = {
     .name = "plan",
-    .summary = "daylight factor contours and no-sky line, on the plan",
+    .summary = "daylight factor contours and no-sky line on the plan",
     .landscape_for = pp_plan_chart_landscape,
     .compares = true,
     .check = pp_plan_study_check,

@@ -60,7 +60,7 @@ static enum pp_status draw_skylight_indicator(struct pp_canvas *canvas,
 
 const struct pp_chart_kind pp_draw_vertical_sky = {
     .name = "vertical-sky",
-    .summary = "Waldram diagram of the vertical sky component, blank or of a window",
+    .summary = "Waldram diagram of the vertical sky component, blank or for a window",
     .board = true,
     .of_window = true,
     .landscape = true,
@@ -69,7 +69,8 @@ const struct pp_chart_kind pp_draw_vertical_sky = {
 
 const struct pp_chart_kind pp_draw_skylight_indicator = {
     .name = "skylight-indicator",
-    .summary = "marks of equal vertical sky component for a plan, blank or of a window",
+    .summary = "skylight indicator: marks of equal vertical sky component for a plan, "
+               "blank or for a window",
     .board = true,
     .of_window = true,
     .landscape = true,

@@ -77,8 +77,8 @@ static enum pp_status read_ambient(const char *text, void *place, struct pp_erro
                && channels[count] >= 0.0 && channels[count] <= 1e6;
     if (!good || (count != 1 && count != 3))
         return pp_fail(err, PP_BAD_INPUT,
-                       "a radiance from 0 up, or three with commas between for red, "
-                       "green and blue");
+                       "a radiance of 0 or more, or three for red, green and blue, "
+                       "separated by commas");
     *(struct pp_rgb *)place = count == 1
                                   ? pp_rgb_grey(channels[0])
                                   : pp_rgb(channels[0], channels[1], channels[2]);
@@ -89,34 +89,36 @@ static enum pp_status read_ambient(const char *text, void *place, struct pp_erro
 
 const struct pp_option pp_cache_choice_options[] = {
     {"accuracy -aa", 0, "A",
-     "Error that the cache's records may have over theirs: the smaller, the closer "
-     "they stand (default 0.1).",
+     "Allowed error of the cache. A smaller value puts its records closer together "
+     "(default 0.1).",
      read_accuracy, PLACE(options.accuracy)},
     {"resolution -ar", 0, "N",
-     "Records come no closer than the room's size times the accuracy over N (default "
+     "Records are no closer than the room's size times the accuracy over N (default "
      "128; 0: no limit).",
      read_resolution, PLACE(options.resolution)},
-    {"divisions -ad", 0, "N", "Rays of a record's hemisphere (default 1024).",
-     read_divisions, PLACE(options.divisions)},
+    {"divisions -ad", 0, "N", "Rays per record (default 1024).", read_divisions,
+     PLACE(options.divisions)},
     {"supersamples -as", 0, "N",
-     "Rays more for the parts of it that differ from their neighbours (default 256).",
+     "Extra rays for parts of the hemisphere that differ from their neighbours "
+     "(default 256).",
      read_supersamples, PLACE(options.supersamples)},
     {"bounces -ab", 0, "N",
-     "Diffuse reflections on the way to a point or to what is seen, at most; 0: only "
-     "light that comes straight; all: to the end (default).",
+     "Maximum number of diffuse reflections. 0: direct light only; all: no limit "
+     "(default).",
      read_bounces, PLACE(options.bounces)},
     {"ambient -av", 0, "L",
-     "Radiance that stands for what is beyond the last bounce, over the horizontal "
+     "Radiance that replaces all light beyond the last bounce, over the horizontal "
      "illuminance outside (default 0).",
      read_ambient, PLACE(options.constant)},
     {"include -ai", 0, "NAMES",
-     "Only surfaces of these materials (floor, ceiling, south ..., with commas "
-     "between) get reflected light; the others --ambient.",
+     "Only surfaces of these materials (floor, ceiling, south ..., separated by "
+     "commas) get reflected light; the others get --ambient.",
      pp_options_read_text, PLACE(include)},
-    {"exclude -ae", 0, "NAMES", "Surfaces of these materials get none, but --ambient.",
+    {"exclude -ae", 0, "NAMES",
+     "Surfaces of these materials get --ambient instead of reflected light.",
      pp_options_read_text, PLACE(exclude)},
     {"cache", 0, "FILE",
-     "Take the cache's records from FILE, if it is there, and write them to it.",
+     "Read the cache's records from FILE if it exists, and write them to it.",
      pp_options_read_updated, PLACE(file)},
     {0},
 };
@@ -131,9 +133,9 @@ enum pp_status pp_cache_choice_settle(struct pp_cache_choice *words,
 {
     const char *list = words->include ? words->include : words->exclude;
     if (words->include && words->exclude)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--include and --exclude are two ways to say the same; expected "
-                       "one of them");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--include and --exclude both select materials; expected one of them");
     if (!list)
         return PP_OK;
     words->names = strdup(list);

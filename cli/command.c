@@ -102,12 +102,13 @@ static enum pp_status check_files_apart(const struct pp_command_line *line,
         for (int k = 0; k < count; k++)
             if (k != i && list[i].written && is_same_file(list[i].path, list[k].path))
                 return pp_fail(err, PP_BAD_INPUT,
-                               "--%s and --%s are one file, \"%.200s\"; expected two",
+                               "--%s and --%s are the same file, \"%.200s\"; expected "
+                               "two different files",
                                list[i].option, list[k].option, list[i].path);
         for (int k = 0; k < file_count && list[i].written; k++)
             if (is_same_file(list[i].path, files[k]))
                 return pp_fail(err, PP_BAD_INPUT,
-                               "--%s would write over \"%.200s\", which is read; "
+                               "--%s would overwrite the input file \"%.200s\"; "
                                "expected another file",
                                list[i].option, files[k]);
     }

@@ -13,16 +13,15 @@ static enum pp_status read_file_name(const char *text, void *place,
     if (files->count == PP_LUMEN_FILES_MOST)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "two such files at most, for light from the side and from above");
+            "at most two such files, for light from the side and from above");
     files->list[files->count++] = text;
     return PP_OK;
 }
 
 const struct pp_option pp_lumen_option[] = {
     {"lumen-table", 0, "FILE",
-     "Coefficients of utilization for the lumen method in place of the program's: a "
-     "CSV "
-     "file for light from the side, or from above; given twice for both.",
+     "CSV file with coefficients of utilization for the lumen method, for light from "
+     "the side or from above, instead of the program's own. Repeat it for both.",
      read_file_name, 0},
     {0},
 };

@@ -61,13 +61,13 @@ enum pp_exit pp_message_mistakes(struct pp_mistakes *mistakes)
     }
     if (mistakes->truncated) {
         pp_format_utf8_put(stderr, mistakes->file);
-        fputs(": there are more mistakes than can be shown\n", stderr);
+        fputs(": there are more errors than can be shown\n", stderr);
     }
     return PP_EXIT_INPUT;
 }
 
 enum pp_exit pp_message_unfinished(void)
 {
-    pp_message("interrupted; what was reached so far is marked as not finished");
+    pp_message("interrupted; unfinished results are marked");
     return PP_EXIT_INTERRUPTED;
 }

@@ -282,7 +282,7 @@ static bool read_whole(const char *text, uint64_t *number)
 enum pp_status pp_options_read_text(const char *text, void *place, struct pp_error *err)
 {
     if (!*text)
-        return pp_fail(err, PP_BAD_INPUT, "something that is not empty");
+        return pp_fail(err, PP_BAD_INPUT, "text that is not empty");
     *(const char **)place = text;
     return PP_OK;
 }
@@ -303,7 +303,7 @@ enum pp_status pp_options_read_updated(const char *text, void *place,
                                        struct pp_error *err)
 {
     if (strcmp(text, "-") == 0)
-        return pp_fail(err, PP_BAD_INPUT, "the name of a file, which is kept");
+        return pp_fail(err, PP_BAD_INPUT, "the name of a file");
     return pp_options_read_text(text, place, err);
 }
 
@@ -365,7 +365,7 @@ enum pp_status pp_options_read_per_cent(const char *text, void *place,
     if (!read_with_unit(text, endings, &per_cent, &which) || !(per_cent > 0.0)
         || per_cent > 100.0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a number of per cent above 0 and up to 100, such as 1%%");
+                       "a percentage above 0, up to 100, such as 1%%");
     *(double *)place = per_cent / 100.0;
     return PP_OK;
 }

@@ -23,7 +23,7 @@ static char *beside(const char *path, const char *name)
 
 static enum pp_status fail_file(struct pp_error *err, const char *path, int number)
 {
-    return pp_fail(err, PP_SYSTEM, "%s can't be written: %s", path, strerror(number));
+    return pp_fail(err, PP_SYSTEM, "%s cannot be written: %s", path, strerror(number));
 }
 
 /* Follows symbolic links, the last of which may lead to a file that does not exist yet.
@@ -56,7 +56,7 @@ static enum pp_status check_output_path(const char *path, struct pp_error *err)
     struct stat there;
     if (stat(path, &there) == 0) {
         if (S_ISDIR(there.st_mode))
-            return pp_fail(err, PP_SYSTEM, "%s can't be written: it is a directory",
+            return pp_fail(err, PP_SYSTEM, "%s cannot be written: it is a directory",
                            path);
         if (access(path, W_OK) != 0)
             return fail_file(err, path, errno);

@@ -50,10 +50,9 @@ static enum pp_status read_points(const char *text, void *place, struct pp_error
         text += length;
     }
     if (*text || points->count == before)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "points X,Y or X,Y,Z in metres with a space between two of them, "
-            "such as \"1.5,0.5 1.5,2\"");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "points X,Y or X,Y,Z in metres, separated by spaces, such as "
+                       "\"1.5,0.5 1.5,2\"");
     return PP_OK;
 }
 
@@ -72,17 +71,15 @@ enum pp_status pp_room_options_read_state(const char *text, void *place,
 
 const struct pp_option pp_room_methods_option[] = {
     {"methods", 'm', "LIST",
-     "The methods to use, by name and with commas between, or "
-     "\"all\", or \"default\".",
+     "Methods to use: names, separated by commas, or \"all\", or \"default\".",
      pp_options_read_text, PLACE(study.methods)},
     {0},
 };
 
 const struct pp_option pp_room_points_option[] = {
     {"points", 'p', "X,Y[,Z]",
-     "Reference points in metres instead of the file's; several "
-     "with spaces between, or the option repeated. Without Z "
-     "they lie on the working plane.",
+     "Reference points in metres instead of the file's; separate several by spaces or "
+     "repeat the option. Without Z they lie on the working plane.",
      read_points, PLACE(study.points)},
     {0},
 };
@@ -97,40 +94,35 @@ const struct pp_option pp_room_sky_options[] = {
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room)},
     {"state", 0, "STATE",
-     "The site as it is, existing, or as it will be, proposed (default), where the "
-     "file "
-     "has both.",
+     "The site as existing or as proposed (default), if the file has both.",
      pp_room_options_read_state, PLACE(state)},
     {0},
 };
 
 const struct pp_option pp_room_french_option[] = {
     {"vsc-point-french", 0, "M",
-     "The vertical sky component of windows down to the floor at this height above it, "
-     "such as 1.6, and not at their middle.",
+     "Calculate the vertical sky component of full-height windows at this height above "
+     "the floor, such as 1.6, instead of at their centre.",
      pp_options_read_metres, 0},
     {0},
 };
 
 const struct pp_option pp_room_external_option[] = {
     {"external", 0, "LUX",
-     "Set illuminances beside the daylight factors: what they make of so many lux "
-     "outside (5000 is usual).",
+     "Also show illuminances in lux for this illuminance outside (5000 is usual).",
      pp_options_read_lux, PLACE(study.external_lux)},
     {0},
 };
 
 const struct pp_option pp_room_simulate_option[] = {
-    {"simulate", 's', NULL,
-     "Trace light paths too, and set the result beside the methods.", NULL,
-     PLACE(study.simulate)},
+    {"simulate", 's', NULL, "Also simulate, and compare the result with the methods.",
+     NULL, PLACE(study.simulate)},
     {0},
 };
 
 const struct pp_option pp_room_by_hand_options[] = {
-    {"by-hand", 0, NULL, "Do without the simulation.", NULL, PLACE(by_hand)},
-    {"simulate", 's', NULL, "Trace light paths: what is done without the option, too.",
-     NULL, PLACE(study.simulate)},
+    {"by-hand", 0, NULL, "Leave out the simulation.", NULL, PLACE(by_hand)},
+    {"simulate", 's', NULL, "Simulate (default).", NULL, PLACE(study.simulate)},
     {0},
 };
 
@@ -142,40 +134,38 @@ const struct pp_option pp_room_stop_options[] = {
      "traced is better).",
      pp_options_read_per_cent, PLACE(study.error)},
     {"samples", 0, "N",
-     "Stop after N paths a point in each randomisation, instead of "
-     "--error.",
+     "Stop after N paths per point in each randomisation, instead of --error.",
      pp_options_read_count, PLACE(study.samples)},
     {"time", 0, "TIME",
-     "Stop after that time a room: 10s, 500ms, 2m, 1h. The result then "
-     "depends on the machine.",
+     "Stop after this time per room: 10s, 500ms, 2m, 1h. The result then depends on "
+     "the machine.",
      pp_options_read_seconds, PLACE(study.seconds)},
     {0},
 };
 
 const struct pp_option pp_room_plain_option[] = {
     {"plain", 0, NULL,
-     "Calculate everything by the plain code, without short cuts: the same figures, "
-     "slower, to check the fast ones.",
+     "Use only the plain code, without the fast alternatives. It gives the same "
+     "figures, slower, as a check.",
      NULL, PLACE(study.method_options.plain)},
     {0},
 };
 
 const struct pp_option pp_room_seed_options[] = {
     {"seed", 0, "N",
-     "Start of the random numbers (default 1); the same seed gives the "
-     "same result.",
+     "Seed of the random numbers (default 1); the same seed gives the same result.",
      pp_options_read_seed, PLACE(study.seed)},
     {"threads", 'j', "N",
-     "Threads to work with (default: one for each processor); the "
-     "result does not depend on it.",
+     "Number of threads (default: one per processor); the result does not depend on "
+     "it.",
      pp_options_read_threads, PLACE(study.threads)},
     {0},
 };
 
 const struct pp_option pp_room_output_options[] = {
     {"output", 'o', "FILE",
-     "Write to FILE instead of standard output, whole or not at "
-     "all; - is standard output.",
+     "Write to FILE instead of standard output, complete or not at all; - is standard "
+     "output.",
      pp_options_read_output, PLACE(output)},
     {"quiet", 'q', NULL, "No progress bar.", NULL, PLACE(quiet)},
     {0},
@@ -197,7 +187,7 @@ enum pp_status pp_room_options_settle_by_hand(struct pp_room_options *options,
         options->study.simulate ? "--simulate" : stop_option(&options->study);
     if (options->by_hand && of_simulation)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--by-hand does without the simulation, and %s is about it; "
+                       "--by-hand leaves out the simulation, and %s controls it; "
                        "expected one of them",
                        of_simulation);
     options->study.simulate = !options->by_hand;
@@ -209,13 +199,14 @@ enum pp_status pp_room_options_settle(struct pp_room_options *options,
 {
     const char *needs_simulate = stop_option(&options->study);
     if (needs_simulate && !options->study.simulate)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "%s says when the simulation stops; it needs --simulate",
-                       needs_simulate);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s controls when the simulation stops; expected --simulate with it",
+            needs_simulate);
     if (options->study.error > 0.0 && options->study.samples > 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--error and --samples are two ways to say the same; expected "
-                       "one of them");
+                       "--error and --samples both set when the simulation stops; "
+                       "expected one of them");
     bool has_end = options->study.error > 0.0 || options->study.samples > 0
                    || options->study.seconds > 0.0;
     if (options->study.simulate && !has_end)

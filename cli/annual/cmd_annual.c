@@ -24,12 +24,11 @@
 #include "studies/year/annual.h"
 
 static const char about[] =
-    "The daylight of a room in every hour of a weather file, by simulation: daylight "
+    "Simulates the daylight of a room in every hour of a weather file. Shows daylight "
     "autonomy, useful daylight illuminance, sDA and ASE by LM-83-12 with its blinds, "
-    "and "
-    "EN 17037's levels by its method 2, at the reference points and for all of them, "
-    "with "
-    "standard errors. FILE is a room file; - is standard input.";
+    "and EN 17037's levels by its method 2. Results are for the reference points and "
+    "for the whole grid, with standard errors. FILE is a room file; - is standard "
+    "input.";
 
 struct annual_options {
     struct pp_room_options room;
@@ -266,12 +265,11 @@ static enum pp_status read_hourly(const char *text, void *place, struct pp_error
 
 static const struct pp_option weather_options[] = {
     {"weather", 'w', "FILE.epw",
-     "Weather file in EnergyPlus format; - is standard input. Needed.",
+     "Weather file in EnergyPlus format, required; - is standard input.",
      pp_options_read_input, PLACE(light.weather)},
     {"sun-shift", 0, "auto|MIN",
-     "Minutes from the middle of each record to its sun; auto (default): as the file's "
-     "own "
-     "radiation has it, where that is clear.",
+     "Minutes from the middle of each record to its sun position; auto (default): from "
+     "the radiation of the file's clear hours.",
      read_shift, PLACE(sun_shift_min)},
     {"leap-day", 0, NULL, "Keep the records of 29 February.", NULL, PLACE(leap_day)},
     {0},
@@ -282,9 +280,8 @@ static const struct pp_option result_options[] = {
      "Blinds for sDA: those of LM-83-12, by window group (default), or none.",
      read_blinds, PLACE(without_blinds)},
     {"hourly", 0, "FILE",
-     "Also write the illuminances of all hours: FILE.csv, FILE.ill (DAYSIM's) or "
-     "FILE.npy "
-     "(NumPy's).",
+     "Also write the illuminances of all hours to FILE.csv, FILE.ill (DAYSIM format) "
+     "or FILE.npy (NumPy format).",
      read_hourly, PLACE(hourly)},
     {"coefficients", 0, "FILE",
      "Also write the coefficients of the ground and of all patches of the sky, as a "
@@ -295,12 +292,11 @@ static const struct pp_option result_options[] = {
 };
 
 static const struct pp_option method_options[] = {
-    {"patches", 0, "N", "Patches of the sky: 145, 577 (default) or 2305.", read_patches,
-     PLACE(annual.patches)},
+    {"patches", 0, "N", "Number of sky patches: 145, 577 (default) or 2305.",
+     read_patches, PLACE(annual.patches)},
     {"exact-sky", 0, NULL,
-     "Evaluate each hour's sky and sun at the ends of all paths, without patches and "
-     "cells: "
-     "a slow reference, without blinds.",
+     "Evaluate each hour's sky and sun at the end of every path, without patches and "
+     "cells. This reference is slow and has no blinds.",
      NULL, PLACE(annual.exact_sky)},
     {0},
 };
@@ -308,10 +304,10 @@ static const struct pp_option method_options[] = {
 static const struct pp_option_group groups[] = {
     {"Light outside and working hours", weather_options, 0},
     {"Light outside and working hours", pp_working_time_options, PLACE(light)},
-    {"What is computed", pp_illuminance_options, PLACE(light)},
-    {"What is computed", result_options, 0},
-    {"What is computed", pp_room_points_option, PLACE(room)},
-    {"What is computed", pp_room_sky_options, PLACE(room)},
+    {"Calculation", pp_illuminance_options, PLACE(light)},
+    {"Calculation", result_options, 0},
+    {"Calculation", pp_room_points_option, PLACE(room)},
+    {"Calculation", pp_room_sky_options, PLACE(room)},
     {"Simulation", method_options, 0},
     {"Simulation", pp_room_stop_options, PLACE(room)},
     {"Simulation", pp_room_seed_options, PLACE(room)},
@@ -345,12 +341,12 @@ static enum pp_status check_annual_options(void *values, char **files, int file_
                        "--hours has %d periods; expected one, such as 8-18",
                        options->light.hours.count);
     if (study->sky)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--sky has no place here: the skies are the weather file's");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--sky does not apply, because the weather file gives the skies");
     if (study->seconds > 0.0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--time has no place here; expected --error "
-                       "or --samples");
+                       "--time does not apply; expected --error or --samples");
     if (study->samples > 0
         && (study->samples > 65536 || (study->samples & (study->samples - 1)) != 0))
         return pp_fail(err, PP_BAD_INPUT,

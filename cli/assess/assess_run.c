@@ -112,12 +112,12 @@ static enum pp_status refuse_alone(const struct pp_criterion *criterion,
 {
     if (criterion->needs_mirror_image)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s compares with the building's mirror image; it needs "
-                       "--mirror-image X1,Y1,X2,Y2, the line of the boundary",
+                       "%s compares with the building's mirror image; expected "
+                       "--mirror-image X1,Y1,X2,Y2, the boundary line",
                        criterion->name);
     return pp_fail(err, PP_BAD_INPUT,
-                   "%s compares with the room as it was; it needs --before FILE, or a "
-                   "file that says what is existing and what is proposed",
+                   "%s compares the room before and after; expected --before FILE, or "
+                   "a file with existing and proposed states",
                    criterion->name);
 }
 

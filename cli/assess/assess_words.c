@@ -23,53 +23,52 @@ static enum pp_status read_boundary(const char *text, void *place, struct pp_err
     for (int i = 0; i < 4 && good; i++)
         good = fabs(v[i]) <= 1e6;
     if (!good || hypot(v[2] - v[0], v[3] - v[1]) < BOUNDARY_LEAST_M)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "two points X1,Y1,X2,Y2 in metres that are apart, such as "
-                       "0,-7.5,12,-7.5");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "two different points X1,Y1,X2,Y2 in metres, such as 0,-7.5,12,-7.5");
     *words = (struct pp_boundary_words){true, {{v[0], v[1]}, {v[2], v[3]}}};
     return PP_OK;
 }
 
 const struct pp_option pp_assess_words_table[] = {
     {"table", 0, NULL,
-     "One table of all windows and rooms, existing and proposed, in place of a sheet a "
-     "room.",
+     "One table of all windows and rooms, existing and proposed, instead of a sheet "
+     "for each room.",
      NULL, PLACE(table)},
     {0},
 };
 
 const struct pp_option pp_assess_words_choice[] = {
-    {"criteria", 'c', "LIST", "Only these criteria, by name and with commas between.",
+    {"criteria", 'c', "LIST", "Assess only these criteria: names, separated by commas.",
      pp_options_read_text, PLACE(criteria)},
     {"for", 0, "PROFILE",
-     "Only what a report of that kind has to judge, of rooms of that use.",
+     "Assess only the criteria that apply to this profile: a kind of report or use of "
+     "a room.",
      pp_options_read_text, PLACE(profile_name)},
     {"before", 'b', "FILE",
-     "The room as it was before something was built outside: sky and area lost.",
+     "The room before something was built outside, to assess the loss of sky and lit "
+     "area.",
      pp_options_read_input, PLACE(before)},
     {"mirror-image", 0, "X1,Y1,X2,Y2",
-     "Beside the site as proposed what the building's own mirror image at that "
-     "boundary "
-     "line would leave: sky and lit area.",
+     "Also assess the building's own mirror image at that boundary line: sky and lit "
+     "area.",
      read_boundary, PLACE(mirror_image)},
     {"place", 0, "NAME",
-     "A capital of EN 17037's table, whose median illuminance is taken; by default "
-     "that "
-     "of the site's country, or else the one nearest to the site.",
+     "Use the median illuminance of this capital in EN 17037's table. The default is "
+     "the capital of the site's country, or the nearest one.",
      pp_options_read_text, PLACE(place)},
     {"median-diffuse", 0, "LUX",
-     "The place's median diffuse illuminance itself, for EN 17037.",
-     pp_options_read_lux, PLACE(median_lux)},
+     "Median diffuse illuminance of the place, for EN 17037.", pp_options_read_lux,
+     PLACE(median_lux)},
     {"weather", 'w', "FILE.epw",
-     "The same by a weather file in EnergyPlus format, and how likely the sun is to "
-     "shine.",
+     "Take the median illuminance from this EnergyPlus weather file, and the "
+     "probability of sunshine.",
      pp_options_read_input, PLACE(weather)},
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room.room)},
     {"state", 0, "STATE",
-     "Judge the site as it is, existing, or as it will be, proposed. Without the "
-     "option, "
-     "where the file has both: as proposed, with what is lost.",
+     "Assess the site as existing or as proposed. By default a file with both is "
+     "assessed as proposed, with the losses.",
      pp_room_options_read_state, PLACE(room.state)},
     {0},
 };
@@ -80,7 +79,7 @@ void pp_assess_words_help(FILE *out)
     const struct pp_criterion *criterion;
     for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
         pp_options_help_word(criterion->name, criterion->summary, out);
-    fputs("\nProfiles, of --for:\n", out);
+    fputs("\nProfiles for --for:\n", out);
     const struct pp_profile *profile;
     for (int i = 0; (profile = pp_profile_at(i)) != NULL; i++)
         pp_options_help_word(profile->name, profile->summary, out);
@@ -97,14 +96,15 @@ static enum pp_status check_place(const struct pp_assess_words *options,
     const char *names[64];
     int count = 0;
     if (options->weather && (options->place || options->median_lux > 0.0))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--weather says what %s says too; expected one of them",
-                       options->place ? "--place" : "--median-diffuse");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--weather and %s both set the median illuminance; expected one of them",
+            options->place ? "--place" : "--median-diffuse");
     if (!options->place || pp_capitals_find(options->place))
         return options->place && options->median_lux > 0.0
                    ? pp_fail(err, PP_BAD_INPUT,
-                             "--place and --median-diffuse are two ways to say the "
-                             "same; expected one of them")
+                             "--place and --median-diffuse both set the median "
+                             "illuminance; expected one of them")
                    : PP_OK;
     for (; count < 64 && count < pp_capitals_count(); count++)
         names[count] = pp_capitals_at(count)->name;
@@ -123,8 +123,9 @@ enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
                        "expected a room file, or - for standard input");
     for (int i = 0; i < file_count && options->before; i++)
         if (strcmp(options->before, "-") == 0 && strcmp(files[i], "-") == 0)
-            return pp_fail(err, PP_BAD_INPUT,
-                           "standard input can't be the room and the room before");
+            return pp_fail(
+                err, PP_BAD_INPUT,
+                "standard input cannot be both FILE and the file of --before");
     enum pp_status status = pp_room_options_settle_by_hand(&options->room, err);
     if (status == PP_OK)
         status = pp_room_options_settle(&options->room, err);
@@ -137,20 +138,19 @@ enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
         status = options->profile ? PP_OK : PP_BAD_INPUT;
     }
     if (status == PP_OK && options->criteria && options->profile)
-        status = pp_fail(err, PP_BAD_INPUT,
-                         "--criteria and --for both say what is judged; expected one "
-                         "of them");
-    if (status == PP_OK && options->mirror_image.given
-        && (options->before || options->room.state != PP_STATE_BOTH))
         status =
             pp_fail(err, PP_BAD_INPUT,
-                    "--mirror-image is set beside a file's own existing and proposed "
-                    "state; it does not go with %s",
-                    options->before ? "--before" : "--state");
-    if (status == PP_OK && options->before && options->room.state != PP_STATE_BOTH)
+                    "--criteria and --for both select criteria; expected one of them");
+    if (status == PP_OK && options->mirror_image.given
+        && (options->before || options->room.state != PP_STATE_BOTH))
         status = pp_fail(err, PP_BAD_INPUT,
-                         "--before and --state both say what is set beside each other; "
-                         "expected one of them");
+                         "--mirror-image compares a file's existing and proposed "
+                         "states; it cannot be combined with %s",
+                         options->before ? "--before" : "--state");
+    if (status == PP_OK && options->before && options->room.state != PP_STATE_BOTH)
+        status =
+            pp_fail(err, PP_BAD_INPUT,
+                    "--before and --state both select states; expected one of them");
     return status;
 }
 

@@ -16,10 +16,9 @@
 #define PLACE(member) offsetof(struct pp_assess_words, member)
 
 static const char about[] =
-    "Holds each room against the criteria of daylight design: its figures, what is "
-    "wanted of them, and the verdict. Daylight factors are traced, and each verdict on "
-    "them has its probability; with --by-hand they are those of hand methods. FILE is "
-    "a room file; - is standard input.";
+    "Assesses each room against daylight criteria. Shows each figure, its target and "
+    "the verdict. Daylight factors are simulated, and each verdict has a probability; "
+    "--by-hand uses hand methods instead. FILE is a room file; - is standard input.";
 
 static enum pp_status print_assess(const void *data, FILE *out, struct pp_error *err)
 {
@@ -44,9 +43,9 @@ static enum pp_exit run_assess(void *words, char **files, int file_count)
 }
 
 static const struct pp_option_group groups[] = {
-    {"What is judged", pp_assess_words_choice, 0},
-    {"What is judged", pp_room_french_option, PLACE(french_m)},
-    {"What is judged", pp_room_external_option, PLACE(room)},
+    {"Criteria", pp_assess_words_choice, 0},
+    {"Criteria", pp_room_french_option, PLACE(french_m)},
+    {"Criteria", pp_room_external_option, PLACE(room)},
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
     {"Simulation", pp_room_plain_option, PLACE(room)},
     {"Output", pp_assess_words_table, 0},
@@ -57,7 +56,7 @@ static const struct pp_option_group groups[] = {
 
 const struct pp_command pp_command_assess = {
     .name = "assess",
-    .summary = "what a room's daylight has to reach, and whether it does",
+    .summary = "daylight criteria of each room, with verdicts",
     .operands = "FILE...",
     .about = about,
     .groups = groups,

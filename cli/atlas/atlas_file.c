@@ -12,7 +12,7 @@
 static enum pp_status fail(const struct pp_atlas_file *file, struct pp_error *err,
                            const char *what)
 {
-    return pp_fail(err, PP_SYSTEM, "%s can't be %s: %s", file->path, what,
+    return pp_fail(err, PP_SYSTEM, "%s cannot be %s: %s", file->path, what,
                    strerror(errno));
 }
 
@@ -66,11 +66,10 @@ static enum pp_status take_up(struct pp_atlas_file *file, const char *head,
     bool empty;
     int line = compare_head(file->stream, head, &empty);
     if (line > 0 && !empty)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "%s:%d: another atlas, or none; expected a file by the same "
-            "version with the same sky, error and seed, or none of that name",
-            file->path, line);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s:%d: this is another atlas or no atlas; expected the same "
+                       "version, sky, error and seed, or a new file",
+                       file->path, line);
     long end = empty ? 0 : find_end(file);
     if (ftruncate(fileno(file->stream), end) != 0
         || fseek(file->stream, end, SEEK_SET) != 0)
@@ -88,8 +87,7 @@ enum pp_status pp_atlas_file_open(struct pp_atlas_file *file, const char *path,
     if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
         close(descriptor);
         return pp_fail(err, PP_SYSTEM,
-                       "%s is being written by another run; expected one at a time",
-                       path);
+                       "another run writes %s now; expected one run at a time", path);
     }
     file->stream = fdopen(descriptor, "r+");
     if (!file->stream) {

@@ -62,14 +62,14 @@ static enum pp_status read_atlas_head(struct pp_atlas_making *making, const char
     FILE *in = fopen(path, "r");
     if (!in)
         return pp_fail(err, errno == ENOENT ? PP_BAD_INPUT : PP_SYSTEM,
-                       "%s can't be read: %s", path, strerror(errno));
+                       "%s cannot be read: %s", path, strerror(errno));
     bool is_one = fgets(first, sizeof first, in) && strcmp(first, atlas_form) == 0
                   && fgets(second, sizeof second, in) && read_making(making, second);
     fclose(in);
     return is_one ? PP_OK
                   : pp_fail(err, PP_BAD_INPUT,
-                            "%s:1: this is no atlas; expected a file that pepperpot "
-                            "atlas -o has written",
+                            "%s:1: this is not an atlas; expected a file written by "
+                            "pepperpot atlas -o",
                             path);
 }
 
@@ -208,7 +208,7 @@ enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
     if (file.rooms >= rooms)
         return PP_EXIT_DONE;
     pp_message(
-        "interrupted: %s has %d rooms of %d; the same command goes on from there",
+        "interrupted: %s has %d rooms of %d; the same command continues from there",
         file.path, file.rooms, rooms);
     return PP_EXIT_INTERRUPTED;
 }
@@ -248,7 +248,7 @@ static enum pp_status renew(const struct pp_atlas_making *making,
     if (status == PP_OK) {
         status = print_anew(output.stream, &source, rooms, options, &next, err);
         if (status == PP_OK && next < rooms)
-            status = pp_fail(err, PP_INTERRUPTED, "interrupted: nothing is written");
+            status = pp_fail(err, PP_INTERRUPTED, "interrupted: nothing was written");
         status = pp_output_close(&output, status, err);
     }
     pp_atlas_columns_clear(&source.columns);

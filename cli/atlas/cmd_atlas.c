@@ -20,14 +20,11 @@
 #include "studies/research/atlas/atlas_mapping.h"
 
 static const char about[] =
-    "Traces the rooms of a designed sweep, and the worlds that hand methods have in "
-    "mind, "
-    "and writes what each method says beside what is true, a row a point, as CSV. "
-    "Rooms "
-    "that FILE has already are not traced again: a run that was stopped goes on where "
-    "it "
-    "was, and more rooms can be added to those there are. The same rooms give the same "
-    "bytes, however many runs and threads they took.";
+    "Simulates the rooms of a designed sweep and the idealised rooms that hand methods "
+    "assume. Writes each method's figures beside the simulated ones as CSV, one row "
+    "per point. Rooms already in FILE are not simulated again, so an interrupted run "
+    "continues, and you can add rooms. The same rooms give the same bytes for any "
+    "number of runs and threads.";
 
 /* A map of an atlas on a sheet of paper. */
 struct map_sheet {
@@ -76,8 +73,7 @@ static enum pp_status draw_atlas_map(const struct pp_atlas_map *map,
         .paper = paper,
         .landscape = true,
         .title = title,
-        .description =
-            "what the method says over what is true, over rooms of an atlas"};
+        .description = "hand figure over simulated figure, for rooms of an atlas"};
     struct pp_canvas *canvas;
     enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
     if (status != PP_OK)
@@ -131,7 +127,7 @@ static enum pp_status compute_bands(void *data, struct pp_error *err)
         status = pp_atlas_bands_fit(&run->bands, &table, err);
     if (status == PP_OK && run->bands.column_count == 0)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "%s: %d rooms; expected enough for bands, %d of a method",
+                         "%s: %d rooms are too few for bands; expected %d for a method",
                          run->path, run->bands.rooms, pp_band_tree_rules.rooms_least);
     pp_atlas_table_clear(&table);
     return status;
@@ -168,7 +164,8 @@ static enum pp_exit try_bands(const char *path, const char *output)
         pp_job_run(&(struct pp_job){output, compute_bands, print_bands, NULL, &run});
     int outside = pp_atlas_bands_outside(&run.bands);
     if (result == PP_EXIT_DONE && outside > 0) {
-        pp_message("%d regimes are farther from 95 %% than chance has it", outside);
+        pp_message("%d regimes differ from 95 %% by more than chance explains",
+                   outside);
         result = PP_EXIT_INPUT;
     }
     pp_atlas_bands_clear(&run.bands);
@@ -236,51 +233,50 @@ static enum pp_status read_map(const char *text, void *place, struct pp_error *e
 #define PLACE(member) offsetof(struct atlas_options, member)
 
 static const struct pp_option sweep_options[] = {
-    {"rooms", 'n', "N", "Have the first N rooms of the sweep in FILE.",
+    {"rooms", 'n', "N", "Write the first N rooms of the sweep to FILE.",
      pp_options_read_count, PLACE(rooms)},
-    {"room", 0, "NUMBER", "Print the room file of that room, counted from 0, instead.",
+    {"room", 0, "NUMBER",
+     "Print the room file of this room instead; rooms are counted from 0.",
      read_rooms_option, PLACE(number)},
     {"by-hand", 0, NULL,
-     "Write the atlas FILE again with what the methods say now, and methods that it "
-     "does "
-     "not know yet; what was traced stays.",
+     "Calculate the hand methods of the atlas FILE again and add new methods; "
+     "simulated figures stay.",
      NULL, PLACE(by_hand)},
     {"bands", 0, NULL,
-     "Write the bands that the atlas FILE has, by methods and regimes, as the table "
-     "that "
-     "is compiled into the program.",
+     "Write the bands of the atlas FILE, by method and regime, as the table that is "
+     "compiled into the program.",
      NULL, PLACE(bands)},
     {"try", 0, NULL,
-     "Print how bands from half of the rooms of the atlas FILE do on the others.", NULL,
-     PLACE(try_bands)},
-    {"accuracy", 0, NULL, "Print the bands that are compiled in, as Markdown.", NULL,
+     "Fit bands to half of the rooms of the atlas FILE and print how they fit the "
+     "others.",
+     NULL, PLACE(try_bands)},
+    {"accuracy", 0, NULL, "Print the compiled-in bands as Markdown.", NULL,
      PLACE(accuracy)},
     {"sky", 0, "SKY",
-     "overcast (default), or iso: for each room one of the skies of ISO 15469.",
-     read_sky, PLACE(sky)},
+     "overcast (default), or iso: one of the ISO 15469 skies for each room.", read_sky,
+     PLACE(sky)},
     {0},
 };
 
 static const struct pp_option map_options[] = {
     {"map", 0, "BY",
-     "Draw a map of the atlas FILE to -o FILE.pdf, FILE.svg or FILE.png: what --method "
-     "says over what is true, by depth (of the point, and proportion of the room), erc "
-     "(its share in the direct light), ground, reflectance or obstruction.",
+     "Draw a map of the atlas FILE to -o FILE.pdf, FILE.svg or FILE.png: hand figure "
+     "over simulated figure by depth (of the point, and room proportion), erc (its "
+     "share of direct light), ground, reflectance or obstruction.",
      read_map, 0},
     {"method", 0, "NAME",
-     "The map's method, a column: exact+bre, average-df, erc.exact (default "
+     "Column of the atlas for the map: exact+bre, average-df, erc.exact (default "
      "exact+bre).",
      pp_options_read_text, PLACE(sheet.method)},
-    {"paper", 0, "SIZE", "The map's: a5, a4 (default), a3 or a2.",
+    {"paper", 0, "SIZE", "Paper of the map: a5, a4 (default), a3 or a2.",
      pp_sheet_options_read_paper, PLACE(sheet.paper)},
     {0},
 };
 
 static const struct pp_option stop_option[] = {
     {"error", 0, "E%",
-     "Trace until the standard error of the daylight factor is down to that share of "
-     "it, "
-     "or to 0.002 % daylight factor, at every point (default 1%).",
+     "Simulate until the standard error of every daylight factor is below this share "
+     "of it, or 0.002 % daylight factor (default 1%).",
      pp_options_read_per_cent, PLACE(room.study.error)},
     {0},
 };
@@ -314,11 +310,10 @@ static enum pp_status check_use(const struct atlas_options *options, int files,
                        "FILE, --map BY FILE -o CHART, --bands FILE, --try FILE, and "
                        "--accuracy");
     if (of_file != (files == 1) || files > 1)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            of_file ? "expected one file, which is an atlas"
-                    : "the atlas has its own rooms; expected no file but that of "
-                      "-o");
+        return pp_fail(err, PP_BAD_INPUT,
+                       of_file
+                           ? "expected one file, an atlas"
+                           : "the atlas has its own rooms; expected no file except -o");
     return PP_OK;
 }
 
@@ -336,7 +331,7 @@ static enum pp_status check_atlas_options(void *values, char **operands, int cou
                        PP_ATLAS_MOST);
     if (options->rooms > 0 && (!output || strcmp(output, "-") == 0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the atlas grows in a file; expected -o FILE");
+                       "the atlas is built in a file; expected -o FILE");
     if (options->map && (!output || strcmp(output, "-") == 0))
         return pp_fail(err, PP_BAD_INPUT, "--map: expected -o FILE.pdf, .svg or .png");
     if (!(options->room.study.error > 0.0))
@@ -376,7 +371,7 @@ static void clear_atlas_options(void *values)
 
 const struct pp_command pp_command_atlas = {
     .name = "atlas",
-    .summary = "every method's error over thousands of rooms",
+    .summary = "errors of each hand method over thousands of rooms",
     .operands = "[FILE]",
     .about = about,
     .groups = groups,

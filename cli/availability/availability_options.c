@@ -50,11 +50,10 @@ static enum pp_status read_hours(const char *text, void *place, struct pp_error 
         if (*p != ',')
             break;
     }
-    return pp_fail(
-        err, PP_BAD_INPUT,
-        "hours FROM-TO of one day, with commas between, up to %d of them, such "
-        "as 9-17 or 8-18,8:30-17",
-        PP_PERIODS_MOST);
+    return pp_fail(err, PP_BAD_INPUT,
+                   "hours FROM-TO of one day, separated by commas, up to %d of them, "
+                   "such as 9-17 or 8-18,8:30-17",
+                   PP_PERIODS_MOST);
 }
 
 static int read_day(const char *text, size_t length)
@@ -112,10 +111,9 @@ static enum pp_status read_summer(const char *text, void *place, struct pp_error
                && pp_month_day_parse(text + length + 1, &choice.time.to);
     }
     if (!good)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "no, file, or its first and last day as MONTH/DAY-MONTH/DAY, such "
-            "as 3/30-10/26");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "no, file, or the first and last day as MONTH/DAY-MONTH/DAY, "
+                       "such as 3/30-10/26");
     *(struct pp_summer_choice *)place = choice;
     return PP_OK;
 }
@@ -147,11 +145,10 @@ static enum pp_status read_illuminances(const char *text, void *place,
             return PP_OK;
         }
     }
-    return pp_fail(
-        err, PP_BAD_INPUT,
-        "illuminances from 0.1 to 1000000 lx, with commas between, up to %d of "
-        "them, such as 300,500",
-        PP_ILLUMINANCES_MOST);
+    return pp_fail(err, PP_BAD_INPUT,
+                   "illuminances from 0.1 to 1000000 lx, separated by commas, up to %d "
+                   "of them, such as 300,500",
+                   PP_ILLUMINANCES_MOST);
 }
 
 static enum pp_status read_within(const char *text, double *place, double low,
@@ -184,17 +181,18 @@ static enum pp_status read_zone(const char *text, void *place, struct pp_error *
 
 const struct pp_option pp_light_options[] = {
     {"weather", 'w', "FILE.epw",
-     "The year's diffuse light of a weather file in EnergyPlus format; - is standard "
-     "input. Without it: of overcast skies at the room's latitude.",
+     "Use the diffuse light of this EnergyPlus weather file; - is standard input. The "
+     "default is overcast skies at the room's latitude.",
      pp_options_read_input, PLACE(weather)},
     {"latitude", 0, "DEG",
-     "Of the overcast skies, north positive (default: of the room's site).",
+     "Latitude for overcast skies, north positive (default: the room's site).",
      read_latitude, PLACE(latitude_deg)},
-    {"longitude", 0, "DEG", "East positive (default: of the site, else of the zone).",
+    {"longitude", 0, "DEG",
+     "Longitude, east positive (default: the site's, or the time zone's).",
      read_longitude, PLACE(longitude_deg)},
     {"time-zone", 0, "H",
-     "Of the clock, in hours ahead of universal time (default: nearest to the "
-     "longitude).",
+     "Time zone of the clock, in hours ahead of universal time (default: nearest to "
+     "the longitude).",
      read_zone, PLACE(time_zone_h)},
     {0},
 };
@@ -203,18 +201,19 @@ const struct pp_option pp_working_time_options[] = {
     {"hours", 0, "H-H,...",
      "Working hours by the clock, one curve each: 8-18,8:30-17 (default 8-18,9-17).",
      read_hours, PLACE(hours)},
-    {"days", 0, "DAYS", "all (default), or such as mon-fri or mon,wed,sat.", read_days,
+    {"days", 0, "DAYS",
+     "Working days: all (default), or such as mon-fri or mon,wed,sat.", read_days,
      PLACE(days)},
     {"summer-time", 0, "M/D-M/D",
-     "First and last day of summer time, when the clock is an hour ahead; or file, for "
-     "the weather file's; or no (default).",
+     "First and last day of summer time (clock one hour ahead); file: as in the "
+     "weather file; no (default).",
      read_summer, PLACE(summer)},
     {0},
 };
 
 const struct pp_option pp_illuminance_options[] = {
     {"illuminance", 'i', "LX,...",
-     "Illuminances wanted on the working plane (default 300,500).", read_illuminances,
+     "Target illuminances on the working plane (default 300,500).", read_illuminances,
      PLACE(illuminances)},
     {0},
 };
@@ -227,22 +226,21 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
     for (int i = 0; i < file_count && from_input; i++)
         if (strcmp(files[i], "-") == 0)
             return pp_fail(err, PP_BAD_INPUT,
-                           "the room and the weather can't both come from standard "
-                           "input; expected a file for one of them");
+                           "standard input cannot be both the room and the weather "
+                           "file; expected a file name for one of them");
     const char *of_sky = !isnan(options->latitude_deg)    ? "--latitude"
                          : !isnan(options->longitude_deg) ? "--longitude"
                          : !isnan(options->time_zone_h)   ? "--time-zone"
                                                           : NULL;
     if (options->weather && of_sky)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is for overcast skies, and a weather file has its own "
+                       "place; expected %s or --weather",
+                       of_sky, of_sky);
+    if (options->summer.of_file && !options->weather)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "%s is of overcast skies, and a weather file has its own; expected "
-            "%s or --weather",
-            of_sky, of_sky);
-    if (options->summer.of_file && !options->weather)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--summer-time file needs --weather FILE; expected that, or the "
-                       "days");
+            "--summer-time file needs --weather FILE; expected --weather, or the days");
     return PP_OK;
 }
 
@@ -277,12 +275,11 @@ enum pp_exit pp_availability_options_load(struct pp_year_options *options)
     else if (status != PP_OK)
         result = pp_message_error(&err);
     else if (options->summer.of_file && options->epw->summer_words[0]) {
-        pp_fail(
-            &err, PP_BAD_INPUT,
-            "%s:%d: summer time is from \"%s\"; expected days as MONTH/DAY, or those "
-            "by --summer-time M/D-M/D",
-            pp_read_file_title(options->weather), options->epw->summer_line,
-            options->epw->summer_words);
+        pp_fail(&err, PP_BAD_INPUT,
+                "%s:%d: the summer time is \"%s\"; expected days as MONTH/DAY, or "
+                "--summer-time M/D-M/D",
+                pp_read_file_title(options->weather), options->epw->summer_line,
+                options->epw->summer_words);
         result = pp_message_error(&err);
     }
     pp_mistakes_clear(&mistakes);
@@ -308,10 +305,10 @@ enum pp_exit pp_availability_options_median(const char *path, double *median_lx,
     if (status == PP_OK)
         status = pp_diffuse_light_median(median_lx, &light, &err);
     if (status == PP_OK && !(*median_lx > 0.0))
-        status = pp_fail(&err, PP_BAD_INPUT,
-                         "%s: it has no median of a year: its data cover less, or are "
-                         "dark",
-                         pp_read_file_title(path));
+        status = pp_fail(
+            &err, PP_BAD_INPUT,
+            "%s: its year has no median illuminance: the data are incomplete or dark",
+            pp_read_file_title(path));
     pp_diffuse_light_clear(&light);
     pp_availability_options_clear(&options);
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);

@@ -20,14 +20,11 @@
 #include "methods/selection.h"
 
 static const char about[] =
-    "In how many of the working hours daylight alone gives an illuminance, at the "
-    "reference points of each room, at the median of them, and on average: what the "
-    "sky "
-    "has to give outside is that illuminance over the daylight factor, and how often "
-    "it "
-    "does is taken from a weather file, or from overcast skies at the latitude. FILE "
-    "is a "
-    "room file; - is standard input.";
+    "Shows the share of working hours in which daylight alone reaches an illuminance: "
+    "at each room's reference points, at their median, and on average. The illuminance "
+    "needed outside is the target over the daylight factor. Its frequency comes from a "
+    "weather file, or from overcast skies at the latitude. FILE is a room file; - is "
+    "standard input.";
 
 struct availability_options {
     struct pp_room_options room;
@@ -155,8 +152,8 @@ static enum pp_exit run_availability(void *values, char **files, int file_count)
 static const struct pp_option_group groups[] = {
     {"Light outside and working hours", pp_light_options, PLACE(light)},
     {"Light outside and working hours", pp_working_time_options, PLACE(light)},
-    {"What is computed", pp_illuminance_options, PLACE(light)},
-    PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
+    {"Calculation", pp_illuminance_options, PLACE(light)},
+    PP_ROOM_CHOICE_GROUPS("Calculation", PLACE(room)),
     PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
     {"Output", pp_format_option, PLACE(format)},
     {"Output", pp_room_output_options, PLACE(room)},
@@ -194,7 +191,7 @@ static void clear_availability_options(void *values)
 
 const struct pp_command pp_command_availability = {
     .name = "availability",
-    .summary = "how often daylight is enough in working hours",
+    .summary = "share of working hours with enough daylight",
     .operands = "FILE...",
     .about = about,
     .groups = groups,

@@ -117,10 +117,9 @@ static enum pp_status set_protractor(struct pp_board_options *board,
     const char *name = board->glazing ? board->glazing : "clear-single";
     bool other = board->glazing || board->slope_said || sky_words;
     if (board->number && other)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "--number is one of the ten protractors, with glazing, slope and "
-            "sky; expected it, or --glazing, --slope and --sky");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--number selects a protractor, with its glazing, slope and "
+                       "sky; expected --number, or --glazing, --slope and --sky");
     board->any_protractor = !board->number && other;
     board->slope_rad = (board->slope_said ? board->slope_deg : 90.0) * PP_RAD;
     const struct pp_glazing *glazing = pp_glazings_find(name);
@@ -131,14 +130,14 @@ static enum pp_status set_protractor(struct pp_board_options *board,
                        name);
     board->glass = glazing ? pp_glazings_glass(glazing) : pp_glass_none();
     if (board->glass.diffusing)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--glazing %s is diffusing, and a protractor is for clear glass",
-                       name);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--glazing %s is diffusing; expected clear glass for a protractor", name);
     if (pp_sky_has_azimuth(&board->sky))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--sky is \"%.60s\"; expected one that is the same in all "
-                       "azimuths",
-                       sky_words);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--sky is \"%.60s\"; expected a sky that is the same in all azimuths",
+            sky_words);
     if (strcmp(name, "clear-single") == 0)
         snprintf(board->glass_words, sizeof board->glass_words, "clear single glass");
     else
@@ -181,22 +180,24 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
         : overlay && board->glazed         ? "--glazed"
                                            : NULL;
     if (needless)
-        return pp_fail(err, PP_BAD_INPUT, "%s has no meaning for a %s%s diagram",
+        return pp_fail(err, PP_BAD_INPUT, "%s does not apply to a %s%s diagram",
                        needless, blank ? "blank " : "", kind->name);
     if (!blank && (board->number || board->glazing || board->slope_said))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "%s is for a blank protractor; a room has its own",
-                       board->number    ? "--number"
-                       : board->glazing ? "--glazing"
-                                        : "--slope");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s is for a blank protractor; a room's protractor takes it from the room",
+            board->number    ? "--number"
+            : board->glazing ? "--glazing"
+                             : "--slope");
     if (!blank && (board->glazed || board->vertical))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "%s is for a blank diagram; a room has its own",
-                       board->glazed ? "--glazed" : "--receiver");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s is for a blank diagram; a room's diagram takes it from the room",
+            board->glazed ? "--glazed" : "--receiver");
     enum pp_status status = set_sky(&board->sky, options->study.sky, err);
     if (status == PP_OK && (nomogram || position) && board->sky.kind != PP_SKY_OVERCAST)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "--sky is \"%.60s\"; nomograms are made for the overcast sky",
+                         "--sky is \"%.60s\"; expected overcast, the sky of nomograms",
                          options->study.sky);
     if (status == PP_OK && protractor)
         status = set_protractor(board, options->study.sky, err);

@@ -108,8 +108,8 @@ static enum pp_exit load_former(struct chart_task *task)
         return exit_status;
     if (options->before && task->former.count == 0) {
         pp_fail(&err, PP_BAD_INPUT,
-                "--before existing: nothing in %s has a state; expected a file that "
-                "says what is existing and what is proposed, or --before FILE",
+                "--before existing: nothing in %s has a state; expected a file with "
+                "existing and proposed states, or --before FILE",
                 task->rooms.list[0].file);
         return pp_message_usage("chart", &err);
     }
@@ -238,8 +238,8 @@ static enum pp_exit draw_all(struct chart_task *task, bool to_standard_output)
     bool pages = task->format == PP_CHART_PDF || sheets <= 1;
     if (!pages && to_standard_output) {
         pp_fail(&err, PP_BAD_INPUT,
-                "there are %d %s, and only a PDF has a page for each; expected -o "
-                "FILE, --format pdf or --room NAME",
+                "there are %d %s, and only a PDF has several pages; expected -o FILE, "
+                "--format pdf or --room NAME",
                 sheets, task->kind->of_site ? "files" : "rooms");
         return pp_message_usage("chart", &err);
     }
@@ -252,7 +252,7 @@ static enum pp_exit draw_all(struct chart_task *task, bool to_standard_output)
         return pp_message_error(&err);
     if (task->finished)
         return PP_EXIT_DONE;
-    pp_message("interrupted; the chart shows what was reached so far");
+    pp_message("interrupted; the chart shows the results so far");
     return PP_EXIT_INTERRUPTED;
 }
 
@@ -265,7 +265,7 @@ static enum pp_exit check_points(const struct pp_chart_kind *kind,
             continue;
         struct pp_error err;
         pp_fail(&err, PP_BAD_INPUT,
-                "%s is drawn from one point, and there are %d; expected one, by "
+                "%s is drawn for one point, and there are %d; expected one, by "
                 "--points X,Y",
                 kind->name, rooms->list[i].receiver_count);
         return pp_message_usage("chart", &err);
@@ -289,7 +289,7 @@ enum pp_exit pp_chart_run(const struct pp_chart_kind *kind,
         !room_options->output || strcmp(room_options->output, "-") == 0;
     if (to_standard_output && isatty(STDOUT_FILENO)) {
         pp_fail(&err, PP_BAD_INPUT,
-                "a chart is not for the terminal; expected -o FILE");
+                "a chart cannot go to the terminal; expected -o FILE");
         return pp_message_usage("chart", &err);
     }
     enum pp_exit exit_status = PP_EXIT_DONE;

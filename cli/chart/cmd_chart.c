@@ -58,32 +58,32 @@ static enum pp_status read_mirror_line(const char *text, void *place,
 
 static const struct pp_option sheet_options[] = {
     {"list", 'l', NULL,
-     "List the kinds of chart, behind KIND the options too, and stop.", NULL,
+     "List the kinds of chart and stop; after KIND, also its options.", NULL,
      PLACE(list)},
-    {"format", 'f', "FORMAT", "pdf, svg or png (default: by the ending of -o FILE).",
+    {"format", 'f', "FORMAT", "pdf, svg or png (default: from the ending of -o FILE).",
      read_format, PLACE(format)},
-    {"paper", 0, "SIZE", "a5, a4 (default), a3 (of model-net the default) or a2.",
+    {"paper", 0, "SIZE", "a5, a4 (default), a3 (default of model-net) or a2.",
      pp_sheet_options_read_paper, PLACE(paper)},
-    {"orientation", 0, "WAY", "portrait or landscape (default: as the room fits best).",
+    {"orientation", 0, "WAY", "portrait or landscape (default: whichever fits best).",
      pp_sheet_options_read_orientation, PLACE(orientation)},
-    {"dpi", 0, "N", "Dots per inch of a PNG, 20 to 1200 (default 200).",
+    {"dpi", 0, "N", "Resolution of a PNG in dots per inch, 20 to 1200 (default 200).",
      pp_sheet_options_read_dpi, PLACE(dpi)},
     {"log", 0, NULL,
-     "Section: daylight factors on a logarithmic scale (default: where they span more "
-     "than 30 to 1).",
+     "Section: logarithmic scale of daylight factors (default if they span more than "
+     "30 to 1).",
      NULL, PLACE(logarithmic)},
-    {"linear", 0, NULL, "Section: on a linear scale.", NULL, PLACE(linear)},
+    {"linear", 0, NULL, "Section: linear scale.", NULL, PLACE(linear)},
     {"before", 'b', "FILE",
-     "Plan, site, elevation, sun path: as it was before something was built outside; "
-     "or existing, as the file has it itself.",
+     "Plan, site, elevation, sun path: compare with this file, before something was "
+     "built outside. With existing: compare with the file's own existing state.",
      pp_options_read_input, PLACE(before)},
     {"line", 0, "NAME",
-     "Plan: the part that sees sky (no-sky), or where the sky factor is over 0.2 % "
-     "(sky-factor), and with --before what of it was lost.",
+     "Plan: mark the part that sees sky (no-sky), or has a sky factor over 0.2 % "
+     "(sky-factor). With --before: also the part lost.",
      read_mirror_line, PLACE(choice)},
     {"fill", 0, "WAY",
-     "Plan: between the contours none (default), colour, or grey for printing in "
-     "black.",
+     "Plan: fill between the contours: none (default), colour, or grey for "
+     "black-and-white print.",
      read_fill, PLACE(choice.fill)},
     {0},
 };
@@ -100,14 +100,14 @@ static const struct pp_option board_options[] = {
      "Blank pepper-pot diagram: horizontal (default), or vertical, facing the window.",
      pp_board_options_read_receiver, BOARD(vertical)},
     {"viewing-distance", 0, "MM",
-     "Pepper-pot: from the eye to the drawing, 5 to 200 mm (default 30, with --fine "
-     "60, or less where a window would leave the sheet).",
+     "Pepper-pot: distance from eye to drawing, 5 to 200 mm (default 30, with --fine "
+     "60; less if a window would not fit the sheet).",
      pp_board_options_read_viewing_mm, BOARD(viewing_mm)},
     {"number", 0, "N",
      "Blank protractor: 1 to 10 (default 2, vertical glass, overcast).",
      pp_board_options_read_protractor, BOARD(number)},
     {"glazing", 0, "NAME",
-     "Blank protractor of any glazing, by its name in the table; or none.",
+     "Blank protractor: any glazing by its name in the table, or none.",
      pp_options_read_text, BOARD(glazing)},
     {"slope", 0, "DEG",
      "Blank protractor: slope of the glass, 0 horizontal to 90 vertical (default).",
@@ -119,14 +119,13 @@ static const struct pp_option board_options[] = {
      "Waldram, vertical sky: droop lines of edges at an angle to the window in plan.",
      pp_board_options_read_inclined, PLACE(choice.board)},
     {"unsolved", 0, NULL,
-     "Waldram, pepper-pot, protractor, brs-table, of a point: the exercise, which is "
-     "the "
-     "section, plan and elevations to scale, and in a PDF the blank diagram.",
+     "Waldram, pepper-pot, protractor, brs-table of a point: the exercise without its "
+     "solution. Shows section, plan and elevations to scale, and in a PDF the blank "
+     "diagram.",
      NULL, BOARD(unsolved)},
     {"window", 0, "WHICH",
-     "Vertical sky, skylight indicator, sun path: the window, by its line in the file, "
-     "or by its "
-     "wall (default: the first upright one).",
+     "Vertical sky, skylight indicator, sun path: the window, by its line in the file "
+     "or by its wall (default: the first vertical one).",
      pp_options_read_text, BOARD(window)},
     {0},
 };
@@ -168,8 +167,8 @@ static enum pp_status read_mirror_box(const char *text, void *place,
 static const struct pp_option model_options[] = {
     {"scale", 0, "N", "1:N, from 2 to 500 (default 20).", read_scale, 0},
     {"mirror-box", 0, "RHO,K",
-     "Of the artificial sky that it is for: the mirrors' reflectance, and the box's "
-     "height over its width (default 0.85,0.5).",
+     "Artificial sky: reflectance of the mirrors, and height of the box over its width "
+     "(default 0.85,0.5).",
      read_mirror_box, 0},
     {0},
 };
@@ -219,7 +218,7 @@ static enum pp_status read_show(const char *text, void *place, struct pp_error *
                                                                     : NULL;
         if (!shown)
             return pp_fail(err, PP_BAD_INPUT,
-                           "dots, cells, sun, or several with commas between");
+                           "dots, cells, sun, or several, separated by commas");
         *shown = true;
         at += length;
         if (!*at)
@@ -231,7 +230,8 @@ static const struct pp_option overlay_options[] = {
     {"lens", 0, "NAME",
      "equidistant (default), equisolid, stereographic or orthographic.", read_lens, 0},
     {"diameter", 0, "MM",
-     "of the horizon's circle, 20 to 400 mm (default: as the paper holds).",
+     "Diameter of the horizon's circle, 20 to 400 mm (default: as large as the paper "
+     "allows).",
      read_diameter, 0},
     {"show", 0, "WHAT,...",
      "dots of 0.1 %, cells of 0.5 %, sun (default: dots, and with --latitude "
@@ -243,12 +243,12 @@ static const struct pp_option overlay_options[] = {
 /* ---- kinds ---- */
 
 static const char about[] =
-    "Draws a chart of a room to -o FILE.pdf, FILE.svg or FILE.png. The rooms of a "
-    "building, or of several files, get a page each of a PDF, and a file each of the "
-    "other formats: FILE-1.png, FILE-2.png. FILE is a room file; - is standard input. "
-    "The diagrams of the drawing board are blank without FILE, and with it are drawn "
-    "from one point, by --points X,Y; a nomogram is for the whole room, and the "
-    "diagrams of the vertical sky component are for one window, by --window.";
+    "Draws a chart of a room to -o FILE.pdf, FILE.svg or FILE.png. Several rooms get "
+    "one page each in a PDF, or one file each: FILE-1.png, FILE-2.png. FILE is a room "
+    "file; - is standard input. Without FILE the diagrams of the drawing board are "
+    "blank. With FILE they show one point, given by --points X,Y. A nomogram shows the "
+    "whole room. Diagrams of the vertical sky component show one window, given by "
+    "--window.";
 
 static void print_kinds(FILE *out)
 {
@@ -321,15 +321,15 @@ struct chart_command {
 #define PLACE(member) offsetof(struct chart_command, member)
 
 static const struct pp_option_group groups[] = {
-    {"The sheet", sheet_options, PLACE(chart)},
-    {"The sheet", pp_room_french_option, PLACE(chart.choice.site.french_m)},
+    {"Sheet", sheet_options, PLACE(chart)},
+    {"Sheet", pp_room_french_option, PLACE(chart.choice.site.french_m)},
     {"Diagrams of the drawing board", board_options, PLACE(chart)},
     {"Overlay", overlay_options, PLACE(chart.choice.board.overlay)},
     {"Scale model", model_options, PLACE(chart.choice.model)},
     {"Availability", pp_light_options, PLACE(chart.choice.availability)},
     {"Availability", pp_working_time_options, PLACE(chart.choice.availability)},
     {"Availability", pp_illuminance_options, PLACE(chart.choice.availability)},
-    PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
+    PP_ROOM_CHOICE_GROUPS("Calculation", PLACE(room)),
     PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
     {"Output", pp_room_output_options, PLACE(room)},
     {0},
@@ -353,7 +353,7 @@ static enum pp_status check_chart_options(void *values, char **words, int word_c
         return PP_OK;
     if (word_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "expected a kind of chart; --list names them");
+                       "expected a kind of chart; --list shows them");
     const struct pp_chart_kind *kind = command->kind = find_kind(words[0], err);
     if (!kind)
         return PP_BAD_INPUT;
@@ -363,23 +363,24 @@ static enum pp_status check_chart_options(void *values, char **words, int word_c
     if (chart->paper == PAPER_UNSAID)
         chart->paper = kind->paper;
     if (chart->choice.model.typed && kind != &pp_draw_model_net)
-        return pp_fail(err, PP_BAD_INPUT, "%s is of a model-net",
+        return pp_fail(err, PP_BAD_INPUT, "%s is for a model-net only",
                        chart->choice.model.typed);
     if (chart->before && !kind->compares)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s shows a room as it is; --before is of a plan, a site, an "
-                       "elevation or sun paths",
+                       "%s cannot compare two states; --before is for a plan, a site, "
+                       "an elevation or sun paths",
                        kind->name);
     if (chart->choice.site.french_m > 0.0 && !kind->of_site
         && kind != &pp_draw_vertical_sky)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--vsc-point-french is of a site, an elevation or a diagram of "
+                       "--vsc-point-french is for a site, an elevation or a diagram of "
                        "the vertical sky");
     if (chart->choice.line_said && kind != &pp_draw_plan)
-        return pp_fail(err, PP_BAD_INPUT, "--line is of a plan");
+        return pp_fail(err, PP_BAD_INPUT, "--line is for a plan only");
     chart->before_is_state = !chart->before || strcmp(chart->before, "existing") == 0;
     if (chart->logarithmic && chart->linear)
-        return pp_fail(err, PP_BAD_INPUT, "a scale is --log or --linear, not both");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--log and --linear exclude each other; expected one of them");
     chart->choice.scale = chart->logarithmic ? PP_SCALE_LOG
                           : chart->linear    ? PP_SCALE_LINEAR
                                              : PP_SCALE_AS_FITS;
@@ -426,7 +427,7 @@ static void clear_chart_options(void *values)
 
 const struct pp_command pp_command_chart = {
     .name = "chart",
-    .summary = "one chart of a room as PDF, SVG or PNG",
+    .summary = "a chart of a room as PDF, SVG or PNG",
     .operands = "KIND [FILE...]",
     .about = about,
     .groups = groups,

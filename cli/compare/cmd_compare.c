@@ -29,14 +29,14 @@ struct compare_options {
 #define PLACE(member) offsetof(struct compare_options, member)
 
 static const char about[] =
-    "Another program's daylight factors at points of a room beside the simulation's, "
-    "and where the difference comes from: which switches of ours, that imitate what "
-    "other programs do (--as-if), explain it best, with what probability, and with "
-    "which share each. OTHER.csv has a line with the columns' names (x, y, z and "
-    "df_percent, df_fraction or lux) and a line a point. Without OTHER.csv, and with "
-    "--as-if: ours as if, beside ours as they are. ROOM is a room file; - is standard "
-    "input. Scene files of Radiance's stand in its place, as import reads them; then "
-    "OTHER.csv is the last file, and has x, y and z.";
+    "Compares another program's daylight factors with the simulation at the same "
+    "points, and finds the cause of the difference. It tests switches that imitate "
+    "other programs (--as-if) and shows the probability and share of each. OTHER.csv "
+    "has a header with the column names (x, y, z and df_percent, df_fraction or lux) "
+    "and one line per point. With --as-if and no OTHER.csv, the command compares the "
+    "simulation with and without the switches. ROOM is a room file; - is standard "
+    "input. Radiance scene files can replace ROOM, as in import; then OTHER.csv comes "
+    "last and has x, y and z.";
 
 /* ---- options ---- */
 
@@ -53,25 +53,25 @@ static enum pp_status read_unit(const char *text, void *place, struct pp_error *
 
 static const struct pp_option compare_options[] = {
     {"as-if", 0, "SWITCHES",
-     "Take the room as another program may: switches with commas between, below.",
+     "Simulate the room as another program may: switches below, separated by commas.",
      pp_options_read_text, PLACE(variant)},
     {"as", 0, "UNIT",
-     "What the other values are, where their column's name does not say it: percent, "
+     "Unit of the other values if their column name does not give it: percent, "
      "fraction or lux.",
      read_unit, PLACE(unit)},
-    {"external", 0, "LUX",
-     "Illuminance of the open level plane, of other values in lux.",
+    {"external", 0, "LUX", "Horizontal illuminance outside, for other values in lux.",
      pp_options_read_lux, PLACE(room.study.external_lux)},
     {"noise", 0, "E%",
-     "Standard deviation of the other program's values from one run to the next, as a "
-     "share of them (default: from their scatter from point to point).",
+     "Standard deviation of the other program's values between runs, as a share of "
+     "them (default: estimated from their scatter).",
      pp_options_read_per_cent, PLACE(noise)},
     {0},
 };
 
 static const struct pp_option error_option[] = {
     {"error", 0, "E%",
-     "Standard error of our values, as a share of them (default 0.5%, in scenes 1%).",
+     "Standard error of the simulation, as a share of the values (default 0.5%, in "
+     "scenes 1%).",
      pp_options_read_per_cent, PLACE(room.study.error)},
     {0},
 };
@@ -79,27 +79,25 @@ static const struct pp_option error_option[] = {
 static void help_on_switches(FILE *out)
 {
     static const char *const switches[][2] = {
-        {"bounces=N", "light is followed over N reflections between surfaces, at most; "
-                      "the ground glows"},
-        {"ab=N",
-         "over N-1, the ground's among them, as Radiance counts where the ground "
-         "is a surface; ab=0: no light of the sky"},
-        {"glass=normal", "light of all angles passes as at normal incidence"},
-        {"glass=transmissivity", "the transmittance was written as a transmissivity"},
+        {"bounces=N",
+         "at most N reflections between surfaces; the ground is a light source"},
+        {"ab=N", "at most N-1 reflections, the ground's included, as Radiance counts a "
+                 "ground surface; ab=0: no light of the sky"},
+        {"glass=normal", "glass transmits all angles as normal incidence"},
+        {"glass=transmissivity", "the transmittance was entered as a transmissivity"},
         {"glass=none", "openings without glass"},
-        {"panes=1", "one pane where there are several"},
+        {"panes=1", "single panes instead of multiple"},
         {"frame=none", "no frames"},
         {"dirt=none", "clean glass"},
-        {"plane=Z", "the points lie at that height, in metres"},
-        {"sky=TYPE",
-         "another sky, as of --sky; or gensky: overcast, and faded into the "
-         "ground at the horizon"},
-        {"ground=R", "the ground's reflectance; open: it is lit by the whole sky"},
-        {"outside=none", "nothing stands outside"},
-        {"colour=grey", "a scene's materials have the luminance of their colours"},
+        {"plane=Z", "the points have this height in metres"},
+        {"sky=TYPE", "another sky, as in --sky; or gensky: overcast, blended into the "
+                     "ground at the horizon"},
+        {"ground=R", "ground reflectance; open: the whole sky lights the ground"},
+        {"outside=none", "nothing outside"},
+        {"colour=grey", "in a scene: materials have the luminance of their colours"},
         {"colour=mean",
-         "red, green and blue count alike, as luminance; green: it alone"},
-        {"factor=F", "all values times F"},
+         "red, green and blue have equal weight in luminance; green: green only"},
+        {"factor=F", "all values multiplied by F"},
     };
     fputs("\nSwitches:\n", out);
     for (size_t i = 0; i < sizeof switches / sizeof switches[0]; i++)
@@ -114,8 +112,8 @@ static void help_on_switches(FILE *out)
 }
 
 static const struct pp_option_group groups[] = {
-    {"What is compared", compare_options, 0},
-    {"What is compared", pp_room_sky_options, PLACE(room)},
+    {"Comparison", compare_options, 0},
+    {"Comparison", pp_room_sky_options, PLACE(room)},
     {"Simulation", error_option, 0},
     {"Simulation", pp_room_seed_options, PLACE(room)},
     {"Output", pp_text_or_json_option, PLACE(format)},
@@ -138,12 +136,12 @@ static enum pp_status check_scene(const struct compare_options *options, int fil
                         : options->room.state != PP_STATE_BOTH ? "--state"
                                                                : NULL;
     if (stray)
-        return pp_fail(err, PP_BAD_INPUT, "%s is of room files; a scene has its own",
+        return pp_fail(err, PP_BAD_INPUT, "%s is for room files; a scene has its own",
                        stray);
     if (file_count < 2)
         return pp_fail(err, PP_BAD_INPUT,
-                       "expected scene files, and behind them the other program's "
-                       "values as CSV, which have the points");
+                       "expected scene files, then the other program's values with "
+                       "their points as CSV");
     return PP_OK;
 }
 
@@ -164,11 +162,12 @@ static enum pp_status check_compare_options(void *values, char **files, int file
     }
     if (file_count == 1 && !options->variant)
         return pp_fail(err, PP_BAD_INPUT,
-                       "expected the other program's values as CSV behind the room "
+                       "expected the other program's values as CSV after the room "
                        "file, or --as-if");
     if (file_count == 1 && options->noise > 0.0)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--noise is of the other program's values, which are missing");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--noise describes the other program's values; expected a file of them");
     if (options->variant
         && pp_room_variant_add(&variant, options->variant, &own) != PP_OK)
         return pp_fail(err, PP_BAD_INPUT, "--as-if: %s", own.message);
@@ -189,16 +188,16 @@ static enum pp_status to_fractions(double *theirs, const struct pp_other_values 
     enum pp_other_unit unit = options->unit ? options->unit : values->unit;
     if (options->unit && values->unit && options->unit != values->unit)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s: --as says another unit than the column's name", path);
+                       "%.200s: --as and the column name give different units", path);
     if (unit == PP_OTHER_UNKNOWN)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s: the column does not say whether values are per cent, "
-                       "fractions or lux; expected --as percent, fraction or lux",
+                       "%.200s: the column name does not give the unit; expected --as "
+                       "percent, fraction or lux",
                        path);
     if (unit == PP_OTHER_LUX && lux == 0.0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s: values in lux need --external LUX, the illuminance of "
-                       "the open level plane that daylight factors are taken over",
+                       "%.200s: values in lux need the horizontal illuminance outside; "
+                       "expected --external LUX",
                        path);
     double most = 0.0, of_unit = unit == PP_OTHER_PERCENT ? 100.0
                                  : unit == PP_OTHER_LUX   ? lux
@@ -208,11 +207,10 @@ static enum pp_status to_fractions(double *theirs, const struct pp_other_values 
         most = fmax(most, theirs[i]);
     }
     if (most > 2.0)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "%.200s: a daylight factor of %.4g %%; expected 200 %% at most: is "
-            "the unit right?",
-            path, 100.0 * most);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%.200s: a daylight factor of %.4g %%; expected 200 %% at most: "
+                       "check the unit",
+                       path, 100.0 * most);
     return PP_OK;
 }
 
@@ -413,7 +411,8 @@ static void clear_compare_options(void *values)
 
 const struct pp_command pp_command_compare = {
     .name = "compare",
-    .summary = "another program's values beside ours, and where they part",
+    .summary = "another program's values beside the simulated ones, and the cause of "
+               "differences",
     .operands = "ROOM|SCENE... [OTHER.csv]",
     .about = about,
     .groups = groups,

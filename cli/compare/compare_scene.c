@@ -66,8 +66,8 @@ enum pp_status pp_compare_scene_place(int **chosen, struct pp_compare_scene *sce
     for (int i = 0; i < count; i++)
         if (!values->has_places || isnan(values->list[i].place.z))
             return pp_fail(err, PP_BAD_INPUT,
-                           "%.200s:%d: no x, y and z; expected them, as a scene has "
-                           "neither points nor a working plane of its own",
+                           "%.200s:%d: x, y and z are missing; a scene has no points "
+                           "or working plane of its own",
                            pp_read_file_title(path), values->list[i].line);
     scene->points = calloc((size_t)kept + 1, sizeof *scene->points);
     *chosen = calloc((size_t)kept + 1, sizeof **chosen);

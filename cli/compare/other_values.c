@@ -178,9 +178,9 @@ static enum pp_status take_number(struct csv_reading *reading, enum csv_column c
     double most = column == VALUE ? 1e9 : 1e6;
     point_commas(reading, word);
     if (!pp_text_parse_number(word, &of[column]) || fabs(of[column]) > most)
-        return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: \"%s\"; expected a number",
-                       reading->file, reading->line,
-                       pp_text_excerpt(shown, sizeof shown, word));
+        return pp_fail(
+            err, PP_BAD_INPUT, "%.200s:%d: \"%s\" is not a number; expected a number",
+            reading->file, reading->line, pp_text_excerpt(shown, sizeof shown, word));
     if (column == VALUE && of[column] < 0.0)
         return pp_fail(err, PP_BAD_INPUT,
                        "%.200s:%d: the value is %g; expected one that is not negative",
@@ -196,7 +196,8 @@ static enum pp_status add_other_value(struct csv_reading *reading,
     struct pp_vec3 normal = pp_vec(of[NX], of[NY], of[NZ]);
     double length = pp_vec_length(normal);
     if (!(length > 0.0))
-        return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: a direction of 0 0 0",
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%.200s:%d: the direction is 0 0 0; expected another one",
                        reading->file, reading->line);
     if (values->count == POINTS_MOST)
         return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: more than %d values",
@@ -240,8 +241,7 @@ static enum pp_status take_csv_line(struct csv_reading *reading, char *text,
 {
     if (strlen(text) > LINE_MOST)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s:%d: a line of %zu bytes; expected %d "
-                       "at most",
+                       "%.200s:%d: the line has %zu bytes; expected %d at most",
                        reading->file, reading->line, strlen(text), LINE_MOST);
     text += strspn(text, " \t\r");
     if (*text == '#' || *text == '\0')
@@ -267,8 +267,8 @@ static enum pp_status read_text(struct pp_other_values *values, char *text,
     }
     if (status == PP_OK && values->count == 0)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "%.200s: no values; expected a line with the columns' names, "
-                         "such as x,y,df_percent, and a line a point",
+                         "%.200s: there are no values; expected a header with column "
+                         "names, such as x,y,df_percent, and one line per point",
                          file);
     return status;
 }
@@ -293,7 +293,7 @@ enum pp_status pp_other_values_read(struct pp_other_values *values, const char *
         status = pp_fail(err, PP_BAD_INPUT, "%.200s: larger than 64 MiB", file);
     else if (strlen(text) != length)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "%.200s: a character of code 0; expected text", file);
+                         "%.200s: there is a NUL byte; expected text", file);
     else
         status = read_text(values, text, file, err);
     free(text);
@@ -348,8 +348,8 @@ enum pp_status pp_other_values_place(int **chosen, struct pp_study_room *room,
     int count = values->count, kept = count < most ? count : most;
     if (!values->has_places && count != room->receiver_count)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s: %d values without x and y; expected %d, one for each "
-                       "of the room's points",
+                       "%.200s: %d values have no x and y; expected %d, one for each "
+                       "point of the room",
                        pp_read_file_title(path), count, room->receiver_count);
     struct pp_receiver *receivers = calloc((size_t)kept + 1, sizeof *receivers);
     *chosen = calloc((size_t)kept + 1, sizeof **chosen);

@@ -45,57 +45,55 @@ struct df_options {
 
 static const struct pp_option explain_option[] = {
     {"explain", 'e', NULL,
-     "Set out how each figure comes about, step by step as on paper; of one point, "
-     "in text or JSON.",
+     "Show the calculation of each figure, step by step; for one point, in text or "
+     "JSON.",
      NULL, PLACE(room.study.explain)},
     {0},
 };
 
 static const struct pp_option advise_option[] = {
     {"advise", 0, NULL,
-     "Say which method to use in this room, for the average and for which points, and "
-     "why: by the bands of all methods in rooms like it; in text or JSON.",
+     "Recommend a method for this room, for the average and for each group of points, "
+     "with reasons. Uses the bands of all methods in similar rooms; in text or JSON.",
      NULL, PLACE(advise)},
     {0},
 };
 
 static const struct pp_option list_option[] = {
     {"list-formulas", 0, NULL,
-     "Print the formulae of all methods, with their sources and what they name, "
-     "instead "
-     "of computing anything.",
+     "Print the formulae of all methods, with sources and symbols; calculate nothing.",
      NULL, PLACE(list_formulae)},
     {0},
 };
 
 static const struct pp_option margin_option[] = {
     {"margin", 0, NULL,
-     "Also the average over the working plane inside 0.5 m of the walls.", NULL,
-     PLACE(margin)},
+     "Also the average over the working plane, leaving out 0.5 m along the walls.",
+     NULL, PLACE(margin)},
     {0},
 };
 
 static const struct pp_option bands_option[] = {
     {"bands", 0, NULL,
-     "Bands of all methods in the text's table, not of the first alone, and in CSV.",
+     "Show the bands of all methods in the text table, not only of the first, and in "
+     "CSV.",
      NULL, PLACE(bands)},
     {"no-bands", 0, NULL,
-     "Without the bands in which the true figures were in 95 of 100 rooms like this "
-     "one.",
-     NULL, PLACE(no_bands)},
+     "Leave out the bands that hold 95 of 100 true figures of similar rooms.", NULL,
+     PLACE(no_bands)},
     {0},
 };
 
 static const struct pp_option array_option[] = {
-    {"array", 0, NULL, "JSON: an array of rooms, even if there is only one.", NULL,
+    {"array", 0, NULL, "JSON: an array of rooms, even for one room.", NULL,
      PLACE(array)},
     {0},
 };
 
 static const char about[] =
-    "Daylight factors at the reference points of each room, and their average over the "
-    "working plane, in per cent: by hand methods, and with --simulate by tracing light "
-    "paths as well. FILE is a room file; - is standard input.";
+    "Calculates daylight factors in per cent by hand methods: at the reference points "
+    "of each room, and on average over the working plane. With --simulate they are "
+    "simulated as well. FILE is a room file; - is standard input.";
 
 static void help_on_methods(FILE *out)
 {
@@ -106,12 +104,12 @@ static void help_on_methods(FILE *out)
     pp_options_help_word("A+B", "direct component by A, internally reflected by B",
                          out);
     pp_options_help_word("default",
-                         "exact+bre, brs-table+bre, average-df; and where bre does not "
-                         "cover the room, exact+split-flux",
+                         "exact+bre, brs-table+bre and average-df; where bre does not "
+                         "apply, exact+split-flux",
                          out);
     pp_options_help_word("all",
                          "every direct method with bre, exact with every internally "
-                         "reflected one, and every method that gives the whole",
+                         "reflected one, and every method for the whole",
                          out);
 }
 
@@ -274,13 +272,13 @@ static enum pp_exit check_rooms(const struct df_options *options,
     for (int i = 0; options->room.study.explain && i < rooms->count; i++)
         if (rooms->list[i].receiver_count != 1 && err.status == PP_OK)
             pp_fail(&err, PP_BAD_INPUT,
-                    "--explain sets out the sums of one point, and there are %d; "
+                    "--explain shows the calculation for one point, and there are %d; "
                     "expected one, by --points X,Y",
                     rooms->list[i].receiver_count);
     if (err.status == PP_OK && options->engine.cache.file && rooms->count > 1)
         pp_fail(&err, PP_BAD_INPUT,
-                "--cache has the records of one room, and there are %d; expected one, "
-                "by --room NAME",
+                "--cache stores the records of one room, and there are %d; expected "
+                "one, by --room NAME",
                 rooms->count);
     return err.status == PP_OK ? PP_EXIT_DONE : pp_message_usage("df", &err);
 }
@@ -359,7 +357,7 @@ static enum pp_status check_df_options(void *values, char **files, int file_coun
     (void)files;
     if (options->list_formulae && file_count > 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--list-formulas is of no room; expected it without a file");
+                       "--list-formulas needs no room; expected no file");
     if (options->list_formulae)
         return PP_OK;
     if (file_count == 0)
@@ -367,13 +365,13 @@ static enum pp_status check_df_options(void *values, char **files, int file_coun
                        "expected a room file, or - for standard input");
     if (study->explain && options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--explain has no place in CSV; expected --format text or json");
+                       "--explain cannot write CSV; expected --format text or json");
     if (options->advise && options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--advise has no place in CSV; expected --format text or json");
+                       "--advise cannot write CSV; expected --format text or json");
     if (options->array && options->format != PP_FORMAT_JSON)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--array is a form of JSON; expected --format json with it");
+                       "--array is for JSON; expected --format json with it");
     enum pp_status status =
         pp_moment_choice_settle(&options->moment, &options->room, err);
     study->simulate |= options->moment.when != NULL;
@@ -404,14 +402,14 @@ static void clear_df_options(void *values)
 }
 
 static const struct pp_option_group groups[] = {
-    PP_ROOM_CHOICE_GROUPS("What is computed", PLACE(room)),
-    {"What is computed", pp_lumen_option, PLACE(lumen_files)},
-    {"What is computed", explain_option, 0},
-    {"What is computed", advise_option, 0},
-    {"What is computed", pp_formula_option, PLACE(formulae)},
-    {"What is computed", list_option, 0},
-    {"What is computed", pp_room_external_option, PLACE(room)},
-    {"What is computed", pp_moment_options, PLACE(moment)},
+    PP_ROOM_CHOICE_GROUPS("Calculation", PLACE(room)),
+    {"Calculation", pp_lumen_option, PLACE(lumen_files)},
+    {"Calculation", explain_option, 0},
+    {"Calculation", advise_option, 0},
+    {"Calculation", pp_formula_option, PLACE(formulae)},
+    {"Calculation", list_option, 0},
+    {"Calculation", pp_room_external_option, PLACE(room)},
+    {"Calculation", pp_moment_options, PLACE(moment)},
     PP_ROOM_SIMULATION_GROUPS(PLACE(room)),
     {"Simulation", pp_engine_options, PLACE(engine)},
     {"Simulation", pp_room_plain_option, PLACE(room)},
@@ -426,7 +424,7 @@ static const struct pp_option_group groups[] = {
 
 const struct pp_command pp_command_df = {
     .name = "df",
-    .summary = "daylight factors at the reference points and their average",
+    .summary = "daylight factors at reference points, and their average",
     .operands = "FILE...",
     .about = about,
     .groups = groups,

@@ -17,7 +17,7 @@ static enum pp_status refuse_engine_choice(struct pp_error *err)
                        : pp_engine_at(i + 1) ? ", "
                                              : " or ",
                        engine->name);
-    return pp_fail(err, PP_BAD_INPUT, "%s, or several with commas between", names);
+    return pp_fail(err, PP_BAD_INPUT, "%s, or several, separated by commas", names);
 }
 
 /* The engine's place in the list, -1: none has that name. */
@@ -72,18 +72,17 @@ static enum pp_status read_sensor(const char *text, void *place, struct pp_error
 
 const struct pp_option pp_engine_options[] = {
     {"engine", 0, "LIST",
-     "What simulates: path (default), light paths from the points, without bias; "
-     "photons, light followed from the openings, without bias; radiosity, finite "
-     "elements; cache, through an irradiance cache; plain, light paths by the "
-     "textbook, "
-     "slower; several as path,photons, and how far they are apart.",
+     "Engine of the simulation. path (default): unbiased paths from the points; "
+     "photons: unbiased paths from the openings; radiosity: finite elements; cache: "
+     "irradiance cache; plain: textbook path tracing, slower. Several, such as "
+     "path,photons, are compared.",
      read_engines, offsetof(struct pp_engine_choice, engines)},
     {"sensor", 0, "RADIUS",
-     "Count photons on discs of that radius, in metres, round the points, in place of "
-     "what each brings the points themselves.",
+     "Count photons on discs of this radius in metres around the points, instead of "
+     "connecting each photon to the points.",
      read_sensor, offsetof(struct pp_engine_choice, sensor_m)},
     {"interpolate", 0, NULL,
-     "Interpolate what is reflected at the points, too, from the cache.", NULL,
+     "Interpolate reflected light from the cache at the points, too.", NULL,
      offsetof(struct pp_engine_choice, interpolate)},
     {0},
 };
@@ -94,7 +93,7 @@ enum pp_status pp_engine_choice_settle(struct pp_engine_choice *words, bool simu
     const bool cached = has(words, &pp_engine_cache);
     if (words->engines && !simulate)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--engine says what simulates; it needs --simulate");
+                       "--engine selects a simulation; expected --simulate with it");
     if (words->sensor_m > 0.0 && !has(words, &pp_engine_photons))
         return pp_fail(err, PP_BAD_INPUT, "--sensor needs --engine photons");
     if (words->interpolate && !cached)

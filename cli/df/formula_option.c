@@ -17,10 +17,9 @@ static enum pp_status add_text(const char *text, void *place, struct pp_error *e
 
 const struct pp_option pp_formula_option[] = {
     {"formula", 0, "FORMULA",
-     "Set beside a method what a variant of one of its formulae makes of the room, as "
-     "\"irc = 0.83 W / (A (1 - R)) (C R_fw + 5 R_cw)\" or \"split-flux: irc = ...\"; "
-     "may "
-     "be given several times. df --list-formulas has all formulae and what they name.",
+     "Add a column with a variant of a method's formula, such as \"irc = 0.83 W / (A "
+     "(1 - R)) (C R_fw + 5 R_cw)\" or \"split-flux: irc = ...\". Repeat it for more. "
+     "df --list-formulas shows all formulae and symbols.",
      add_text, 0},
     {0},
 };

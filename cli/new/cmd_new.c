@@ -39,9 +39,8 @@ static const struct room_template templates[] = {
 enum { TEMPLATES = sizeof templates / sizeof *templates };
 
 static const char about[] =
-    "Writes a room file to start from, with comments that explain its elements. KIND "
-    "is "
-    "one of the rooms below. Then change the numbers, and run pepperpot df FILE.";
+    "Writes a commented room file to start from. KIND is one of the rooms below. "
+    "Change its numbers, then run pepperpot df FILE.";
 
 struct new_options {
     const char *output;

@@ -32,19 +32,17 @@ enum { COMMAND_COUNT = sizeof commands / sizeof *commands - 1 };
 
 static void print_help(void)
 {
-    puts("Usage: pepperpot COMMAND [OPTIONS] [FILE...]\n"
-         "       pepperpot FILE.xml [OPTIONS]   as pepperpot df\n\n"
-         "Daylight factors of rooms by the classic hand methods, the charts they are\n"
-         "worked on, and a simulation of the same room to set beside them.\n\n"
-         "Commands:");
+    puts("Usage: pepperpot COMMAND [OPTIONS] [FILE...]\n       pepperpot FILE.xml "
+         "[OPTIONS]   same as pepperpot df\n\nDaylight factors of rooms by the classic "
+         "hand methods, with their charts,\nand a simulation of the same room to "
+         "compare.\n\nCommands:");
     for (int i = 0; i < COMMAND_COUNT; i++)
         printf("  %-12s %s\n", commands[i]->name, commands[i]->summary);
-    puts("\nOptions:\n"
-         "  -h, --help     Print this help and stop; after a command: its own, as\n"
-         "                 pepperpot help COMMAND does.\n"
-         "      --version  Print the version and stop.\n\n"
-         "Exit status: 0 done, 1 the input is wrong, 2 the command line is wrong,\n"
-         "3 the machine failed, 130 interrupted.");
+    puts("\nOptions:\n  -h, --help     Print this help and stop. pepperpot help "
+         "COMMAND and\n                 pepperpot COMMAND --help describe a command.\n "
+         "     --version  Print the version and stop.\n\nExit status: 0 success, 1 "
+         "error in the input, 2 error on the command line,\n3 error of the system, 130 "
+         "interrupted.");
 }
 
 static void list_commands(const char *names[COMMAND_COUNT])
@@ -80,7 +78,7 @@ static enum pp_exit run_help(int argc, char **argv)
 {
     const struct pp_command *command = argc > 0 ? find_command(argv[0]) : NULL;
     if (argc > 1) {
-        pp_message("help is of one command, and there are %d words; expected one",
+        pp_message("help describes one command, and there are %d words; expected one",
                    argc);
         return PP_EXIT_USAGE;
     }
@@ -150,7 +148,7 @@ int main(int argc, char **argv)
     if (status == PP_EXIT_DONE)
         status = run_program(argc, argv, mpirun.ranks.count > 1 ? &mpirun.ranks : NULL);
     if (fflush(stdout) != 0 || ferror(stdout)) {
-        pp_message("standard output can't be written: %s", strerror(errno));
+        pp_message("standard output cannot be written: %s", strerror(errno));
         status = PP_EXIT_MACHINE;
     }
     return pp_mpirun_end(&mpirun, status);

@@ -14,11 +14,11 @@
 static const double DEFAULT_LUX = 10000.0;
 
 static const char about[] =
-    "A room as scene files of another program. FILE is a room file; - is standard "
-    "input. For Radiance, the directory DIR gets materials, geometry, glazing, sky, "
-    "ground, the reference points, and a script that works out the same daylight "
-    "factors by rtrace; of a building or several files, one directory in it for each "
-    "room. It appears whole or not at all.";
+    "Writes a room as scene files of another program. FILE is a room file; - is "
+    "standard input. For Radiance, the directory DIR gets materials, geometry, "
+    "glazing, sky, ground and reference points. A script in it calculates the same "
+    "daylight factors with rtrace. Several rooms get a directory each. DIR appears "
+    "complete or not at all.";
 
 struct export_options {
     struct pp_room_options room;
@@ -37,16 +37,14 @@ static enum pp_status read_program(const char *text, void *place, struct pp_erro
 }
 
 static const struct pp_option to_options[] = {
-    {"to", 't', "PROGRAM", "Whose format: radiance.", read_program,
+    {"to", 't', "PROGRAM", "Target format: radiance.", read_program,
      offsetof(struct export_options, to)},
     {"external", 0, "LUX",
-     "Illuminance of the open level ground under the sky that is written (default "
-     "10000).",
+     "Horizontal illuminance outside under the exported sky (default 10000).",
      pp_options_read_lux, offsetof(struct export_options, external_lux)},
     {"gloss", 0, NULL,
-     "Finishes with their colour and gloss, for pictures; daylight factors, and what "
-     "is "
-     "written without it, take them as matt and grey.",
+     "Export finishes with colour and gloss, for pictures. By default they are matt "
+     "and grey, as for daylight factors.",
      NULL, offsetof(struct export_options, gloss)},
     {0},
 };
@@ -55,8 +53,7 @@ static const struct pp_option output_options[] = {
     {"output", 'o', "DIR", "Directory to write: a new or an empty one.",
      pp_options_read_text, offsetof(struct export_options, directory)},
     {"force", 0, NULL,
-     "Replace DIR where it holds an export; where it holds anything else it is left "
-     "alone.",
+     "Replace DIR if it contains an export; other directories are never replaced.",
      NULL, offsetof(struct export_options, force)},
     {0},
 };
@@ -147,14 +144,13 @@ static void say_left_out(const struct pp_rooms *rooms, bool gloss)
         const struct pp_world *world = rooms->list[i].world;
         const char *file = pp_read_file_title(rooms->list[i].file);
         if (world->decorations < 1.0)
-            pp_message(
-                "%.200s: the scene leaves out the allowance of %g on the internally "
-                "reflected component for decorations; its daylight factors are "
-                "higher by that",
-                file, world->decorations);
+            pp_message("%.200s: the scene leaves out the allowance of %g for "
+                       "decorations on the internally reflected component; its "
+                       "daylight factors are higher by that",
+                       file, world->decorations);
         if (!gloss && pp_rad_room_has_gloss(world))
-            pp_message("%.200s: finishes are matt and grey in the scene, as daylight "
-                       "factors take them; --gloss writes their colour and gloss",
+            pp_message("%.200s: finishes in the scene are matt and grey, as for "
+                       "daylight factors; --gloss exports colour and gloss",
                        file);
     }
 }
@@ -198,22 +194,23 @@ static enum pp_status check_export_options(void *values, char **files, int file_
     if (!options->directory)
         return pp_fail(err, PP_BAD_INPUT, "expected -o DIR, the directory to write");
     if (strcmp(options->directory, "-") == 0)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "-o is \"-\"; expected a directory: an export is several files");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "-o is \"-\"; expected a directory, because an export is several files");
     if (!(options->external_lux > 0.0))
         options->external_lux = DEFAULT_LUX;
     return PP_OK;
 }
 
 static const struct pp_option quiet_option[] = {
-    {"quiet", 'q', NULL, "Say nothing of what the scene leaves out.", NULL,
+    {"quiet", 'q', NULL, "Do not list what the scene leaves out.", NULL,
      offsetof(struct export_options, room.quiet)},
     {0},
 };
 
 static const struct pp_option_group groups[] = {
-    {"What is written", to_options, 0},
-    PP_ROOM_PLACE_GROUPS("What is written", offsetof(struct export_options, room)),
+    {"Export", to_options, 0},
+    PP_ROOM_PLACE_GROUPS("Export", offsetof(struct export_options, room)),
     {"Output", output_options, 0},
     {"Output", quiet_option, 0},
     {0},
@@ -233,7 +230,7 @@ static void clear_export_options(void *values)
 
 const struct pp_command pp_command_export = {
     .name = "export",
-    .summary = "a room as scene files for Radiance",
+    .summary = "export a room to Radiance",
     .operands = "FILE...",
     .about = about,
     .groups = groups,

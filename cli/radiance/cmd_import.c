@@ -23,14 +23,13 @@
 #include "simulate/transport/sensors.h"
 
 static const char about[] =
-    "Reads a scene of Radiance's and simulates sensor points in it by path tracing: "
-    "irradiance, illuminance, and the daylight factor over what the scene's sky gives "
-    "the open level ground. SCENE files are read one after the other as if they were "
-    "one; - is standard input. Lines that begin with \"!\" (gensky, genbox, xform) are "
-    "worked out, and nothing is executed. Without --points-file the scene is summed "
-    "up. A gbXML file, known by its first letter, becomes a room file: what is missing "
-    "in "
-    "it, and the default taken, is said on standard error.";
+    "Reads a Radiance scene and simulates sensor points in it by path tracing: "
+    "irradiance, illuminance, and the daylight factor relative to the open ground. "
+    "SCENE files are read in order as one file; - is standard input. Lines that begin "
+    "with \"!\" (gensky, genbox, xform) are interpreted; no program is run. Without "
+    "--points-file, a summary of the scene is printed. A gbXML file is recognised by "
+    "its first letter and becomes a room file. Missing data and their defaults are "
+    "listed on standard error.";
 
 /* Paths of a point in each randomisation, at most. */
 static const long MOST_SAMPLES = 1 << 26;
@@ -57,13 +56,13 @@ static enum pp_status read_lamps(const char *text, void *place, struct pp_error 
 
 static const struct pp_option import_options[] = {
     {"points-file", 0, "FILE",
-     "Sensor points, a line \"x y z dx dy dz\" each; - is standard input.",
+     "Sensor points, one line \"x y z dx dy dz\" each; - is standard input.",
      pp_options_read_input, offsetof(struct import_options, points_file)},
     {"lamps", 0, "HOW",
-     "How their light is hunted: aimed (default) or chance, as if each light were a "
+     "Sampling of light sources: aimed (default), or chance, as if each source were a "
      "glow.",
      read_lamps, offsetof(struct import_options, by_chance)},
-    {"summary", 0, NULL, "Sum the scene up, before any points.", NULL,
+    {"summary", 0, NULL, "Print a summary of the scene first.", NULL,
      offsetof(struct import_options, summary)},
     {0},
 };
@@ -103,7 +102,8 @@ static enum pp_status take_sensor_line(struct pp_sensor **list, int *count, int 
     struct pp_vec3 normal = pp_vec(n[3], n[4], n[5]);
     double length = pp_vec_length(normal);
     if (!(length > 0.0))
-        return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: a direction of 0 0 0", file,
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%.200s:%d: the direction is 0 0 0; expected another one", file,
                        line);
     if (*count == POINTS_MOST)
         return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: more than %d points", file, line,
@@ -137,13 +137,14 @@ static enum pp_status read_sensor_points(struct pp_sensor **list, int *count,
     ended[length] = '\0';
     if (strlen(ended) != length)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "%.200s: a character of code 0; expected text", file);
+                         "%.200s: there is a NUL byte; expected text", file);
     int space = 0, line = 1;
     for (char *rest = ended, *text; status == PP_OK && (text = strsep(&rest, "\n"));)
         status = take_sensor_line(list, count, &space, text, file, line++, err);
     if (status == PP_OK && *count == 0)
-        status = pp_fail(err, PP_BAD_INPUT,
-                         "%.200s: no points; expected lines of x y z dx dy dz", file);
+        status = pp_fail(
+            err, PP_BAD_INPUT,
+            "%.200s: there are no points; expected lines of x y z dx dy dz", file);
     free(ended);
     if (status != PP_OK) {
         free(*list);
@@ -318,10 +319,12 @@ static enum pp_status check_building(const struct import_options *options,
                                                             : NULL;
     if (stray)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s is of Radiance's scenes; a gbXML file becomes a room file",
+                       "%s is for Radiance scenes; a gbXML file becomes a room file",
                        stray);
     if (file_count > 1)
-        return pp_fail(err, PP_BAD_INPUT, "a gbXML file is imported by itself");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "a gbXML file cannot be combined with other files; expected it alone");
     return PP_OK;
 }
 
@@ -339,9 +342,9 @@ static enum pp_status check_import_options(void *values, char **files, int file_
     for (int i = 0; i < file_count; i++)
         if (strcmp(files[i], "-") == 0) {
             if (from_input)
-                return pp_fail(err, PP_BAD_INPUT,
-                               "standard input can be read once; expected - for one "
-                               "file");
+                return pp_fail(
+                    err, PP_BAD_INPUT,
+                    "standard input can be read only once; expected - for one file");
             from_input = true;
         }
     if (room_options->study.samples > MOST_SAMPLES)
@@ -349,14 +352,14 @@ static enum pp_status check_import_options(void *values, char **files, int file_
                        room_options->study.samples, MOST_SAMPLES);
     if (!options->points_file && options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a summary has no place in CSV; expected --points-file, or "
-                       "--format text or json");
+                       "a summary cannot be CSV; expected --points-file, or --format "
+                       "text or json");
     room_options->study.simulate = true;
     return pp_room_options_settle(room_options, err);
 }
 
 static const struct pp_option_group groups[] = {
-    {"What is computed", import_options, 0},
+    {"Calculation", import_options, 0},
     PP_ROOM_STOP_GROUPS(offsetof(struct import_options, room)),
     {"Output", pp_format_option, offsetof(struct import_options, format)},
     {"Output", pp_room_output_options, offsetof(struct import_options, room)},
@@ -377,7 +380,7 @@ static void clear_import_options(void *values)
 
 const struct pp_command pp_command_import = {
     .name = "import",
-    .summary = "sensor points in a scene of Radiance's; a gbXML file as a room file",
+    .summary = "simulate points in a Radiance scene; convert gbXML to a room file",
     .operands = "SCENE...",
     .about = about,
     .groups = groups,

@@ -20,14 +20,13 @@ static const char script_name[] = "daylight_factors.sh";
 static const struct {
     const char *file, *shapes, *says;
 } groups[PP_RAD_GROUPS] = {
-    [PP_RAD_ROOM] = {"room.rad", "room",
-                     "the room: floor, walls less their openings, ceiling, reveals, "
-                     "what stands in it"},
-    [PP_RAD_GLAZING] = {"glazing.rad", "pane", "panes, with frame and dirt in them"},
+    [PP_RAD_ROOM] =
+        {"room.rad", "room",
+         "the room: floor, walls without their openings, ceiling, reveals, fittings"},
+    [PP_RAD_GLAZING] = {"glazing.rad", "pane", "panes, with frame and dirt included"},
     [PP_RAD_OUTSIDE] = {"outside.rad", "outside",
-                        "what stands outside: blocks, facades, surfaces, skylines, and "
-                        "the ground that "
-                        "they shade"},
+                        "outside: blocks, facades, surfaces, skylines, and the ground "
+                        "with their shade"},
     [PP_RAD_SKY] = {"sky.rad", "half", "the sky, and the ground as a glow"},
 };
 
@@ -149,11 +148,9 @@ static enum pp_status add_script(struct pp_output_directory *directory,
     char irradiance[32], lux[32];
     pp_rad_numbers_text(external_lux / PP_RADIANCE_EFFICACY, irradiance);
     pp_rad_numbers_text(external_lux, lux);
-    fputs("#!/bin/sh\n"
-          "# Daylight factors (%) at the points of points.pts, by Radiance's rtrace:\n"
-          "# lines \"x y z factor\". Options of rtrace may be given instead of those "
-          "below,\n"
-          "# which follow each path to its end without a cache.\n",
+    fputs("#!/bin/sh\n# Daylight factors (%) at the points of points.pts, by "
+          "Radiance's rtrace:\n# lines \"x y z factor\". Options of rtrace may replace "
+          "those below,\n# which follow each path to its end without a cache.\n",
           out);
     char files[200] = ""; /* those that aren't empty: oconv would complain */
     for (int i = 0; i < PP_RAD_GROUPS; i++)

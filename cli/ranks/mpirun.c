@@ -62,13 +62,13 @@ enum pp_exit pp_mpirun_begin(struct pp_mpirun *mpirun)
     if (module)
         *(void **)&begin = dlsym(module, "pp_mpirun_module");
     if (!begin) {
-        pp_message("several ranks were started, and the module for MPI can't be loaded "
+        pp_message("several ranks were started, but the MPI module cannot be loaded "
                    "(%s); configure --with-mpi builds it",
                    dlerror());
         return PP_EXIT_MACHINE;
     }
     if (begin(&mpirun->ranks, &mpirun->end) != 0) {
-        pp_message("MPI can't be started");
+        pp_message("MPI cannot be started");
         return PP_EXIT_MACHINE;
     }
     if (mpirun->ranks.rank > 0

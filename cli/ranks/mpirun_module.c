@@ -48,7 +48,8 @@ static enum pp_status post_send(void *data, int to, const void *bytes, size_t le
     struct post *post = data;
     sweep(post);
     if (length > INT_MAX)
-        return pp_fail(err, PP_SYSTEM, "a message of %zu bytes is too long", length);
+        return pp_fail(err, PP_SYSTEM, "the message has %zu bytes, too many for MPI",
+                       length);
     struct sending *sending = malloc(sizeof *sending + length);
     if (!sending)
         return pp_fail_memory(err);

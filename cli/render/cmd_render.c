@@ -10,17 +10,17 @@
 
 static const struct pp_option external_option[] = {
     {"external", 0, "LUX",
-     "Horizontal illuminance outside, in lux (default 10000), which luminances and "
-     "illuminances are in proportion to.",
+     "Horizontal illuminance outside in lux (default 10000); luminances and "
+     "illuminances are proportional to it.",
      pp_options_read_lux, offsetof(struct pp_room_options, study.external_lux)},
     {0},
 };
 
 static const char about[] =
-    "Draws a picture of the light in a room to -o FILE: .hdr or .pfm keep the light as "
-    "numbers, .png shows it, .pdf and .svg lay it out on a sheet; --false-colour sets "
-    "a "
-    "scale and level lines beside. FILE is a room file; - is standard input.";
+    "Renders a picture of the light in a room to -o FILE. A .hdr or .pfm stores the "
+    "light as numbers, a .png displays it, and .pdf and .svg put it on a sheet. "
+    "--false-colour adds a scale and level lines. FILE is a room file; - is standard "
+    "input.";
 
 static enum pp_exit write_output(const struct pp_shown_picture *shown,
                                  const struct pp_render_choice *choice,
@@ -60,7 +60,7 @@ static void say_if_black(const struct pp_picture *picture)
     for (size_t i = 0; i < count; i++)
         if (picture->rgb[i] > 0.0f)
             return;
-    pp_message("the picture is black: no light reaches what it shows");
+    pp_message("the picture is black: no light reaches the surfaces in view");
 }
 
 static enum pp_exit render_room(const struct pp_study_room *room,
@@ -118,7 +118,7 @@ static enum pp_exit render_or_show(const struct pp_render_choice *choice,
     result = pp_rooms_load(&rooms, "render", files, 1, options);
     if (result == PP_EXIT_DONE && rooms.count != 1) {
         pp_fail(&err, PP_BAD_INPUT,
-                "there are %d rooms, and a picture is of one; expected --room NAME",
+                "there are %d rooms, and a picture shows one; expected --room NAME",
                 rooms.count);
         result = pp_message_usage("render", &err);
     }
@@ -136,14 +136,14 @@ struct render_options {
 #define PLACE(member) offsetof(struct render_options, member)
 
 static const struct pp_option_group groups[] = {
-    {"The view", pp_render_view_options, PLACE(choice)},
-    {"The picture", pp_render_picture_options, PLACE(choice)},
-    {"The picture", external_option, PLACE(room)},
-    {"The picture", pp_room_sky_options, PLACE(room)},
-    {"The picture", pp_room_seed_options, PLACE(room)},
-    {"The picture", pp_room_plain_option, PLACE(room)},
+    {"View", pp_render_view_options, PLACE(choice)},
+    {"Picture", pp_render_picture_options, PLACE(choice)},
+    {"Picture", external_option, PLACE(room)},
+    {"Picture", pp_room_sky_options, PLACE(room)},
+    {"Picture", pp_room_seed_options, PLACE(room)},
+    {"Picture", pp_room_plain_option, PLACE(room)},
     {"Irradiance cache", pp_cache_choice_options, PLACE(choice.cache)},
-    {"How it is shown", pp_render_shown_options, PLACE(choice)},
+    {"Display", pp_render_shown_options, PLACE(choice)},
     {"Output", pp_room_output_options, PLACE(room)},
     {0},
 };
@@ -178,7 +178,7 @@ static void clear_render_options(void *values)
 
 const struct pp_command pp_command_render = {
     .name = "render",
-    .summary = "pictures of a room's light",
+    .summary = "pictures of the light in a room",
     .operands = "[FILE]",
     .about = about,
     .groups = groups,

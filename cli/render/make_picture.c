@@ -47,8 +47,8 @@ static enum pp_status grow_picture_cache(struct pp_cache_warm_up *warm_up, bool 
         /* Half a cache would not grow on to the same one. */
         if (status == PP_OK && pp_interrupt_came() && !pp_cache_warm_up_done(warm_up))
             status = pp_fail(err, PP_INTERRUPTED,
-                             "interrupted while the irradiance cache grew, of which "
-                             "nothing is kept; there is no picture");
+                             "interrupted while the irradiance cache was built; "
+                             "nothing was saved and there is no picture");
     }
     pp_progress_end(&progress);
     return status;
@@ -81,10 +81,10 @@ static enum pp_status take_records(struct pp_irradiance_cache *cache, const char
         pp_fail(err, status, "%s: %s", path, own.message);
     else if (records
              && pp_cache_file_unpack(cache, records, count, path, &own) != PP_OK)
-        status = pp_fail(err, PP_BAD_INPUT,
-                         "%s: the checkpoint is of another picture: its room or "
-                         "options differ",
-                         path);
+        status = pp_fail(
+            err, PP_BAD_INPUT,
+            "%s: the checkpoint belongs to another picture: its room or options differ",
+            path);
     free(bytes);
     return status;
 }
@@ -208,15 +208,15 @@ static enum pp_status interrupted(const struct pp_made_picture *made, const char
                                   struct pp_error *err)
 {
     if (!path)
-        return pp_fail(err, PP_INTERRUPTED,
-                       "interrupted; there is no picture (--checkpoint FILE keeps what "
-                       "is done)");
+        return pp_fail(
+            err, PP_INTERRUPTED,
+            "interrupted; there is no picture (--checkpoint FILE saves the work)");
     enum pp_status status = save(made, path, err);
     if (status != PP_OK)
         return status;
     return pp_fail(err, PP_INTERRUPTED,
-                   "interrupted; %s keeps the %.0f %% that are done, for the same "
-                   "command to go on from",
+                   "interrupted; %s has saved %.0f %% of the work, and the same "
+                   "command continues from there",
                    path, floor(100.0 * pp_render_progress(made->render)));
 }
 

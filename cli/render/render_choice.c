@@ -32,8 +32,8 @@ enum pp_status pp_render_choice_format(struct pp_picture_format *format,
                        : pp_picture_format_of(format, path))
         return PP_OK;
     return pp_fail(err, PP_BAD_INPUT,
-                   "what kind of file \"%.200s\" is can't be told from its name; "
-                   "expected one that ends in %s, or --format",
+                   "the file type of \"%.200s\" is not clear from its name; expected "
+                   "one that ends in %s, or --format",
                    path, pp_picture_format_list(endings, sizeof endings, ".", false));
 }
 
@@ -91,12 +91,12 @@ static enum pp_status check_sheet(const struct pp_render_choice *choice,
                                                                : NULL;
     if (of_sheet && !pp_render_choice_on_sheet(choice, format))
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s is of a sheet; expected -o FILE.pdf or FILE.svg, or "
+                       "%s is for sheets; expected -o FILE.pdf or FILE.svg, or "
                        "--false-colour, --grid or --records",
                        of_sheet);
     if (choice->dpi > 0.0 && format->shown != PP_CHART_PNG)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--dpi is of a sheet as PNG; a PDF and an SVG have no dots");
+                       "--dpi is for a sheet as PNG; a PDF and an SVG have no dots");
     return PP_OK;
 }
 
@@ -110,8 +110,8 @@ static enum pp_status check_size(const struct pp_render_choice *choice, bool sho
         return PP_OK;
     char endings[ENDINGS_SIZE];
     return pp_fail(err, PP_BAD_INPUT,
-                   "a picture of %d x %d pixels can be kept, as %s, but not shown; "
-                   "expected up to %d each way",
+                   "a picture of %d x %d pixels can be stored, as %s, but not "
+                   "displayed; expected up to %d each way",
                    size->width, size->height,
                    pp_picture_format_list(endings, sizeof endings, ".", true),
                    PP_RASTER_SIDE_MOST);
@@ -123,24 +123,24 @@ static enum pp_status check_view(const struct pp_render_choice *choice,
     bool parallel = choice->view == PP_CHOOSE_PARALLEL || choice->view == PP_CHOOSE_PLAN
                     || choice->view == PP_CHOOSE_SECTION;
     if (choice->towards.count && choice->direction.count)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--towards and --direction are two ways to say the same; "
-                       "expected one of them");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--towards and --direction both set the view; expected one of them");
     if (parallel && choice->angle_deg > 0.0)
         return pp_fail(err, PP_BAD_INPUT,
                        "a parallel view has no --angle; expected --across M");
     if (choice->view == PP_CHOOSE_PERSPECTIVE && choice->angle_deg >= 180.0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--angle is %g; a perspective view has more than 0, less than "
-                       "180 degrees",
+                       "--angle is %g; expected more than 0 and less than 180 degrees "
+                       "for a perspective view",
                        choice->angle_deg);
     if (!parallel && choice->across_m > 0.0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--across is of parallel views; expected --angle DEG");
+                       "--across is for parallel views; expected --angle DEG");
     if (choice->view == PP_CHOOSE_PARALLEL && !choice->from.count)
         return pp_fail(err, PP_BAD_INPUT,
                        "a parallel view needs --from X,Y,Z and --direction or "
-                       "--towards; plan and section know theirs");
+                       "--towards; plan and section do not");
     return PP_OK;
 }
 
@@ -154,8 +154,8 @@ static enum pp_status check_errors(const struct pp_render_choice *choice,
         return PP_OK;
     if (!pp_picture_format_of(&format, choice->errors) || !format.numbers)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--errors %.200s: standard errors are kept as numbers; expected "
-                       "a file that ends in %s",
+                       "--errors %.200s: standard errors are stored as numbers; "
+                       "expected a file that ends in %s",
                        choice->errors,
                        pp_picture_format_list(endings, sizeof endings, ".", true));
     if (choice->samples < PP_RENDER_RANDOMISATIONS_LEAST)
@@ -173,13 +173,12 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
     char endings[ENDINGS_SIZE];
     if (choice->from_picture && file_count > 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--from-picture shows a picture instead of a room; expected one "
-                       "of them");
+                       "--from-picture displays a picture instead of a room; expected "
+                       "one of them");
     const char *making = making_said(choice, options);
     if (choice->from_picture && making)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s is of a picture in the making; it goes without "
-                       "--from-picture",
+                       "%s is for rendering; it cannot be combined with --from-picture",
                        making);
     if (!choice->from_picture && file_count != 1)
         return pp_fail(err, PP_BAD_INPUT,
@@ -194,17 +193,18 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
         return status;
     bool shown = !format.numbers;
     if ((choice->false_colour || choice->grid || choice->records) && !shown)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "%s drawn, not kept; expected -o FILE.png, FILE.pdf or FILE.svg",
-                       choice->false_colour ? "false colour is"
-                       : choice->grid       ? "a grid is"
-                                            : "records are");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s displayed, not stored; expected -o FILE.png, FILE.pdf or FILE.svg",
+            choice->false_colour ? "false colour is"
+            : choice->grid       ? "a grid is"
+                                 : "records are");
     const char *of_cache =
         choice->records ? "--records" : pp_cache_choice_used(&choice->cache);
     bool plain = options->study.method_options.plain;
     if (of_cache && (choice->paths || plain || choice->from_picture))
-        return pp_fail(err, PP_BAD_INPUT, "%s is of a room's picture by --engine cache",
-                       of_cache);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is for a rendered room with --engine cache", of_cache);
     const char *of_transport =
         choice->windows != PP_WINDOWS_STORED ? "--windows"
         : choice->cache.options.bounces != pp_irradiance_cache_defaults().bounces
@@ -212,39 +212,39 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
             : NULL;
     if (plain && of_transport)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s is not for --plain, which follows every path to its end and "
-                       "aims at every window; expected one of them",
+                       "%s cannot be combined with --plain, which follows every path "
+                       "and samples every window; expected one of them",
                        of_transport);
     if (choice->exposure.said && !shown)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the light is kept as it is, without --exposure; expected -o "
-                       "FILE.png, FILE.pdf or FILE.svg");
+                       "the light is stored without --exposure; expected -o FILE.png, "
+                       "FILE.pdf or FILE.svg");
     const char *of_scale = choice->range.count    ? "--range"
                            : choice->linear       ? "--linear"
                            : choice->levels.count ? "--levels"
                            : choice->no_contours  ? "--no-contours"
                                                   : NULL;
     if (of_scale && !choice->false_colour)
-        return pp_fail(err, PP_BAD_INPUT, "%s is of the scale of --false-colour",
+        return pp_fail(err, PP_BAD_INPUT, "%s is for the scale of --false-colour",
                        of_scale);
     if (choice->grid
         && (choice->from_picture || choice->view < PP_CHOOSE_HEMISPHERICAL))
         return pp_fail(err, PP_BAD_INPUT,
-                       "--grid is laid over a fisheye of a room; expected --view "
+                       "--grid is for a fisheye view of a room; expected --view "
                        "hemispherical or angular");
     if (choice->exposure.said && choice->false_colour)
         return pp_fail(err, PP_BAD_INPUT,
                        "false colour has no --exposure; expected --range LOW,HIGH");
     if (choice->exposure.way == PP_TONE_HUMAN && choice->exposure.said
         && choice->quantity.is != PP_LUMINANCE)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "an eye sees luminance; --exposure human does not go with "
-                       "--quantity %s",
-                       pp_quantity_words(choice->quantity.is).name);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "an eye sees luminance; expected --exposure human without --quantity %s",
+            pp_quantity_words(choice->quantity.is).name);
     if (options->study.external_lux > 0.0 && choice->quantity.is == PP_DAYLIGHT_FACTOR)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a daylight factor is the same whatever it is outside; "
-                       "--external does not go with --quantity df");
+                       "a daylight factor does not depend on --external; expected "
+                       "another --quantity, or no --external");
     if (choice->samples == 0)
         choice->samples = 16;
     status = check_view(choice, err);

@@ -186,7 +186,7 @@ static enum pp_status read_exposure(const char *text, void *place, struct pp_err
         exposure.way = PP_TONE_BY_HAND;
     else
         return pp_fail(err, PP_BAD_INPUT,
-                       "auto, human, or the value that is shown white, such as 2000");
+                       "auto, human, or the value shown as white, such as 2000");
     *(struct pp_exposure *)place = exposure;
     return PP_OK;
 }
@@ -199,10 +199,10 @@ static enum pp_status read_levels(const char *text, void *place, struct pp_error
     for (int i = 1; i < levels.count; i++)
         good = good && levels.list[i] > levels.list[i - 1];
     if (!good || levels.list[levels.count - 1] > 1e12)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "up to %d levels above 0, each higher than the one before, with "
-                       "commas between, such as 1,2,5",
-                       PP_LEVELS_MOST);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "up to %d increasing levels above 0, separated by commas, such as 1,2,5",
+            PP_LEVELS_MOST);
     *(struct pp_levels *)place = levels;
     return PP_OK;
 }
@@ -239,97 +239,97 @@ const struct pp_option pp_render_view_options[] = {
      "room), hemispherical or angular (fisheyes).",
      read_view, PLACE(view)},
     {"from", 0, "X,Y[,Z]",
-     "Where the eye is, in metres; without Z 1.6 m above the floor, of a fisheye on "
-     "the working plane (default: in the room's back, where one sees far "
-     "towards its largest window; of a fisheye the middle of the room).",
+     "Position of the eye in metres. Without Z it is 1.6 m above the floor, for a "
+     "fisheye on the working plane. (Default: at the back of the room, facing its "
+     "largest window; for a fisheye the middle of the room.)",
      read_place, PLACE(from)},
-    {"towards", 0, "X,Y[,Z]", "What it looks at; without Z at its own height.",
-     read_place, PLACE(towards)},
+    {"towards", 0, "X,Y[,Z]",
+     "Point at the centre of the view; without Z at the height of the eye.", read_place,
+     PLACE(towards)},
     {"direction", 0, "X,Y,Z",
-     "Or the direction that it looks in (default: towards the largest window; of a "
-     "fisheye up).",
+     "Or the direction of view (default: towards the largest window; for a fisheye "
+     "up).",
      read_direction, PLACE(direction)},
     {"up", 0, "X,Y,Z",
-     "What is up in the picture (default 0,0,1; looking up or down "
+     "Direction that is up in the picture (default 0,0,1; for a view up or down "
      "0,1,0).",
      read_direction, PLACE(up)},
     {"angle", 0, "DEG", "Angle across the picture (default 75; of fisheyes 180).",
      read_angle, PLACE(angle_deg)},
-    {"across", 0, "M", "Width of a parallel view in metres (default: all of the room).",
+    {"across", 0, "M", "Width of a parallel view in metres (default: the whole room).",
      read_across, PLACE(across_m)},
     {"size", 0, "WxH",
-     "Of the picture in pixels (default 640x480, of fisheyes "
-     "512x512; of plan and section 640 on the longer side).",
+     "Size of the picture in pixels (default 640x480, for fisheyes 512x512; for plan "
+     "and section 640 on the longer side).",
      read_size, PLACE(size)},
     {0},
 };
 
 const struct pp_option pp_render_picture_options[] = {
     {"quantity", 0, "NAME",
-     "luminance (default) in cd/m²; or, on the surfaces that are seen, illuminance in "
-     "lux or df, the daylight factor, in per cent. As .hdr and .pfm keep them, over "
-     "179, 179 and 100.",
+     "luminance (default) in cd/m²; or, on visible surfaces, illuminance in lux, or "
+     "df, the daylight factor in per cent. Files .hdr and .pfm store these over 179, "
+     "179 and 100.",
      read_quantity, PLACE(quantity)},
     {"samples", 0, "N",
-     "Paths a pixel, a power of two (default 16): four times as many halve the noise.",
+     "Paths per pixel, a power of two (default 16): four times as many halve the "
+     "noise.",
      read_samples, PLACE(samples)},
     {"engine", 0, "NAME",
-     "What is reflected between surfaces: cache (default), read from an irradiance "
-     "cache, or path, without bias and with more noise.",
+     "Reflected light: cache (default), from an irradiance cache; or path, without "
+     "bias but with more noise.",
      read_engine, PLACE(paths)},
     {"windows", 0, "HOW",
-     "How their light is hunted: stored (default: aimed at, and what stands outside "
-     "worked out once), aimed (the same along each path, without bias) or chance.",
+     "Sampling of windows: stored (default: aimed, with the light from outside "
+     "calculated once), aimed (the same for each path, without bias) or chance.",
      read_windows, PLACE(windows)},
-    {"filter", 0, "NAME", "Of pixels: box (default) or gauss, which is softer.",
+    {"filter", 0, "NAME", "Filter of pixels: box (default) or gauss, which is softer.",
      read_filter, PLACE(filter)},
     {"checkpoint", 0, "FILE",
-     "Keep what is done in FILE, and go on from there if there is one of the same "
-     "picture.",
+     "Save the work in FILE, and continue from it if it belongs to the same picture.",
      pp_options_read_updated, PLACE(checkpoint)},
     {"errors", 0, "FILE",
-     "Keep the standard errors of the pixels in FILE, .hdr or .pfm, in the unit of the "
-     "picture: the noise of its paths, from --samples (4 or more) independent ones, or "
-     "32 groups of them. What the irradiance cache has wrong is not in them.",
+     "Write the standard errors of the pixels to FILE, .hdr or .pfm, in the unit of "
+     "the picture. They cover the noise of independent paths from --samples (4 or "
+     "more, in up to 32 groups), not the error of the irradiance cache.",
      pp_options_read_output, PLACE(errors)},
     {0},
 };
 
 const struct pp_option pp_render_shown_options[] = {
     {"exposure", 0, "HOW",
-     "PNG: auto (default), human (contrast as an eye in the room would have it), or "
-     "the value that is shown white.",
+     "PNG: auto (default), human (contrast as seen by an eye in the room), or the "
+     "value shown as white.",
      read_exposure, PLACE(exposure)},
     {"false-colour", 0, NULL,
-     "PNG, PDF, SVG: a sheet with the values as colours, their scale and level lines.",
+     "PNG, PDF, SVG: a sheet with the values as colours, a scale and level lines.",
      NULL, PLACE(false_colour)},
     {"range", 0, "LOW,HIGH",
-     "Ends of the scale, in the quantity's unit (default: what the picture has).",
+     "Ends of the scale, in the unit of the quantity (default: range of the picture).",
      read_ends, PLACE(range)},
-    {"linear", 0, NULL, "A scale of equal steps instead of a logarithmic one.", NULL,
+    {"linear", 0, NULL, "Linear scale instead of a logarithmic one.", NULL,
      PLACE(linear)},
     {"levels", 0, "LIST",
-     "Values that have lines, with commas between (default: the round ones of the "
+     "Values of the level lines, separated by commas (default: round values of the "
      "scale).",
      read_levels, PLACE(levels)},
     {"no-contours", 0, NULL, "No level lines.", NULL, PLACE(no_contours)},
-    {"records", 0, NULL, "On a sheet: where the cache's records are.", NULL,
-     PLACE(records)},
+    {"records", 0, NULL, "On a sheet: mark the cache's records.", NULL, PLACE(records)},
     {"grid", 0, NULL,
-     "Fisheye, on a sheet: altitudes, points of the compass and the openings' outlines "
-     "over it.",
+     "Fisheye, on a sheet: overlay altitudes, compass points and the outlines of the "
+     "openings.",
      NULL, PLACE(grid)},
-    {"from-picture", 0, "FILE.hdr", "Show that picture instead of a room.",
+    {"from-picture", 0, "FILE.hdr", "Display this picture instead of a room.",
      pp_options_read_input, PLACE(from_picture)},
     {"format", 'f', "FORMAT",
-     "hdr, pfm, png, pdf or svg (default: by the ending of -o FILE).",
+     "hdr, pfm, png, pdf or svg (default: from the ending of -o FILE).",
      read_picture_format, PLACE(format)},
-    {"paper", 0, "SIZE", "Of a sheet: a5, a4 (default), a3 or a2.", read_paper,
+    {"paper", 0, "SIZE", "Sheet: a5, a4 (default), a3 or a2.", read_paper,
      PLACE(paper)},
-    {"orientation", 0, "WAY",
-     "portrait or landscape (default: as the picture fits best).",
+    {"orientation", 0, "WAY", "portrait or landscape (default: whichever fits best).",
      pp_sheet_options_read_orientation, PLACE(orientation)},
-    {"dpi", 0, "N", "Dots per inch of a sheet as PNG, 20 to 1200 (default 200).",
+    {"dpi", 0, "N",
+     "Resolution of a sheet as PNG in dots per inch, 20 to 1200 (default 200).",
      pp_sheet_options_read_dpi, PLACE(dpi)},
     {0},
 };

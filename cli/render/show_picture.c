@@ -150,10 +150,12 @@ static void note_decorations(struct pp_picture_sheet *sheet,
     if (shown->world->decorations == 1.0)
         return;
     if (shown->quantity == PP_LUMINANCE)
-        pp_page_say(sheet->foot, room, "Decorations as new: without their %.3g.",
+        pp_page_say(sheet->foot, room,
+                    "The allowance for decorations, %.3g, is left out.",
                     shown->world->decorations);
     else
-        pp_page_say(sheet->foot, room, "Decorations leave %.3g of what is reflected.",
+        pp_page_say(sheet->foot, room,
+                    "The allowance for decorations leaves %.3g of reflected light.",
                     shown->world->decorations);
 }
 
@@ -166,7 +168,7 @@ static void write_picture_words(struct pp_picture_sheet *sheet,
     size_t room = sizeof sheet->subtitle, notes = sizeof sheet->foot;
     pp_page_say(sheet->subtitle, room, "%s", words.heading);
     if (shown->quantity != PP_LUMINANCE)
-        pp_page_say(sheet->subtitle, room, "on the surfaces seen");
+        pp_page_say(sheet->subtitle, room, "on visible surfaces");
     if (!shown->world) {
         sheet->title = choice->from_picture;
         if (shown->view[0])

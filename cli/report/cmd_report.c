@@ -39,7 +39,7 @@ static enum pp_status read_format(const char *text, void *place, struct pp_error
 
 static const struct pp_option format_option[] = {
     {"format", 'f', "FORMAT",
-     "html or pdf (default: by the ending of -o FILE, html without one).", read_format,
+     "html or pdf (default: from the ending of -o FILE, else html).", read_format,
      PLACE(report_format)},
     {0},
 };
@@ -237,8 +237,7 @@ static enum pp_status check_report_options(void *values, char **files, int file_
     if (ending && !words->report_format && !is_pdf(words)
         && strcasecmp(ending, ".html") != 0 && strcasecmp(ending, ".htm") != 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--output: a report is a page of HTML or a PDF; expected a name "
-                       "such as report.html or report.pdf, not one that ends in "
+                       "--output: expected a name that ends in .html or .pdf, not in "
                        "\"%.20s\", or --format html or pdf",
                        ending);
     return pp_assess_words_check(values, files, file_count, err);
@@ -250,8 +249,8 @@ static enum pp_exit run_report(void *words, char **files, int file_count)
 }
 
 static const struct pp_option_group groups[] = {
-    {"What is judged", pp_assess_words_choice, 0},
-    {"What is judged", pp_room_french_option, PLACE(french_m)},
+    {"Criteria", pp_assess_words_choice, 0},
+    {"Criteria", pp_room_french_option, PLACE(french_m)},
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
     {"Output", format_option, 0},
     {"Output", pp_room_output_options, PLACE(room)},
@@ -260,7 +259,7 @@ static const struct pp_option_group groups[] = {
 
 const struct pp_command pp_command_report = {
     .name = "report",
-    .summary = "all of it as a page or PDF: drawings, figures, verdicts",
+    .summary = "a complete report as HTML or PDF: drawings, figures, verdicts",
     .operands = "FILE...",
     .about = about,
     .groups = groups,

@@ -133,10 +133,10 @@ static enum pp_status draw_site(struct drawing_task *task, int first, int count,
                                                     task->run->words->french_m}};
     enum pp_status status = add_drawing(
         task, PP_SITE_WHOLE, first, "site",
-        "The site, with the vertical sky component of windows", choice, err);
+        "Site plan, with the vertical sky component of windows", choice, err);
     return status == PP_OK
                ? add_drawing(task, PP_SITE_WHOLE, first, "elevation",
-                             "Outer walls with the vertical sky component over them",
+                             "External walls, with the vertical sky component on them",
                              choice, err)
                : status;
 }
@@ -199,7 +199,7 @@ static enum pp_status draw_room(struct drawing_task *task, int room,
             task, room, room, "section",
             simulated ? "Section, and simulated daylight factors along the room; hand "
                         "figures dashed"
-                      : "Section, and daylight factors by hand along the room",
+                      : "Section, with daylight factors by hand along the room",
             alone, err);
     if (status == PP_OK && task->before[room])
         status = add_drawing(task, room, room, "plan",

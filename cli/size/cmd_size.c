@@ -22,13 +22,13 @@
 #include "cli/format_option.h"
 
 static const char about[] =
-    "The window that just reaches a target: the smallest width, height, head, sill or "
-    "number of windows with which the average daylight factor over the working plane "
-    "(with --points: the lowest of some points) is not below it; with --for, all "
-    "that a criterion asks for. What a hand method answers is checked by tracing light "
-    "paths, but with --by-hand. With --obstruction: how high a block may be so that "
-    "windows or rooms keep their sky; with --envelope: what may stand on its plot. "
-    "FILE is a room file; - is standard input.";
+    "Finds the window that just reaches a target: the smallest width, height, head, "
+    "sill or number of windows that gives the average daylight factor. With --points "
+    "the target is for the lowest point, with --for it is a criterion. The answer of a "
+    "hand method is checked by simulation, unless --by-hand is given. --obstruction "
+    "finds the maximum height of a block so that windows or rooms keep their sky. "
+    "--envelope finds the largest building on its plot. FILE is a room file; - is "
+    "standard input.";
 
 /* In place of a text of `file` the same as it has to be at `path`. */
 static enum pp_status move_text(char **text, size_t *length, const char *file,
@@ -177,7 +177,7 @@ static enum pp_status check_block_name(const char *file,
                                 "\"%.60s\"",
                                 file, name)
                       : pp_text_unknown(err, name, names, count, NULL,
-                                        "%s: there is not one block named \"%.60s\"",
+                                        "%s: no single block has the name \"%.60s\"",
                                         file, name);
 }
 
@@ -317,10 +317,10 @@ static enum pp_exit run_size(void *values, char **files, int file_count)
 #define PLACE(member) offsetof(struct pp_size_options, member)
 
 static const struct pp_option_group groups[] = {
-    {"What is wanted", pp_size_task_options, 0},
-    {"What is wanted", pp_size_block_options, 0},
-    {"What is wanted", pp_room_french_option, PLACE(rule.french_m)},
-    PP_ROOM_PLACE_GROUPS("What is wanted", PLACE(room)),
+    {"Target", pp_size_task_options, 0},
+    {"Target", pp_size_block_options, 0},
+    {"Target", pp_room_french_option, PLACE(rule.french_m)},
+    PP_ROOM_PLACE_GROUPS("Target", PLACE(room)),
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
     {"Output", pp_format_option, PLACE(format)},
     {"Output", pp_size_write_option, 0},
@@ -344,11 +344,11 @@ static enum pp_status check_size_options(void *values, char **files, int file_co
         status =
             pp_fail(err, PP_BAD_INPUT, "expected a room file, or - for standard input");
     if (status == PP_OK && pp_size_options_block(options) && file_count > 1)
-        status = pp_fail(err, PP_BAD_INPUT, "--%s is of one file, and there are %d",
+        status = pp_fail(err, PP_BAD_INPUT, "--%s needs one file, and there are %d",
                          options->envelope ? "envelope" : "obstruction", file_count);
     if (status == PP_OK && options->write && file_count > 1)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "--write is of one room file, and there are %d", file_count);
+                         "--write needs one room file, and there are %d", file_count);
     return status;
 }
 

@@ -42,60 +42,58 @@ static enum pp_status read_of(const char *text, void *place, struct pp_error *er
 #define PLACE(member) offsetof(struct pp_size_options, member)
 
 const struct pp_option pp_size_task_options[] = {
-    {"target", 't', "DF%", "The daylight factor to reach: 2% or 2.",
-     pp_options_read_per_cent, PLACE(request.target)},
+    {"target", 't', "DF%", "Target daylight factor: 2% or 2.", pp_options_read_per_cent,
+     PLACE(request.target)},
     {"for", 0, "CRITERION",
-     "In its place: all that this criterion of assess asks for; behind a colon, how "
-     "those of its findings begin that count: en17037:minimum.",
+     "Or a criterion of assess as the target, with all its requirements. Add a colon "
+     "and the start of a requirement to use only those: en17037:minimum.",
      pp_options_read_text, PLACE(request.criterion)},
     {"by", 'b', "METHOD",
-     "The method that it is worked out by: a method, a pair, or \"traced\" for the "
-     "simulation (default exact+bre, or exact+split-flux where that does not cover "
-     "the room).",
+     "Method for the calculation: a method, a pair, or \"traced\" for the simulation "
+     "(default exact+bre, or exact+split-flux if bre does not apply).",
      pp_options_read_text, PLACE(request.by)},
     {"change", 'c', "WHAT",
-     "What may change: width (default), height, head, sill, or the number of windows.",
+     "Quantity to vary: width (default), height, head, sill, or the number of windows.",
      read_change, PLACE(request.change)},
-    {"wall", 0, "NAME", "Change the windows in that wall only.", pp_options_read_text,
+    {"wall", 0, "NAME", "Change the windows in this wall only.", pp_options_read_text,
      PLACE(request.wall)},
-    {"window", 0, "LINE", "Change the window on that line of the room file only.",
+    {"window", 0, "LINE", "Change only the window on this line of the room file.",
      pp_options_read_count, PLACE(request.line)},
     {0},
 };
 
 const struct pp_option pp_size_block_options[] = {
     {"obstruction", 0, "NAME",
-     "In place of a window: how high the block of that name may be so that every "
-     "upright window, or every room, keeps its share of the sky.",
+     "Instead of a window, find the maximum height of this block so that every "
+     "vertical window, or every room, keeps its share of the sky.",
      pp_options_read_text, PLACE(obstruction)},
     {"envelope", 0, "NAME",
-     "In place of a window: the largest envelope on the plot of the block of that name "
-     "with which every upright window keeps its share of the sky.",
+     "Instead of a window, find the largest envelope on the plot of this block so that "
+     "every vertical window keeps its share of the sky.",
      pp_options_read_text, PLACE(envelope)},
     {"draw", 0, "FILE",
-     "Draw the envelope to FILE.pdf, FILE.svg or FILE.png: its heights in plan, and, "
-     "in a PDF, the Waldram diagram of the window that decides.",
+     "Draw the envelope to FILE.pdf, FILE.svg or FILE.png: a plan with its heights. A "
+     "PDF adds the Waldram diagram of the critical window.",
      pp_options_read_output, PLACE(draw)},
     {"of", 0, "WHAT",
-     "What each keeps a share of: vsc, the vertical sky component of each upright "
-     "window (default), or lit-area, the part of each room's working plane that sees "
-     "sky.",
+     "Quantity to keep: vsc, the vertical sky component of each vertical window "
+     "(default), or lit-area, the part of each room's working plane that sees sky.",
      read_of, PLACE(rule.of)},
-    {"keep", 0, "SHARE%", "That share (default 80%).", pp_options_read_per_cent,
+    {"keep", 0, "SHARE%", "Share to keep (default 80%).", pp_options_read_per_cent,
      PLACE(rule.keep)},
     {"enough", 0, "VSC%",
-     "A window with that vertical sky component is due no more, such as 27%.",
+     "A vertical sky component that is always sufficient, such as 27%.",
      pp_options_read_per_cent, PLACE(rule.enough)},
-    {"window-name", 0, "NAME", "Only the window of that name counts.",
+    {"window-name", 0, "NAME", "Consider only the window of that name.",
      pp_options_read_text, PLACE(rule.window)},
-    {"highest", 0, "M", "No higher than that, in metres (default 300).", read_height,
+    {"highest", 0, "M", "Maximum height in metres (default 300).", read_height,
      PLACE(highest_m)},
     {0},
 };
 
 const struct pp_option pp_size_write_option[] = {
     {"write", 'w', "FILE",
-     "Write the room file with the sized windows to FILE, all else in it as it was.",
+     "Write the room file with the sized windows to FILE; all else is unchanged.",
      pp_options_read_output, PLACE(write)},
     {0},
 };
@@ -134,23 +132,24 @@ static enum pp_status settle_block(struct pp_size_options *options,
         other = "obstruction";
     if (other)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--%s does not go with --%s; expected one of them", other, own);
+                       "--%s and --%s exclude each other; expected one of them", other,
+                       own);
     if (options->envelope && rule->of == PP_RETAINED_SKY_LIT_AREA)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--envelope is by windows' sky; expected --of vsc");
+                       "--envelope uses the sky of windows; expected --of vsc");
     if (options->obstruction && options->draw)
-        return pp_fail(err, PP_BAD_INPUT, "--draw is of --envelope");
+        return pp_fail(err, PP_BAD_INPUT, "--draw is for --envelope only");
     enum pp_chart_format format;
     if (options->draw && pp_canvas_format_of(&format, options->draw, err) != PP_OK)
         return PP_BAD_INPUT;
     if (options->obstruction && options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
-                       "csv is the format of --envelope; expected text or json");
+                       "csv is for --envelope only; expected text or json");
     if (rule->of == PP_RETAINED_SKY_LIT_AREA
         && (rule->window || rule->enough > 0.0 || rule->french_m > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "--%s is of windows, and a lit area is a room's; expected "
-                       "--of vsc or%s",
+                       "--%s is for windows, and a lit area belongs to a room; "
+                       "expected --of vsc or%s",
                        rule->window         ? "window-name"
                        : rule->enough > 0.0 ? "enough"
                                             : "vsc-point-french",
@@ -159,7 +158,7 @@ static enum pp_status settle_block(struct pp_size_options *options,
         rule->keep = PP_SIZE_OPTIONS_KEEP;
     if (rule->keep >= 1.0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--keep is all of it; expected less than 100%%, such as 80%%");
+                       "--keep is 100%% or more; expected less, such as 80%%");
     if (rule->enough == 0.0)
         rule->enough = INFINITY;
     if (options->highest_m == 0.0)
@@ -199,8 +198,8 @@ static enum pp_status settle_criterion(struct pp_size_options *options,
                                                                : NULL;
     if (other)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--%s does not go with --for; expected one of them%s", other,
-                       strcmp(other, "by") == 0 ? ", or --by traced" : "");
+                       "--%s and --for exclude each other; expected one of them%s",
+                       other, strcmp(other, "by") == 0 ? ", or --by traced" : "");
     struct pp_error fault = {0};
     enum pp_status status = pp_criterion_margin_check(request->criterion, &fault);
     request->target = 1.0;
@@ -214,13 +213,13 @@ enum pp_status pp_size_options_settle(struct pp_size_options *options,
         return settle_block(options, err);
     const char *stray = stray_rule(options);
     if (stray)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--%s is for --obstruction or --envelope; expected both or "
-                       "neither",
-                       stray);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--%s is for --obstruction or --envelope; expected one of these with it",
+            stray);
     if (options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
-                       "csv is the format of --envelope; expected text or json");
+                       "csv is for --envelope only; expected text or json");
     if (options->request.criterion) {
         enum pp_status status = settle_criterion(options, err);
         if (status != PP_OK)
@@ -228,14 +227,14 @@ enum pp_status pp_size_options_settle(struct pp_size_options *options,
     }
     if (!(options->request.target > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "expected --target, the daylight factor to reach, such as "
-                       "--target 2%%, or --for a criterion");
+                       "expected --target with the daylight factor to reach, such as "
+                       "--target 2%%, or --for with a criterion");
     options->request.traced =
         options->request.by && strcmp(options->request.by, "traced") == 0;
     options->request.study = &options->room.study;
     if (options->request.traced && options->room.by_hand)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--by traced is the simulation, which --by-hand does without; "
+                       "--by traced needs the simulation, which --by-hand leaves out; "
                        "expected one of them");
     enum pp_status status = pp_room_options_settle_by_hand(&options->room, err);
     if (status == PP_OK)

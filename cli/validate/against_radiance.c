@@ -73,9 +73,9 @@ static enum pp_status simulate_against_room(const void *data, int index,
 static void print_text(const struct pp_report *report, FILE *out)
 {
     double worst = 0.0;
-    fputs("\n         x       y       z   traced %       +-  rtrace %       +-   off "
-          "by\n",
-          out);
+    fputs(
+        "\n         x       y       z    sim. %       +-  rtrace %       +-   off by\n",
+        out);
     for (int i = 0; i < report->receiver_count; i++) {
         struct beside b = beside_of(report, i);
         worst = fmax(worst, fabs(off_by(&b)));
@@ -83,11 +83,10 @@ static void print_text(const struct pp_report *report, FILE *out)
                 b.at.y, b.at.z, 100.0 * b.traced.value, 100.0 * b.traced.std_error,
                 100.0 * b.radiance.value, 100.0 * b.radiance.std_error, off_by(&b));
     }
-    fprintf(
-        out,
-        "\n  \"off by\" counts the standard error of the difference; worst %.2f. That "
-        "of\n  rtrace is from the spread of %d runs a point.\n",
-        worst, PP_RTRACE_REPEATS);
+    fprintf(out,
+            "\n  \"off by\" is the difference in standard errors; largest %.2f. The "
+            "standard error of\n  rtrace comes from the spread of %d runs per point.\n",
+            worst, PP_RTRACE_REPEATS);
 }
 
 static void print_csv(const struct pp_report *report, FILE *out)
@@ -193,10 +192,9 @@ static enum pp_status begin_against_run(struct against_run *run,
     struct pp_result *result = &run->results[run->count++];
     result->file = room->file;
     if (room->world->decorations < 1.0 && !run->options->quiet)
-        pp_message(
-            "%.200s: traced daylight factors allow for decorations of %g, those of "
-            "Radiance don't",
-            pp_read_file_title(room->file), room->world->decorations);
+        pp_message("%.200s: simulated daylight factors include an allowance for "
+                   "decorations of %g; Radiance's do not",
+                   pp_read_file_title(room->file), room->world->decorations);
     return pp_study_report_methods(&result->report, room, &run->options->study, err);
 }
 
@@ -222,8 +220,8 @@ static bool is_there(void)
 {
     if (pp_rtrace_is_there())
         return true;
-    pp_message("to compare with Radiance takes its oconv and rtrace, and they are not "
-               "on PATH: nothing was compared");
+    pp_message("a comparison with Radiance needs oconv and rtrace on PATH: nothing was "
+               "compared");
     return false;
 }
 

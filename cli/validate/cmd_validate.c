@@ -25,17 +25,15 @@
 #include "studies/study_report.h"
 
 static const char about[] =
-    "Without FILE: the program's answers beside those that are known on paper (open "
-    "skies, closed forms of windows, light in a closed room, worked examples). With "
-    "the name of a suite in its place: analytic, published or cie171, each case with "
-    "what was expected, the difference, its limit and the verdict; so do rooms FILE, "
-    "each method against the simulation within the bands of the atlas, engines FILE, "
-    "what simulates beside each other, and radiance FILE, the simulation against "
-    "Radiance's. With room files alone: each method "
-    "against the simulation, at the reference points and for the average over the "
-    "working plane: bias, spread and the worst point, and how much of it comes of what "
-    "the method assumes of ground and surroundings, how much of its formula. FILE is a "
-    "room file; - is standard input.";
+    "Without FILE: compares the program with known answers (open skies, closed forms "
+    "of windows, light in a closed room, worked examples). With the name of a suite, "
+    "analytic, published or cie171: lists each case with expected value, difference, "
+    "limit and verdict. rooms FILE compares each method with the simulation, within "
+    "the bands of the atlas. engines FILE compares the simulation engines. radiance "
+    "FILE compares the simulation with Radiance. With room files alone: compares each "
+    "method with the simulation at the reference points and for the average. It shows "
+    "bias, spread and the worst point, and the parts caused by the method's "
+    "assumptions and by its formula. FILE is a room file; - is standard input.";
 
 /* ---- another program ---- */
 
@@ -61,17 +59,15 @@ struct validate_options {
 
 static const struct pp_option against_option[] = {
     {"against", 0, "PROGRAM",
-     "Compare the simulation with another program's, of the same rooms: radiance, "
-     "where "
-     "its oconv and rtrace are on PATH.",
+     "Compare the simulation with another program for the same rooms: radiance, if its "
+     "oconv and rtrace are on PATH.",
      read_program, PLACE(against)},
     {0},
 };
 
 static const struct pp_option page_option[] = {
     {"page", 0, "FILE.html",
-     "Write what a suite found as a page that needs nothing else, with histograms, "
-     "too.",
+     "Also write the results of a suite as a self-contained HTML page with histograms.",
      pp_options_read_output, PLACE(page)},
     {0},
 };
@@ -201,9 +197,9 @@ static enum pp_exit compare_loaded_rooms(struct validate_options *options, char 
 /* ---- the command line ---- */
 
 static const struct pp_option_group groups[] = {
-    PP_ROOM_CHOICE_GROUPS("What is compared", PLACE(room)),
-    {"What is compared", pp_formula_option, PLACE(formulae)},
-    {"What is compared", against_option, 0},
+    PP_ROOM_CHOICE_GROUPS("Comparison", PLACE(room)),
+    {"Comparison", pp_formula_option, PLACE(formulae)},
+    {"Comparison", against_option, 0},
     PP_ROOM_STOP_GROUPS(PLACE(room)),
     {"Output", pp_format_option, PLACE(format)},
     {"Output", page_option, 0},
@@ -270,7 +266,7 @@ static enum pp_status fail_page(struct pp_error *err)
     const char *names[SUITES_MOST];
     char text[200] = "";
     pp_text_append_list(text, sizeof text, names, list_suites(names), " or ");
-    return pp_fail(err, PP_BAD_INPUT, "--page is of a suite; expected %s", text);
+    return pp_fail(err, PP_BAD_INPUT, "--page is for a suite; expected %s", text);
 }
 
 static enum pp_status check_suite(const struct validate_options *options,
@@ -280,16 +276,15 @@ static enum pp_status check_suite(const struct validate_options *options,
     bool own_rooms = options->suite && !options->suite->of_rooms;
     if (own_rooms && file_count > 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the suite %s has its own rooms; expected no file behind it",
+                       "the suite %s has its own rooms; expected no file after it",
                        options->suite->name);
     if (own_rooms && of_rooms)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s is about a room; expected a room file, or - for standard "
-                       "input",
+                       "%s is for rooms; expected a room file, or - for standard input",
                        of_rooms);
     if (!own_rooms && file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "expected room files, or - for standard input, behind %s",
+                       "expected room files, or - for standard input, after %s",
                        options->suite->name);
     if (!options->suite && options->page)
         return fail_page(err);
@@ -305,8 +300,9 @@ static enum pp_status check_against(const struct validate_options *options,
     bool alone = options->against || options->suite == &pp_suite_engines;
     if (!alone || !excluded)
         return PP_OK;
-    return pp_fail(err, PP_BAD_INPUT, "%s the simulation alone; expected it without %s",
-                   options->against ? "--against compares" : "engines is of", excluded);
+    return pp_fail(err, PP_BAD_INPUT, "%s only simulations; expected it without %s",
+                   options->against ? "--against compares" : "engines compares",
+                   excluded);
 }
 
 static enum pp_status check_validate_options(void *values, char **operands, int count,
@@ -358,7 +354,7 @@ static void clear_validate_options(void *values)
 
 const struct pp_command pp_command_validate = {
     .name = "validate",
-    .summary = "methods against simulation, program against paper",
+    .summary = "compare methods, simulation and known answers",
     .operands = "[SUITE] [FILE...]",
     .about = about,
     .groups = groups,

@@ -44,7 +44,7 @@ static enum pp_status run_script(const char *directory, char **text,
     int ends[2];
     *text = NULL;
     if (pipe(ends) != 0)
-        return pp_fail(err, PP_SYSTEM, "rtrace can't be run: %s", strerror(errno));
+        return pp_fail(err, PP_SYSTEM, "rtrace cannot be run: %s", strerror(errno));
     pid_t child = fork();
     if (child == 0) {
         dup2(ends[1], STDOUT_FILENO);
@@ -131,7 +131,8 @@ enum pp_status pp_rtrace_factors(struct pp_reading *readings,
         return pp_fail_memory(err);
     enum pp_status status = PP_OK;
     if (!mkdtemp(path)) {
-        status = pp_fail(err, PP_SYSTEM, "%s can't be made: %s", path, strerror(errno));
+        status =
+            pp_fail(err, PP_SYSTEM, "%s cannot be created: %s", path, strerror(errno));
         free(path);
         return status;
     }

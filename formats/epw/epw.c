@@ -103,12 +103,11 @@ static bool fail_order(struct record_reader *r, struct pp_month_day date, int ho
 {
     char found[32], wanted[32];
     r->out_of_order = true;
-    pp_mistakes_add(
-        r->mistakes, r->line,
-        "a record of %s, hour %d; expected %s, hour %d: records are missing or "
-        "out of order",
-        pp_month_day_words(found, sizeof found, date), hour,
-        pp_month_day_words(wanted, sizeof wanted, r->date), r->hour);
+    pp_mistakes_add(r->mistakes, r->line,
+                    "this is a record of %s, hour %d; expected %s, hour %d: records "
+                    "are missing or out of order",
+                    pp_month_day_words(found, sizeof found, date), hour,
+                    pp_month_day_words(wanted, sizeof wanted, r->date), r->hour);
     return false;
 }
 
@@ -118,7 +117,7 @@ static bool is_after_last(struct record_reader *r)
     if (r->period < r->header->period_count)
         return false;
     pp_mistakes_add(r->mistakes, r->line,
-                    "a record after the last data period of line %d",
+                    "there is a record after the last data period of line %d",
                     r->header->periods_line);
     r->out_of_order = true;
     return true;
@@ -135,20 +134,18 @@ static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
     if (!due || r->hour != 1 || r->sub != 0)
         return true;
     if (there && leap == PP_LEAP_NO && !is_leap(year)) {
-        pp_mistakes_add(
-            r->mistakes, r->line,
-            "a record of 29 February %d; but %d is no leap year, and line %d says "
-            "that there is none",
-            year, year, r->header->leap_line);
+        pp_mistakes_add(r->mistakes, r->line,
+                        "there is a record of 29 February %d, but %d is not a leap "
+                        "year, according to line %d",
+                        year, year, r->header->leap_line);
         r->out_of_order = true;
         return false;
     }
     if (!there && leap == PP_LEAP_YES) {
-        pp_mistakes_add(
-            r->mistakes, r->line,
-            "no record of 29 February before this one; but line %d says that the "
-            "year is a leap year",
-            r->header->leap_line);
+        pp_mistakes_add(r->mistakes, r->line,
+                        "the record of 29 February is missing before this one; line %d "
+                        "says that the year is a leap year",
+                        r->header->leap_line);
         r->out_of_order = true;
         return false;
     }
@@ -252,11 +249,10 @@ static bool read_record(struct record_reader *r, char *text)
     enum { FIELDS_NEEDED = 19 };
     int count = pp_epw_lines_split(text, r->fields, PP_EPW_FIELDS_MOST);
     if (count < FIELDS_NEEDED) {
-        pp_mistakes_add(
-            r->mistakes, r->line,
-            "a record of %d field%s; expected 35, at least %d, up to diffuse "
-            "illuminance",
-            count, count == 1 ? "" : "s", FIELDS_NEEDED);
+        pp_mistakes_add(r->mistakes, r->line,
+                        "the record has %d field%s; expected 35, at least %d, up to "
+                        "diffuse illuminance",
+                        count, count == 1 ? "" : "s", FIELDS_NEEDED);
         r->out_of_order = true;
         return true;
     }
@@ -290,12 +286,11 @@ static void check_end(struct record_reader *r)
     if (leap_end && r->begun && r->period == r->header->period_count - 1
         && r->years_left == 0)
         return;
-    pp_mistakes_add(
-        r->mistakes, r->line,
-        "the file ends here; expected a record of %s, hour %d: it is cut off, or "
-        "data period %d of line %d ends sooner than that line says",
-        pp_month_day_words(wanted, sizeof wanted, r->date), r->hour, r->period + 1,
-        r->header->periods_line);
+    pp_mistakes_add(r->mistakes, r->line,
+                    "the file ends here; expected a record of %s, hour %d: it is cut "
+                    "off, or data period %d of line %d is shorter than that line says",
+                    pp_month_day_words(wanted, sizeof wanted, r->date), r->hour,
+                    r->period + 1, r->header->periods_line);
 }
 
 /* Some converters write 9999 for an illuminance that is missing, where the format has
@@ -405,7 +400,7 @@ enum pp_status pp_epw_parse(struct pp_epw **epw, const char *bytes, size_t lengt
         free(copy);
     }
     if (status == PP_OK && (mistakes->count > before || mistakes->truncated))
-        status = pp_fail(err, PP_BAD_INPUT, "%s: it can't be read as a weather file",
+        status = pp_fail(err, PP_BAD_INPUT, "%s: it cannot be read as a weather file",
                          mistakes->file ? mistakes->file : "weather file");
     if (status == PP_OK)
         *epw = made;

@@ -48,7 +48,8 @@ static void read_location(struct header_reader *r)
     static const int names[] = {1, 2, 3}; /* city, state, country */
     struct pp_epw *epw = r->epw;
     if (epw->place) {
-        pp_mistakes_add(r->mistakes, r->line, "a second LOCATION; expected one");
+        pp_mistakes_add(r->mistakes, r->line,
+                        "there is a second LOCATION; expected one");
         return;
     }
     r->out_of_memory |= !pp_epw_lines_append_text(&epw->place, "", "");
@@ -110,11 +111,10 @@ static int read_weekday(struct header_reader *r, const char *text)
             || (strlen(text) == 3 && strncasecmp(text, weekdays[i], 3) == 0))
             return i;
     if (*text)
-        pp_mistakes_add(
-            r->mistakes, r->line,
-            "a data period starts on \"%s\"; expected a day of the week, such as "
-            "Monday, or nothing",
-            pp_text_excerpt(shown, sizeof shown, text));
+        pp_mistakes_add(r->mistakes, r->line,
+                        "a data period starts on \"%s\"; expected a day of the week, "
+                        "such as Monday, or nothing",
+                        pp_text_excerpt(shown, sizeof shown, text));
     return PP_WEEKDAY_UNKNOWN;
 }
 
@@ -146,7 +146,8 @@ static void read_periods(struct header_reader *r)
 {
     struct pp_epw_header *header = r->header;
     if (header->period_count > 0) {
-        pp_mistakes_add(r->mistakes, r->line, "a second DATA PERIODS; expected one");
+        pp_mistakes_add(r->mistakes, r->line,
+                        "there is a second DATA PERIODS; expected one");
         return;
     }
     header->periods_line = r->line;
@@ -205,11 +206,10 @@ static void read_header_line(struct header_reader *r)
             header_lines[i].read(r);
             return;
         }
-    pp_mistakes_add(
-        r->mistakes, r->line,
-        "a line that starts with \"%s\"; expected a header line of an EPW file "
-        "or a record",
-        pp_text_excerpt(shown, sizeof shown, r->fields[0]));
+    pp_mistakes_add(r->mistakes, r->line,
+                    "the line starts with \"%s\"; expected a header line of an EPW "
+                    "file or a record",
+                    pp_text_excerpt(shown, sizeof shown, r->fields[0]));
 }
 
 /* Does the line start as the first one of a weather file does? */
@@ -230,10 +230,9 @@ bool pp_epw_header_read(struct pp_epw *epw, struct pp_epw_header *header,
     while ((*record = pp_epw_lines_next(lines)) && !is_leading_number(*record)) {
         r.line = lines->line;
         if (first && !is_location(*record)) {
-            pp_mistakes_add(
-                mistakes, r.line,
-                "no weather file in EnergyPlus format (EPW): its first line "
-                "starts with LOCATION");
+            pp_mistakes_add(mistakes, r.line,
+                            "this is not a weather file in EnergyPlus format (EPW); "
+                            "expected LOCATION at the start of its first line");
             return false;
         }
         first = false;
@@ -249,16 +248,15 @@ bool pp_epw_header_read(struct pp_epw *epw, struct pp_epw_header *header,
         return false;
     }
     if (!epw->place) {
-        pp_mistakes_add(
-            mistakes, lines->line,
-            "no weather file in EnergyPlus format (EPW): its first line starts "
-            "with LOCATION");
+        pp_mistakes_add(mistakes, lines->line,
+                        "this is not a weather file in EnergyPlus format (EPW); "
+                        "expected LOCATION at the start of its first line");
         return false;
     }
     if (header->period_count == 0)
-        pp_mistakes_add(mistakes, lines->line,
-                        *record ? "the records start here, without a line DATA PERIODS "
-                                  "before them"
-                                : "the file ends here, without a line DATA PERIODS");
+        pp_mistakes_add(
+            mistakes, lines->line,
+            *record ? "the records start here; expected a line DATA PERIODS before them"
+                    : "the file ends here; expected a line DATA PERIODS");
     return mistakes->count == before;
 }

@@ -17,13 +17,13 @@ bool pp_epw_lines_check_bytes(const char *bytes, size_t length,
 {
     if (length > PP_EPW_BYTES_MOST) {
         pp_mistakes_add(mistakes, 0,
-                        "the file is larger than %d MiB, the most that is read",
+                        "the file is larger than %d MiB, which is the limit",
                         PP_EPW_BYTES_MOST >> 20);
         return false;
     }
     if (starts(bytes, length, "\xFF\xFE") || starts(bytes, length, "\xFE\xFF")) {
         pp_mistakes_add(mistakes, 1,
-                        "the file is UTF-16; it must be plain text, in UTF-8");
+                        "the file is UTF-16; expected plain text, in UTF-8");
         return false;
     }
     int line = 1;
@@ -33,14 +33,15 @@ bool pp_epw_lines_check_bytes(const char *bytes, size_t length,
         char c = bytes[i];
         bool ends = c == '\n' || c == '\r';
         if (c == '\0') {
-            pp_mistakes_add(mistakes, line, "a NUL byte; a weather file is plain text");
+            pp_mistakes_add(
+                mistakes, line,
+                "there is a NUL byte; expected plain text in a weather file");
             return false;
         }
         if (i - start > PP_EPW_LINE_BYTES_MOST) {
             pp_mistakes_add(
                 mistakes, line,
-                "a line of more than %d bytes; a weather file has a record a "
-                "line",
+                "there is a line of more than %d bytes; expected one record per line",
                 PP_EPW_LINE_BYTES_MOST);
             return false;
         }

@@ -86,16 +86,17 @@ static enum pp_status rad_material_side(const struct pp_rad_reader *reader,
                                  "there is no material \"%.*s\"", shown, word.text);
     if (meaning.kind != PP_RAD_MATERIAL)
         return pp_rad_words_fail(primitive->words, word.line, err,
-                                 "a mixfunc of \"%.*s\"; expected a material", shown,
-                                 word.text);
+                                 "there is a mixfunc of \"%.*s\"; expected a material",
+                                 shown, word.text);
     *material = which == 1 && meaning.back >= 0 ? meaning.back : meaning.index;
     /* A lamp in a mixfunc is none to Radiance, and a back that glows is dark. */
     enum pp_emitter_kind emits = reader->scene->materials[*material].emits;
     if (emits == PP_EMITS_CONCENTRATED || (which == 1 && emits != PP_EMITS_NOTHING))
-        return pp_rad_words_fail(primitive->words, word.line, err,
-                                 "a mixfunc of \"%.*s\", whose light Radiance does not "
-                                 "count there; expected a material that gives off none",
-                                 shown, word.text);
+        return pp_rad_words_fail(
+            primitive->words, word.line, err,
+            "there is a mixfunc of \"%.*s\", which Radiance does not treat as a light "
+            "source there; expected a material without emission",
+            shown, word.text);
     return PP_OK;
 }
 
@@ -117,7 +118,7 @@ static enum pp_status take_sides(struct pp_rad_reader *reader,
         || !is_sides(primitive->strings[2])
         || !pp_rad_words_is(primitive->strings[3], "."))
         return pp_rad_words_fail(primitive->words, primitive->line, err,
-                                 "a mixfunc that is not understood; expected \"void "
+                                 "the mixfunc is not supported; expected \"void "
                                  "mixfunc\" with \"4 FRONT BACK " PP_RAD_SIDES
                                  " .\", one material a side");
     struct pp_rad_meaning meaning = {PP_RAD_MATERIAL, -1, -1};
@@ -179,18 +180,17 @@ static enum pp_status take_pane(struct pp_rad_reader *reader,
     if (!is_pane(primitive))
         return pp_rad_words_fail(
             primitive->words, primitive->line, err,
-            "a BRTDfunc that is not understood; expected a glazing "
-            "by " PP_RAD_CAL_NAME ", as pepperpot writes it");
+            "the BRTDfunc is not supported; expected a glazing by " PP_RAD_CAL_NAME
+            ", as pepperpot writes it");
     double panes = n[9];
     bool glazed = panes >= 1.0 && panes <= 20.0 && n[10] > 1.0 && n[11] >= 0.0
                   && n[12] > 0.0 && n[12] < 10.0;
     if ((panes != 0.0 && !glazed) || panes != floor(panes) || !is_share(n[13])
         || !is_share(n[14]))
-        return pp_rad_words_fail(
-            primitive->words, primitive->line, err,
-            "a glazing that can't be; expected 0 to 20 panes, a "
-            "refractive index above 1, an absorption of 0 or more, a "
-            "factor above 0, shares from 0 to 1");
+        return pp_rad_words_fail(primitive->words, primitive->line, err,
+                                 "the glazing is not possible; expected 0 to 20 panes, "
+                                 "a refractive index above 1, an absorption of 0 or "
+                                 "more, a factor above 0, shares from 0 to 1");
     struct pp_glass glass =
         panes == 0.0 ? pp_glass_none() : pp_glass_panes((int)panes, n[10], n[11]);
     if (panes != 0.0 && n[12] != 1.0) {
@@ -225,7 +225,7 @@ static enum pp_status sky_of(const struct pp_rad_primitive *primitive,
         *sky = pp_sky_overcast();
     else if (n[1] != floor(n[1]) || n[1] < 1.0 || n[1] > 15.0
              || !(pp_vec_length(sun) > 0.5))
-        status = pp_fail(&said, PP_BAD_INPUT, "a sky of type %g", n[1]);
+        status = pp_fail(&said, PP_BAD_INPUT, "the sky type is %g", n[1]);
     else
         status = pp_sky_iso(sky, (int)n[1], pp_vec_unit(sun), &said);
     const double is[] = {sky->per_horizontal, sky->a, sky->b, sky->c, sky->d, sky->e};
@@ -253,8 +253,8 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
         || skylines > PP_PATTERN_SKYLINES_MOST || !(n[0] >= 0.0) || up.z < 1.0 - 1e-9)
         return pp_rad_words_fail(
             primitive->words, primitive->line, err,
-            "a pp_sky that is not understood; expected it as pepperpot "
-            "writes it, turned about the vertical at most");
+            "the pp_sky is not supported; expected it as pepperpot writes it, rotated "
+            "about the vertical at most");
     struct pp_pattern pattern = {.kind = PP_PATTERN_SKY, .factor = n[0]};
     enum pp_status status = sky_of(primitive, &pattern.sky, err);
     if (status != PP_OK)
@@ -267,8 +267,8 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
             || !(of[3] >= 0.0))
             return pp_rad_words_fail(
                 primitive->words, primitive->line, err,
-                "a skyline that can't be; expected a direction of "
-                "length 1, a slope above 0, a radiance of 0 or more");
+                "the skyline is not possible; expected a direction of length 1, a "
+                "slope above 0, a radiance of 0 or more");
         pattern.skylines[pattern.skyline_count++] = (struct pp_pattern_skyline){
             pp_rad_transform_direction(&context->transform, outward), of[2], of[3]};
     }

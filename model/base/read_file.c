@@ -66,9 +66,8 @@ static enum pp_status read_stream(char **bytes, size_t *length, size_t most, int
     if (status == PP_OK && less && *length > PP_READ_FILE_STREAM_MOST)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "%s: more than %d MiB come out of it, which is no file; expected "
-            "a file",
-            name, (int)(PP_READ_FILE_STREAM_MOST >> 20));
+            "%s: it decompresses to more than %d MiB; expected a smaller file", name,
+            (int)(PP_READ_FILE_STREAM_MOST >> 20));
     return status;
 }
 
@@ -79,9 +78,9 @@ enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size
     bool standard = name != path;
     *bytes = NULL;
     if (!*path)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "the name of a file is empty; expected one, or - for standard "
-                       "input");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the name of the file is empty; expected a name, or - for standard input");
     if (!standard && is_device(path))
         return pp_fail(err, PP_BAD_INPUT, "%s: is a device; expected a file", name);
     int file = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);

@@ -107,7 +107,7 @@ static void settle_text(struct xml_builder *b)
         b->letters[b->letter_count] = '\0';
         pp_mistakes_add(
             b->mistakes, b->letter_line,
-            "text \"%s\" between elements; everything is said in attributes here",
+            "there is text \"%s\" between elements; expected attributes only",
             pp_text_excerpt(shown, sizeof shown, b->letters));
         b->stopped = b->stopped || b->mistakes->truncated;
     } else if (!open->text) {
@@ -150,17 +150,16 @@ static bool within_limits(struct xml_builder *b, int attribute_count, int line)
 {
     if (b->depth == b->format->depth_most)
         pp_mistakes_add(b->mistakes, line,
-                        "elements are nested more than %d deep, the most that is read",
+                        "elements are nested more than %d deep, which is the limit",
                         b->format->depth_most);
     else if (b->elements == b->format->elements_most)
         pp_mistakes_add(b->mistakes, line,
-                        "the file has more than %d elements, the most that are read",
+                        "the file has more than %d elements, which is the limit",
                         b->format->elements_most);
     else if (attribute_count > PP_XML_ATTRIBUTES_MOST)
-        pp_mistakes_add(
-            b->mistakes, line,
-            "an element with more than %d attributes, the most that are read",
-            PP_XML_ATTRIBUTES_MOST);
+        pp_mistakes_add(b->mistakes, line,
+                        "an element has more than %d attributes, which is the limit",
+                        PP_XML_ATTRIBUTES_MOST);
     else
         return true;
     return false;
@@ -338,11 +337,11 @@ static void note_end(struct xml_builder *b)
     pp_text_excerpt(name, sizeof name, open ? open->name : "");
     if (open)
         pp_mistakes_add(b->mistakes, pp_xml_text_line(&b->text, end),
-                        "the file breaks off within <%s> of line %d; expected </%s>",
-                        name, open->line, name);
+                        "the file ends inside <%s> of line %d; expected </%s>", name,
+                        open->line, name);
     else
         pp_mistakes_add(b->mistakes, pp_xml_text_line(&b->text, end),
-                        "the file breaks off within a tag");
+                        "the file ends inside a tag");
 }
 
 static void note_sentence(struct xml_builder *b, const xmlError *error)
@@ -379,18 +378,19 @@ static void on_error(void *context, const xmlError *error)
         b->out_of_memory = true;
     else if (error->code == XML_ERR_TAG_NAME_MISMATCH && open)
         pp_mistakes_add(b->mistakes, line,
-                        "</%s> where </%s> was expected, to close line %d", one, other,
+                        "there is </%s>; expected </%s>, to close line %d", one, other,
                         open->line);
     else if (error->code == XML_ERR_ATTRIBUTE_REDEFINED)
         pp_mistakes_add(b->mistakes, line_at(b, last(b, "<")),
                         "the attribute \"%s\" is given twice", one);
     else if (error->code == XML_ERR_UNDECLARED_ENTITY)
-        pp_mistakes_add(b->mistakes, line,
-                        "&%s; is not known; XML has &amp; &lt; &gt; &quot; and &apos;",
-                        one);
+        pp_mistakes_add(
+            b->mistakes, line,
+            "the entity &%s; is unknown; XML has &amp; &lt; &gt; &quot; and &apos;",
+            one);
     else if (error->code == XML_ERR_DOCUMENT_END && b->xml->root && b->depth == 0)
         pp_mistakes_add(b->mistakes, line,
-                        "something stands behind </%s>, the end of the file",
+                        "there is more after </%s>; expected the end of the file",
                         pp_text_excerpt(one, sizeof one, b->xml->root->name));
     else if (!b->xml->root && error->code == XML_ERR_DOCUMENT_EMPTY)
         pp_mistakes_add(b->mistakes, line, "this is not XML; expected %s",

@@ -6,15 +6,14 @@
 #include <string.h>
 
 static const char no_name[] =
-    "a name was expected after < or &; write &lt; or &amp; for the sign itself";
-static const char bad_tag[] = "a tag is malformed here; expected a space, > or />, or "
-                              "is a quotation mark missing?";
+    "expected a name after < or &; write &lt; or &amp; for the character itself";
+static const char bad_tag[] =
+    "this tag is malformed; expected a space, > or />, or a missing quotation mark";
 static const char open_tag[] = "this tag is not closed; expected > or /> at its end";
 static const char bad_start[] = "the <?xml ...?> at the start is malformed";
 static const char bad_reference[] =
-    "a reference like &#...; to nothing, or to a control character that XML does not "
-    "allow";
-static const char bad_letter[] = "a control character that XML does not allow";
+    "this reference &#...; is empty, or to a control character that XML does not allow";
+static const char bad_letter[] = "there is a control character that XML does not allow";
 
 static const struct {
     int code;
@@ -26,20 +25,22 @@ static const struct {
     {XML_ERR_INVALID_CHAR, PP_XML_HERE, bad_letter},
     {XML_ERR_NAME_REQUIRED, PP_XML_HERE, no_name},
     {XML_ERR_ENTITYREF_SEMICOL_MISSING, PP_XML_HERE,
-     "an & without its name and semicolon; write &amp; for the sign itself"},
+     "there is an & without name and semicolon; write &amp; for the character itself"},
     {XML_ERR_LT_IN_ATTRIBUTE, PP_XML_QUOTE,
-     "a < in an attribute's value; write &lt;, or is a quotation mark missing?"},
+     "there is a < in an attribute's value; write &lt;, or add a missing quotation "
+     "mark"},
     {XML_ERR_ATTRIBUTE_NOT_STARTED, PP_XML_HERE,
-     "an attribute's value is not in quotation marks; write name=\"value\""},
+     "the value of an attribute is not in quotation marks; write name=\"value\""},
     {XML_ERR_ATTRIBUTE_WITHOUT_VALUE, PP_XML_HERE,
      "an attribute has no value; write name=\"value\""},
     {XML_ERR_SPACE_REQUIRED, PP_XML_HERE, bad_tag},
     {XML_ERR_GT_REQUIRED, PP_XML_HERE, bad_tag},
-    {XML_ERR_HYPHEN_IN_COMMENT, PP_XML_HERE, "two hyphens -- within a comment"},
+    {XML_ERR_HYPHEN_IN_COMMENT, PP_XML_HERE,
+     "there are two hyphens -- within a comment"},
     {XML_ERR_PI_NOT_STARTED, PP_XML_HERE,
-     "a <?...?> is malformed; it begins with a name"},
+     "a <?...?> is malformed; expected a name at its start"},
     {XML_ERR_RESERVED_XML_NAME, PP_XML_HERE,
-     "<?xml ...?> must be the very first thing in the file"},
+     "<?xml ...?> is not at the start; expected it before everything else"},
     {XML_ERR_VERSION_MISSING, PP_XML_HERE,
      "the <?xml ...?> at the start has no version; write version=\"1.0\""},
     {XML_ERR_XMLDECL_NOT_FINISHED, PP_XML_HERE, bad_start},
@@ -49,7 +50,7 @@ static const struct {
     {XML_ERR_EQUAL_REQUIRED, PP_XML_HERE, bad_start},
     {XML_ERR_STRING_NOT_STARTED, PP_XML_HERE, bad_start},
     {XML_ERR_STRING_NOT_CLOSED, PP_XML_HERE, bad_start},
-    {XML_ERR_MISPLACED_CDATA_END, PP_XML_HERE, "]]> stands between elements"},
+    {XML_ERR_MISPLACED_CDATA_END, PP_XML_HERE, "there is ]]> between elements"},
 };
 
 /* libxml2 has one error for several mistakes; the bytes here and before tell them
@@ -81,7 +82,7 @@ const char *pp_xml_sentence_of_unended(const char *p, const char *end)
         {"<!--", "a comment <!-- has no end; expected -->"},
         {"<![CDATA[", "a <![CDATA[ has no end; expected ]]>"},
         {"<?", "a <? has no end; expected ?>"},
-        {"<", "the file breaks off within the tag that begins here; expected >"},
+        {"<", "the file ends inside the tag that begins here; expected >"},
     };
     size_t i = 0;
     for (; unended[i].start[1]; i++) {

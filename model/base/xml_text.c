@@ -77,7 +77,7 @@ static enum pp_status convert(struct pp_xml_text *text, const char *name,
     pp_text_excerpt(shown, sizeof shown, name);
     if (!handler) {
         pp_mistakes_add(mistakes, 1,
-                        "the encoding \"%s\" is not known; save the file as UTF-8",
+                        "the encoding \"%s\" is unknown; save the file as UTF-8",
                         shown);
         pp_xml_text_clear(text);
         return PP_OK;
@@ -94,8 +94,8 @@ static enum pp_status convert(struct pp_xml_text *text, const char *name,
         if (xmlBufferLength(in) > 0) {
             pp_mistakes_add(mistakes,
                             pp_xml_text_line(text, text->bytes + text->length),
-                            "bytes that are not %s, the encoding of the file: it is "
-                            "damaged or cut off; save it as UTF-8",
+                            "there are bytes that are not %s, the encoding of the "
+                            "file: it is damaged or incomplete; save it as UTF-8",
                             shown);
             pp_xml_text_clear(text);
         }
@@ -118,12 +118,12 @@ static enum pp_status make_utf8(struct pp_xml_text *text,
     if (utf16 && !format->attributes_only)
         return convert(text, utf16, mistakes, err);
     if (utf16)
-        pp_mistakes_add(mistakes, 1, "the file is UTF-16; it must be saved as UTF-8");
+        pp_mistakes_add(mistakes, 1, "the file is UTF-16; save it as UTF-8");
     else if (!name[0] || strcasecmp(name, "UTF-8") == 0)
         return PP_OK;
     else if (format->attributes_only)
         pp_mistakes_add(mistakes, pp_xml_text_line(text, at),
-                        "the file says that its encoding is \"%s\"; expected UTF-8",
+                        "the encoding of the file is \"%s\"; expected UTF-8",
                         pp_text_excerpt(shown, sizeof shown, name));
     else if (is_marked || strncasecmp(name, "UTF-16", 6) == 0)
         return PP_OK;
@@ -146,9 +146,10 @@ static bool is_not_empty(const struct pp_xml_text *text,
     if (p == end)
         pp_mistakes_add(mistakes, 1, "the file is empty; expected %s", format->roots);
     else if (starts(p, end, mark, 3))
-        pp_mistakes_add(mistakes, 1,
-                        "a second byte order mark; expected one or none, and then %s",
-                        format->roots);
+        pp_mistakes_add(
+            mistakes, 1,
+            "there is a second byte order mark; expected one at most, then %s",
+            format->roots);
     else
         return true;
     return false;
@@ -164,11 +165,12 @@ static bool letters_are_sound(const struct pp_xml_text *text,
         bytes = pp_text_letter(p, (size_t)(end - p), NULL);
         if (bytes == 0)
             pp_mistakes_add(mistakes, pp_xml_text_line(text, p),
-                            "byte 0x%02X is not UTF-8; the file must be saved as UTF-8",
+                            "byte 0x%02X is not UTF-8; save the file as UTF-8",
                             (unsigned)(unsigned char)*p);
         else if (*p == '\0')
             pp_mistakes_add(mistakes, pp_xml_text_line(text, p),
-                            "a NUL byte; a %s is plain text", format->file);
+                            "there is a NUL byte; expected plain text in a %s",
+                            format->file);
         else
             continue;
         return false;
@@ -218,8 +220,8 @@ static bool tags_are_short(struct pp_xml_text *text, struct pp_mistakes *mistake
         const char *next = markup_end(p, end, &is_tag);
         if (is_tag && (next ? next : end) - p > PP_XML_TAG_BYTES_MOST) {
             pp_mistakes_add(mistakes, pp_xml_text_line(text, p),
-                            "a tag of more than %d bytes starts here; is a quotation "
-                            "mark or a > missing?",
+                            "a tag of more than %d bytes starts here; a quotation mark "
+                            "or a > may be missing",
                             PP_XML_TAG_BYTES_MOST);
             return false;
         }
@@ -236,7 +238,7 @@ enum pp_status pp_xml_text_read(struct pp_xml_text *text, const char *bytes,
     *text = (struct pp_xml_text){.bytes = length ? bytes : "", .length = length};
     if (length > format->bytes_most) {
         pp_mistakes_add(mistakes, 0,
-                        "the file is larger than %zu MiB, the most that is read",
+                        "the file is larger than %zu MiB, which is the limit",
                         format->bytes_most >> 20);
         pp_xml_text_clear(text);
         return PP_OK;

@@ -178,12 +178,13 @@ static enum pp_status check_scatter(const struct pp_material *material,
     if (!within(material->diffuse, INFINITY) || !within(material->gloss, INFINITY)
         || !within(through ? material->through_diffuse : zero, INFINITY)
         || !within(through ? material->through_gloss : zero, INFINITY))
-        return wrong(material, "a reflectance or transmittance below 0; expected none",
+        return wrong(material,
+                     "a reflectance or transmittance is below 0; expected 0 or more",
                      err);
     if (!within(sum, 1.0 + ROUNDING))
         return wrong(material,
-                     "gives back more light than it gets; expected reflectances and "
-                     "transmittances that add up to 1 at most in each channel",
+                     "it returns more light than it receives; expected reflectances "
+                     "and transmittances with a sum of 1 at most in each channel",
                      err);
     for (int i = 0; i < 2; i++)
         if (!(material->roughness[i] >= 0.0 && material->roughness[i] <= 1.0))

@@ -31,8 +31,8 @@ static enum pp_status grow_shape_list(void *list, int count, int *space, int mor
                                       size_t size, struct pp_error *err)
 {
     if (more > INT_MAX / 2 - count)
-        return pp_fail(err, PP_BAD_INPUT, "the scene has more than %d parts of a kind",
-                       INT_MAX / 2);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the scene has more than %d parts of one kind", INT_MAX / 2);
     return pp_array_reserve(list, space, count + more, size, err);
 }
 
@@ -89,7 +89,7 @@ static enum pp_status append_shape(struct pp_scene_description *scene,
         return status;
     if (shape->material < 0 || shape->material >= scene->material_count
         || shape->back_material >= scene->material_count)
-        return pp_fail(err, PP_BAD_INPUT, "a shape of a material that there is not");
+        return pp_fail(err, PP_BAD_INPUT, "a shape has a material that does not exist");
     if (index)
         *index = scene->shape_count;
     scene->shapes[scene->shape_count++] = *shape;
@@ -119,13 +119,13 @@ static enum pp_status check_plane(const struct pp_vec3 *corners, int count,
     for (int i = 1; i < count; i++)
         size = fmax(size, pp_vec_length(pp_vec_sub(corners[i], corners[0])));
     if (count < 3 || !(twice > 1e-12 * size * size))
-        return pp_fail(err, PP_BAD_INPUT, "a polygon without an area");
+        return pp_fail(err, PP_BAD_INPUT, "a polygon has no area");
     struct pp_vec3 n = pp_vec_unit(area);
     for (int i = 1; i < count; i++)
         uneven = fmax(uneven, fabs(pp_vec_dot(n, pp_vec_sub(corners[i], corners[0]))));
     if (uneven > MOST_UNEVEN * size)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a polygon that is not plane: a corner lies %g off", uneven);
+                       "a polygon is not plane: one corner is off by %g", uneven);
     return PP_OK;
 }
 
@@ -136,7 +136,7 @@ enum pp_status pp_scene_description_add_polygon(struct pp_scene_description *sce
 {
     for (int i = 0; i < count; i++)
         if (!is_finite(corners[i]))
-            return pp_fail(err, PP_BAD_INPUT, "a polygon's corner that is no number");
+            return pp_fail(err, PP_BAD_INPUT, "a corner of a polygon is not a number");
     enum pp_status status = GROW(scene, vertices, vertex, count, err);
     if (status != PP_OK)
         return status;
@@ -158,7 +158,7 @@ static enum pp_status make_unit(struct pp_vec3 *v, const char *what,
 {
     double length = pp_vec_length(*v);
     if (!(length > 0.0) || !isfinite(length))
-        return pp_fail(err, PP_BAD_INPUT, "%s without a direction", what);
+        return pp_fail(err, PP_BAD_INPUT, "%s has no direction", what);
     *v = pp_vec_scale(*v, 1.0 / length);
     return PP_OK;
 }
@@ -168,10 +168,10 @@ static enum pp_status check_cone(const struct pp_shape *shape, struct pp_error *
     const struct pp_vec3 *ends = shape->is.cone.ends;
     const double *radii = shape->is.cone.radii_m;
     if (!is_finite(ends[0]) || !is_finite(ends[1]) || same_point(ends[0], ends[1]))
-        return pp_fail(err, PP_BAD_INPUT, "a cone or cylinder without a length");
+        return pp_fail(err, PP_BAD_INPUT, "a cone or cylinder has no length");
     if (!(radii[0] >= 0.0) || !(radii[1] >= 0.0) || !(radii[0] + radii[1] > 0.0)
         || isinf(radii[0] + radii[1]))
-        return pp_fail(err, PP_BAD_INPUT, "a cone of radii %g and %g", radii[0],
+        return pp_fail(err, PP_BAD_INPUT, "a cone has radii %g and %g", radii[0],
                        radii[1]);
     return PP_OK;
 }
@@ -183,7 +183,7 @@ static enum pp_status check_shape(struct pp_shape *shape, struct pp_error *err)
     case PP_SHAPE_SPHERE:
         if (!is_finite(shape->is.sphere.centre) || !(shape->is.sphere.radius_m > 0.0)
             || isinf(shape->is.sphere.radius_m))
-            return pp_fail(err, PP_BAD_INPUT, "a sphere of radius %g",
+            return pp_fail(err, PP_BAD_INPUT, "a sphere has radius %g",
                            shape->is.sphere.radius_m);
         return PP_OK;
     case PP_SHAPE_CONE:
@@ -194,17 +194,17 @@ static enum pp_status check_shape(struct pp_shape *shape, struct pp_error *err)
             && (!is_finite(shape->is.ring.centre) || !(shape->is.ring.radii_m[0] >= 0.0)
                 || !(shape->is.ring.radii_m[1] > shape->is.ring.radii_m[0])
                 || isinf(shape->is.ring.radii_m[1])))
-            return pp_fail(err, PP_BAD_INPUT, "a ring of radii %g and %g",
+            return pp_fail(err, PP_BAD_INPUT, "a ring has radii %g and %g",
                            shape->is.ring.radii_m[0], shape->is.ring.radii_m[1]);
         return status;
     case PP_SHAPE_DISTANT:
         if (!(shape->is.distant.half_angle_rad > 0.0)
             || !(shape->is.distant.half_angle_rad <= PP_PI))
-            return pp_fail(err, PP_BAD_INPUT, "a distant source of an angle of %g deg",
+            return pp_fail(err, PP_BAD_INPUT, "a distant source has an angle of %g deg",
                            2.0 * shape->is.distant.half_angle_rad / PP_RAD);
         return make_unit(&shape->is.distant.direction, "a distant source", err);
     default:
-        return pp_fail(err, PP_BAD_INPUT, "a polygon without its corners");
+        return pp_fail(err, PP_BAD_INPUT, "a polygon has no corners");
     }
 }
 

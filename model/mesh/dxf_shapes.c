@@ -149,8 +149,7 @@ static enum pp_status refuse_arc(const struct pp_dxf_entity *e, int line,
                                  struct pp_error *err)
 {
     return pp_mesh_lines_fail(e->lines, line, err,
-                              "%s: has an arc (group 42), which is not read; expected "
-                              "straight edges",
+                              "%s: has an arc (group 42); expected straight edges",
                               e->tags->list[e->from].value);
 }
 
@@ -320,8 +319,8 @@ static enum pp_status add_record(const struct pp_dxf_entity *vertex, int first,
         index = abs(index);
         if (index > count)
             return pp_mesh_lines_fail(vertex->lines, line, err,
-                                      "VERTEX: names corner %d of the mesh; expected "
-                                      "one of the %d before it",
+                                      "VERTEX: refers to corner %d of the mesh; "
+                                      "expected one of the %d before it",
                                       index, count);
         if (index > 0)
             corners[sides++] = first + index - 1;

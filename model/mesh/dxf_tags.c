@@ -38,8 +38,8 @@ enum pp_status pp_dxf_tags_read(struct pp_dxf_tags *tags, struct pp_mesh_lines *
             break;
         if (!parse_code(&tag.code, first))
             return pp_mesh_lines_fail(lines, lines->line, err,
-                                      "\"%s\" is no group code; expected a DXF file of "
-                                      "text, a whole number on every other line",
+                                      "\"%s\" is not a group code; expected a text DXF "
+                                      "file with a whole number on every other line",
                                       pp_text_excerpt(shown, sizeof shown, first));
         char *value = pp_mesh_lines_next(lines);
         if (!value)
@@ -56,9 +56,9 @@ enum pp_status pp_dxf_tags_read(struct pp_dxf_tags *tags, struct pp_mesh_lines *
     }
     if (lines->left > 0)
         return pp_mesh_lines_fail(lines, lines->line, err,
-                                  "holds a byte 0; expected a DXF file of text");
+                                  "there is a NUL byte; expected a DXF file of text");
     return pp_mesh_lines_fail(lines, lines->line, err,
-                              "the file breaks off; expected EOF at its end");
+                              "the file ends too early; expected EOF at its end");
 }
 
 void pp_dxf_tags_clear(struct pp_dxf_tags *tags)
@@ -94,6 +94,6 @@ enum pp_status pp_dxf_tags_number(double *number, const struct pp_dxf_tags *tags
     if (!tag || pp_text_parse_number(tag->value, number))
         return PP_OK;
     return pp_mesh_lines_fail(lines, tag->line, err,
-                              "\"%s\" is no number; expected the value of group %d",
+                              "\"%s\" is not a number; expected the value of group %d",
                               pp_text_excerpt(shown, sizeof shown, tag->value), code);
 }

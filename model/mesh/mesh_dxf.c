@@ -200,9 +200,8 @@ static enum pp_status read_insert(struct dxf *dxf, const struct pp_dxf_entity *e
     columns = fmax(floor(columns), 1.0), rows = fmax(floor(rows), 1.0);
     if (depth >= DEPTH_MOST || !(columns * rows <= INSERTS_MOST - dxf->inserts))
         return pp_mesh_lines_fail(dxf->lines, line, err,
-                                  "INSERT: the block \"%s\" is one too many; expected "
-                                  "blocks within each other "
-                                  "%d deep at most, and %d in all",
+                                  "INSERT: there are too many blocks, first \"%s\"; "
+                                  "expected at most %d levels, and %d in all",
                                   shown, DEPTH_MOST, INSERTS_MOST);
     dxf->inserts += (int)(columns * rows);
     status = move_of(&move, steps, e, base, err);
@@ -231,22 +230,19 @@ static enum pp_status refuse_dxf_entity(const struct pp_dxf_entity *e,
     double thickness;
     for (size_t i = 0; i < sizeof surfaces / sizeof *surfaces; i++)
         if (is(tag, surfaces[i]))
-            return pp_mesh_lines_fail(
-                e->lines, tag->line, err,
-                "%s: is not read; expected 3DFACE, polyface meshes, "
-                "or polylines with a thickness",
-                surfaces[i]);
+            return pp_mesh_lines_fail(e->lines, tag->line, err,
+                                      "%s: is not supported; expected 3DFACE, polyface "
+                                      "meshes, or polylines with a thickness",
+                                      surfaces[i]);
     for (size_t i = 0; i < sizeof raised / sizeof *raised; i++) {
         if (!is(tag, raised[i]))
             continue;
         enum pp_status status = pp_dxf_tags_number(&thickness, e->tags, e->from, e->to,
                                                    39, 0.0, e->lines, err);
         if (status == PP_OK && thickness != 0.0)
-            status =
-                pp_mesh_lines_fail(e->lines, tag->line, err,
-                                   "%s: has a thickness, which is not read; expected "
-                                   "polylines with a thickness",
-                                   raised[i]);
+            status = pp_mesh_lines_fail(
+                e->lines, tag->line, err,
+                "%s: has a thickness; expected that of polylines only", raised[i]);
         return status;
     }
     return PP_OK;
@@ -327,8 +323,8 @@ enum pp_status pp_mesh_dxf_read(struct pp_mesh_triangles *mesh,
     struct dxf dxf = {.mesh = mesh, .lines = lines};
     if (lines->left >= sizeof binary
         && memcmp(lines->text, binary, sizeof binary - 1) == 0)
-        return pp_mesh_lines_fail(lines, 1, err,
-                                  "is a binary DXF file; expected one of text (ASCII)");
+        return pp_mesh_lines_fail(
+            lines, 1, err, "this is a binary DXF file; expected a text (ASCII) one");
     enum pp_status status = pp_dxf_tags_read(&dxf.tags, lines, err);
     if (status == PP_OK)
         status = read_file(&dxf, err);

@@ -19,7 +19,7 @@ static bool ends_with(const char *name, const char *end)
 static enum pp_status fail_kind(const char *name, struct pp_error *err)
 {
     return pp_fail(err, PP_BAD_INPUT,
-                   "%.200s: is of no known kind; expected a file .obj or .dxf", name);
+                   "%.200s: is not a known type of file; expected .obj or .dxf", name);
 }
 
 enum pp_status pp_mesh_file_parse(struct pp_mesh_triangles *mesh, char *bytes,

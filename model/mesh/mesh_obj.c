@@ -56,7 +56,7 @@ static enum pp_status read_corner(struct pp_mesh_triangles *mesh,
                                       i == 1 ? "" : "s");
         if (!pp_text_parse_number(word, &xyz[i]))
             return pp_mesh_lines_fail(lines, line, err,
-                                      "v: \"%s\" is no number; expected x, y and z",
+                                      "v: \"%s\" is not a number; expected x, y and z",
                                       pp_text_excerpt(shown, sizeof shown, word));
     }
     return pp_mesh_lines_say(
@@ -91,11 +91,11 @@ static enum pp_status read_face(struct pp_mesh_triangles *mesh, struct corners *
         char shown[160];
         int corner = corner_of(mesh, word);
         if (corner < 0)
-            return pp_mesh_lines_fail(
-                lines, line, err,
-                "f: \"%s\" names no corner; expected one of the %d before it, from 1 "
-                "or, counted back, from -1",
-                pp_text_excerpt(shown, sizeof shown, word), mesh->corner_count);
+            return pp_mesh_lines_fail(lines, line, err,
+                                      "f: \"%s\" is not a corner; expected one of the "
+                                      "%d before it, from 1 or, counted back, from -1",
+                                      pp_text_excerpt(shown, sizeof shown, word),
+                                      mesh->corner_count);
         if (pp_array_reserve(&corners->list, &corners->space, corners->count + 1,
                              sizeof *corners->list, err)
             != PP_OK)
@@ -127,9 +127,9 @@ static enum pp_status read_statement(struct pp_mesh_triangles *mesh,
         return read_face(mesh, corners, lines, line, statement, err);
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
         if (strcmp(word, refused[i]) == 0)
-            return pp_mesh_lines_fail(lines, line, err,
-                                      "%s: is not read; expected faces (v and f) alone",
-                                      word);
+            return pp_mesh_lines_fail(
+                lines, line, err, "%s: is not supported; expected faces (v and f) only",
+                word);
     return PP_OK;
 }
 
@@ -144,9 +144,9 @@ enum pp_status pp_mesh_obj_read(struct pp_mesh_triangles *mesh,
         status = read_statement(mesh, &corners, lines, line, statement, err);
     free(corners.list);
     if (status == PP_OK && lines->left > 0)
-        status =
-            pp_mesh_lines_fail(lines, lines->line, err,
-                               "holds a byte 0; expected an OBJ file, which is text");
+        status = pp_mesh_lines_fail(
+            lines, lines->line, err,
+            "there is a NUL byte; expected an OBJ file, which is text");
     if (status == PP_OK && mesh->triangle_count == 0)
         status = pp_mesh_lines_fail(lines, lines->line, err,
                                     "the file has no face; expected v and f");

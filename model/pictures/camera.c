@@ -25,7 +25,7 @@ static enum pp_status check_size(enum pp_view_kind kind, double size,
         if (size > 0.0 && isfinite(size))
             return PP_OK;
         return pp_fail(err, PP_BAD_INPUT,
-                       "a parallel view is %g m wide or high; expected more than 0",
+                       "the parallel view is %g m wide or high; expected more than 0",
                        size);
     }
     double slack = kinds[kind].below_most ? -1e-9 : 1e-9;
@@ -43,12 +43,12 @@ enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
                              struct pp_error *err)
 {
     if (!isfinite(pp_vec_length(eye)))
-        return pp_fail(err, PP_BAD_INPUT, "the eye stands nowhere");
+        return pp_fail(err, PP_BAD_INPUT, "the position of the eye is not a number");
     if (!(pp_vec_length(toward) > 0.0) || !isfinite(pp_vec_length(toward))
         || !(pp_vec_length(up) > 0.0) || !isfinite(pp_vec_length(up)))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the direction of view, or what is up, is 0 long; expected a "
-                       "direction");
+                       "the direction of view, or the up direction, has no length; "
+                       "expected a direction");
     enum pp_status status = check_size(kind, across, err);
     if (status == PP_OK)
         status = check_size(kind, down, err);
@@ -57,8 +57,9 @@ enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
     toward = pp_vec_unit(toward);
     struct pp_vec3 right = pp_vec_cross(toward, pp_vec_unit(up));
     if (pp_vec_length(right) < least_angle_rad)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "the view looks along its own up; expected another up");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the view is parallel to its up direction; expected another up direction");
     right = pp_vec_unit(right);
     *camera = (struct pp_camera){
         kind, eye, toward, right, pp_vec_cross(right, toward), across, down};

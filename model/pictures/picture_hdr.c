@@ -123,7 +123,7 @@ enum pp_status pp_picture_hdr_write(FILE *out, const struct pp_picture *picture,
     }
     free(row);
     if (ferror(out))
-        return pp_fail(err, PP_SYSTEM, "the picture can't be written");
+        return pp_fail(err, PP_SYSTEM, "the picture cannot be written");
     return PP_OK;
 }
 
@@ -211,13 +211,14 @@ static enum pp_status read_header(struct input *in, struct pp_hdr_notes *notes,
 {
     char line[LINE_MOST];
     if (!read_hdr_line(in, line) || strncmp(line, "#?", 2) != 0)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "line 1: not a Radiance picture; expected \"#?RADIANCE\"");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "line 1: this is not a Radiance picture; expected \"#?RADIANCE\"");
     for (;;) {
         if (!read_hdr_line(in, line))
             return pp_fail(err, PP_BAD_INPUT,
-                           "line %d: the header ends in the middle, or has a line of "
-                           "more than %d characters",
+                           "line %d: the header is incomplete, or has a line of more "
+                           "than %d characters",
                            in->line + 1, LINE_MOST);
         if (line[0] == '\0')
             break;
@@ -226,9 +227,10 @@ static enum pp_status read_header(struct input *in, struct pp_hdr_notes *notes,
             return status;
     }
     if (!read_hdr_line(in, line) || !read_size(line, size, signs))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "line %d: no size; expected one such as \"-Y 480 +X 640\"",
-                       in->line);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "line %d: the size is missing; expected one such as \"-Y 480 +X 640\"",
+            in->line);
     return PP_OK;
 }
 
@@ -319,9 +321,8 @@ enum pp_status pp_picture_hdr_read(struct pp_picture *picture,
         status = pp_fail_memory(err);
     for (int i = 0; i < size[0] && status == PP_OK; i++) {
         if (!read_hdr_row(&in, row, size[1])) {
-            status =
-                pp_fail(err, PP_BAD_INPUT, "row %d of %d is cut off or makes no sense",
-                        i + 1, size[0]);
+            status = pp_fail(err, PP_BAD_INPUT, "row %d of %d is cut off or invalid",
+                             i + 1, size[0]);
             break;
         }
         int y = signs[0] == '-' ? i : size[0] - 1 - i;

@@ -19,7 +19,7 @@ enum pp_status pp_picture_pfm_write(FILE *out, const struct pp_picture *picture,
                 putc((int)(bits >> 8 * byte & 255), out);
         }
     if (ferror(out))
-        return pp_fail(err, PP_SYSTEM, "the picture can't be written");
+        return pp_fail(err, PP_SYSTEM, "the picture cannot be written");
     return PP_OK;
 }
 

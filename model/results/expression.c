@@ -117,7 +117,7 @@ static struct term number(struct parser *parser)
     digits[length] = '\0';
     double value;
     if (!pp_text_parse_number(digits, &value))
-        return fail(parser, start, "this is no number; expected one such as 0.85");
+        return fail(parser, start, "this is not a number; expected one such as 0.85");
     parser->at += length;
     return number_term(parser, start, value);
 }
@@ -130,7 +130,7 @@ static struct term unknown_name(struct parser *parser, const char *start, int le
     for (int i = 0; i < parser->name_count && count < PP_EXPRESSION_MOST; i++)
         symbols[count++] = parser->names[i].symbol;
     snprintf(typed, sizeof typed, "%.*s", length, start);
-    snprintf(what, sizeof what, "there is no quantity \"%s\" here; expected ", typed);
+    snprintf(what, sizeof what, "there is no quantity \"%s\"; expected ", typed);
     if (start[length] == '(')
         pp_text_append(what, sizeof what, "one of the functions, ");
     pp_text_append_list(what, sizeof what, symbols, count, " or ");
@@ -177,7 +177,7 @@ static bool check_alike(struct parser *parser, const struct term *a,
         return !parser->failed;
     char first[96], expected[140];
     pp_dimension_describe(first, a->dimension);
-    snprintf(expected, sizeof expected, "%s, as what it is taken together with", first);
+    snprintf(expected, sizeof expected, "%s, to match the other term", first);
     wrong_dimension(parser, b->start, b->dimension, expected);
     return false;
 }
@@ -294,7 +294,8 @@ static struct term power_parts(struct parser *parser);
 static struct term power(struct parser *parser)
 {
     if (parser->nested == PP_EXPRESSION_NESTED_MOST)
-        return fail(parser, parser->at, "expected less within one another");
+        return fail(parser, parser->at,
+                    "there are too many nested parts; expected fewer");
     parser->nested++;
     struct term term = power_parts(parser);
     parser->nested--;
@@ -406,7 +407,7 @@ bool pp_expression_parse(struct pp_expression *expression, const char *text, int
     expression->dimension = sum(&parser).dimension;
     if (!parser.failed && peek(&parser))
         fail(&parser, parser.at,
-             *parser.at == ')' ? "there is no \"(\" for this; expected the end"
+             *parser.at == ')' ? "this \")\" has no \"(\"; expected the end"
                                : "expected +, -, *, /, ^ or the end");
     return !parser.failed;
 }

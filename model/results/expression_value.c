@@ -46,13 +46,13 @@ double pp_expression_value_call(enum pp_operation_kind kind, const double *list,
 static const char *fault_of(enum pp_operation_kind kind, double result, double last)
 {
     if (kind == PP_DO_OVER && last == 0.0)
-        return "divides by nothing";
+        return "divides by zero";
     if (kind == PP_DO_SQRT && last < 0.0)
-        return "takes the root of less than nothing";
+        return "takes the square root of a negative number";
     if (isfinite(result))
         return NULL;
-    return kind >= PP_DO_SQRT ? "asks a function for what it does not have"
-                              : "comes to no number";
+    return kind >= PP_DO_SQRT ? "uses a function outside its range"
+                              : "has no finite result";
 }
 
 double pp_expression_value(const struct pp_expression *expression, const double *values,

@@ -19,7 +19,7 @@ struct pp_column *pp_report_add(struct pp_report *report, enum pp_component comp
         if (!points)
             return NULL;
         for (int i = 0; i < report->receiver_count; i++)
-            points[i] = pp_reading_none("not computed");
+            points[i] = pp_reading_none("not calculated");
     }
     if (pp_array_append(&report->columns, report->column_count, sizeof *report->columns,
                         NULL)
@@ -36,7 +36,7 @@ struct pp_column *pp_report_add(struct pp_report *report, enum pp_component comp
     memmove(column + 1, column, (size_t)(report->column_count - at) * sizeof *column);
     report->column_count++;
     *column = (struct pp_column){.component = component,
-                                 .average = pp_reading_none("not computed"),
+                                 .average = pp_reading_none("not calculated"),
                                  .average_band = pp_band_none(),
                                  .points = points};
     snprintf(column->name, sizeof column->name, "%s", name);

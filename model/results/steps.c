@@ -82,7 +82,7 @@ void pp_steps_add_sum(struct pp_steps *steps, int first, int count, const char *
             continue;
         if (sizeof formula - strlen(formula) <= LONGEST_TERM) {
             pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR, sum, symbol, formula,
-                                "%s, as far as here", what);
+                                "%s, so far", what);
             snprintf(formula, sizeof formula, "%s", symbol);
             term = pp_steps_find(steps, first, name);
         }

@@ -121,7 +121,7 @@ static enum pp_status join_holes(struct closed_line *outline, struct closed_line
         struct keyhole_bridge bridge = find_bridge(outline, holes, count);
         if (bridge.rim < 0)
             return pp_fail(err, PP_BAD_INPUT,
-                           "a wall's openings can't be joined to its rim");
+                           "the openings of a wall cannot be joined to its rim");
         join_hole(outline, &holes[bridge.hole], bridge);
         holes[bridge.hole] = holes[--count];
     }

@@ -127,11 +127,11 @@ static const char *fault_on_surface(enum pp_role role)
 {
     switch (role) {
     case PP_FLOOR:
-        return "lies in the floor without facing straight up from it (nx, ny, nz)";
+        return "lies in the floor but does not face straight up (nx, ny, nz)";
     case PP_WALL:
-        return "lies in a wall without facing straight into the room (nx, ny, nz)";
+        return "lies in a wall but does not face straight into the room (nx, ny, nz)";
     case PP_CEILING:
-        return "lies in the ceiling without facing straight down from it (nx, ny, nz)";
+        return "lies in the ceiling but does not face straight down (nx, ny, nz)";
     case PP_REVEAL:
         return "lies in an opening";
     case PP_BLOCK:
@@ -234,6 +234,6 @@ enum pp_status pp_position_place_receiver(struct pp_receiver *receiver,
     if (!fault)
         return PP_OK;
     return pp_fail(err, PP_BAD_INPUT,
-                   "the point %g,%g,%g %s; expected a place in the room's free space",
+                   "the point %g,%g,%g %s; expected a point in the room's free space",
                    place.x, place.y, place.z, fault);
 }

@@ -116,7 +116,7 @@ enum pp_status pp_sky_words_parse(struct pp_sky_part *part, const char *spec,
     double altitude_deg, bearing_deg;
     if (comma && !read_sun(comma + 1, &altitude_deg, &bearing_deg))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the sky \"%s\" has no sun that could stand there; expected "
+                       "the sky \"%s\" has no valid sun; expected "
                        "TYPE,ALTITUDE,BEARING, with 0 to 90 and -360 to 360 degrees",
                        pp_text_excerpt(shown, sizeof shown, spec));
     if (comma) {
@@ -126,8 +126,8 @@ enum pp_status pp_sky_words_parse(struct pp_sky_part *part, const char *spec,
     if (sky.kind == PP_SKY_ISO && pp_sky_iso_has_sun(sky.iso)
         && (isnan(sky.sun_altitude_rad) || isnan(sky.sun_bearing_rad)))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the sky %s needs to know where the sun stands, and the room "
-                       "file does not say; expected %s,ALTITUDE,BEARING in degrees",
+                       "the sky %s needs the position of the sun, which the room file "
+                       "does not give; expected %s,ALTITUDE,BEARING in degrees",
                        type, type);
     pp_sky_words_clear(part);
     *part = sky;
@@ -163,7 +163,7 @@ enum pp_status pp_sky_words_sky(struct pp_sky *sky, const struct pp_sky_part *pa
     if (pp_sky_iso_has_sun(part->iso)) {
         if (isnan(part->sun_altitude_rad) || isnan(part->sun_bearing_rad))
             return pp_fail(err, PP_BAD_INPUT,
-                           "iso-%d needs to know where the sun stands; expected "
+                           "iso-%d needs the position of the sun; expected "
                            "sun-altitude and sun-bearing",
                            part->iso);
         sun = direction_of(part->sun_bearing_rad, part->sun_altitude_rad, north_rad);

@@ -115,12 +115,11 @@ static bool check_comparable(struct pp_resolver *r)
     const struct pp_room *room = r->room;
     if (pp_resolve_is_comparable(room))
         return true;
-    pp_mistakes_add(
-        r->mistakes, room->line,
-        "room: has %d faces, %d openings, %d blocks and %d surfaces, too many to "
-        "compare with each other; expected fewer",
-        room->plan.face_count, room->opening_count, room->block_count,
-        room->surface_count);
+    pp_mistakes_add(r->mistakes, room->line,
+                    "room: has %d faces, %d openings, %d blocks and %d surfaces, too "
+                    "many to compare; expected fewer",
+                    room->plan.face_count, room->opening_count, room->block_count,
+                    room->surface_count);
     return false;
 }
 
@@ -153,8 +152,8 @@ static void mark_stated_inner_walls(struct pp_resolver *r)
             if (r->world->openings[k].face != face)
                 continue;
             pp_mistakes_add(r->mistakes, part->line,
-                            "wall: is said to be no outside wall, but has the opening "
-                            "of line %d; expected none in it, or kind \"outer\"",
+                            "wall: is an inside wall, but has the opening of line %d; "
+                            "expected no opening, or kind \"outer\"",
                             r->world->openings[k].line);
             break;
         }
@@ -253,11 +252,10 @@ static enum pp_status resolve_working_plane(struct pp_resolver *r, struct pp_err
             low = fmin(low, world->surfaces[i].outline.vertices[k].z);
     if (!(z >= low) || !(z < world->height_m)) {
         int line = r->room->working_plane_line;
-        pp_mistakes_add(
-            r->mistakes, line ? line : r->room->line,
-            "working-plane: its height is %g m%s; expected it from the room's "
-            "floor at %g m up to below its top at %g m",
-            z, line ? "" : ", since none is given", low, world->height_m);
+        pp_mistakes_add(r->mistakes, line ? line : r->room->line,
+                        "working-plane: its height is %g m%s; expected the room's "
+                        "floor at %g m up to below its top at %g m",
+                        z, line ? "" : ", the default", low, world->height_m);
         return PP_OK;
     }
 

@@ -147,8 +147,7 @@ static enum pp_status check_cache_header(const struct pp_irradiance_cache *cache
                        title);
     const unsigned char *at = bytes + 16;
     if (length < HEAD + WORD)
-        return pp_fail(err, PP_BAD_INPUT, "%s is cut off: the cache has no records",
-                       title);
+        return pp_fail(err, PP_BAD_INPUT, "%s is cut off: it has no records", title);
     uint64_t version = pp_little_endian_take(&at, WORD);
     if (version != VERSION)
         return pp_fail(err, PP_BAD_INPUT,
@@ -200,7 +199,7 @@ static enum pp_status take_all(struct pp_irradiance_cache *cache,
             struct pp_cache_entry entry = {.is = {.depth = i}};
             if (!take_entry(&at, &entry))
                 return pp_fail(err, PP_BAD_INPUT,
-                               "%s is damaged: record %llu makes no sense", title,
+                               "%s is damaged: record %llu is invalid", title,
                                (unsigned long long)k + 1);
             status = pp_cache_layer_put(&cache->layers[i], &entry, err);
         }

@@ -51,20 +51,21 @@ enum pp_status pp_irradiance_cache_check_options(const struct pp_cache_options *
 {
     struct pp_rgb constant = options->constant;
     if (!(options->accuracy > 0.0 && options->accuracy <= 1.0))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "the cache's accuracy is %g; expected more than 0, at most 1",
-                       options->accuracy);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the accuracy of the cache is %g; expected more than 0, at most 1",
+            options->accuracy);
     if (options->resolution < 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the cache's resolution is %d; expected 0 or more",
+                       "the resolution of the cache is %d; expected 0 or more",
                        options->resolution);
     if (options->divisions < 16 || options->divisions > MOST_SIDE * MOST_SIDE)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the cache's divisions are %d; expected 16 to %d",
+                       "the divisions of the cache are %d; expected 16 to %d",
                        options->divisions, MOST_SIDE * MOST_SIDE);
     if (options->supersamples < 0 || options->supersamples > MOST_SIDE * MOST_SIDE)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the cache's supersamples are %d; expected 0 to %d",
+                       "the supersamples of the cache are %d; expected 0 to %d",
                        options->supersamples, MOST_SIDE * MOST_SIDE);
     if (!(constant.r >= 0.0 && constant.g >= 0.0 && constant.b >= 0.0)
         || !isfinite(pp_rgb_luminance(constant)))
@@ -74,7 +75,7 @@ enum pp_status pp_irradiance_cache_check_options(const struct pp_cache_options *
     for (int i = 0; i < options->material_count; i++)
         if (!is_material(scene, options->materials[i]))
             return pp_fail(
-                err, PP_BAD_INPUT, "the scene has no material \"%s\" to be %s",
+                err, PP_BAD_INPUT, "the scene has no material \"%s\" that can be %s",
                 options->materials[i], options->only ? "included" : "excluded");
     return PP_OK;
 }

@@ -77,16 +77,17 @@ static enum pp_status check_planner_options(const struct pp_planner_options *opt
                                             struct pp_error *err)
 {
     if (!(options->error >= 0.0 && options->error <= 1.0))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "a standard error of %g cannot be aimed at; expected a fraction "
-                       "from 0 to 1",
-                       options->error);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the target standard error is %g; expected a fraction from 0 to 1",
+            options->error);
     if (options->samples < 0 || options->samples > PP_MOST_PATHS)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%ld samples a point are not possible; expected up to %d",
+                       "the number of samples per point is %ld; expected up to %d",
                        options->samples, (int)PP_MOST_PATHS);
     if (options->threads < 0)
-        return pp_fail(err, PP_BAD_INPUT, "%d threads are not possible",
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the number of threads is %d; expected 0 or more",
                        options->threads);
     return PP_OK;
 }

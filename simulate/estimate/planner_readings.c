@@ -39,7 +39,7 @@ void pp_planner_read(const struct pp_planner *planner, int point,
                      struct pp_reading readings[PP_VALUES_MOST])
 {
     for (int i = 0; i < planner->sampler->values; i++)
-        readings[i] = pp_reading_none("not sampled yet");
+        readings[i] = pp_reading_none("not simulated yet");
     for (int stage = PP_FINAL; isnan(readings[0].value) && stage >= PP_PILOT; stage--) {
         struct pp_sampled sampled =
             pp_planner_stage(planner, point, (enum pp_planner_stage)stage);

@@ -220,7 +220,7 @@ void pp_spread_readings(const struct pp_sampled *sampled,
     pp_spread_paths(sampled, paths);
     for (int i = 0; i < sampler->values; i++) {
         struct pp_spread spread = spread_of(sampled, i, -1);
-        readings[i] = pp_reading_none("not sampled yet");
+        readings[i] = pp_reading_none("not simulated yet");
         if (spread.count < (sampled->count < 4 ? sampled->count : 4))
             continue;
         readings[i] = pp_reading_of(spread.mean);

@@ -455,9 +455,9 @@ void pp_tracer_read(const struct pp_tracer *tracer, int index,
         pp_planner_read(tracer->planner, index, readings);
     for (int i = 0; i < PP_COMPONENT_COUNT; i++)
         if (index >= tracer->point_count)
-            readings[i] = pp_reading_none("no average was asked for");
+            readings[i] = pp_reading_none("the average was not requested");
         else if (tracer->direct && i != PP_SC && i != PP_ERC)
-            readings[i] = pp_reading_none("direct light alone was asked for");
+            readings[i] = pp_reading_none("only direct light was requested");
 }
 
 double pp_tracer_common(const struct pp_tracer *tracer)

@@ -268,5 +268,5 @@ void pp_path_tracer_read(const struct pp_path_tracer *tracer, int index,
         return;
     }
     for (int i = 0; i < PP_COMPONENT_COUNT; i++)
-        readings[i] = pp_reading_none("no average was asked for");
+        readings[i] = pp_reading_none("the average was not requested");
 }

@@ -153,7 +153,7 @@ enum pp_status pp_checkpoint_save(const struct pp_render *render,
     size_t written = fwrite(bytes, 1, size, out);
     free(bytes);
     if (written != size)
-        return pp_fail(err, PP_SYSTEM, "the checkpoint can't be written");
+        return pp_fail(err, PP_SYSTEM, "the checkpoint cannot be written");
     return PP_OK;
 }
 
@@ -164,7 +164,7 @@ static enum pp_status check_whole(const unsigned char *bytes, size_t length,
                                   size_t *kept, struct pp_error *err)
 {
     if (length < sizeof magic || memcmp(bytes, magic, sizeof magic) != 0)
-        return pp_fail(err, PP_BAD_INPUT, "it is no checkpoint of a picture");
+        return pp_fail(err, PP_BAD_INPUT, "it is not a checkpoint of a picture");
     if (length < HEAD + TAIL)
         return pp_fail(err, PP_BAD_INPUT, "the checkpoint is cut off or damaged");
     const unsigned char *head = bytes + sizeof magic, *tail = bytes + length - TAIL;
@@ -205,7 +205,7 @@ static enum pp_status check_checkpoint_head(const struct pp_render *render,
     if (mark != hash_render(render) || width != render->picture.width
         || height != render->picture.height || tiles != render->tile_count)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the checkpoint is of another picture: its room, view or "
+                       "the checkpoint belongs to another picture: its room, view or "
                        "options differ");
     work[0] = (long long)pp_little_endian_take(at, 8);
     work[1] = (long long)pp_little_endian_take(at, 8);

@@ -306,15 +306,16 @@ static enum pp_status check_render_options(const struct pp_render_options *optio
                                            struct pp_error *err)
 {
     if (options->samples < 1 || options->samples > PP_RENDER_SAMPLES_MOST)
-        return pp_fail(err, PP_BAD_INPUT, "%d samples a pixel; expected 1 to %d",
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the number of samples per pixel is %d; expected 1 to %d",
                        options->samples, PP_RENDER_SAMPLES_MOST);
     int count = options->randomisations;
     if (count != 0
         && (count < PP_RENDER_RANDOMISATIONS_LEAST || count > options->samples
             || (count & (count - 1))))
         return pp_fail(err, PP_BAD_INPUT,
-                       "%d randomisations of %d samples a pixel; expected a power of "
-                       "two from %d to the samples, or none",
+                       "there are %d randomisations of %d samples per pixel; expected "
+                       "a power of two from %d to the samples, or none",
                        count, options->samples, PP_RENDER_RANDOMISATIONS_LEAST);
     return PP_OK;
 }

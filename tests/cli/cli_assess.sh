@@ -115,11 +115,11 @@ check "a criterion by its name" refuses 2 "did you mean en17037?" \
     assess --criteria en17073 "$deep"
 check "nothing is not a criterion" refuses 2 "there is no criterion" \
     assess --criteria "uniformity," "$deep"
-check "and not without the room it needs" refuses 2 "needs --before" \
+check "and not without the room it needs" refuses 2 "expected --before" \
     assess --criteria former-sky "$deep"
 check "a capital by its name" refuses 2 "did you mean London?" assess --place Lodnon "$deep"
 check "or one of those there are" refuses 2 "Nicosia" assess --place Atlantis "$deep"
-check "one place only" refuses 2 "two ways" \
+check "one place only" refuses 2 "both set the median" \
     assess --place London --median-diffuse 9000 "$deep"
 for lux in 0 -5 1e9 bright nan; do
     check "no illuminance of $lux" refuses 2 "1 to 200000 lx" assess --external=$lux "$deep"

@@ -45,7 +45,7 @@ killed=$scratch/killed.csv
 process=$!
 while [ "$({ wc -c <"$killed" || echo 0; } 2>/dev/null)" -lt 9000 ]; do sleep 0.02; done
 check "two runs cannot have a file at a time" \
-    refuses_atlas 3 "being written by another run" --rooms 4 -o "$killed"
+    refuses_atlas 3 "another run writes" --rooms 4 -o "$killed"
 kill -9 "$process"
 wait "$process" 2>/dev/null
 rooms=$(($(grep -c '^[0-9]*,-1,' "$killed") + 1))
@@ -113,10 +113,10 @@ check "nor another sky" refuses_atlas 1 "another atlas" --sky iso --rooms 4 -o "
 check "nor another error" refuses 1 "another atlas" atlas --rooms 4 -o "$whole"
 cp "$examples/office.xml" "$scratch/office.xml"
 check "a room file is not written over" \
-    refuses_atlas 1 "another atlas, or none" --rooms 4 -o "$scratch/office.xml"
+    refuses_atlas 1 "another atlas or no atlas" --rooms 4 -o "$scratch/office.xml"
 check "to the byte" same "$examples/office.xml" "$scratch/office.xml"
-check "and is no atlas" refuses_atlas 1 "this is no atlas" --by-hand "$examples/office.xml"
-check "a file that is not there" refuses_atlas 1 "can't be read" --by-hand "$scratch/none.csv"
+check "and is no atlas" refuses_atlas 1 "this is not an atlas" --by-hand "$examples/office.xml"
+check "a file that is not there" refuses_atlas 1 "cannot be read" --by-hand "$scratch/none.csv"
 sed 's/^2,/7,/' "$whole" >"$scratch/odd.csv"
 check "rooms out of order" refuses_atlas 1 "not those of an atlas" --by-hand "$scratch/odd.csv"
 sed 's/^\(0,0\),[^,]*/\1,77/' "$whole" >"$scratch/odd.csv"

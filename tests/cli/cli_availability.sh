@@ -79,7 +79,7 @@ check "room and weather from one input" \
 check "a weather file that is not there" \
     refuses 1 "no.epw: cannot be opened" availability -w "$scratch/no.epw" "$deep"
 check "a room for a weather file" \
-    refuses 1 "deep-office.xml:1: no weather file" availability -w "$deep" "$deep"
+    refuses 1 "deep-office.xml:1: this is not a weather file" availability -w "$deep" "$deep"
 head -n 50 "$days" >"$scratch/cut.epw"
 check "a file that is cut off" \
     refuses 1 "cut.epw:50: the file ends here" availability -w "$scratch/cut.epw" "$deep"
@@ -109,7 +109,7 @@ check "which nobody asked for" gives availability -w "$scratch/sunday.epw" "$dee
 
 # The median for EN 17037.
 check "no median of four days for assess" \
-    refuses 1 "no median of a year" assess -w "$days" "$deep"
+    refuses 1 "its year has no median" assess -w "$days" "$deep"
 check "a place by two options" \
     refuses 2 "--place" assess -w "$days" --place London "$deep"
 

@@ -66,7 +66,7 @@ check "for a table of their own" \
     grep -q '^# source: .* under the skies of ISO 15469$' "$scratch/out"
 check "and hold on rooms held out" gives atlas --try "$scratch/made.csv"
 head -n 40 "$scratch/made.csv" >"$scratch/short.csv"
-check "too few rooms are refused" refuses 1 "expected enough for bands" \
+check "too few rooms are refused" refuses 1 "rooms are too few for bands" \
     atlas --bands "$scratch/short.csv"
 
 tap_done

@@ -31,7 +31,7 @@ check "which is the difference over the root of the squares of both" \
         d = z - is[c, \"\\\"apart\\\"\"]
         exit !(z != 0 && d * d < 1e-4 && is[t, \"\\\"apart\\\"\"] == \"\")
     }'"
-check "an engine twice is refused" refuses 2 "with commas between" \
+check "an engine twice is refused" refuses 2 "separated by commas" \
     df --simulate --engine path,path "$deep"
 check "interpolated at the points, if asked for" gives df $few --interpolate "$deep"
 check "what is interpolated has no error" nothing \
@@ -82,14 +82,14 @@ check "an empty file is no cache" \
 check "a room file is no cache" \
     refuses 1 "is not a cache" df $few --cache "$examples/office.xml" "$deep"
 check "nor is a directory" refuses 1 "" df $few --cache "$scratch" "$deep"
-check "one room a cache" refuses 2 "--cache has the records of one room" \
+check "one room a cache" refuses 2 "--cache stores the records of one room" \
     df $few --cache "$scratch/new" "$examples/building.xml"
 check "a directory that is not there is refused" \
-    refuses 3 "can't be written" df $few --cache "$scratch/none/new" "$deep"
+    refuses 3 "cannot be written" df $few --cache "$scratch/none/new" "$deep"
 # full WORDS: on a full disk the program says so, with status 3.
 full() {
     on_full_disk 4 "$@"
-    [ $status -eq 3 ] && grep -q "can't be written" "$scratch/err" || told
+    [ $status -eq 3 ] && grep -q "cannot be written" "$scratch/err" || told
 }
 check "a full disk is refused" full df $few --cache "$scratch/new" "$deep"
 check "and leaves no cache" test ! -e "$scratch/new"
@@ -107,14 +107,14 @@ fi
 chmod 600 "$kept"
 check "no half of a cache is left anywhere" nothing "$(leftovers)"
 
-check "the engine needs a simulation" refuses 2 "needs --simulate" df --engine cache "$deep"
+check "the engine needs a simulation" refuses 2 "expected --simulate" df --engine cache "$deep"
 check "the cache needs its engine" \
     refuses 2 "--cache needs --engine cache" df --simulate --cache "$kept" "$deep"
 check "so do its bounces" \
     refuses 2 "--bounces needs --engine cache" df --simulate -ab 0 "$deep"
 check "and its constant" \
     refuses 2 "--ambient needs --engine cache" df --simulate -av 0.1 "$deep"
-check "another engine is refused" refuses 2 "expected path, cache, photons, radiosity or plain, or several with commas between" \
+check "another engine is refused" refuses 2 "expected path, cache, photons, radiosity or plain, or several, separated by commas" \
     df --simulate --engine path,rays "$deep"
 check "more rays than a number holds are refused" refuses 2 "expected a whole number" \
     df $few -ad 1e300 "$deep"

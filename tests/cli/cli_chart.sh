@@ -94,7 +94,7 @@ check "and another with another" \
 check "a section of nothing is refused" \
     refuses 1 "no daylight factor" chart section -m exact+bre -o x.svg "$examples/studio.xml"
 check "and one of a part" refuses 1 "pair" chart section -m bre -o x.svg "$deep"
-check "a scale is one" refuses 2 "not both" chart section --log --linear -o x.svg "$deep"
+check "a scale is one" refuses 2 "exclude each other" chart section --log --linear -o x.svg "$deep"
 check "the section has its own pair too" quietly chart section -o "$scratch/s.svg" \
     "$examples/studio.xml"
 
@@ -220,7 +220,7 @@ check "a protractor that was never sold" quietly chart protractor --glazing clea
 check "there is no protractor 11" \
     refuses 2 "from 1 to 10" chart protractor --number 11 -o "$file"
 check "a numbered protractor has its slope" \
-    refuses 2 "one of the ten" chart protractor --number 3 --slope 20 -o "$file"
+    refuses 2 "selects a protractor" chart protractor --number 3 --slope 20 -o "$file"
 check "a glazing that is not in the table" \
     refuses 2 "table" chart protractor --glazing milk -o "$file"
 check "a protractor of a sky that changes with azimuth" \
@@ -269,7 +269,7 @@ for format in pdf svg png; do
 done
 run chart position-nomogram -p 1.5,6 -o "$scratch/position.pdf" "$deep"
 check_words "with what is read" "$scratch/position.pdf" "at the point 0.49 %"
-check "it is for one point" refuses 2 "drawn from one point" chart position-nomogram -o "$file" "$deep"
+check "it is for one point" refuses 2 "drawn for one point" chart position-nomogram -o "$file" "$deep"
 check "and solved" refuses 2 "--unsolved" \
     chart position-nomogram -p 1.5,6 --unsolved -o "$file" "$deep"
 check "under the overcast sky" refuses 2 "overcast" \

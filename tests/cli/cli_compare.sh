@@ -127,16 +127,16 @@ CSV
 check "x without y" wrong 1 "expected a column of both x and y" <<'CSV'
 x,df_percent
 CSV
-check "an empty file" wrong 1 "wrong.csv: no values" </dev/null
-check "a header alone" wrong 1 "wrong.csv: no values" <<'CSV'
+check "an empty file" wrong 1 "wrong.csv: there are no values" </dev/null
+check "a header alone" wrong 1 "wrong.csv: there are no values" <<'CSV'
 x,y,df_percent
 CSV
-check "a word where a number should be" wrong 1 'wrong.csv:3: "dark"; expected a number' <<'CSV'
+check "a word where a number should be" wrong 1 'wrong.csv:3: "dark" is not a number; expected a number' <<'CSV'
 x,y,df_percent
 1,1,2.2
 1,2,dark
 CSV
-check "NaN" wrong 1 'wrong.csv:2: "nan"; expected a number' <<'CSV'
+check "NaN" wrong 1 'wrong.csv:2: "nan" is not a number; expected a number' <<'CSV'
 x,y,df_percent
 1,1,nan
 CSV
@@ -150,7 +150,7 @@ x,y,df_percent
 # between
 1,2
 CSV
-check "another number of points" wrong 1 "3 values without x and y; expected 6" <<'CSV'
+check "another number of points" wrong 1 "3 values have no x and y; expected 6" <<'CSV'
 df_percent
 1
 2
@@ -165,25 +165,25 @@ check "a value without a unit" wrong 1 "expected --as percent, fraction or lux" 
 x,y,df
 1,1,2.2
 CSV
-check "lux without their sky" wrong 1 "values in lux need --external LUX" <<'CSV'
+check "lux without their sky" wrong 1 "values in lux need the horizontal illuminance outside; expected --external LUX" <<'CSV'
 x,y,lux
 1,1,220
 CSV
-check "per cent for fractions" wrong 1 "is the unit right?" --as fraction <<'CSV'
+check "per cent for fractions" wrong 1 "check the unit" --as fraction <<'CSV'
 x,y,df
 1,1,2.2
 CSV
-check "two units" wrong 1 "--as says another unit" --as lux --external 9000 <<'CSV'
+check "two units" wrong 1 "--as and the column name give different units" --as lux --external 9000 <<'CSV'
 x,y,df_percent
 1,1,2.2
 CSV
 awk 'BEGIN { print "x,y,df_percent"; for (i = 0; i < 2000; i++) printf "1,1,2,"; print "" }' \
     >"$scratch/long.csv"
 check "a huge line" \
-    refuses 1 "long.csv:2: a line of " compare "$room" "$scratch/long.csv"
+    refuses 1 "long.csv:2: the line has " compare "$room" "$scratch/long.csv"
 printf 'x,y,df_percent\n1,1,\0002\n' >"$scratch/nul.csv"
 check "a character of code 0" \
-    refuses 1 "a character of code 0" compare "$room" "$scratch/nul.csv"
+    refuses 1 "a NUL byte" compare "$room" "$scratch/nul.csv"
 check "no such file" refuses 1 "no.csv" compare "$room" "$scratch/no.csv"
 check "no second file" refuses 2 "expected the other program's values" compare "$room"
 check "a switch mistyped" refuses 2 "--as-if: there is no switch" compare --as-if bonces=2 "$room"
@@ -194,7 +194,7 @@ sed 's|<grid |<furniture x="0.2" y="1" width="1.2" depth="2" height="0.74"/><gri
 check "points moved under a desk" \
     shows "as if plane=0" compare --error 5% --as-if plane=0 "$scratch/desk.xml"
 check "noise of values that are missing" \
-    refuses 2 "--noise is of the other program's values" compare --noise 2% --as-if low "$room"
+    refuses 2 "--noise describes the other program's values" compare --noise 2% --as-if low "$room"
 check "noise that is none" refuses 2 "--noise" compare --noise none "$room" "$other"
 check "a ground that reflects too much" \
     refuses 2 "ground is \"1.2\"; expected a number from 0 to 1" compare --as-if ground=1.2 "$room"
@@ -222,16 +222,16 @@ check "a scene, in lux of its own sky" \
     shows "colour=green: green alone" compare --error 2% "$scratch/scene.rad" "$scratch/scene.csv"
 check "in a tidy way, too" nothing "$(untidy)"
 check "a scene without values" \
-    refuses 2 "expected scene files, and behind them" compare "$scratch/scene.rad"
+    refuses 2 "expected scene files, then" compare "$scratch/scene.rad"
 check "a scene has its own sky" \
-    refuses 2 "--sky is of room files" compare --sky uniform "$scratch/scene.rad" "$scratch/scene.csv"
+    refuses 2 "--sky is for room files" compare --sky uniform "$scratch/scene.rad" "$scratch/scene.csv"
 check "and its own ground" refuses 1 "among the shapes, and stays" \
     compare --as-if ground=0.3 "$scratch/scene.rad" "$scratch/scene.csv"
 check "a room has no colours" \
     refuses 1 "a room file has no colours" compare --as-if colour=green "$room"
 sed 's/,1,/,/; s/,z,/,/' "$scratch/scene.csv" >"$scratch/flat.csv"
 check "a scene has no working plane" \
-    refuses 1 "flat.csv:2: no x, y and z" compare "$scratch/scene.rad" "$scratch/flat.csv"
+    refuses 1 "flat.csv:2: x, y and z are missing" compare "$scratch/scene.rad" "$scratch/flat.csv"
 printf '"x [m]";"y [m]";"DF [%%]"\n1,5;2;3,25\n' >"$scratch/comma.csv"
 printf 'x,y,df_percent\n1.5,2,3.25\n' >"$scratch/point.csv"
 gives compare --error 2% "$room" "$scratch/comma.csv" && sed 1d "$scratch/out" >"$scratch/comma"

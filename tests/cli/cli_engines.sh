@@ -46,6 +46,6 @@ check "a suite of all engines" gives validate engines --samples 64 "$deep" \
     --format csv
 check "holds photons, radiosity and cache against paths" sh -c \
     "grep -c ',photons,' '$scratch/out' | grep -qx 18 && grep -c ',cached,' '$scratch/out' | grep -qx 18"
-check "without hand methods" refuses 2 "engines is of the simulation alone" \
+check "without hand methods" refuses 2 "engines compares only simulations" \
     validate engines -m bre "$deep"
 tap_done

@@ -59,8 +59,8 @@ check "validate holds it against the simulation" shows 'bre-variant' \
 check "validate without a room has no use for one" refuses 2 '--formula' \
     validate --formula "$lighter"
 
-check "a formula that divides by nothing in a room has no value" \
-    shows 'divides by nothing, in column 15' \
+check "a formula that divides by zero in a room has no value" \
+    shows 'divides by zero, in column 15' \
     df --formula 'irc = W C / A / (R - R)' --format json "$office"
 check "one for panes that the room has not says so" shows 'no opening' \
     df --formula 'split-flux: irc = u C' -m split-flux "$office"
@@ -95,5 +95,5 @@ check "all formulae are listed" shows '  irc = 0.85 W / (A (1 - R)) (C R_fw + 5 
     df --list-formulas
 check "with their quantities" grep -q '^      R_fw    -    mean reflectance' "$scratch/out"
 check "and sources" grep -q '\[GEEBELEN, eq. 12\]' "$scratch/out"
-check "without a room" refuses 2 'without a file' df --list-formulas "$office"
+check "without a room" refuses 2 'expected no file' df --list-formulas "$office"
 tap_done

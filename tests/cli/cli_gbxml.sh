@@ -81,16 +81,16 @@ LC_ALL=C sed '1s/UTF-8/utf-16/; 1s/^...//' "$scratch/office.gbxml" >"$scratch/la
 run import -q "$scratch/labelled.xml"
 check "from UTF-8 that is declared as UTF-16, too" same "$scratch/room.xml" "$scratch/out"
 
-check "options of scenes are refused" refuses 2 "--points-file is of Radiance" \
+check "options of scenes are refused" refuses 2 "--points-file is for Radiance" \
     import --points-file "$scratch/room.xml" "$scratch/office.gbxml"
-check "it is imported by itself" refuses 2 "by itself" \
+check "it is imported by itself" refuses 2 "expected it alone" \
     import "$scratch/office.gbxml" "$scratch/office.gbxml"
 check "a room file is none" refuses 1 "expected <gbXML>" import "$scratch/room.xml"
 sed 's/Meters/Ells/' "$scratch/office.gbxml" >"$scratch/bad.gbxml"
 check "a unit that is none is refused by line" refuses 1 "bad.gbxml:2: lengthUnit is \"Ells\"" \
     import "$scratch/bad.gbxml"
 head -c 900 "$scratch/office.gbxml" >"$scratch/bad.gbxml"
-check "so is a file that breaks off" refuses 1 "the file breaks off" import "$scratch/bad.gbxml"
+check "so is a file that breaks off" refuses 1 "the file ends inside" import "$scratch/bad.gbxml"
 grep -v 'FixedWindow' "$scratch/office.gbxml" | sed 's/WindowType/Other/g' >"$scratch/bad.gbxml"
 cp "$scratch/hand.xml" "$scratch/keep.xml"
 run import "$scratch/bad.gbxml" -o "$scratch/keep.xml"

@@ -86,9 +86,9 @@ check "a gap of less than a millimetre in an envelope is closed" sh -c "
         cmp - '$scratch/shut'"
 gapped 3.099 >"$scratch/gap.xml"
 check "one of a millimetre is open, however it rounds" \
-    refuses 1 "the envelope does not close" df "$scratch/gap.xml"
+    refuses 1 "the envelope is open" df "$scratch/gap.xml"
 gapped 3.101 >"$scratch/gap.xml"
-check "on either side" refuses 1 "the envelope does not close" df "$scratch/gap.xml"
+check "on either side" refuses 1 "the envelope is open" df "$scratch/gap.xml"
 
 # What others wrote reaches no terminal as it is.
 escape=$(printf '\033[31m')

@@ -54,23 +54,23 @@ check "so does a report" sh -c "
 
 check "without the option no image" nothing \
     "$("$pepperpot" assess --by-hand --for uk-planning --table "$scratch/terrace.xml" | grep -i mirror)"
-check "a point is no line" refuses 2 "expected two points X1,Y1,X2,Y2" \
+check "a point is no line" refuses 2 "expected two different points X1,Y1,X2,Y2" \
     assess --mirror-image 1,2,1,2 "$scratch/terrace.xml"
-check "nor are three numbers" refuses 2 "expected two points X1,Y1,X2,Y2" \
+check "nor are three numbers" refuses 2 "expected two different points X1,Y1,X2,Y2" \
     assess --mirror-image 1,2,3 "$scratch/terrace.xml"
-check "a line through the rooms" refuses 1 'goes through the room "Low"' \
+check "a line through the rooms" refuses 1 'crosses the room "Low"' \
     assess --by-hand --mirror-image=-9,1,9,1 "$scratch/terrace.xml"
 sed 's/name="High" *use/name="High" use/; s/<room name=.High. \(.*\) y=.0./<room name="High" \1 y="-30"/' \
     "$scratch/terrace.xml" >"$scratch/apart.xml"
-check "rooms on both sides" refuses 1 "stand on two sides of the line" \
+check "rooms on both sides" refuses 1 "are on two sides of the line" \
     assess --by-hand --mirror-image=$line "$scratch/apart.xml"
 sed "s/ x='0' y='0'//; s/ z='2.7'//" "$scratch/terrace.xml" >"$scratch/loose.xml"
 check "rooms without a place" refuses 1 "no room with a place" \
     assess --by-hand --mirror-image=$line "$scratch/loose.xml"
 check "a site without states" refuses 1 "nothing in it has a state" \
     assess --by-hand --mirror-image=$line "$scratch/image.xml"
-check "not beside another file" refuses 2 "it does not go with --before" \
+check "not beside another file" refuses 2 "cannot be combined with --before" \
     assess --mirror-image=$line --before "$scratch/image.xml" "$scratch/terrace.xml"
-check "the criterion needs the line" refuses 2 "it needs --mirror-image" \
+check "the criterion needs the line" refuses 2 "expected --mirror-image" \
     assess -c mirror-image "$scratch/terrace.xml"
 tap_done

@@ -61,7 +61,7 @@ check "a plan of the site has them" sh -c "
     '$pepperpot' chart site '$scratch/flats.xml' -o '$scratch/site.svg' && test -s '$scratch/site.svg'"
 sed 's/right="0.7"/right="7"/; s/x="13" y="-13" rotate="180"/x="12" y="-3" z="3.2"/' \
     "$scratch/flats.xml" >"$scratch/through.xml"
-check "a balcony that goes through a room" refuses 1 'balcony: goes through a' \
+check "a balcony that goes through a room" refuses 1 'balcony: intersects a' \
     df "$scratch/through.xml"
 
 # Light from the house opposite, less where its window is darker than its wall.

@@ -36,9 +36,9 @@ check "an option without its value" refuses 2 "needs a value" df "$deep" --metho
 check "an unknown method suggests the nearest" refuses 2 "exact" df -m exat "$deep"
 check "an unknown sky" refuses 2 "--sky" df --sky overcst "$deep"
 check "an unknown format" refuses 2 "text, json or csv" df --format xml "$deep"
-check "an error that is none" refuses 2 "per cent" df -s --error 1,5% "$deep"
+check "an error that is none" refuses 2 "expected a percentage" df -s --error 1,5% "$deep"
 check "an error of more than the whole" refuses 2 "up to 100" df -s --error 101% "$deep"
-check "an error needs a simulation" refuses 2 "needs --simulate" df --error 1% "$deep"
+check "an error needs a simulation" refuses 2 "expected --simulate" df --error 1% "$deep"
 check "samples are whole" refuses 2 "whole number" df -s --samples 1e3 "$deep"
 check "a time has a unit" refuses 2 "such as 10s" df -s --time soon "$deep"
 check "error and samples exclude each other" \
@@ -67,5 +67,5 @@ options=$("$pepperpot" df --help | grep -cE '^ +(-., )?--[a-z]')
 check "the help shows all of df's options" test "$options" -ge 14
 check "a short word's value is the next word" refuses 2 "did you mean -aa" \
     render -aa.2 -o "$scratch/x.png" "$deep"
-check "a file without a name" refuses 1 "the name of a file is empty" df ""
+check "a file without a name" refuses 1 "the name of the file is empty" df ""
 tap_done

@@ -77,14 +77,14 @@ cp "$deep" "$scratch/own.xml"
 ln -s own.xml "$scratch/other.xml"
 for own in "$scratch/own.xml" "$scratch/../${scratch##*/}/own.xml" "$scratch/other.xml"; do
     check "the room file is not written over as ${own##*/tmp}" \
-        refuses 2 "which is read" df -o "$own" "$scratch/own.xml"
+        refuses 2 "would overwrite the input file" df -o "$own" "$scratch/own.xml"
 done
 check "and is what it was" same "$deep" "$scratch/own.xml"
-check "a cache is not the output" refuses 2 "--cache and --output are one file" \
+check "a cache is not the output" refuses 2 "--cache and --output are the same file" \
     df -s --engine cache --cache "$scratch/two" -o "$scratch/./two" "$deep"
-check "nor a picture its checkpoint" refuses 2 "are one file" \
+check "nor a picture its checkpoint" refuses 2 "are the same file" \
     render --checkpoint "$scratch/x.png" -o "$scratch/x.png" "$deep"
-check "nor a weather file" refuses 2 "--output and --weather are one file" \
+check "nor a weather file" refuses 2 "--output and --weather are the same file" \
     availability --weather "$scratch/own.xml" -o "$scratch/own.xml" "$deep"
 check "a cache is a file" refuses 2 "the name of a file" \
     df -s --engine cache --cache - "$deep"

@@ -26,7 +26,7 @@ check "not where there is anything else" refuses 3 "mine.txt" \
     export --to radiance --force -o "$out" "$deep"
 check "and that is still there" grep -q mine "$out/mine.txt"
 rm "$out/mine.txt"
-check "a file in its place is left alone" refuses 3 "no directory" \
+check "a file in its place is left alone" refuses 3 "not a directory" \
     export --to radiance -o "$out/room.rad" "$deep"
 check "a building is a directory of directories" \
     export_to -o "$scratch/building" "$examples/building.xml"
@@ -70,7 +70,7 @@ check "without --to it is refused" refuses 2 "--to" export -o "$scratch/x" "$dee
 check "and for other programs" refuses 2 "radiance" export --to dxf -o "$scratch/x" "$deep"
 check "without -o" refuses 2 "-o DIR" export --to radiance "$deep"
 check "to standard output" refuses 2 "directory" export --to radiance -o - "$deep"
-check "into what is not there" refuses 3 "can't be written" \
+check "into what is not there" refuses 3 "cannot be written" \
     export --to radiance -o "$scratch/no/such" "$deep"
 sed 's|<working|<surface reflectance="0.2" exitance="0.1"><vertex x="1" y="1" z="1"/><vertex x="2" y="1" z="1"/><vertex x="2" y="2" z="1"/></surface><working|' \
     "$deep" >"$scratch/lit.xml"
@@ -174,7 +174,7 @@ check "or in no other way" refuses 2 "aimed or chance" import --lamps sometimes 
 
 check "a bad scene is refused by file and line" refuses 1 "bad.rad:3: " import "$scratch/bad.rad"
 printf '!rm -rf /\n' >"$scratch/bad.rad"
-check "nothing is executed" refuses 1 "nothing is executed" import "$scratch/bad.rad"
+check "no program is run" refuses 1 "no program is run" import "$scratch/bad.rad"
 printf 'a polygon p 0 0 9 0 0 0 1 0 0 0 1 0\n' >"$scratch/bad.rad"
 check "nor made of nothing" refuses 1 "bad.rad:1: " import "$scratch/bad.rad"
 check "a scene that is not there" refuses 1 "none.rad" import "$scratch/none.rad"
@@ -227,11 +227,11 @@ printf 'void illum i 1 nosuch 0 3 1 1 1\n' >"$scratch/bad.rad"
 check "what it looks like has to be there" refuses 1 'bad.rad:1: there is no material "nosuch"' \
     import "$scratch/bad.rad"
 printf 'void glow g 0 0 4 1 1 1 0\nvoid illum i 1 g 0 3 1 1 1\n' >"$scratch/bad.rad"
-check "and gives off no light itself" refuses 1 "bad.rad:2: an illum that is \"g\" to the eye" \
+check "and gives off no light itself" refuses 1 "bad.rad:2: an illum looks like \"g\"" \
     import "$scratch/bad.rad"
 
 check "without Radiance, validate says so" sh -c \
-    'PATH=/nowhere "$1" validate --against radiance "$2" 2>&1 | /bin/grep -q "not on PATH"' \
+    'PATH=/nowhere "$1" validate --against radiance "$2" 2>&1 | /bin/grep -q "oconv and rtrace on PATH"' \
     sh "$pepperpot" "$deep"
 check "of what room it has to be told" refuses 2 "--against" validate --against radiance
 

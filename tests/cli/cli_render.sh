@@ -155,7 +155,7 @@ check "interrupted while the cache grows, nothing is kept, and that is said" eva
     'interrupted render --size 64x48 --samples 1 -ad 16384 --quiet \
          --checkpoint "$scratch/g" "$deep" -o "$scratch/i.hdr"; [ $status -eq 130 ] &&
      [ ! -e "$scratch/i.hdr" ] && [ ! -e "$scratch/g" ] &&
-     grep -q "of which nothing is kept" "$scratch/err" || told'
+     grep -q "nothing was saved" "$scratch/err" || told'
 check "interrupted with a checkpoint, what is done is kept" eval \
     'interrupted render $long --checkpoint "$scratch/c" "$deep" -o "$scratch/i.hdr";
      [ $status -eq 130 ] && [ ! -e "$scratch/i.hdr" ] && [ -s "$scratch/c" ] || told'
@@ -222,7 +222,7 @@ for format in hdr pfm png pdf svg; do
     check "a full disk leaves nothing of a $format" fills -o "$scratch/x.$format"
 done
 check "nor of a checkpoint" fills --checkpoint "$scratch/x.c" -o "$scratch/x.hdr"
-check "a file that is no checkpoint" refuses 1 "no checkpoint" \
+check "a file that is no checkpoint" refuses 1 "not a checkpoint" \
     render $small --checkpoint "$examples/office.xml" "$deep" -o "$scratch/x.hdr"
 
 # ---- what makes no sense ----
@@ -244,7 +244,7 @@ check "a picture that is kept but can't be shown" refuses 2 "up to 32767" \
     render --size 1x40000 "$deep" -o "$scratch/x.png"
 check "an eye in a wall" refuses 1 "is in a surface" \
     render --from 0,4,1.2 $small "$deep" -o "$scratch/x.png"
-check "an eye that looks at itself" refuses 1 "where the eye is" \
+check "an eye that looks at itself" refuses 1 "the position of the eye" \
     render --from 1,4 --towards 1,4 $small "$deep" -o "$scratch/x.png"
 check "a view along its own up" refuses 1 "another up" \
     render --direction 0,0,1 --up 0,0,2 $small "$deep" -o "$scratch/x.png"
@@ -252,15 +252,15 @@ check "towards and direction" refuses 2 "expected one of them" \
     render --towards 1,1 --direction 1,0,0 "$deep" -o "$scratch/x.png"
 check "an angle of a plan" refuses 2 "--across" \
     render --view plan --angle 60 "$deep" -o "$scratch/x.png"
-check "false colour as numbers" refuses 2 "drawn, not kept" \
+check "false colour as numbers" refuses 2 "displayed, not stored" \
     render --false-colour "$deep" -o "$scratch/x.hdr"
-check "an exposure of numbers" refuses 2 "kept as it is" \
+check "an exposure of numbers" refuses 2 "the light is stored" \
     render --exposure 7 "$deep" -o "$scratch/x.pfm"
-check "a scale without false colour" refuses 2 "--range is of the scale" \
+check "a scale without false colour" refuses 2 "--range is for the scale" \
     render --range 1,2 "$deep" -o "$scratch/x.png"
 check "a range upside down" refuses 2 "LOW < HIGH" \
     render --false-colour --range 2,1 "$deep" -o "$scratch/x.png"
-check "levels that fall" refuses 2 "higher than the one before" \
+check "levels that fall" refuses 2 "increasing levels" \
     render --false-colour --levels 2,1 "$deep" -o "$scratch/x.png"
 check "a grid over no fisheye" refuses 2 "fisheye" \
     render --grid "$deep" -o "$scratch/x.png"
@@ -273,18 +273,18 @@ for option in --view=plan --from=1,2 --towards=1,2 --direction=0,1,0 --up=0,0,1 
     --filter=gauss --checkpoint="$scratch/x.kept" --errors="$scratch/x.pfm" --external=5 --sky=uniform --room=A \
     --seed=3; do
     check "a picture that is there has no $option" refuses 2 \
-        "${option%%=*} is of a picture in the making" \
+        "${option%%=*} is for rendering" \
         render --from-picture "$scratch/one.hdr" "$option" -o "$scratch/x.png"
 done
 for option in --paper=a4 --orientation=portrait --dpi=300; do
-    check "a plain picture has no $option" refuses 2 "${option%%=*} is of a sheet" \
+    check "a plain picture has no $option" refuses 2 "${option%%=*} is for sheets" \
         render "$option" "$deep" -o "$scratch/x.png"
 done
-check "dots of a PDF" refuses 2 "--dpi is of a sheet as PNG" \
+check "dots of a PDF" refuses 2 "--dpi is for a sheet as PNG" \
     render --dpi 300 "$deep" -o "$scratch/x.pdf"
 check "three paths a pixel" refuses 2 "a power of two" \
     render --samples 3 "$deep" -o "$scratch/x.png"
-check "daylight factors under so much light" refuses 2 "--external does not go" \
+check "daylight factors under so much light" refuses 2 "does not depend on --external" \
     render --quantity df --external 5000 "$deep" -o "$scratch/x.png"
 check "a place for no output" refuses 3 "nowhere" \
     render $small "$deep" -o "$scratch/nowhere/x.png"
@@ -292,7 +292,7 @@ check "errors that are shown" refuses 2 "ends in .hdr or .pfm" \
     render --errors "$scratch/x.png" "$deep" -o "$scratch/x.hdr"
 check "errors of too few paths" refuses 2 "--samples of 4 or more" \
     render --samples 2 --errors "$scratch/x.hdr" "$deep" -o "$scratch/x.pfm"
-check "errors in the picture's file" refuses 2 "are one file" \
+check "errors in the picture's file" refuses 2 "are the same file" \
     render --errors "$scratch/x.hdr" "$deep" -o "$scratch/x.hdr"
 run render $small --format hdr "$deep"
 "$pepperpot" render $small --format hdr "$deep" >/dev/full 2>"$scratch/err"

@@ -147,7 +147,7 @@ sed "s/depth=\"5\" height=\"19\"/depth=\"5\" height=\"$height\"/" "$site" >"$scr
 check "at that height it has it" gives assess --by-hand -c no-sky-line --room Bathroom -f json "$scratch/lower.xml"
 check "to 1e-3" is "$(sed -n 's/.*now over before.*"figure": \([0-9.]*\),.*/\1/p' "$scratch/out")" 0.8 1e-3
 check "27 % is enough" shows "or 27 %" size --obstruction Tower --enough 27% --room Study "$site"
-check "of a room there is no such share" refuses 2 "a lit area is a room's" \
+check "of a room there is no such share" refuses 2 "a lit area belongs to a room" \
     size --obstruction Tower --of lit-area --enough 27% "$site"
 check "vsc or lit-area" refuses 2 "expected vsc or lit-area" size --obstruction Tower --of apsh "$site"
 check "what is kept, of a block" refuses 2 "is for --obstruction" size -t 2% --of lit-area "$site"
@@ -169,12 +169,12 @@ check "as blocks they can be judged" gives assess --by-hand -c former-sky --room
 check "and leave it that to 1e-4" is "$(sed -n '2s/.*,78,[0-9.]*,[0-9.]*,\([0-9.]*\),.*/\1/p' "$scratch/out")" 0.8 1e-4
 check "as JSON" shows '"format": "pepperpot-envelope-1"' size --envelope Tower -f json "$site"
 check "an outline is a plot too" shows '"verdict": "none"' size --envelope Corner -f json "$site"
-check "an envelope or a height" refuses 2 "does not go with --envelope" \
+check "an envelope or a height" refuses 2 "and --envelope exclude each other" \
     size --envelope Tower --obstruction Tower "$site"
 check "it is by windows" refuses 2 "expected --of vsc" size --envelope Tower --of lit-area "$site"
-check "cells are an envelope's" refuses 2 "csv is the format of --envelope" \
+check "cells are an envelope's" refuses 2 "csv is for --envelope only" \
     size --obstruction Tower -f csv "$site"
-check "no window has cells" refuses 2 "csv is the format of --envelope" size -t 2% -f csv "$site"
+check "no window has cells" refuses 2 "csv is for --envelope only" size -t 2% -f csv "$site"
 check "a height in metres" refuses 2 "expected a height from 1 to 1000 m" \
     size --envelope Tower --highest 0 "$site"
 check "nothing higher without a block" refuses 2 "--highest is for --obstruction or --envelope" \
@@ -183,7 +183,7 @@ check "a plot by its name" refuses 1 "did you mean Tower?" size --envelope Towr 
 check "a block by its name" refuses 1 "did you mean Tower?" size --obstruction Towr "$site"
 check "a window by its name" refuses 1 'no upright window is named "W9"' \
     size --obstruction Tower --window-name W9 "$site"
-check "no target with it" refuses 2 "does not go with --obstruction" \
+check "no target with it" refuses 2 "and --obstruction exclude each other" \
     size --obstruction Tower --target 2% "$site"
 check "no share without it" refuses 2 "is for --obstruction" size --target 2% --keep 80% "$site"
 check "a file without names" refuses 1 "no block in it has a name" size --obstruction Tower "$deep"

@@ -69,16 +69,16 @@ check "on two sheets" sh -c "! command -v pdfinfo >/dev/null ||
 check "the second of the window that decides" says "$scratch/envelope.pdf" "396 squares"
 check "as SVG its plan" gives size --envelope Tower "$site" --draw "$scratch/envelope.svg"
 check "with all cells" sh -c "grep -c '<path' '$scratch/envelope.svg' | awk '{ exit \$1 < 50 }'"
-check "of a height nothing is drawn" refuses 2 "--draw is of --envelope" \
+check "of a height nothing is drawn" refuses 2 "--draw is for --envelope only" \
     size --obstruction Tower --draw "$scratch/no.svg" "$site"
 check "to what is no drawing" refuses 2 ".pdf, .svg or .png" \
     size --envelope Tower --draw "$scratch/no.txt" "$site"
 check "a window to be sized has no envelope" refuses 2 "draw" \
     size --target 2% --draw "$scratch/no.svg" "$deep"
 
-check "--before of a chart that compares nothing" refuses 2 "shows a room as it is" \
+check "--before of a chart that compares nothing" refuses 2 "cannot compare two states" \
     chart section --before existing "$site" -o "$scratch/no.svg"
-check "--line of another chart" refuses 2 "--line is of a plan" \
+check "--line of another chart" refuses 2 "--line is for a plan only" \
     chart section --line no-sky "$deep" -o "$scratch/no.svg"
 check "an unknown line" refuses 2 "no-sky or sky-factor" \
     chart plan --line grumble "$deep" -o "$scratch/no.svg"
@@ -122,10 +122,10 @@ check "sizing begins there" shows '"now": 27.06954462' \
 check "and says so" grep -q '"vsc_point_french": 1.6' "$scratch/out"
 check "in words too" shows "windows down to the floor: at 1.6 m" \
     size --envelope Tower $french "$scratch/french.xml"
-check "a lit area has no such point" refuses 2 "--vsc-point-french is of windows" \
+check "a lit area has no such point" refuses 2 "--vsc-point-french is for windows" \
     size --obstruction Tower --of lit-area $french "$scratch/french.xml"
 check "nor has a window to be sized" refuses 2 "--vsc-point-french is for --obstruction" \
     size --target 2% $french "$scratch/french.xml"
-check "nor a plan" refuses 2 "is of a site, an elevation or a diagram" \
+check "nor a plan" refuses 2 "is for a site, an elevation or a diagram" \
     chart plan $french "$scratch/french.xml" -o "$scratch/x.pdf"
 tap_done

@@ -42,14 +42,14 @@ check "a suite in JSON" shows '"suite": "analytic"' validate analytic --format j
 check "says that it passes" grep -q '"passes": true' "$scratch/out"
 check "3 threads give the same bytes as 1" same_by_threads "1 3" \
     validate analytic --format csv
-check "a suite has its own rooms" refuses 2 "no file behind it" validate analytic "$deep"
-check "and no options of rooms" refuses 2 "--sky is about a room" \
+check "a suite has its own rooms" refuses 2 "no file after it" validate analytic "$deep"
+check "and no options of rooms" refuses 2 "--sky is for rooms" \
     validate published --sky uniform
 check "rooms want files" refuses 2 "expected room files" validate rooms
 check "a page is of a suite" refuses 2 "cie171, rooms, radiance or engines" \
     validate --page "$scratch/x.html" "$deep"
 check "radiance wants one" refuses 2 "expected room files" validate radiance
-check "a page in the report's file is refused" refuses 2 "are one file" \
+check "a page in the report's file is refused" refuses 2 "are the same file" \
     validate analytic -o "$scratch/x.html" --page "$scratch/x.html"
 check "a page where none can be written" refuses 3 "nowhere" \
     validate analytic --page "$scratch/nowhere/x.html"
@@ -185,7 +185,7 @@ check "no nan" nothing "$(grep -i '[^a-z]nan' "$scratch/out")"
 check "the same bytes with 1 and 2 threads" same_by_threads "1 2" \
     validate --samples 16 "$deep"
 
-check "options of rooms need one" refuses 2 "--methods is about a room" \
+check "options of rooms need one" refuses 2 "--methods is for rooms" \
     validate --methods bre
 check "a method that there is not" refuses 2 "bre" validate --methods brr "$deep"
 check "a file that there is not" refuses 1 "nowhere.xml" validate nowhere.xml

@@ -144,7 +144,7 @@ static void per_cent_become_fractions(void **state)
     const char *wrong[] = {"0%",  "-1%",   "101%", "1,5%", "nan",
                            "inf", "0x1p3", "%",    "1%%",  "1e999"};
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++)
-        refuse(WORDS("--error", wrong[i]), "expected a number of per cent");
+        refuse(WORDS("--error", wrong[i]), "expected a percentage");
 }
 
 static void times_have_their_units(void **state)

@@ -126,13 +126,13 @@ runs() {
     )
 }
 
-# A module that says that MPI can't be started, where the one for MPI is searched first.
+# A module that says that MPI cannot be started, where the one for MPI is searched first.
 finds_its_module() {
     mkdir -p "$1/lib/pepperpot"
     echo 'int pp_mpirun_module(void) { return 1; }' >"$scratch/module.c"
     $CC -shared -fPIC "$scratch/module.c" -o "$1/lib/pepperpot/pepperpot-mpi.so" || return 1
     OMPI_COMM_WORLD_SIZE=2 "$1/bin/pepperpot" --version 2>"$scratch/err"
-    [ $? -eq 3 ] && grep -q "MPI can't be started" "$scratch/err"
+    [ $? -eq 3 ] && grep -q "MPI cannot be started" "$scratch/err"
 }
 
 moved="$scratch/a moved tree"

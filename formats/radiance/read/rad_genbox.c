@@ -46,16 +46,16 @@ static enum pp_status read_options(struct genbox_box *box, char *const *words,
                 || !(number >= 1.0 && number <= SEGMENTS_MOST) || number != (int)number)
                 return pp_rad_pipe_fail(
                     box->pipe, err,
-                    "expected a whole number from 1 to 256 behind genbox's ", word);
+                    "expected a whole number from 1 to 256 after genbox's ", word);
         } else if (valued) {
             if (++i == count || !read_size(words[i], &box->inset))
                 return pp_rad_pipe_fail(box->pipe, err,
-                                        "expected a size behind genbox's ", word);
+                                        "expected a size after genbox's ", word);
             round = round || word[1] == 'r';
         } else {
             return pp_rad_pipe_fail(
                 box->pipe, err,
-                "of genbox's options -i, -b, -r and -n are understood, not ", word);
+                "expected genbox's options -i, -b, -r and -n only, not ", word);
         }
     }
     if (number == 1.0 && box->inwards)
@@ -68,7 +68,7 @@ static enum pp_status read_options(struct genbox_box *box, char *const *words,
         if (2.0 * box->inset > box->size[i])
             return pp_rad_pipe_fail(
                 box->pipe, err,
-                "genbox of edges that meet: expected them at most half of ",
+                "the edges of the genbox meet: expected them at most half of ",
                 words[3 + i]);
     return PP_OK;
 }
@@ -84,7 +84,7 @@ static enum pp_status read_box(struct genbox_box *box, char *const *words, int c
         return pp_rad_pipe_fail(box->pipe, err, "there is no material ", words[1]);
     for (int i = 0; i < 3; i++)
         if (!read_size(words[3 + i], &box->size[i]))
-            return pp_rad_pipe_fail(box->pipe, err, "genbox of a size of ",
+            return pp_rad_pipe_fail(box->pipe, err, "genbox has a size of ",
                                     words[3 + i]);
     return read_options(box, words, count, err);
 }

@@ -176,8 +176,8 @@ static bool read_options(struct gensky_options *asked, char *const *words, int c
             return complain(wrong, room, "gensky has no option ", word);
         if (i + 1 >= count || !pp_text_parse_number(words[i + 1], &number)
             || !set_number(asked, word[1], number))
-            return complain(wrong, room, "no good number behind gensky's option ",
-                            word);
+            return complain(wrong, room,
+                            "expected a valid number after gensky's option ", word);
         i++;
     }
     return true;

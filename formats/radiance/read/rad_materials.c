@@ -116,9 +116,8 @@ static enum pp_status take_grain(const struct pp_rad_primitive *primitive,
         return PP_OK;
     return pp_rad_words_fail(
         primitive->words, primitive->line, err,
-        "expected the direction of the first roughness as three "
-        "constants and a dot, such as \"4 1 0 0 .\"; functions are not "
-        "understood here");
+        "the direction is a function; expected that of the first roughness as three "
+        "constants and a dot, such as \"4 1 0 0 .\"");
 }
 
 /* The material of an illum to the eye, by its string; nothing where it has none. */
@@ -141,10 +140,10 @@ static enum pp_status take_other(const struct pp_rad_reader *reader,
     if (meaning.kind == PP_RAD_MATERIAL)
         seen = reader->scene->materials[meaning.index];
     if (meaning.kind != PP_RAD_MATERIAL || seen.emits != PP_EMITS_NOTHING)
-        return pp_rad_words_fail(primitive->words, other.line, err,
-                                 "an illum that is \"%.*s\" to the eye; expected a "
-                                 "material that gives off no light",
-                                 shown, other.text);
+        return pp_rad_words_fail(
+            primitive->words, other.line, err,
+            "an illum looks like \"%.*s\"; expected a material that emits no light",
+            shown, other.text);
     seen.emits = illum->emits;
     seen.unseen = true;
     seen.radiance = illum->radiance;
@@ -172,7 +171,7 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
     if (primitive->number_count < materials[which].least
         || primitive->number_count > materials[which].most)
         return pp_rad_words_fail(
-            words, primitive->line, err, "%s of %d numbers; expected %d%s", name,
+            words, primitive->line, err, "%s has %d numbers; expected %d%s", name,
             primitive->number_count, materials[which].least,
             materials[which].most > materials[which].least ? " or 4" : "");
     bool is_illum = strcmp(name, "illum") == 0;
@@ -184,15 +183,14 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
             "without strings",
             pp_rad_words_shown(primitive->strings[0]), primitive->strings[0].text);
     if (!materials[which].grain && primitive->string_count > is_illum)
-        return pp_rad_words_fail(words, primitive->line, err,
-                                 "%s with %d strings; expected none%s", name,
-                                 primitive->string_count,
-                                 is_illum ? ", or the material that the eye sees" : "");
+        return pp_rad_words_fail(
+            words, primitive->line, err, "%s has %d strings; expected none%s", name,
+            primitive->string_count, is_illum ? ", or the visible material" : "");
     for (int i = 0; i < 3; i++)
         if (!(primitive->numbers[i] >= 0.0)
             || (strcmp(name, "glass") == 0 && primitive->numbers[i] > 1.0))
             return pp_rad_words_fail(
-                words, primitive->line, err, "%s of %g; expected %s", name,
+                words, primitive->line, err, "%s has the value %g; expected %s", name,
                 primitive->numbers[i],
                 strcmp(name, "glass") == 0 ? "transmissivities from 0 to 1"
                                            : "0 or more");
@@ -209,13 +207,12 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
     if (primitive->modifier.kind == PP_RAD_MATERIAL)
         return pp_rad_words_fail(
             words, primitive->line, err,
-            "a material's modifier is a material; expected void or the "
-            "brightfunc of a sky");
+            "a material modifies a material; expected void or the brightfunc of a sky");
     if (primitive->modifier.kind == PP_RAD_PATTERN) {
         if (material.emits == PP_EMITS_NOTHING)
             return pp_rad_words_fail(
                 words, primitive->line, err,
-                "a sky's brightfunc on %s; expected it on light or glow", name);
+                "the brightfunc of a sky modifies %s; expected light or glow", name);
         material.pattern = primitive->modifier.index;
     }
     snprintf(material.name, sizeof material.name, "%.*s",
@@ -243,7 +240,7 @@ enum pp_status pp_rad_materials_check_count(const struct pp_rad_reader *reader,
     return scene->material_count <= PP_RAD_MATERIALS_MOST - scene->pattern_count
                ? PP_OK
                : pp_rad_words_fail(words, line, err,
-                                   "a scene of more than %d materials and patterns",
+                                   "the scene has more than %d materials and patterns",
                                    PP_RAD_MATERIALS_MOST);
 }
 

@@ -18,7 +18,8 @@ static enum pp_status end_command(struct pp_rad_pipe *pipe, int begin, int count
         return pp_rad_pipe_fail(pipe, err,
                                 "expected a command: gensky, genbox or xform", "");
     if (pipe->command_count == PP_RAD_PIPE_COMMANDS_MOST)
-        return pp_rad_pipe_fail(pipe, err, "more than 100 commands in one line", "");
+        return pp_rad_pipe_fail(pipe, err,
+                                "there are more than 100 commands in one line", "");
     pipe->commands[pipe->command_count++] =
         (struct pp_rad_command){pipe->list + begin, count - begin};
     return PP_OK;
@@ -40,20 +41,21 @@ enum pp_status pp_rad_pipe_split(struct pp_rad_pipe *pipe, char *text,
             continue;
         }
         if (count == PP_RAD_PIPE_WORDS_MOST)
-            return pp_rad_pipe_fail(pipe, err, "a command of more than 1000 words", "");
+            return pp_rad_pipe_fail(pipe, err, "a command has more than 1000 words",
+                                    "");
         char quote = *at == '\'' || *at == '"' ? *at++ : '\0';
         pipe->list[count++] = at;
         at += quote ? strcspn(at, (char[]){quote, '\0'})
                     : strcspn(at, " |'\"`$;&<>()*?\\");
         if (quote && *at == '\0')
             return pp_rad_pipe_fail(
-                pipe, err, "a quote that is not closed: ", pipe->list[count - 1]);
+                pipe, err, "a quotation mark is not closed: ", pipe->list[count - 1]);
         if (quote)
             *at++ = '\0';
         if (!strchr(" |", *at)) /* strchr finds the end of the text too */
             return pp_rad_pipe_fail(
-                pipe, err, "expected words with blanks between, or in quotes; not ",
-                at);
+                pipe, err,
+                "expected words separated by blanks, or in quotation marks; not ", at);
         if (*at == ' ')
             *at++ = '\0';
     }

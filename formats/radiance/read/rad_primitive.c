@@ -27,7 +27,7 @@ static enum pp_status read_count(struct pp_rad_words *words, const char *what,
         || number != (int)number)
         return pp_rad_words_fail(
             words, word.line, err,
-            "\"%.*s\" where the number of %s was expected, %d at most",
+            "there is \"%.*s\"; expected the number of %s, %d at most",
             pp_rad_words_shown(word), word.text, what, ARGUMENTS_MOST);
     *count = (int)number;
     return PP_OK;
@@ -51,7 +51,7 @@ static enum pp_status read_strings(struct pp_rad_reader *reader,
         status = pp_rad_words_next(primitive->words, &strings[i], err);
         if (status == PP_OK && strings[i].length == 0)
             status = pp_rad_words_fail(primitive->words, strings[i].line, err,
-                                       "the file ends in the middle of a primitive");
+                                       "the file ends inside a primitive");
     }
     return status;
 }
@@ -63,15 +63,15 @@ static enum pp_status read_rad_number(struct pp_rad_words *words, double *number
     enum pp_status status = pp_rad_words_next(words, &word, err);
     if (status == PP_OK && word.length == 0)
         status = pp_rad_words_fail(words, word.line, err,
-                                   "the file ends in the middle of a primitive");
+                                   "the file ends inside a primitive");
     int shown = pp_rad_words_shown(word);
     if (status == PP_OK && !pp_rad_words_number(word, number))
         return pp_rad_words_fail(words, word.line, err,
-                                 "\"%.*s\" where a number was expected", shown,
+                                 "there is \"%.*s\"; expected a number", shown,
                                  word.text);
     if (status == PP_OK && fabs(*number) > 1e30)
         return pp_rad_words_fail(words, word.line, err,
-                                 "the number %.*s; expected -1e30 to 1e30", shown,
+                                 "the number is %.*s; expected -1e30 to 1e30", shown,
                                  word.text);
     return status;
 }
@@ -124,16 +124,15 @@ static enum pp_status take_alias(struct pp_rad_reader *reader,
     bool inherits = pp_rad_words_is(modifier, "inherit");
     if (!inherits && primitive->modifier.kind == PP_RAD_MATERIAL)
         return pp_rad_words_fail(words, primitive->line, err,
-                                 "an alias of a material by a material; expected void, "
-                                 "inherit or a pattern");
+                                 "an alias of a material is modified by a material; "
+                                 "expected void, inherit or a pattern");
     bool patterned = !inherits && primitive->modifier.kind == PP_RAD_PATTERN;
     if (patterned
         && (meaning.kind != PP_RAD_MATERIAL
             || reader->scene->materials[meaning.index].emits == PP_EMITS_NOTHING))
-        return pp_rad_words_fail(
-            words, primitive->line, err,
-            "an alias that puts a sky's brightfunc on what gives off no "
-            "light; expected void or inherit");
+        return pp_rad_words_fail(words, primitive->line, err,
+                                 "an alias modifies a material without emission by a "
+                                 "sky's brightfunc; expected void or inherit");
     int pattern = patterned ? primitive->modifier.index : -1;
     if (meaning.kind == PP_RAD_MATERIAL && !inherits
         && reader->scene->materials[meaning.index].pattern != pattern) {
@@ -170,10 +169,10 @@ static enum pp_status take_rad_primitive(struct pp_rad_reader *reader,
         return status;
     return pp_rad_words_fail(
         primitive->words, primitive->line, err,
-        "the type \"%.*s\" is not understood; expected a shape (polygon, sphere, "
-        "bubble, cone, cup, cylinder, tube, ring, source), a material (plastic, "
-        "metal, trans, plastic2, metal2, trans2, glass, light, glow, illum, "
-        "mirror), alias, the brightfunc of gensky, a mixfunc of two sides",
+        "the type \"%.*s\" is not supported; expected a shape (polygon, sphere, "
+        "bubble, cone, cup, cylinder, tube, ring, source), a material (plastic, metal, "
+        "trans, plastic2, metal2, trans2, glass, light, glow, illum, mirror), alias, "
+        "the brightfunc of gensky, a mixfunc of two sides",
         pp_rad_words_shown(primitive->type), primitive->type.text);
 }
 
@@ -197,7 +196,7 @@ enum pp_status pp_rad_primitive_read(struct pp_rad_reader *reader,
     primitive.line = modifier.line;
     if (primitive.name.length == 0)
         return pp_rad_words_fail(words, modifier.line, err,
-                                 "the file ends in the middle of a primitive");
+                                 "the file ends inside a primitive");
     bool alias = pp_rad_words_is(primitive.type, "alias");
     if (!(alias && pp_rad_words_is(modifier, "inherit"))
         && !pp_rad_names_find(&reader->names, modifier.text, modifier.length,

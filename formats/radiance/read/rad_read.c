@@ -48,7 +48,7 @@ static enum pp_status read_files(struct pp_rad_reader *reader,
     for (int i = 0; i < xform->file_count && status == PP_OK; i++) {
         if (context.depth > PP_RAD_DEPTH_MOST)
             return pp_rad_pipe_fail(
-                pipe, err, "files within files within files: does one name itself? ",
+                pipe, err, "files are nested too deep; a file may include itself: ",
                 xform->files[i]);
         if (!texts[i].bytes)
             status = read_scene_text(&texts[i], xform->files[i], err);
@@ -57,14 +57,12 @@ static enum pp_status read_files(struct pp_rad_reader *reader,
         if (status == PP_OK && reader->bytes > PP_RAD_BYTES_MOST)
             return pp_rad_pipe_fail(
                 pipe, err,
-                "more than 4 GiB of files are read, by this xform and those before it",
-                "");
+                "this xform and those before it read more than 4 GiB of files", "");
         if (status == PP_OK && reader->copied_bytes > PP_RAD_COPIED_BYTES_MOST)
-            return pp_rad_words_fail(
-                pipe->words, pipe->line, err,
-                "more than %d MiB of files are read for copies, by "
-                "this xform and those before it",
-                PP_RAD_COPIED_BYTES_MOST >> 20);
+            return pp_rad_words_fail(pipe->words, pipe->line, err,
+                                     "this xform and those before it read more than %d "
+                                     "MiB of files for copies",
+                                     PP_RAD_COPIED_BYTES_MOST >> 20);
     }
     return status;
 }
@@ -118,11 +116,10 @@ static enum pp_status check_first(const struct pp_rad_reader *reader,
     if (shapes_before + shapes * copies <= PP_RAD_SHAPES_MOST
         && shapes * copies <= PP_RAD_COPIED_SHAPES_MOST)
         return PP_OK;
-    return pp_rad_words_fail(
-        pipe->words, pipe->line, err,
-        "%.0f copies of %.0f shapes; expected %d shapes at most in "
-        "all the copies that xforms make",
-        copies, shapes, PP_RAD_COPIED_SHAPES_MOST);
+    return pp_rad_words_fail(pipe->words, pipe->line, err,
+                             "there are %.0f copies of %.0f shapes; expected %d shapes "
+                             "at most in all the copies that xforms make",
+                             copies, shapes, PP_RAD_COPIED_SHAPES_MOST);
 }
 
 static enum pp_status run_copies(struct pp_rad_reader *reader, struct pp_rad_pipe *pipe,
@@ -136,7 +133,8 @@ static enum pp_status run_copies(struct pp_rad_reader *reader, struct pp_rad_pip
         struct pp_rad_context next = context_of(xform, copy, copies, context);
         if (!isfinite(pp_vec_length(next.transform.move))
             || !(next.transform.scale > 1e-12) || !(next.transform.scale < 1e12))
-            return pp_rad_pipe_fail(pipe, err, "copies that leave all bounds", "");
+            return pp_rad_pipe_fail(pipe, err,
+                                    "the copies exceed the limits of numbers", "");
         status = xform->file_count > 0
                      ? read_files(reader, pipe, xform, texts, next, err)
                      : run_command(reader, pipe, which - 1, &next, err);
@@ -161,7 +159,7 @@ static enum pp_status run_xform(struct pp_rad_reader *reader, struct pp_rad_pipe
     if (copies > (double)(PP_RAD_COPIES_MOST - reader->copies))
         return pp_rad_words_fail(
             pipe->words, pipe->line, err,
-            "more than %d copies, by this xform and those before it",
+            "this xform and those before it make more than %d copies",
             PP_RAD_COPIES_MOST);
     reader->copies += (long)copies;
     struct scene_text *texts = calloc((size_t)xform->file_count + 1, sizeof *texts);
@@ -185,7 +183,7 @@ static enum pp_status run_command(struct pp_rad_reader *reader,
     if (strcmp(name, "xform") == 0)
         return run_xform(reader, pipe, which, context, err);
     if (which > 0)
-        return pp_rad_pipe_fail(pipe, err, "only xform can stand behind a pipe, not ",
+        return pp_rad_pipe_fail(pipe, err, "expected only xform after a pipe, not ",
                                 name);
     if (strcmp(name, "genbox") == 0)
         return pp_rad_genbox(reader, pipe, command, context, err);
@@ -193,8 +191,7 @@ static enum pp_status run_command(struct pp_rad_reader *reader,
         return pp_rad_sky_generate(reader, pipe, command, context, err);
     return pp_rad_pipe_fail(
         pipe, err,
-        "nothing is executed here; of commands, gensky, genbox and xform are worked "
-        "out, not ",
+        "no program is run; expected the commands gensky, genbox and xform, not ",
         name);
 }
 
@@ -243,7 +240,7 @@ static enum pp_status read_scene_text(struct scene_text *text, const char *path,
     enum pp_status status =
         pp_read_file(&text->bytes, &text->length, path, PP_RAD_BYTES_MOST, err);
     if (status == PP_OK && text->length > PP_RAD_BYTES_MOST)
-        return pp_fail(err, PP_BAD_INPUT, "%s: larger than 4 GiB",
+        return pp_fail(err, PP_BAD_INPUT, "%s: it is larger than 4 GiB",
                        pp_read_file_title(path));
     return status;
 }

@@ -27,14 +27,14 @@ static enum pp_status rad_shape_material(const struct pp_rad_reader *reader,
     *back = modifier.kind == PP_RAD_MATERIAL ? modifier.back : -1;
     if (modifier.kind == PP_RAD_PATTERN)
         return pp_rad_words_fail(
-            words, line, err, "a shape's modifier is a pattern; expected a material");
+            words, line, err,
+            "the modifier of a shape is a pattern; expected a material");
     int patterned = has_pattern(reader, *material) ? *material : *back;
     if (!distant && has_pattern(reader, patterned))
-        return pp_rad_words_fail(
-            words, line, err,
-            "a shape of \"%s\", which has a sky's pattern; expected "
-            "it on a source, or a material without one",
-            reader->scene->materials[patterned].name);
+        return pp_rad_words_fail(words, line, err,
+                                 "a shape of \"%s\" has a sky's pattern; expected it "
+                                 "on a source, or a material without one",
+                                 reader->scene->materials[patterned].name);
     if (modifier.kind == PP_RAD_VOID)
         reader->summary->unseen++;
     return PP_OK;
@@ -46,19 +46,19 @@ static enum pp_status check_count(struct pp_rad_reader *reader,
                                   int corners, bool copied, struct pp_error *err)
 {
     if (reader->scene->shape_count >= PP_RAD_SHAPES_MOST)
-        return pp_rad_words_fail(words, line, err, "a scene of more than %d shapes",
+        return pp_rad_words_fail(words, line, err, "the scene has more than %d shapes",
                                  PP_RAD_SHAPES_MOST);
     if (!copied)
         return PP_OK;
     if (++reader->copied_shapes > PP_RAD_COPIED_SHAPES_MOST)
         return pp_rad_words_fail(words, line, err,
-                                 "more than %d shapes in the copies that xforms make",
+                                 "the copies that xforms make have more than %d shapes",
                                  PP_RAD_COPIED_SHAPES_MOST);
     reader->copied_corners += corners;
     if (reader->copied_corners > PP_RAD_COPIED_CORNERS_MOST)
         return pp_rad_words_fail(
             words, line, err,
-            "polygons of more than %d corners in all in the copies that xforms make",
+            "the polygons in the copies that xforms make have more than %d corners",
             PP_RAD_COPIED_CORNERS_MOST);
     return PP_OK;
 }
@@ -100,9 +100,8 @@ enum pp_status pp_rad_shapes_add_polygon(struct pp_rad_reader *reader,
         if (turned > 1e-12 * size * size)
             return pp_rad_words_fail(
                 words, line, err,
-                "a polygon that runs round as much one way as the "
-                "other, which leaves it no front; expected one that "
-                "doesn't cross itself");
+                "a polygon winds as much one way as the other, so it has no front; "
+                "expected one that does not cross itself");
         reader->summary->flat++;
         return PP_OK;
     }
@@ -239,11 +238,10 @@ static enum pp_status take_polygon(struct pp_rad_reader *reader,
 {
     int count = primitive->number_count / 3;
     if (count < 3 || primitive->number_count % 3 != 0 || primitive->string_count > 0)
-        return pp_rad_words_fail(
-            primitive->words, primitive->line, err,
-            "a polygon of %d numbers; expected three for each of three "
-            "corners or more",
-            primitive->number_count);
+        return pp_rad_words_fail(primitive->words, primitive->line, err,
+                                 "a polygon has %d numbers; expected three for each of "
+                                 "three corners or more",
+                                 primitive->number_count);
     /* Three numbers in a row are a corner. */
     const struct pp_vec3 *corners =
         (const struct pp_vec3 *)(const void *)primitive->numbers;
@@ -265,7 +263,7 @@ enum pp_status pp_rad_shapes_read(struct pp_rad_reader *reader,
         if (primitive->number_count != shapes[i].numbers || primitive->string_count > 0)
             return pp_rad_words_fail(
                 primitive->words, primitive->line, err,
-                "a %s of %d numbers and %d strings; expected %d numbers",
+                "a %s has %d numbers and %d strings; expected %d numbers",
                 shapes[i].name, primitive->number_count, primitive->string_count,
                 shapes[i].numbers);
         return pp_rad_shapes_add(reader, primitive->words, primitive->line,

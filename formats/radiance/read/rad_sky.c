@@ -49,9 +49,9 @@ static enum pp_status pattern_turn(const struct pp_rad_primitive *primitive,
     struct pp_vec3 up = pp_rad_transform_direction(turn, pp_vec(0.0, 0.0, 1.0));
     if (good && up.z > 1.0 - 1e-9)
         return PP_OK;
-    return pp_rad_words_fail(primitive->words, primitive->line, err,
-                             "a sky that is moved; expected none, or turned about the "
-                             "vertical");
+    return pp_rad_words_fail(
+        primitive->words, primitive->line, err,
+        "the sky is moved; expected it as it is, or rotated about the vertical");
 }
 
 static enum pp_status take_sky(struct pp_rad_reader *reader,
@@ -65,10 +65,10 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
                   && pp_rad_words_is(primitive->strings[0], "skybr")
                   && pp_rad_words_is(primitive->strings[1], "skybright.cal");
     if (!gensky || primitive->modifier.kind != PP_RAD_VOID)
-        return pp_rad_words_fail(words, primitive->line, err,
-                                 "a brightfunc that is not understood; expected \"void "
-                                 "brightfunc\" with \"skybr skybright.cal\", as gensky "
-                                 "writes it");
+        return pp_rad_words_fail(
+            words, primitive->line, err,
+            "the brightfunc is not supported; expected \"void brightfunc\" with "
+            "\"skybr skybright.cal\", as gensky writes it");
     bool within = primitive->number_count > 0 && n[0] >= 1.0 && n[0] <= 4.0;
     int type = within ? (int)n[0] : 0;
     bool even = type == PP_GENSKY_OVERCAST || type == PP_GENSKY_UNIFORM;
@@ -77,10 +77,9 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
         && !(sunny && primitive->number_count == 7 && n[0] == type))
         return pp_rad_words_fail(
             words, primitive->line, err,
-            "a sky of %d numbers; expected its type (1 clear, 2 "
-            "overcast, 3 uniform, 4 intermediate), the zenith's and the "
-            "ground's brightness, and for 1 and 4 a factor and the "
-            "direction to the sun",
+            "the sky has %d numbers; expected its type (1 clear, 2 overcast, 3 "
+            "uniform, 4 intermediate), the zenith's and the ground's brightness, and "
+            "for 1 and 4 a factor and the direction to the sun",
             primitive->number_count);
     struct pp_pattern pattern = {.kind = PP_PATTERN_GENSKY,
                                  .type = (enum pp_gensky_kind)type,
@@ -93,16 +92,15 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
     if (status != PP_OK)
         return status;
     if (!(n[1] >= 0.0) || !(n[2] >= 0.0))
-        return pp_rad_words_fail(words, primitive->line, err,
-                                 "a sky of brightness %g and %g; expected 0 or more",
-                                 n[1], n[2]);
+        return pp_rad_words_fail(
+            words, primitive->line, err,
+            "the sky has a brightness of %g and %g; expected 0 or more", n[1], n[2]);
     if (sunny) {
         struct pp_vec3 sun = pp_vec(n[4], n[5], n[6]);
         if (!(n[3] > 0.0) || !(pp_vec_length(sun) > 0.5))
             return pp_rad_words_fail(
                 words, primitive->line, err,
-                "a sunny sky without a sun; expected a factor above 0 "
-                "and a direction");
+                "the sunny sky has no sun; expected a factor above 0 and a direction");
         pattern.norm = n[3];
         pattern.sun = pp_rad_transform_direction(&turn, pp_vec_unit(sun));
     }
@@ -141,10 +139,9 @@ enum pp_status pp_rad_sky_generate(struct pp_rad_reader *reader,
     struct pp_vec3 up =
         pp_rad_transform_direction(&context->transform, pp_vec(0.0, 0.0, 1.0));
     if (!(up.z > 1.0 - 1e-9))
-        return pp_rad_pipe_fail(pipe, err,
-                                "a sky that is tilted; expected it turned about the "
-                                "vertical at most",
-                                "");
+        return pp_rad_pipe_fail(
+            pipe, err,
+            "the sky is tilted; expected it rotated about the vertical at most", "");
     struct pp_vec3 sun = sky.pattern.sun;
     sky.pattern.sun = pp_rad_transform_direction(&context->transform, sun);
     int index;

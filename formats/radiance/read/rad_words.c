@@ -81,10 +81,11 @@ enum pp_status pp_rad_words_next(struct pp_rad_words *words, struct pp_rad_word 
                                      "a word in quotes that its line does not end");
         if ((c < 32 && !is_space((char)c)) || c == 127)
             return pp_rad_words_fail(words, word->line, err,
-                                     "a character of code %d; expected text", c);
+                                     "there is a character with code %d; expected text",
+                                     c);
         if (word->length == PP_RAD_WORD_MOST)
             return pp_rad_words_fail(words, word->line, err,
-                                     "a word of more than %d characters",
+                                     "a word has more than %d characters",
                                      PP_RAD_WORD_MOST);
         word->length++;
         words->at++;
@@ -113,7 +114,7 @@ enum pp_status pp_rad_words_next_command(struct pp_rad_words *words, char **comm
         if (c == '\0') {
             free(text);
             return pp_rad_words_fail(words, words->line, err,
-                                     "a character of code 0; expected text");
+                                     "there is a NUL byte; expected text");
         }
         if (c == '\n' && !ended)
             words->line++;

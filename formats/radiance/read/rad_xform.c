@@ -15,10 +15,10 @@ static enum pp_status start_stage(struct pp_rad_xform *xform,
     if (left < 2 || !pp_text_parse_number(words[1], &number)
         || !(number >= (array ? 1.0 : 0.0)) || !(number <= PP_RAD_COPIES_MOST)
         || number != (int)number)
-        return pp_rad_pipe_fail(pipe, err, "expected a whole number behind xform's ",
+        return pp_rad_pipe_fail(pipe, err, "expected a whole number after xform's ",
                                 words[0]);
     if (xform->stage_count == PP_RAD_XFORM_STAGES_MOST)
-        return pp_rad_pipe_fail(pipe, err, "more than 15 of -i and -a in one xform",
+        return pp_rad_pipe_fail(pipe, err, "one xform has more than 15 of -i and -a",
                                 "");
     xform->stages[xform->stage_count++] =
         (struct pp_rad_xform_stage){pp_rad_transform_identity(), (int)number, array};
@@ -40,7 +40,7 @@ enum pp_status pp_rad_xform_read(struct pp_rad_xform *xform,
         int taken = pp_rad_transform_read_option(
             &xform->stages[xform->stage_count - 1].transform, word, left);
         if (taken < 0)
-            return pp_rad_pipe_fail(pipe, err, "no good numbers behind xform's ",
+            return pp_rad_pipe_fail(pipe, err, "expected valid numbers after xform's ",
                                     *word);
         if (taken > 0) {
             i += taken;

@@ -80,8 +80,8 @@ static enum pp_status add_rad_surface(struct rad_room_builder *b, int which)
     const struct pp_surface *surface = &b->world->surfaces[which];
     if (surface->exitance > 0.0)
         return pp_fail(b->err, PP_BAD_INPUT,
-                       "line %d: a surface that gives off light by itself; Radiance "
-                       "has none that reflects as well",
+                       "line %d: a surface emits and reflects light; Radiance has no "
+                       "such material",
                        surface->line);
     int material, back;
     enum pp_status status = sides_of(b, which, &material, &back);
@@ -158,9 +158,10 @@ static enum pp_status pattern_of(struct rad_room_builder *b, struct pp_pattern *
         if (!isinf(skyline->distance_m) || !(slope > 0.0))
             continue;
         if (pattern->skyline_count == PP_PATTERN_SKYLINES_MOST)
-            return pp_fail(b->err, PP_BAD_INPUT,
-                           "line %d: more than %d skylines without a distance",
-                           skyline->line, PP_PATTERN_SKYLINES_MOST);
+            return pp_fail(
+                b->err, PP_BAD_INPUT,
+                "line %d: there are more than %d skylines without a distance",
+                skyline->line, PP_PATTERN_SKYLINES_MOST);
         struct pp_vec3 outward = outward_of(b->world, skyline);
         pattern->skylines[pattern->skyline_count++] = (struct pp_pattern_skyline){
             outward, slope, radiance_of(b, skyline, pp_vec_scale(outward, -1.0))};

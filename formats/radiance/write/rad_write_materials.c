@@ -225,10 +225,9 @@ enum pp_status pp_rad_write_materials_check(const struct pp_material *material,
     struct rad_primitive_text said;
     return say(&said, material, false)
                ? PP_OK
-               : pp_fail(
-                   err, PP_BAD_INPUT,
-                   "material \"%s\": Radiance has none that does all that it does",
-                   material->name);
+               : pp_fail(err, PP_BAD_INPUT,
+                         "material \"%s\": Radiance has no equivalent material",
+                         material->name);
 }
 
 static void write_said(const struct rad_primitive_text *said, const char *modifier,

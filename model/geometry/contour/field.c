@@ -79,11 +79,9 @@ enum pp_status pp_field_create(struct pp_field **field_out,
     *field_out = 0;
     if (!(tolerance > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "tolerance of contours is %g; it must be more than 0",
-                       tolerance);
+                       "tolerance of contours is %g; expected more than 0", tolerance);
     if (region->count == 0)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "there is nothing to draw contours on: the figure is empty");
+        return pp_fail(err, PP_BAD_INPUT, "the figure for the contours is empty");
     struct pp_field *field = calloc(1, sizeof *field);
     if (!field)
         return pp_fail_memory(err);

@@ -91,13 +91,12 @@ static enum pp_status check_door(bool *good, struct pp_resolver *r,
     *good = out_m == 0.0 && out_m2 == 0.0;
     if (status == PP_OK && out_m > 0.0)
         pp_mistakes_add(r->mistakes, part->line,
-                        "door: sticks out of %s by %.4g m at (%g, %g, %g); expected "
+                        "door: extends beyond %s by %.4g m at (%g, %g, %g); expected "
                         "all of it within",
                         wall, out_m, where.x, where.y, where.z);
     else if (status == PP_OK && !*good)
         pp_mistakes_add(r->mistakes, part->line,
-                        "door: %.4g m2 of it stick out of %s; expected all of it "
-                        "within",
+                        "door: %.4g m2 of it are outside %s; expected all of it within",
                         out_m2, wall);
     int most = world->opening_count + world->surface_count;
     for (int i = 0; i < most && *good && status == PP_OK; i++) {
@@ -283,7 +282,7 @@ static bool put_dado(struct pp_resolver *r, int *dado, int i)
     if (!other || (other->wall == NULL) != (part->wall == NULL))
         return true;
     pp_mistakes_add(r->mistakes, part->line,
-                    "dado: %s has one already, of line %d; expected one",
+                    "dado: %s already has one, in line %d; expected one",
                     part->wall ? "the wall" : "every wall", other->line);
     return false;
 }

@@ -72,11 +72,10 @@ static bool is_second_wall(struct pp_resolver *r, const struct pp_face_part *wal
         if (face->role == PP_WALL && face->name
             && strcmp(face->name, wall->name) == 0) {
             char name[64];
-            pp_mistakes_add(
-                r->mistakes, wall->line,
-                "face: a second wall \"%s\", after that of line %d; expected a name "
-                "of its own for every wall",
-                pp_text_excerpt(name, sizeof name, wall->name), face->line);
+            pp_mistakes_add(r->mistakes, wall->line,
+                            "face: has the wall name \"%s\" of line %d; expected a "
+                            "different name for every wall",
+                            pp_text_excerpt(name, sizeof name, wall->name), face->line);
             return true;
         }
     return false;
@@ -191,9 +190,8 @@ static enum pp_status resolve_plan(struct pp_resolver *r, struct pp_error *err)
         return raise_plan(r, ring, count, false, err);
 
     /* Continue with the reversed plan, to find further mistakes. */
-    pp_mistakes_add(
-        r->mistakes, plan->line,
-        "plan: turns clockwise seen from above; expected counter-clockwise");
+    pp_mistakes_add(r->mistakes, plan->line,
+                    "plan: is clockwise seen from above; expected counter-clockwise");
     struct pp_vec3 *turned = malloc(count * sizeof *turned);
     if (!turned)
         return pp_fail_memory(err);
@@ -256,8 +254,7 @@ static enum pp_status check_finishes(struct pp_resolver *r, struct pp_error *err
         if (wall >= 0 && lines[wall] > 0)
             pp_mistakes_add(
                 r->mistakes, finish->line,
-                "finish: that wall has one already, at line %d; expected one at "
-                "most",
+                "finish: the wall already has one, in line %d; expected one at most",
                 lines[wall]);
         else if (wall >= 0)
             lines[wall] = finish->line;

@@ -16,8 +16,8 @@ static const char *words_of(const struct pp_fitting_part *part)
                                         [PP_COLUMN] = "column",
                                         [PP_PARTITION] = "partition"};
     static const char *const as_high[] = {
-        [PP_COLUMN] = "column without a height, which is as high as the room",
-        [PP_PARTITION] = "partition without a height, which is as high as the room"};
+        [PP_COLUMN] = "column without a height, which reaches the ceiling",
+        [PP_PARTITION] = "partition without a height, which reaches the ceiling"};
     return isnan(part->height_m) && part->kind != PP_FURNITURE ? as_high[part->kind]
                                                                : words[part->kind];
 }

@@ -156,14 +156,14 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         if (cross && part->is_room_outside && part->line > r->room->line)
             say_rooms_overlap(r, part, where);
         else if (cross && !part->is_room_outside)
-            pp_mistakes_add(r->mistakes, part->line,
-                            "%s: goes through a %s of the room%s at (%g, %g, %g); "
-                            "expected it all %s",
-                            what, role_word(face->role), room_words(words, r, part),
-                            where.x, where.y, where.z,
-                            part->is_of_block || part->is_of_site ? "outside"
-                            : part->is_of_room                    ? "inside"
-                                               : "inside or all outside");
+            pp_mistakes_add(
+                r->mistakes, part->line,
+                "%s: intersects a %s of the room%s at (%g, %g, %g); expected it all %s",
+                what, role_word(face->role), room_words(words, r, part), where.x,
+                where.y, where.z,
+                part->is_of_block || part->is_of_site ? "outside"
+                : part->is_of_room                    ? "inside"
+                                                      : "inside or all outside");
     }
     if (!cross && seen->inside && part->is_room_outside) {
         cross = true;
@@ -173,7 +173,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         cross = true;
         where = seen->inside_at;
         pp_mistakes_add(r->mistakes, part->line,
-                        "%s: stands in the room%s at (%g, %g, %g); expected it outside",
+                        "%s: is in the room%s at (%g, %g, %g); expected it outside",
                         what, room_words(words, r, part), where.x, where.y, where.z);
     }
     if (!cross && seen->inside && seen->outside) {
@@ -187,10 +187,9 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
     if (!cross && part->is_of_room && seen->outside) {
         cross = true;
         where = seen->outside_at;
-        pp_mistakes_add(
-            r->mistakes, part->line,
-            "%s: stands outside the room at (%g, %g, %g); expected it inside", what,
-            where.x, where.y, where.z);
+        pp_mistakes_add(r->mistakes, part->line,
+                        "%s: is outside the room at (%g, %g, %g); expected it inside",
+                        what, where.x, where.y, where.z);
     }
     *clear = !cross;
     return PP_OK;
@@ -225,8 +224,8 @@ static void check_openings(struct pp_resolver *r, const struct pp_surface_part *
             continue;
         pp_mistakes_add(
             r->mistakes, opening->line,
-            "the opening is closed by the %s \"%s\" of line %d, which "
-            "stands right before it; expected the open air there",
+            "the opening is blocked by the %s \"%s\" of line %d in front of it; "
+            "expected open air",
             part->is_front ? "facade of the room" : "room",
             pp_text_excerpt(name, sizeof name, part->name ? part->name : ""),
             part->line);

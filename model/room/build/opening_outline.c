@@ -46,11 +46,10 @@ static bool window_outline(struct pp_resolver *r, const struct pp_opening_part *
         fits = false;
     }
     if (right > PP_ROUNDING_M) {
-        pp_mistakes_add(
-            r->mistakes, part->line,
-            "window: ends %.4g m to the right of %s, seen from outside; expected "
-            "left + width to be %g m at most",
-            right, words, wide);
+        pp_mistakes_add(r->mistakes, part->line,
+                        "window: ends %.4g m to the right of %s, seen from outside; "
+                        "expected left + width to be %g m at most",
+                        right, words, wide);
         fits = false;
     }
     if (part->sill_m < -PP_ROUNDING_M) {
@@ -206,16 +205,16 @@ int pp_opening_outline_face(struct pp_resolver *r, const struct pp_opening_part 
         pp_opening_outline_face_words(words, sizeof words, &world->surfaces[nearest]);
         pp_mistakes_add(
             r->mistakes, part->line,
-            "opening: lies in no face of the room; the nearest is %s, from which "
-            "a vertex is %.4g m away; expected all within 1 mm of its plane",
+            "opening: is not in a face of the room; the nearest is %s, with a vertex "
+            "%.4g m away; expected all within 1 mm of its plane",
             words, off_m);
     } else if (pp_vec_dot(
                    pp_polygon_area_vector(part->vertices.list, part->vertices.count),
                    world->surfaces[face].outline.normal)
                < 0.0) {
-        pp_mistakes_add(r->mistakes, part->line,
-                        "opening: turns clockwise seen from inside; expected "
-                        "counter-clockwise");
+        pp_mistakes_add(
+            r->mistakes, part->line,
+            "opening: is clockwise seen from inside; expected counter-clockwise");
         face = -1;
     }
     return face;

@@ -135,8 +135,8 @@ bool pp_build_outline_is_good(struct pp_resolver *r, const char *what, int line,
     if (is_unread(vertices))
         return false;
     if (count < 3) {
-        pp_mistakes_add(r->mistakes, line, "%s: %d vertices; expected three or more",
-                        what, count);
+        pp_mistakes_add(r->mistakes, line,
+                        "%s: has %d vertices; expected three or more", what, count);
         return false;
     }
     if (has_repeated(r, what, vertices))
@@ -157,19 +157,18 @@ bool pp_build_outline_is_good(struct pp_resolver *r, const char *what, int line,
     pp_polygon_clear(&polygon);
 
     if (!thin && uneven > PP_SAME_M) {
-        pp_mistakes_add(
-            r->mistakes, line,
-            "%s: is not plane, a vertex lies %.3g m off; expected all within 1 mm "
-            "of one plane",
-            what, uneven);
+        pp_mistakes_add(r->mistakes, line,
+                        "%s: is not plane: a vertex is off by %.3g m; expected all "
+                        "within 1 mm of one plane",
+                        what, uneven);
         return false;
     }
     if (pp_vec_length(normal) > 0.0 && crosses_itself(r, what, line, vertices, normal))
         return false;
     if (thin) {
-        pp_mistakes_add(
-            r->mistakes, line,
-            "%s: has no area; expected vertices that do not all lie in a line", what);
+        pp_mistakes_add(r->mistakes, line,
+                        "%s: has no area; expected vertices that are not all in a line",
+                        what);
         return false;
     }
     return true;

@@ -34,18 +34,18 @@ static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
     if (status != PP_OK)
         return status;
     if (out_m > 0.0)
-        pp_mistakes_add(
-            r->mistakes, part->line,
-            "%s: sticks out of %s by %.4g m at (%g, %g, %g); expected all of it "
-            "within",
-            pp_opening_outline_word(part), words, out_m, where.x, where.y, where.z);
+        pp_mistakes_add(r->mistakes, part->line,
+                        "%s: extends beyond %s by %.4g m at (%g, %g, %g); expected all "
+                        "of it within",
+                        pp_opening_outline_word(part), words, out_m, where.x, where.y,
+                        where.z);
     else if (out_m2 > 0.0)
         pp_mistakes_add(r->mistakes, part->line,
-                        "%s: %.4g m2 of it stick out of %s; expected all of it within",
+                        "%s: %.4g m2 of it are outside %s; expected all of it within",
                         pp_opening_outline_word(part), out_m2, words);
     else if (!whole)
         pp_mistakes_add(r->mistakes, part->line,
-                        "%s: less than 1 mm of it lies within %s; expected all of it",
+                        "%s: less than 1 mm of it is within %s; expected all of it",
                         pp_opening_outline_word(part), words);
     *fits = out_m == 0.0 && out_m2 == 0.0 && whole;
     return PP_OK;
@@ -77,8 +77,8 @@ static void find_maintenance(struct pp_resolver *r, struct pp_opening *opening)
         return;
     opening->maintenance = 1.0;
     pp_mistakes_add(r->mistakes, opening->line,
-                    "maintenance is \"auto\", and dirt \"bs-8206\" has no figures for "
-                    "industrial surroundings or dirty work; expected a number here, or "
+                    "maintenance is \"auto\", but dirt \"bs-8206\" has no figures for "
+                    "industrial surroundings or dirty work; expected a number, or "
                     "dirt=\"bre-309\" of the site");
 }
 
@@ -205,11 +205,10 @@ static enum pp_status check_overlaps(bool *free_of_others, struct pp_resolver *r
             return status;
         if (area_m2 > PP_ROUNDING_M * (other->width_m + other->height_m)) {
             *free_of_others = false;
-            pp_mistakes_add(
-                r->mistakes, part->line,
-                "%s: overlaps the one of line %d by %.4g m2; expected openings "
-                "side by side",
-                pp_opening_outline_word(part), other->line, area_m2);
+            pp_mistakes_add(r->mistakes, part->line,
+                            "%s: overlaps the one of line %d by %.4g m2; expected "
+                            "openings side by side",
+                            pp_opening_outline_word(part), other->line, area_m2);
         }
     }
     return PP_OK;

@@ -48,14 +48,14 @@ static bool has_too_many(struct pp_resolver *r, const struct receiver_list *list
     int line = part->line ? part->line : r->room->line;
     if (part->kind == PP_GRID)
         pp_mistakes_add(r->mistakes, line,
-                        "grid: %s of %g m makes %.0f cells%s; expected %.0f points at "
+                        "grid: %s of %g m gives %.0f points%s; expected %.0f points at "
                         "most in this room",
                         part->line ? "its spacing" : "the default spacing",
                         part->spacing_m, count,
-                        list->count ? ", besides the points before" : "", most);
+                        list->count ? ", in addition to other points" : "", most);
     else
         pp_mistakes_add(r->mistakes, line,
-                        "%s: the room has %.0f points with it; expected %.0f at most",
+                        "%s: with it the room has %.0f points; expected %.0f at most",
                         kinds[part->kind], list->count + count, most);
     return true;
 }
@@ -80,11 +80,10 @@ static void check_places(struct pp_resolver *r, const char *what, int line,
                         "%s: (%g, %g, %g) %s; expected a place in the room", what,
                         first.x, first.y, first.z, first_fault);
     else if (bad > 0)
-        pp_mistakes_add(
-            r->mistakes, line,
-            "%s: %d of its %d points are at no place to measure; the first, (%g, "
-            "%g, %g), %s; expected places in the room",
-            what, bad, count, first.x, first.y, first.z, first_fault);
+        pp_mistakes_add(r->mistakes, line,
+                        "%s: %d of its %d points cannot be measured; the first, (%g, "
+                        "%g, %g), %s; expected places in the room",
+                        what, bad, count, first.x, first.y, first.z, first_fault);
 }
 
 static enum pp_status resolve_point(struct pp_resolver *r, struct receiver_list *list,
@@ -208,12 +207,11 @@ static enum pp_status resolve_grid(struct pp_resolver *r, struct receiver_list *
                != PP_OK)
         return PP_SYSTEM;
     if (list->count == first && part->line > 0)
-        pp_mistakes_add(
-            r->mistakes, part->line,
-            "grid: no point of it lies in the room, clear of what stands there and "
-            "%g m or more from the walls; expected a smaller margin or spacing in a "
-            "plan of %g m by %g m",
-            part->margin_m, high[0] - low[0], high[1] - low[1]);
+        pp_mistakes_add(r->mistakes, part->line,
+                        "grid: no point of it is in the room, clear of fittings and %g "
+                        "m or more from the walls; expected a smaller margin or "
+                        "spacing in a plan of %g m by %g m",
+                        part->margin_m, high[0] - low[0], high[1] - low[1]);
     return PP_OK;
 }
 
@@ -259,9 +257,8 @@ static enum pp_status resolve_default(struct pp_resolver *r, struct receiver_lis
         return PP_SYSTEM;
     if (list->count == 0)
         pp_mistakes_add(r->mistakes, r->room->line,
-                        "room: what stands in it leaves no place for points on the "
-                        "working plane; expected <point>s elsewhere, or another "
-                        "working-plane");
+                        "room: its fittings leave no room for points on the working "
+                        "plane; expected <point>s elsewhere, or another working-plane");
     return PP_OK;
 }
 

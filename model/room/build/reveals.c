@@ -47,11 +47,10 @@ static void check_reveal(struct pp_resolver *r, const struct pp_opening *opening
                                    : pp_polygon_middle(&opening->outer);
         if (!pp_position_in_room(r->world, point))
             continue;
-        pp_mistakes_add(
-            r->mistakes, opening->line,
-            "reveal: %g m deep, it puts the glass into another part of the room, "
-            "at (%g, %g, %g); expected it outside",
-            opening->reveal_m, point.x, point.y, point.z);
+        pp_mistakes_add(r->mistakes, opening->line,
+                        "reveal: is %g m deep and puts the glass into another part of "
+                        "the room, at (%g, %g, %g); expected it outside",
+                        opening->reveal_m, point.x, point.y, point.z);
         return;
     }
 }

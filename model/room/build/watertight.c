@@ -107,12 +107,11 @@ static void match_edges(struct pp_resolver *r, struct watertight_check *c)
                 c->faces[edge->face].first_open = i;
             continue;
         }
-        pp_mistakes_add(
-            r->mistakes, faces[c->edges[end - 1].face].line,
-            "face: its edge from (%g, %g, %g) to (%g, %g, %g) is shared by %d "
-            "faces, first by that of line %d; expected two",
-            edge->from.x, edge->from.y, edge->from.z, edge->to.x, edge->to.y,
-            edge->to.z, end - i, faces[edge->face].line);
+        pp_mistakes_add(r->mistakes, faces[c->edges[end - 1].face].line,
+                        "face: its edge from (%g, %g, %g) to (%g, %g, %g) belongs to "
+                        "%d faces, first to that of line %d; expected two",
+                        edge->from.x, edge->from.y, edge->from.z, edge->to.x,
+                        edge->to.y, edge->to.z, end - i, faces[edge->face].line);
     }
     for (int i = 0; i < r->world->face_count; i++) {
         if (c->faces[i].open_edges == 0)
@@ -120,9 +119,8 @@ static void match_edges(struct pp_resolver *r, struct watertight_check *c)
         const struct envelope_edge *edge = &c->edges[c->faces[i].first_open];
         pp_mistakes_add(
             r->mistakes, faces[i].line,
-            "face: the envelope does not close at %d of its edges, such as that "
-            "from (%g, %g, %g) to (%g, %g, %g); expected every edge to be shared "
-            "by two faces, corner to corner",
+            "face: the envelope is open at %d edges, such as that from (%g, %g, %g) to "
+            "(%g, %g, %g); expected two faces at every edge, corner to corner",
             c->faces[i].open_edges, edge->from.x, edge->from.y, edge->from.z,
             edge->to.x, edge->to.y, edge->to.z);
     }
@@ -200,15 +198,14 @@ static void turn_faces(struct pp_resolver *r, struct watertight_check *c,
         all = all && c->faces[i].turned;
     }
     if (all)
-        pp_mistakes_add(
-            r->mistakes, r->room->plan.line,
-            "envelope: is inside out, all its faces turn clockwise seen from "
-            "inside; expected counter-clockwise");
+        pp_mistakes_add(r->mistakes, r->room->plan.line,
+                        "envelope: is inside out: all its faces are clockwise seen "
+                        "from inside; expected counter-clockwise");
     for (int i = 0; i < world->face_count && !all; i++)
         if (c->faces[i].turned)
-            pp_mistakes_add(r->mistakes, world->surfaces[i].line,
-                            "face: turns clockwise seen from inside; expected "
-                            "counter-clockwise");
+            pp_mistakes_add(
+                r->mistakes, world->surfaces[i].line,
+                "face: is clockwise seen from inside; expected counter-clockwise");
 }
 
 /* A part by itself is a solid in the room, with its faces round it and so a negative
@@ -219,11 +216,9 @@ static void check_parts(struct pp_resolver *r, const struct watertight_check *c)
     for (int part = 0; part < c->part_count; part++)
         rooms += volume_m3(r->world, c, part) > 0.0;
     if (rooms > 1)
-        pp_mistakes_add(
-            r->mistakes, r->room->plan.line,
-            "envelope: its faces make %d rooms apart from each other; expected "
-            "one",
-            rooms);
+        pp_mistakes_add(r->mistakes, r->room->plan.line,
+                        "envelope: its faces form %d separate rooms; expected one",
+                        rooms);
 }
 
 static enum pp_status check_closing(struct pp_resolver *r, struct watertight_check *c,
@@ -263,11 +258,10 @@ static enum pp_status check_crossings(struct pp_resolver *r, struct pp_error *er
             if (!cross)
                 continue;
             r->watertight = false;
-            pp_mistakes_add(
-                r->mistakes, world->surfaces[i].line,
-                "face: goes through that of line %d at (%g, %g, %g); expected "
-                "faces to meet in their edges only",
-                world->surfaces[k].line, where.x, where.y, where.z);
+            pp_mistakes_add(r->mistakes, world->surfaces[i].line,
+                            "face: intersects that of line %d at (%g, %g, %g); "
+                            "expected faces to meet at their edges only",
+                            world->surfaces[k].line, where.x, where.y, where.z);
         }
     return PP_OK;
 }

@@ -109,11 +109,10 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         return PP_OK;
     }
     if (overlaps) {
-        pp_mistakes_add(
-            r->mistakes, block->line,
-            "block: overlaps the room; expected it outside (x %g, y %g, base %g "
-            "is its lower corner, about which it is turned)",
-            block->corner.x, block->corner.y, block->corner.z);
+        pp_mistakes_add(r->mistakes, block->line,
+                        "block: overlaps the room; expected it outside (x %g, y %g, "
+                        "base %g is its lower corner, the centre of its rotation)",
+                        block->corner.x, block->corner.y, block->corner.z);
         return PP_OK;
     }
     for (int i = 0; i < world->opening_count; i++) {
@@ -124,11 +123,10 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         if (!(area_m2 > PP_ROUNDING_M))
             continue;
         *clear = false;
-        pp_mistakes_add(
-            r->mistakes, block->line,
-            "block: stands in the depth of the opening of line %d; expected it "
-            "outside the glass",
-            opening->line);
+        pp_mistakes_add(r->mistakes, block->line,
+                        "block: is within the depth of the opening of line %d; "
+                        "expected it outside the glass",
+                        opening->line);
     }
     return PP_OK;
 }

@@ -93,10 +93,10 @@ static void note_clash(struct pp_resolver *r, struct facade_site *site,
                        struct pp_vec3 where)
 {
     if (!site->reported)
-        pp_mistakes_add(r->mistakes, site->part->line,
-                        "facade: goes through the room at (%g, %g, %g); expected it "
-                        "all outside",
-                        where.x, where.y, where.z);
+        pp_mistakes_add(
+            r->mistakes, site->part->line,
+            "facade: intersects the room at (%g, %g, %g); expected it all outside",
+            where.x, where.y, where.z);
     site->reported = true;
 }
 
@@ -138,8 +138,8 @@ static bool check_depth(struct pp_resolver *r, const struct facade_site *site)
             || opening->reveal_m < site->depth_m + PP_ROUNDING_M)
             continue;
         pp_mistakes_add(r->mistakes, site->part->line,
-                        "facade: depth %g m is less than the reveal of %g m of the "
-                        "opening in line %d; expected no less",
+                        "facade: its depth of %g m is less than the reveal of %g m of "
+                        "the opening in line %d; expected no less",
                         site->depth_m, opening->reveal_m, opening->line);
         return false;
     }
@@ -153,15 +153,15 @@ static bool check_wall(struct pp_resolver *r, const struct pp_facade_part *part,
     const struct pp_world *world = r->world;
     for (int i = 0; i < world->facade_count; i++)
         if (world->facades[i].face == face) {
-            pp_mistakes_add(r->mistakes, part->line,
-                            "facade: a second one for its wall, after that of line "
-                            "%d; expected one at most",
-                            world->facades[i].line);
+            pp_mistakes_add(
+                r->mistakes, part->line,
+                "facade: its wall already has one, in line %d; expected one at most",
+                world->facades[i].line);
             return false;
         }
     if (fabs(world->surfaces[face].outline.normal.z) > PP_LEVEL_RAD) {
         pp_mistakes_add(r->mistakes, part->line,
-                        "facade: its wall leans; expected an upright wall");
+                        "facade: its wall is not vertical; expected a vertical wall");
         return false;
     }
     return true;

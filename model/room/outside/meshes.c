@@ -85,9 +85,8 @@ static enum pp_status add_mesh_triangles(struct pp_resolver *r,
         pairs += near ? r->world->face_count : 0;
         if (pairs > near_pairs_most) {
             say(r, part,
-                "has too many triangles within the room's own bounds to compare with "
-                "its "
-                "faces; expected it beside the room");
+                "has too many triangles within the bounds of the room; expected it "
+                "beside the room");
             return PP_OK;
         }
         status =
@@ -121,9 +120,8 @@ static enum pp_status add_mesh(struct pp_resolver *r, const struct pp_mesh_part 
     made->side_count = world->surface_count - made->first_side;
     if (status == PP_OK && is_far_away(&made->bounds))
         say(r, part,
-            "reaches farther than 100000 m; expected a \"scale\" in metres for one "
-            "unit, "
-            "and \"x\", \"y\" and \"z\" that bring it near");
+            "extends beyond 100000 m; expected a \"scale\" in metres for one unit, and "
+            "\"x\", \"y\" and \"z\" near the room");
     return status;
 }
 
@@ -139,7 +137,7 @@ enum pp_status pp_build_meshes(struct pp_resolver *r, struct pp_error *err)
     if (triangles > PP_MESH_MOST) {
         pp_mistakes_add(
             r->mistakes, room->line,
-            "room: has %.0f triangles of meshes outside; expected %d at most",
+            "room: the meshes outside have %.0f triangles; expected %d at most",
             triangles, PP_MESH_MOST);
         return PP_OK;
     }

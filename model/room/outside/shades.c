@@ -180,9 +180,10 @@ enum pp_status pp_build_shades(struct pp_resolver *r, struct pp_error *err)
         if (part->shade_count == 0)
             continue;
         if (fabs(opening->inner.normal.z) > PP_SAME_M) {
-            pp_mistakes_add(r->mistakes, part->shades[0].line,
-                            "%s: the window's wall leans; expected an upright wall",
-                            words[part->shades[0].kind]);
+            pp_mistakes_add(
+                r->mistakes, part->shades[0].line,
+                "%s: the wall of the window is not vertical; expected a vertical wall",
+                words[part->shades[0].kind]);
             continue;
         }
         struct window_axes axes = axes_of(world, opening);

@@ -78,8 +78,7 @@ static bool is_good(struct pp_resolver *r, const struct pp_skyline_part *part, i
         if (world->skylines[i].face == face) {
             pp_mistakes_add(
                 r->mistakes, part->line,
-                "skyline: a second one for its wall, after that of line %d; "
-                "expected one at most",
+                "skyline: its wall already has one, in line %d; expected one at most",
                 world->skylines[i].line);
             return false;
         }
@@ -93,16 +92,15 @@ static bool is_good(struct pp_resolver *r, const struct pp_skyline_part *part, i
     if (hypot(n.x, n.y) < PP_LEVEL_RAD) {
         pp_mistakes_add(
             r->mistakes, part->line,
-            "skyline: its wall lies flat; expected one that faces sideways");
+            "skyline: its wall is horizontal; expected one that faces sideways");
         return false;
     }
     double reach = reach_outside(world, face);
     if (part->distance_m < reach + PP_SAME_M) {
-        pp_mistakes_add(
-            r->mistakes, part->line,
-            "skyline: its distance is %g m, but the room or its openings reach "
-            "%.4g m beyond that wall; expected more",
-            part->distance_m, reach);
+        pp_mistakes_add(r->mistakes, part->line,
+                        "skyline: its distance is %g m, but the room or its openings "
+                        "extend %.4g m beyond that wall; expected more",
+                        part->distance_m, reach);
         return false;
     }
     return true;

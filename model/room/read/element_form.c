@@ -289,8 +289,8 @@ static void note_unknown(struct pp_mistakes *mistakes, int line, const char *wha
     const char *meant = pp_text_nearest(name, names, count);
     pp_text_did_you_mean(question, sizeof question, "\"", meant, "\"");
     pp_text_list_names(list, sizeof list, names, count);
-    pp_mistakes_add(mistakes, line, "%s: %s \"%s\" is not known; %s%s%s%s", within,
-                    what, pp_text_excerpt(shown, sizeof shown, name), question,
+    pp_mistakes_add(mistakes, line, "%s: %s \"%s\" is unknown; %s%s%s%s", within, what,
+                    pp_text_excerpt(shown, sizeof shown, name), question,
                     meant ? " (" : "expected ", count > 0 ? list : "none",
                     meant ? ")" : "");
 }
@@ -405,14 +405,14 @@ static bool count_is_good(const struct pp_element_rule *rule,
         if (++count == 1)
             first = c->line;
         if (child->most == 1 && count == 2)
-            pp_mistakes_add(
-                mistakes, c->line,
-                "%s: a second <%s>, after that of line %d; expected one at most",
-                rule->name, name, first);
+            pp_mistakes_add(mistakes, c->line,
+                            "%s: there is a second <%s>, after that of line %d; "
+                            "expected one at most",
+                            rule->name, name, first);
         else if (child->most > 1 && count == child->most + 1)
             pp_mistakes_add(mistakes, c->line,
-                            "%s: more than %d <%s>, the most allowed", rule->name,
-                            child->most, name);
+                            "%s: there are more than %d <%s>, which is the limit",
+                            rule->name, child->most, name);
     }
     if (count < child->least && !may_be_fewer) {
         pp_mistakes_add(mistakes, element->line, "%s: %d <%s>; expected at least %d",

@@ -111,9 +111,8 @@ static bool normal_of(struct pp_reader *r, struct pp_vec3 *normal,
     int given = !isnan(form->nx) + !isnan(form->ny) + !isnan(form->nz);
     *normal = given ? pp_vec(form->nx, form->ny, form->nz) : pp_vec(0.0, 0.0, 1.0);
     if (given == 1 || given == 2) {
-        pp_mistakes_add(
-            r->mistakes, e->line,
-            "point: only a part of the normal is given; expected nx, ny and nz");
+        pp_mistakes_add(r->mistakes, e->line,
+                        "point: its normal is incomplete; expected nx, ny and nz");
         return false;
     }
     if (!(pp_vec_length(*normal) > 0.0)) {
@@ -293,10 +292,10 @@ static void check_common_skylines(struct pp_reader *r, const struct pp_room *com
 {
     for (int i = 0; i < common->skyline_count; i++)
         if (isfinite(common->skylines[i].distance_m))
-            pp_mistakes_add(r->mistakes, common->skylines[i].line,
-                            "skyline: has a distance, but stands before all rooms of "
-                            "the building, on each floor at the same angle; expected "
-                            "none, or a <block> in its place");
+            pp_mistakes_add(
+                r->mistakes, common->skylines[i].line,
+                "skyline: has a distance, but applies to all rooms of the building at "
+                "the same angle; expected no distance, or a <block> instead");
 }
 
 static void read_building(struct pp_reader *r, struct pp_building *building,
@@ -338,8 +337,8 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
                 PP_ROOM_PLACED_MOST, PP_ROOM_PLACED_MOST);
         if (room->placement.given && !isnan(room->north_rad))
             pp_mistakes_add(r->mistakes, room->line,
-                            "room: has a north of its own, but is placed in the "
-                            "building; expected north on the building alone");
+                            "room: has its own north, but is placed in the building; "
+                            "expected north in the building only");
         if (room->placement.given && !room->site_is_own)
             room->site.ground_level_m -= room->placement.z;
         pp_read_outside_stand_on_ground(room);
@@ -368,7 +367,7 @@ enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xm
     } else if (xml->whole) {
         char shown[160];
         pp_mistakes_add(mistakes, root->line,
-                        "the file holds a <%s>; expected a <room> or a <building>",
+                        "the file contains a <%s>; expected a <room> or a <building>",
                         pp_text_excerpt(shown, sizeof shown, root->name));
     }
     return r.out_of_memory ? pp_fail_memory(err) : PP_OK;

@@ -43,9 +43,9 @@ void pp_read_fitting_column(struct pp_reader *r, struct pp_room *room,
     bool round = !isnan(form.diameter_m);
     if (round == !isnan(form.width_m) || (round && !isnan(form.depth_m))) {
         pp_mistakes_add(r->mistakes, e->line,
-                        "column: has %s; expected a diameter, or a width and if it is "
-                        "not square a depth",
-                        round ? "a diameter and a width or a depth"
+                        "column: has %s; expected a diameter, or a width and, unless "
+                        "square, a depth",
+                        round ? "a diameter, and a width or a depth"
                               : "neither a width nor a diameter");
         return;
     }

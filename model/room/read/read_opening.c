@@ -53,14 +53,13 @@ static bool glass_of(struct pp_reader *r, struct pp_glass *glass,
     *glass = named_glass(r, name);
     if (form->diffusing < 0 || form->diffusing == (int)glass->diffusing)
         return true;
-    pp_mistakes_add(
-        r->mistakes, e->line,
-        glass->diffusing
-            ? "%s: diffusing is \"no\", but the glazing \"%s\" diffuses; expected "
-              "a clear glazing, or a transmittance instead of it"
-            : "%s: diffusing is \"yes\", but the glazing \"%s\" does not diffuse; "
-              "expected one that does, or a transmittance instead of it",
-        e->name, name);
+    pp_mistakes_add(r->mistakes, e->line,
+                    glass->diffusing
+                        ? "%s: diffusing is \"no\", but the glazing \"%s\" is "
+                          "diffusing; expected a clear glazing, or a transmittance"
+                        : "%s: diffusing is \"yes\", but the glazing \"%s\" is clear; "
+                          "expected a diffusing one, or a transmittance",
+                    e->name, name);
     return false;
 }
 

@@ -75,8 +75,8 @@ static struct pp_shared_mesh *read_mesh_file(struct pp_reader *r, const char *fi
 {
     if (!r->folder) {
         pp_mistakes_add(r->mistakes, line,
-                        "mesh: the room is in memory and has no folder to look for its "
-                        "file in; expected a room that is read from a file");
+                        "mesh: the room is in memory, so there is no folder for its "
+                        "file; expected a room from a file");
         return NULL;
     }
     struct pp_shared_mesh *shared = calloc(1, sizeof *shared);
@@ -222,7 +222,7 @@ static void read_footprint(struct pp_reader *r, struct pp_room *room,
     if (good && !(pp_polygon_area_vector(outline.list, outline.count).z > 0.0)) {
         good = false;
         pp_mistakes_add(r->mistakes, e->line,
-                        "block: its outline turns clockwise seen from above, or has no "
+                        "block: its outline is clockwise seen from above, or has no "
                         "area; expected counter-clockwise");
     }
     if (good)

@@ -37,11 +37,12 @@ static const char *roof_fault(const struct pp_plan_form *form, int vertices)
     if (is_flat)
         return NULL;
     if (vertices > 0)
-        return "has a roof, and vertices; roofs are of rectangles by width and depth";
+        return "has a roof, and vertices; expected width and depth, because roofs are "
+               "for rectangles";
     if (isnan(form->pitch_rad))
         return "pitch is missing; expected a number of degrees above 0, up to 85";
     return form->teeth && form->roof != PP_ROOF_SAW_TOOTH
-               ? "has teeth; they are of a \"saw-tooth\" roof"
+               ? "has teeth; expected them with a \"saw-tooth\" roof only"
                : NULL;
 }
 
@@ -146,7 +147,7 @@ void pp_read_shape_check(struct pp_reader *r, const struct pp_xml_element *e)
         if (outline && strcmp(outline->name, c->name) != 0) {
             pp_mistakes_add(
                 r->mistakes, c->line,
-                "room: <%s> beside the <%s> of line %d; expected one of them", c->name,
+                "room: has <%s> and the <%s> of line %d; expected one of them", c->name,
                 outline->name, outline->line);
             return;
         }
@@ -158,5 +159,5 @@ void pp_read_shape_check(struct pp_reader *r, const struct pp_xml_element *e)
             outline = c; /* misspelt: that has been noted */
     if (!outline && e->ended)
         pp_mistakes_add(r->mistakes, e->line,
-                        "room: it has no shape; expected a <plan> or an <envelope>");
+                        "room: has no shape; expected a <plan> or an <envelope>");
 }

@@ -98,7 +98,7 @@ static bool read_formula(struct pp_reader *r, const struct pp_sky_part *part,
         part->iso > 0 && pp_sky_iso_has_sun(part->iso) && !(altitude && bearing);
     if (sunless)
         pp_mistakes_add(r->mistakes, part->line,
-                        "sky: %s needs to know where the sun stands; %s missing",
+                        "sky: %s needs the position of the sun; %s missing",
                         pp_sky_words[form->type],
                         altitude  ? "sun-bearing is"
                         : bearing ? "sun-altitude is"

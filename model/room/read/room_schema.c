@@ -11,7 +11,7 @@
 /* Kinds of value */
 
 static const struct pp_value_kind text = {
-    .reading = PP_VALUE_TEXT, .expected = "a text without control characters"};
+    .reading = PP_VALUE_TEXT, .expected = "text without control characters"};
 static const struct pp_value_kind wall = {.reading = PP_VALUE_NAME,
                                           .expected = "the name of a wall"};
 static const struct pp_value_kind face_name = {.reading = PP_VALUE_NAME,

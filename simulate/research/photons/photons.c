@@ -321,7 +321,7 @@ static enum pp_status make_photons(struct pp_photons *photons,
 {
     if (!(options->sensor_m >= 0.0) || isinf(options->sensor_m))
         return pp_fail(err, PP_BAD_INPUT,
-                       "radius of sensors is %g m; it must be 0 or more",
+                       "the radius of sensors is %g m; expected 0 or more",
                        options->sensor_m);
     const struct pp_planner_options planned = {.error = options->error,
                                                .least_error = LEAST_ERROR,
@@ -401,7 +401,7 @@ void pp_photons_read(const struct pp_photons *photons, int index,
     if (index < photons->point_count)
         pp_planner_read(photons->planner, index, readings);
     for (int i = 0; i < PP_COMPONENT_COUNT && index >= photons->point_count; i++)
-        readings[i] = pp_reading_none("no average was asked for");
+        readings[i] = pp_reading_none("the average was not requested");
 }
 
 double pp_photons_common(const struct pp_photons *photons)

@@ -169,13 +169,13 @@ static void a_leap_day_against_the_header_is_a_mistake(void **state)
     epw_header(&made, "No", "1,1,Data,Monday,2/28,3/1");
     epw_day(&made, 1991, 2, 28, "1");
     epw_day(&made, 1991, 2, 29, "1");
-    assert_refused(&made, 33, "1991 is no leap year, and line 5 says");
+    assert_refused(&made, 33, "1991 is not a leap year, according to line 5");
 
     epw_begin(&made);
     epw_header(&made, "Yes", "1,1,Data,Monday,2/28,3/1");
     epw_day(&made, 1991, 2, 28, "1");
     epw_day(&made, 1991, 3, 1, "1");
-    assert_refused(&made, 33, "no record of 29 February");
+    assert_refused(&made, 33, "the record of 29 February is missing");
 
     epw_begin(&made);
     epw_header(&made, "Maybe", "1,1,Data,Monday,2/28,3/1");
@@ -191,7 +191,8 @@ static void a_period_may_end_on_a_day_that_is_not_there(void **state)
     epw_header(&made, "", "2,1,Winter,Monday,2/28,2/29,Summer,Friday,6/2,6/2");
     epw_day(&made, 1991, 2, 28, "1");
     epw_day(&made, 1991, 6, 1, "1");
-    assert_refused(&made, 33, "a record of 1 June, hour 1; expected 2 June, hour 1");
+    assert_refused(&made, 33,
+                   "this is a record of 1 June, hour 1; expected 2 June, hour 1");
 
     epw_begin(&made);
     epw_header(&made, "", "2,1,Winter,Monday,2/28,2/29,Spring,Friday,3/1,3/1");
@@ -308,12 +309,12 @@ static void a_file_that_is_cut_off_is_refused(void **state)
     epw_header(&made, "No", "1,1,Data,Monday,1/1,12/31");
     epw_record(&made, 2001, 1, 1, 1, 0, "0", "0", "0", "0");
     fputs("2001,1,1,2,0,?9,3.1,2.2,80,101000,0,0,31", made.out);
-    assert_refused(&made, 10, "a record of 13 fields; expected 35");
+    assert_refused(&made, 10, "the record has 13 fields; expected 35");
 
     epw_begin(&made);
     epw_line(&made, EPW_LOCATION);
     epw_line(&made, "DESIGN CONDITIONS,0");
-    assert_refused(&made, 2, "without a line DATA PERIODS");
+    assert_refused(&made, 2, "expected a line DATA PERIODS");
 }
 
 static void hours_out_of_order_are_refused(void **state)
@@ -325,7 +326,8 @@ static void hours_out_of_order_are_refused(void **state)
     epw_day(&made, 2001, 1, 1, "0");
     epw_record(&made, 2001, 1, 2, 2, 0, "0", "0", "0", "0");
     assert_refused(&made, 33,
-                   "a record of 2 January, hour 2; expected 2 January, hour 1");
+                   "this is a record of 2 January, hour 2; expected 2 January, "
+                   "hour 1");
 
     epw_begin(&made);
     epw_header(&made, "No", "1,1,Data,Monday,1/1,1/1");
@@ -398,7 +400,7 @@ static void header_lines_that_are_wrong_are_named(void **state)
         {"LOCATION,A,B,C,D,1,51,x,1,0", "1,1,D,,1/1,1/1", 1, "the longitude (field 8)"},
         {"LOCATION,A,B,C,D,1,51,4", "1,1,D,,1/1,1/1", 1,
          "the time zone (field 9) is \"\""},
-        {"LOCATE,A", "1,1,D,,1/1,1/1", 1, "starts with LOCATION"},
+        {"LOCATE,A", "1,1,D,,1/1,1/1", 1, "expected LOCATION"},
         {EPW_LOCATION, "0,1,D,,1/1,1/1", 2, "the number of data periods"},
         {EPW_LOCATION, "1,7,D,,1/1,1/1", 2, "that divides 60"},
         {EPW_LOCATION, "1,2.5,D,,1/1,1/1", 2, "that divides 60"},
@@ -420,7 +422,7 @@ static void header_lines_that_are_wrong_are_named(void **state)
     epw_begin(&made);
     epw_line(&made, EPW_LOCATION);
     epw_day(&made, 2001, 1, 1, "0");
-    assert_refused(&made, 2, "the records start here, without a line DATA PERIODS");
+    assert_refused(&made, 2, "the records start here; expected a line DATA PERIODS");
 
     epw_begin(&made);
     epw_line(&made, EPW_LOCATION);
@@ -443,11 +445,11 @@ static void what_is_no_text_is_refused(void **state)
         const char *words;
     } cases[] = {{"", 0, "1: the file is empty"},
                  {" \r\n\t\n", 5, "1: the file is empty"},
-                 {"\xEF\xBB\xBF", 3, ": no weather file"},
+                 {"\xEF\xBB\xBF", 3, ": this is not a weather file"},
                  {"\xFF\xFEL\0O\0", 6, "1: the file is UTF-16"},
-                 {"LOCATION,a\nDE\0SIGN", 18, "2: a NUL byte"},
-                 {"<room version=\"1\">\n</room>", 26, "1: no weather file"},
-                 {"1,2,3\n", 6, "1: no weather file"}};
+                 {"LOCATION,a\nDE\0SIGN", 18, "2: there is a NUL byte"},
+                 {"<room version=\"1\">\n</room>", 26, "1: this is not a weather file"},
+                 {"1,2,3\n", 6, "1: this is not a weather file"}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         assert_null(epw_parsed(cases[i].bytes, cases[i].length, said, sizeof said));
         if (!strstr(said, cases[i].words))
@@ -458,7 +460,7 @@ static void what_is_no_text_is_refused(void **state)
     epw_line(&made, EPW_LOCATION);
     for (int i = 0; i < 70000; i++)
         fputc(',', made.out);
-    assert_refused(&made, 2, "a line of more than 65536 bytes");
+    assert_refused(&made, 2, "there is a line of more than 65536 bytes");
 }
 
 /* A file of nothing but mistakes says some of them. */

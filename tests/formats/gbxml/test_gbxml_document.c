@@ -89,11 +89,11 @@ static void files_other_than_gbxml_are_refused_in_words(void **state)
     static const struct {
         const char *bytes, *words;
     } files[] = {
-        {"<gbXML>\n<Campus>", "a.xml:2: the file breaks off within <Campus> of line 2; "
+        {"<gbXML>\n<Campus>", "a.xml:2: the file ends inside <Campus> of line 2; "
                               "expected </Campus>"},
-        {"<gbXML>\n<Campus id='a", "a.xml:2: the file breaks off within the tag"},
+        {"<gbXML>\n<Campus id='a", "a.xml:2: the file ends inside the tag"},
         {"<gbXML>\n</Campus></gbXML>",
-         "a.xml:2: </Campus> where </gbXML> was expected, to close line 1"},
+         "a.xml:2: there is </Campus>; expected </gbXML>, to close line 1"},
         {"", "a.xml:1: the file is empty; expected a <gbXML>"},
         {"v 1 2 3", "a.xml:1: this is not XML; expected a <gbXML>"},
         {"<!DOCTYPE gbXML [<!ENTITY a 'b'>]><gbXML>&a;</gbXML>",
@@ -101,17 +101,18 @@ static void files_other_than_gbxml_are_refused_in_words(void **state)
         {"<?xml version='1.0'?>\n<!DOCTYPE gbXML SYSTEM "
          "'file:///etc/passwd'>\n<gbXML/>",
          "a.xml:2: a DOCTYPE is not allowed"},
-        {"<gbXML>\n&a;</gbXML>", "a.xml:2: &a; is not known"},
+        {"<gbXML>\n&a;</gbXML>", "a.xml:2: the entity &a; is unknown"},
         {"\n<room/>", "a.xml:2: the outermost element is <room>; expected <gbXML>"},
-        {FILE_OF("klingon", "a"), "a.xml:1: the encoding \"klingon\" is not known"},
+        {FILE_OF("klingon", "a"), "a.xml:1: the encoding \"klingon\" is unknown"},
         {FILE_OF("UTF-8", "B\xFCro"), "a.xml:2: byte 0xFC is not UTF-8"},
-        {FILE_OF("US-ASCII", "B\xFCro"), "a.xml:2: bytes that are not US-ASCII"},
+        {FILE_OF("US-ASCII", "B\xFCro"),
+         "a.xml:2: there are bytes that are not US-ASCII"},
     };
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
         is_refused(files[i].bytes, strlen(files[i].bytes), files[i].words);
-    is_refused("<gbXML>\n\0</gbXML>", 17, "a.xml:2: a NUL byte");
-    is_refused("\xFF\xFE<\0g\0/", 7, "a.xml:1: bytes that are not UTF-16LE");
-    is_refused("\xFE\xFF\0<\xD8\0\0a", 8, "a.xml:1: bytes that are not UTF-16BE");
+    is_refused("<gbXML>\n\0</gbXML>", 17, "a.xml:2: there is a NUL byte");
+    is_refused("\xFF\xFE<\0g\0/", 7, "a.xml:1: there are bytes that are not UTF-16LE");
+    is_refused("\xFE\xFF\0<\xD8\0\0a", 8, "a.xml:1: there are bytes that are not UTF-16BE");
 }
 
 /* Each takes a moment; a long tag or thousands of errors would take minutes. */
@@ -127,8 +128,8 @@ static void bulk_is_read_or_refused_with_its_line(void **state)
         {"<gbXML>\n<!-- ", "c", " --></gbXML>", NULL},
         {"<gbXML><Name>", "c", "</Name></gbXML>", NULL},
         {"<gbXML>", "<Name/>", "</gbXML>", NULL},
-        {"<gbXML>", "\n", "</Campus>", "a.xml:10999985: </Campus> where </gbXML>"},
-        {"<gbXML>\n<a>", "&", "</a></gbXML>", "a.xml:2: a name was expected"},
+        {"<gbXML>", "\n", "</Campus>", "a.xml:10999985: there is </Campus>; expected </gbXML>"},
+        {"<gbXML>\n<a>", "&", "</a></gbXML>", "a.xml:2: expected a name"},
         {"<!DOCTYPE gbXML [", "<!ENTITY a 'b'>", "]><gbXML/>", "a.xml:1: a DOCTYPE"},
     };
     enum { SIZE = 11000000 };

@@ -303,7 +303,7 @@ static void others_are_refused_with_a_reason(void **state)
         const char *text, *why;
     } cases[] = {
         {"", "the file is empty; expected a <gbXML>"},
-        {"<gbXML", "the file breaks off within the tag"},
+        {"<gbXML", "the file ends inside the tag"},
         {"<gbXML lengthUnit='Meters'><Campus></gbXML>",
          "</gbXML> where </Campus> was expected, to close line 1"},
         {"<room version='1'/>", "expected <gbXML>"},

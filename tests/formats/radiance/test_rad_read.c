@@ -263,7 +263,7 @@ static void a_file_stands_in_a_file(void **state)
     struct pp_rad_summary summary;
     struct pp_error err;
     assert_int_equal(parse(&scene, &summary, text, (size_t)length, &err), PP_BAD_INPUT);
-    assert_non_null(strstr(err.message, "does one name itself?"));
+    assert_non_null(strstr(err.message, "a file may include itself"));
     close(file);
     unlink(inner);
 }
@@ -286,8 +286,8 @@ static void files_that_copies_read_without_end_are_refused(void **state)
     struct pp_rad_summary summary;
     struct pp_error err;
     assert_int_equal(parse(&scene, &summary, text, strlen(text), &err), PP_BAD_INPUT);
-    assert_non_null(
-        strstr(err.message, ":2: more than 256 MiB of files are read for copies"));
+    assert_non_null(strstr(
+        err.message, ":2: this xform and those before it read more than 256 MiB"));
     close(file);
     unlink(name);
 }
@@ -427,83 +427,91 @@ static void what_is_not_understood_is_refused_by_its_line(void **state)
     } files[] = {
         {"\n\nred polygon p 0 0 9 0 0 0 1 0 0 0 1 0\n",
          "room.rad:3: there is no material or pattern \"red\""},
-        {WHITE "white polygon p 0 0 8 0 0 0 1 0 0 0 1\n", "2: a polygon of 8 numbers"},
+        {WHITE "white polygon p 0 0 8 0 0 0 1 0 0 0 1\n", "2: a polygon has 8 numbers"},
         {WHITE "white polygon p 0 0 9 0 0 0 1 0 0\n0 1\n",
-         "the file ends in the middle"},
-        {WHITE "white polygon p 0 0 9 0 0 0 1 0 0\n0 1 x\n", "3: \"x\" where a number"},
-        {WHITE "white polygon p 0 0 9 0 0 0 1 0 0 0 nan 0\n", "\"nan\" where a number"},
-        {WHITE "white polygon p 0 0 9 0 0 0 1 0 0 0 1e999 0\n", "where a number"},
+         "the file ends inside a primitive"},
+        {WHITE "white polygon p 0 0 9 0 0 0 1 0 0\n0 1 x\n",
+         "3: there is \"x\"; expected a number"},
+        {WHITE "white polygon p 0 0 9 0 0 0 1 0 0 0 nan 0\n",
+         "there is \"nan\"; expected a number"},
+        {WHITE "white polygon p 0 0 9 0 0 0 1 0 0 0 1e999 0\n", "expected a number"},
         {WHITE "white polygon p 0 0 9 0 0 0 1 0 0 0 1e300 0\n",
-         "2: the number 1e300; expected -1e30 to 1e30"},
+         "2: the number is 1e300; expected -1e30 to 1e30"},
         {WHITE "white polygon p 0 0 12 0 0 0 1 0 0 1 1 5 0 1 0\n", "not plane"},
         {WHITE "white polygon p 0 0 12 0 0 0 1 1 0 1 0 0 0 1 0\n",
-         "2: a polygon that runs"},
+         "2: a polygon winds"},
         {WHITE "white polygon p 0 0 300003\n", "300000 at most"},
-        {WHITE "white polygon p 0 0 -9\n", "where the number of numbers"},
-        {WHITE "white polygon p 9999999999 0 0\n", "where the number of strings"},
-        {WHITE "white polygon", "ends in the middle"},
-        {WHITE "white sphere s 0 0 3 0 0 0\n", "2: a sphere of 3 numbers"},
-        {WHITE "white sphere s 0 0 4 0 0 0 0\n", "2: a sphere of radius 0"},
+        {WHITE "white polygon p 0 0 -9\n", "expected the number of numbers"},
+        {WHITE "white polygon p 9999999999 0 0\n", "expected the number of strings"},
+        {WHITE "white polygon", "ends inside a primitive"},
+        {WHITE "white sphere s 0 0 3 0 0 0\n", "2: a sphere has 3 numbers"},
+        {WHITE "white sphere s 0 0 4 0 0 0 0\n", "2: a sphere has radius 0"},
         {WHITE "white instance i 1 a.oct 0 0\n", "the type \"instance\""},
         {"void texfunc t 2 a b 0 0\n", "1: the type \"texfunc\""},
-        {"void brightfunc b 2 f my.cal 0 0\n", "a brightfunc that is not understood"},
-        {"void brightfunc b 2 skybr skybright.cal 0 3 7 1 1\n", "a sky of 3 numbers"},
-        {"void brightfunc b 4 skybr skybright.cal -rx 30 0 3 2 1 1\n", "that is moved"},
+        {"void brightfunc b 2 f my.cal 0 0\n", "the brightfunc is not supported"},
+        {"void brightfunc b 2 skybr skybright.cal 0 3 7 1 1\n",
+         "the sky has 3 numbers"},
+        {"void brightfunc b 4 skybr skybright.cal -rx 30 0 3 2 1 1\n",
+         "the sky is moved"},
         {"void plastic p 0 0 5 1 1 1 .5 0\nvoid plastic q 0 0 5 1.2 1 1 0 0\n",
          "2: material \"q\""},
-        {"void plastic p 0 0 4 1 1 1 0\n", "1: plastic of 4 numbers"},
+        {"void plastic p 0 0 4 1 1 1 0\n", "1: plastic has 4 numbers"},
         {"void glass g 0 0 3 1.1 1 1\n", "transmissivities from 0 to 1"},
-        {"void light l 0 0 3 -1 0 0\n", "light of -1"},
-        {"void metal2 m 4 x y z f.cal 0 6 .5 .5 .5 1 .1 .1\n", "functions are not"},
-        {WHITE "white plastic p 0 0 5 1 1 1 0 0\n", "modifier is a material"},
+        {"void light l 0 0 3 -1 0 0\n", "light has the value -1"},
+        {"void metal2 m 4 x y z f.cal 0 6 .5 .5 .5 1 .1 .1\n",
+         "the direction is a function"},
+        {WHITE "white plastic p 0 0 5 1 1 1 0 0\n", "a material modifies a material"},
         {"void alias a b\n", "there is no material or pattern \"b\""},
         {WHITE SKY "skyfunc light l 0 0 3 1 1 1\n"
                    "l polygon p 0 0 9 0 0 0 1 0 0 0 1 0\n",
-         "4: a shape of \"l\", which has a sky's pattern"},
+         "4: a shape of \"l\" has a sky's pattern"},
         {WHITE SKY "skyfunc glow l 0 0 4 1 1 1 0\nl sphere s 0 0 4 0 0 0 1\n",
-         "4: a shape of \"l\", which"},
+         "4: a shape of \"l\" has a"},
         {WHITE SKY "skyfunc glow l 0 0 4 1 1 1 0\n"
                    "void mixfunc m 4 l white if(Rdot,1,0) . 0 0\n"
                    "m ring r 0 0 8 0 0 0 0 0 1 0 1\n",
-         "5: a shape of \"l\", which"},
+         "5: a shape of \"l\" has a"},
         {WHITE SKY "void light l 0 0 3 1 1 1\nskyfunc alias k l\n"
                    "!genbox k b 1 1 1\n",
-         "5: a shape of \"l\", which"},
+         "5: a shape of \"l\" has a"},
         {WHITE SKY "void light l 0 0 3 1 1 1\n!xform -m l /dev/null\n"
                    "!genbox l b 1 1 1 | xform -m skyfunc\n",
-         "5: a shape's modifier is a pattern"},
-        {WHITE SKY "skyfunc alias grey white\n", "3: an alias that puts a sky"},
-        {WHITE SKY "skyfunc alias sky skyfunc\n", "3: an alias that puts a sky"},
-        {WHITE SKY "skyfunc plastic p 0 0 5 1 1 1 0 0\n", "3: a sky's brightfunc on"},
-        {"!rm -rf /\n", "1: nothing is executed here"},
+         "5: the modifier of a shape is a pattern"},
+        {WHITE SKY "skyfunc alias grey white\n",
+         "3: an alias modifies a material without emission"},
+        {WHITE SKY "skyfunc alias sky skyfunc\n",
+         "3: an alias modifies a material without emission"},
+        {WHITE SKY "skyfunc plastic p 0 0 5 1 1 1 0 0\n",
+         "3: the brightfunc of a sky modifies"},
+        {"!rm -rf /\n", "1: no program is run"},
         {"!genbox white b 1 1 1; rm x\n", "1: expected words"},
         {"!gensky 1 1 1 > sky.rad\n", "1: expected words"},
         {"!cat `ls`\n", "1: expected words"},
         {"!\n", "expected a command"},
         {"!genbox a b 1 1 1 |\n", "expected a command"},
-        {"!xform -t 1 2\n", "no good numbers behind xform's -t"},
+        {"!xform -t 1 2\n", "expected valid numbers after xform's -t"},
         {"!xform -t 1 2 3\n", "nothing to transform"},
         {"!xform -q x.rad\n", "xform has no option -q"},
-        {"!xform -a 2000000 x.rad\n", "behind xform's -a"},
+        {"!xform -a 2000000 x.rad\n", "after xform's -a"},
         {"!xform /no/such/file.rad\n", "/no/such/file.rad: cannot be opened"},
-        {WHITE "!genbox white b 1 1 -1\n", "2: genbox of a size of -1"},
-        {WHITE "!genbox white b 1 1 1 -s\n", "are understood, not -s"},
-        {WHITE "!genbox white b 1 1 1 -r\n", "a size behind genbox's -r"},
-        {WHITE "!genbox white b 1 1 1 -b .6\n", "edges that meet"},
-        {WHITE "!genbox white b 1 1 1 -r .1 -n 1.5\n", "behind genbox's -n"},
+        {WHITE "!genbox white b 1 1 -1\n", "2: genbox has a size of -1"},
+        {WHITE "!genbox white b 1 1 1 -s\n", "only, not -s"},
+        {WHITE "!genbox white b 1 1 1 -r\n", "a size after genbox's -r"},
+        {WHITE "!genbox white b 1 1 1 -b .6\n", "the edges of the genbox meet"},
+        {WHITE "!genbox white b 1 1 1 -r .1 -n 1.5\n", "after genbox's -n"},
         {WHITE "!genbox white b 1 1 1 | xform -a 1001 | xform -a 999000\n",
-         "2: more than 1000000 copies"},
+         "make more than 1000000 copies"},
         {WHITE "!genbox white b 1 1 1 | xform -i 2|xform -i 2|xform -i 2|xform -i 2|"
                "xform -i 2|xform -i 2|xform -a 150000\n",
-         "2: more than 1000000 copies"},
+         "make more than 1000000 copies"},
         {WHITE "!genbox white b 1 1 1 | xform -a 999999 -t 2 0 0\n",
-         "2: 999999 copies of 6 shapes; expected 1000000 shapes at most"},
+         "2: there are 999999 copies of 6 shapes; expected 1000000 shapes at most"},
         {WHITE
          "!genbox white b 1 1 1 | xform -a 1000 -t 2 0 0 | xform -a 999 -t 0 2 0\n",
-         "2: 999 copies of 6000 shapes"},
+         "2: there are 999 copies of 6000 shapes"},
         {WHITE "!genbox white b 1 1 1 | xform -a 160000 -t 2 0 0\n"
                "!genbox white b 1 1 1 | xform -a 160000 -t 2 0 0\n",
-         "3: more than 1000000 shapes in the copies"},
+         "3: the copies that xforms make have more than 1000000 shapes"},
         {"!a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|"
          "a|"
          "a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|"
@@ -511,24 +519,23 @@ static void what_is_not_understood_is_refused_by_its_line(void **state)
          "a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|"
          "a|a\n",
          "more than 100 commands"},
-        {"!xform 'x.rad\n", "a quote that is not closed: x.rad"},
-        {"!xform 'x'.rad\n", "with blanks between, or in quotes; not .rad"},
+        {"!xform 'x.rad\n", "a quotation mark is not closed: x.rad"},
+        {"!xform 'x'.rad\n", "separated by blanks, or in quotation marks; not .rad"},
         {"void illum i 1 glass 0 3 1 1 1\n", "there is no material \"glass\""},
-        {"void light l 0 0 3 1 1 1\nvoid illum i 1 l 0 3 1 1 1\n",
-         "gives off no light"},
-        {WHITE "void mirror m 1 white 0 3 1 1 1\n", "mirror with 1 strings"},
+        {"void light l 0 0 3 1 1 1\nvoid illum i 1 l 0 3 1 1 1\n", "emits no light"},
+        {WHITE "void mirror m 1 white 0 3 1 1 1\n", "mirror has 1 strings"},
         {WHITE
          "void light l 0 0 3 1 1 1\nvoid mixfunc m 4 l white if(Rdot,1,0) . 0 0\n",
-         "3: a mixfunc of \"l\""},
+         "3: there is a mixfunc of \"l\""},
         {WHITE "void glow l 0 0 4 1 1 1 0\nvoid mixfunc m 4 white l if(Rdot,1,0) . 0 "
                "0\n",
-         "3: a mixfunc of \"l\""},
-        {WHITE "!gensky -c | genbox white b 1 1 1\n", "only xform can stand behind"},
+         "3: there is a mixfunc of \"l\""},
+        {WHITE "!gensky -c | genbox white b 1 1 1\n", "only xform after a pipe"},
         {"!gensky 13 1 12\n", "expected gensky with month"},
         {"!gensky 1 1 12XYZ\n", "expected gensky with month"},
         {"!gensky 1 1 12 -z 3\n", "no option -z"},
-        {"!gensky 1 1 12 -B\n", "behind gensky's option -B"},
-        {"!gensky 1 1 12 | xform -rx 10\n", "a sky that is tilted"},
+        {"!gensky 1 1 12 -B\n", "after gensky's option -B"},
+        {"!gensky 1 1 12 | xform -rx 10\n", "the sky is tilted"},
     };
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         struct pp_scene_description scene;
@@ -562,7 +569,7 @@ static void a_file_that_is_cut_off_or_binary_ends_well(void **state)
     struct pp_error err = {0};
     assert_int_equal(parse(&scene, &summary, binary, sizeof binary, &err),
                      PP_BAD_INPUT);
-    assert_non_null(strstr(err.message, "room.rad:1: a character of code"));
+    assert_non_null(strstr(err.message, "room.rad:1: there is a character with code"));
 }
 
 TEST_FILE

@@ -340,7 +340,7 @@ static void what_radiance_has_no_words_for_is_refused(void **state)
     assert_refused("<surface reflectance='0.3' exitance='0.1'><vertex x='1' y='1' "
                    "z='1'/><vertex x='2' y='1' z='1'/><vertex x='2' y='2' z='1'/>"
                    "</surface>",
-                   "gives off light");
+                   "emits and reflects light");
     struct pp_scene_description scene;
     pp_scene_description_init(&scene);
     struct pp_material lit = pp_material_diffuse(pp_rgb_grey(0.4));

@@ -122,7 +122,7 @@ static void what_stands_in_a_room_is_all_inside(void **state)
 {
     (void)state;
     check_wrong("<furniture x='8' y='2' width='1' depth='1' height='1'/>",
-                "stands outside the room");
+                "is outside the room");
     check_wrong("<furniture x='5.5' y='2' width='1' depth='1' height='1'/>",
                 "expected it all inside");
     check_wrong("<column x='3' y='2' width='0.3' height='4'/>",

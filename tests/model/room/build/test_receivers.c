@@ -179,28 +179,28 @@ static void a_place_is_refused_for_what_is_there(void **state)
         {{1.5, 4.0, 1.5}, "lies in an opening", UP},
         {{1.5, 3.999, 1.5}, NULL, UP},
         {{0.5, 0.0, 1.5},
-         "lies in a wall without facing straight into the room (nx, ny, nz)",
+         "lies in a wall but does not face straight into the room (nx, ny, nz)",
          UP},
         {{0.5, 0.0, 1.5}, NULL, {0.0, 1.0, 0.0}},
         {{0.5, 0.0, 1.5},
-         "lies in a wall without facing straight into the room (nx, ny, nz)",
+         "lies in a wall but does not face straight into the room (nx, ny, nz)",
          {0.0, -1.0, 0.0}},
         {{0.5, 0.0, 1.5},
-         "lies in a wall without facing straight into the room (nx, ny, nz)",
+         "lies in a wall but does not face straight into the room (nx, ny, nz)",
          {0.0, 0.8, 0.6}},
         {{0.5, 0.001, 1.5}, NULL, UP},
         {{0.5, 1.5, 0.0}, NULL, UP},
         {{0.5, 1.5, 5e-5}, NULL, UP},
         {{0.5, 1.5, 0.0},
-         "lies in the floor without facing straight up from it (nx, ny, nz)",
+         "lies in the floor but does not face straight up (nx, ny, nz)",
          {0.0, 1.0, 0.0}},
         {{0.5, 1.5, 2.7},
-         "lies in the ceiling without facing straight down from it (nx, ny, nz)",
+         "lies in the ceiling but does not face straight down (nx, ny, nz)",
          UP},
         {{0.5, 1.5, 2.7}, NULL, {0.0, 0.0, -1.0}},
         {{3.0, 4.0, 2.7}, "", UP},
         {{3.0, 1.5, 0.0},
-         "lies in a wall without facing straight into the room (nx, ny, nz)",
+         "lies in a wall but does not face straight into the room (nx, ny, nz)",
          UP},
         {{0.5, 1.5, 2.8}, "lies outside the room", UP},
         {{5.3, 1.2, 1.0}, "lies in a block", UP},
@@ -232,7 +232,7 @@ static void a_place_is_refused_for_what_is_there(void **state)
         PP_BAD_INPUT);
     assert_string_equal(
         err.message,
-        "the point 1.5,4.5,0.85 lies outside the room; expected a place in "
+        "the point 1.5,4.5,0.85 lies outside the room; expected a point in "
         "the room's free space");
     pp_world_destroy(world);
 }

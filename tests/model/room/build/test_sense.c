@@ -101,7 +101,7 @@ static void a_clockwise_plan_keeps_its_walls(void **state)
         "<window wall=\"2\" left=\"0\" sill=\"1\" width=\"5\" height=\"1\"/>\n"
         "<window wall=\"3\" left=\"0\" sill=\"1\" width=\"5\" height=\"1\"/>\n"
         "<window wall=\"4\" left=\"0\" sill=\"1\" width=\"5\" height=\"1\"/>\n</room>",
-        "2 turns clockwise", "4 ends 1 m to the right", "6 ends 1 m to the right");
+        "2 is clockwise", "4 ends 1 m to the right", "6 ends 1 m to the right");
 }
 
 static void surfaces_stay_on_one_side_of_the_room_s_faces(void **state)
@@ -115,7 +115,7 @@ static void surfaces_stay_on_one_side_of_the_room_s_faces(void **state)
              "<surface reflectance=\"0.5\"><vertex x=\"-1\" y=\"-1\" z=\"1\"/>"
              "<vertex x=\"1\" y=\"1\" z=\"1\"/><vertex x=\"1\" y=\"1\" z=\"2\"/>"
              "<vertex x=\"-1\" y=\"-1\" z=\"2\"/></surface>\n"),
-        "3 goes through a wall of the room at (1.75", "4 in the room at");
+        "3 intersects a wall of the room at (1.75", "4 in the room at");
 }
 
 static void a_reveal_may_not_reach_into_the_other_wing(void **state)
@@ -142,7 +142,7 @@ static void a_block_keeps_clear_of_the_glass(void **state)
              "reveal=\"0.5\"/>\n"
              "<block x=\"0\" y=\"-3\" width=\"3\" depth=\"2.6\" height=\"3\"/>\n"
              "<block x=\"0\" y=\"-3\" width=\"3\" depth=\"2.4\" height=\"3\"/>\n"),
-        "4 in the depth of the opening of line 3");
+        "4 within the depth of the opening of line 3");
 }
 
 static void a_skyline_keeps_clear_of_the_room(void **state)
@@ -155,7 +155,7 @@ static void a_skyline_keeps_clear_of_the_room(void **state)
         "<vertex x=\"2\" y=\"6\"/><vertex x=\"0\" y=\"6\"/></plan>\n"
         "<skyline wall=\"3\" angle=\"20\" distance=\"2.5\"/>\n"
         "<skyline wall=\"5\" angle=\"20\" distance=\"2.5\"/>\n</room>",
-        "3 reach 3 m beyond that wall");
+        "3 extend 3 m beyond that wall");
 }
 
 /* A box of these faces, from one corner to the other; where it is `solid`, its faces
@@ -199,7 +199,7 @@ static void an_envelope_is_one_room_and_what_stands_in_it(void **state)
                           k ? other[1] : pillar[1], k == 0, "b");
         snprintf(xml + length, sizeof xml - length, "</envelope></room>");
         if (k == 1) {
-            assert_mistake(xml, "2 2 rooms apart from each other");
+            assert_mistake(xml, "2 2 separate rooms");
             continue;
         }
         struct pp_world *world = pp_test_world(xml);
@@ -249,8 +249,8 @@ static void faces_meet_in_their_edges_only(void **state)
                                                          V("0", "0",
                                                            "3") "</face>\n"
                                                                 "</envelope></room>",
-        "4 goes through that of line 3", "5 goes through that of line 3",
-        "6 goes through that of line 3", "7 goes through that of line 3");
+        "4 intersects that of line 3", "5 intersects that of line 3",
+        "6 intersects that of line 3", "7 intersects that of line 3");
 #undef V
 #undef TIP
 }

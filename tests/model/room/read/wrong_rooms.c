@@ -188,7 +188,7 @@ static void read_text_file(struct wrong_rooms *rooms, const char *folder,
     snprintf(path, sizeof path, "%s/%s", folder, file);
     FILE *in = fopen(path, "r");
     if (!in)
-        refuse(&reader, "the file can't be read");
+        refuse(&reader, "the file cannot be read");
     while (fgets(line, sizeof line, in)) {
         reader.at++;
         size_t length = strcspn(line, "\n");

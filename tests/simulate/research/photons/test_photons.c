@@ -325,7 +325,7 @@ static void a_sensor_of_negative_size_is_refused(void **state)
         pp_photons_create(&photons, scene, environment, NULL, 0, &options, &err),
         PP_BAD_INPUT);
     assert_string_equal(err.message,
-                        "radius of sensors is -0.1 m; it must be 0 or more");
+                        "the radius of sensors is -0.1 m; expected 0 or more");
     assert_null(photons);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
