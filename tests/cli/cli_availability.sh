@@ -98,7 +98,7 @@ check "days of the week that are not known" \
     refuses 1 "--days" availability --days mon-fri -w "$scratch/undated.epw" "$deep"
 sed 's|3/26,10/28|Last Sunday in March,Last Sunday in October|' "$days" >"$scratch/sunday.epw"
 sed 's|3/26,10/28|26 March,28 October|' "$days" >"$scratch/words.epw"
-check "summer time by words" refuses 1 'words.epw:5: summer time is from "26 March to 28 October"' \
+check "summer time by words" refuses 1 'words.epw:5: the summer time is "26 March to 28 October"' \
     availability --summer-time file -w "$scratch/words.epw" "$deep"
 gives availability --summer-time 3/26-10/29 -f csv -w "$days" "$deep"
 sed 's/^[^,]*//' "$scratch/out" >"$scratch/dated"
