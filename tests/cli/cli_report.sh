@@ -62,9 +62,9 @@ check "a file without windows" shows "<h1>Cellar</h1>" report --by-hand "$scratc
 check "with its plan and section, and none of a site" \
     test "$(grep -o '<figcaption>[A-Za-z]*' "$scratch/out" | tr '\n' ' ')" = \
     "<figcaption>Plan <figcaption>Section "
-check "a picture is no report" refuses 2 "expected a name such as report.html or report.pdf" \
+check "a picture is no report" refuses 2 "expected a name that ends in .html or .pdf" \
     report "$deep" -o "$scratch/r.svg"
-check "nor is what some other program writes" refuses 2 'not one that ends in ".docx"' \
+check "nor is what some other program writes" refuses 2 'not in ".docx"' \
     report "$deep" -o "$scratch/r.docx"
 check "a name without an ending is a page" sh -c "
     '$pepperpot' report --by-hand -c vsc '$deep' -o '$scratch/r' && grep -q '^<h1>' '$scratch/r'"
