@@ -112,7 +112,8 @@ static void files_other_than_gbxml_are_refused_in_words(void **state)
         is_refused(files[i].bytes, strlen(files[i].bytes), files[i].words);
     is_refused("<gbXML>\n\0</gbXML>", 17, "a.xml:2: there is a NUL byte");
     is_refused("\xFF\xFE<\0g\0/", 7, "a.xml:1: there are bytes that are not UTF-16LE");
-    is_refused("\xFE\xFF\0<\xD8\0\0a", 8, "a.xml:1: there are bytes that are not UTF-16BE");
+    is_refused("\xFE\xFF\0<\xD8\0\0a", 8,
+               "a.xml:1: there are bytes that are not UTF-16BE");
 }
 
 /* Each takes a moment; a long tag or thousands of errors would take minutes. */
@@ -128,7 +129,8 @@ static void bulk_is_read_or_refused_with_its_line(void **state)
         {"<gbXML>\n<!-- ", "c", " --></gbXML>", NULL},
         {"<gbXML><Name>", "c", "</Name></gbXML>", NULL},
         {"<gbXML>", "<Name/>", "</gbXML>", NULL},
-        {"<gbXML>", "\n", "</Campus>", "a.xml:10999985: there is </Campus>; expected </gbXML>"},
+        {"<gbXML>", "\n", "</Campus>",
+         "a.xml:10999985: there is </Campus>; expected </gbXML>"},
         {"<gbXML>\n<a>", "&", "</a></gbXML>", "a.xml:2: expected a name"},
         {"<!DOCTYPE gbXML [", "<!ENTITY a 'b'>", "]><gbXML/>", "a.xml:1: a DOCTYPE"},
     };
