@@ -1,6 +1,4 @@
-/* room_section.c - chooses the section's scale and draws the cut faces, openings in
- * the cut and behind it, the working plane, and the line of sight to obstructions.
- */
+/* room_section.c - scale of a section; cut faces, openings, working plane, sights. */
 #include "charts/room/room_section.h"
 #include "charts/room/room_elevation.h"
 
@@ -17,7 +15,9 @@
 
 bool pp_room_section_has_outside(const struct pp_room_section *section, bool near)
 {
-    return pp_section_sight_of(section->cut, section->world, near).angle_rad > 0.0;
+    struct pp_section_sight sight =
+        pp_section_sight_of(section->cut, section->world, near);
+    return sight.angle_rad > 0.0 || sight.overhang_rad < 0.5 * PP_PI;
 }
 
 /* Lowest and highest point of the cut faces. */
@@ -336,8 +336,7 @@ static void draw_plane(const struct section_drawing *drawing)
     cairo_stroke(cr);
 }
 
-/* The ground outside, from the wall to the end of the strip, if it is near the floor.
- */
+/* The ground outside, if it is near the floor. */
 static void draw_ground(const struct section_drawing *drawing)
 {
     const struct pp_room_section *section = drawing->section;
@@ -356,12 +355,37 @@ static void draw_ground(const struct section_drawing *drawing)
     cairo_stroke(drawing->cr);
 }
 
+/* The line below an overhang, dashed: sky is seen under it. */
+static void draw_overhang(const struct section_drawing *drawing, bool near,
+                          const struct pp_section_sight *sight)
+{
+    const struct pp_room_section *section = drawing->section;
+    double out = near ? -1.0 : 1.0, dash = 1.2 * drawing->style->scale;
+    double x = at_s(drawing, sight->s), y = at_z(drawing, sight->z);
+    double reach = (near ? section->left_mm : section->right_mm) - 1.0;
+    double top = fmax(y - section->y + 0.8 * section->head_mm, 1.0);
+    double slope = tan(sight->overhang_rad), run = fmin(reach, top / slope);
+    char words[48];
+    pp_style_line(drawing->cr, drawing->style->thin, PP_INK);
+    cairo_set_dash(drawing->cr, &dash, 1, 0.0);
+    cairo_move_to(drawing->cr, x, y);
+    cairo_line_to(drawing->cr, x + out * run, y - run * slope);
+    cairo_stroke(drawing->cr);
+    snprintf(words, sizeof words, "overhang: sky up to %.0f\u00b0",
+             sight->overhang_rad / PP_RAD);
+    const struct pp_lettering text = {.across = near ? 0.0 : 1.0, .down = 1.0};
+    pp_lettering_draw_on_white(drawing->cr, drawing->style, &text, x + out * reach,
+                               y - 0.5 * drawing->style->scale, words);
+}
+
 /* The line of sight to the obstruction's head, the horizontal, and the angle. */
 static void draw_sight(const struct section_drawing *drawing, bool near)
 {
     const struct pp_room_section *section = drawing->section;
     struct pp_section_sight sight =
         pp_section_sight_of(section->cut, section->world, near);
+    if (sight.overhang_rad < 0.5 * PP_PI)
+        draw_overhang(drawing, near, &sight);
     if (!(sight.angle_rad > 0.0))
         return;
     cairo_t *cr = drawing->cr;
@@ -404,12 +428,14 @@ static void draw_sight(const struct section_drawing *drawing, bool near)
 static void write_caption(const struct section_drawing *drawing, int behind)
 {
     const struct pp_room_section *section = drawing->section;
-    char text[512], length[32], plane[32];
+    char text[512], length[32], height[32], plane[32];
     pp_style_metres(length, sizeof length, section->cut->length_m);
     pp_style_metres(plane, sizeof plane, section->cut->height_m);
-    snprintf(text, sizeof text,
-             "Section 1:%g. Room %s long; reference points %s above the floor",
-             1000.0 / section->mm_per_m, length, plane);
+    pp_style_metres(height, sizeof height, drawing->high - drawing->low);
+    snprintf(
+        text, sizeof text,
+        "Section 1:%g. Room %s long; %s high; calculation points %s above the floor",
+        1000.0 / section->mm_per_m, length, height, plane);
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < section->cut->count; i++) {
         const struct pp_cut *cut = &section->cut->list[i];
@@ -429,14 +455,13 @@ static void write_caption(const struct section_drawing *drawing, int behind)
                    behind ? " Dashed: openings outside the section." : "");
     struct pp_lettering set = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
     double left = section->x, right = at_s(drawing, section->cut->length_m);
-    /* The caption may be wider than a narrow room; then it begins before the room where
-     * there is no place behind it. */
+    /* A caption wider than the room begins before it if need be. */
     set.width = fmax(right - left, 90.0 * drawing->style->scale);
     if (section->most_x > 0.0)
         left = fmin(left,
                     fmax(section->most_x - set.width, section->x - section->left_mm));
     set.lines = 2;
-    /* Draws on white, since a facade and the ground may continue below the floor. */
+    /* A facade and the ground may continue below the floor. */
     pp_lettering_draw_on_white(
         drawing->cr, drawing->style, &set, left,
         at_z(drawing, drawing->low) + 1.4 * drawing->style->scale, text);
@@ -447,7 +472,6 @@ void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
 {
     struct section_drawing drawing = {section, cr, style, 0.0, 0.0};
     heights_of(section->cut, &drawing.low, &drawing.high);
-
     /* Ground and obstructions outside may be far wider than the sheet. */
     cairo_save(cr);
     double left = section->x - section->left_mm;

@@ -31,22 +31,82 @@ static bool middle_of_openings(const struct pp_section_cut *section,
     return high > low;
 }
 
+/* Is the cut an obstruction that stands outside, not a facade? */
+static bool stands_outside(const struct pp_cut *cut, const struct pp_world *world)
+{
+    return cut->kind == PP_CUT_OUTSIDE && world->surfaces[cut->of].role != PP_FACADE;
+}
+
+/* Is the sky seen from the sight's place at that angle? */
+static bool sees_sky(const struct pp_section_cut *section, const struct pp_world *world,
+                     const struct pp_section_sight *sight, double out, double angle_rad)
+{
+    double across = out * cos(angle_rad), up = sin(angle_rad);
+    for (int i = 0; i < section->count; i++) {
+        const struct pp_cut *cut = &section->list[i];
+        double s[2], z[2], side[2];
+        if (!stands_outside(cut, world))
+            continue;
+        for (int k = 0; k < 2; k++) {
+            s[k] = cut->s[k] - sight->s;
+            z[k] = cut->z[k] - sight->z;
+            side[k] = across * z[k] - up * s[k];
+        }
+        if (side[0] * side[1] >= 0.0)
+            continue;
+        double share = side[0] / (side[0] - side[1]);
+        double at_s = s[0] + share * (s[1] - s[0]), at_z = z[0] + share * (z[1] - z[0]);
+        if (across * at_s + up * at_z > 1e-3)
+            return false;
+    }
+    return true;
+}
+
+/* Steps in which the section is searched for sky: a quarter of a degree. */
+enum { SIGHT_STEPS = 360 };
+
+/* Sets both ends of the highest part in which sky is seen; the lower stays 0 and the upper
+ * pi/2 where nothing ends it. False: no sky is seen. */
+static bool find_sky(struct pp_section_sight *sight,
+                     const struct pp_section_cut *section, const struct pp_world *world,
+                     double out)
+{
+    int high = SIGHT_STEPS - 1;
+    double step = 0.5 * PP_PI / SIGHT_STEPS;
+    while (high >= 0 && !sees_sky(section, world, sight, out, (high + 0.5) * step))
+        high--;
+    int low = high;
+    while (low >= 0 && sees_sky(section, world, sight, out, (low + 0.5) * step))
+        low--;
+    if (high < 0)
+        return false;
+    if (high < SIGHT_STEPS - 1)
+        sight->overhang_rad = (high + 1) * step;
+    sight->angle_rad = (low + 1) * step;
+    return true;
+}
+
 struct pp_section_sight pp_section_sight_of(const struct pp_section_cut *section,
                                             const struct pp_world *world, bool near)
 {
-    struct pp_section_sight sight = {.s = near ? 0.0 : section->length_m};
+    struct pp_section_sight sight = {.s = near ? 0.0 : section->length_m,
+                                     .overhang_rad = 0.5 * PP_PI};
     int face = near ? section->near_face : section->far_face;
     double out = near ? -1.0 : 1.0;
     if (face < 0 || !middle_of_openings(section, world, face, &sight.z))
         return sight;
-    for (int i = 0; i < section->count; i++) {
+    /* The head is the end of a cut next to the edge of the sky. */
+    double edge = find_sky(&sight, section, world, out) ? sight.angle_rad : 0.5 * PP_PI;
+    double nearest = sight.overhang_rad < 0.5 * PP_PI ? 0.5 * PP_RAD : 0.5 * PP_PI;
+    sight.angle_rad = 0.0;
+    for (int i = 0; i < section->count && edge > 0.0; i++) {
         const struct pp_cut *cut = &section->list[i];
-        bool stands_opposite =
-            cut->kind == PP_CUT_OUTSIDE && world->surfaces[cut->of].role != PP_FACADE;
-        for (int k = 0; k < 2 && stands_opposite; k++) {
+        for (int k = 0; k < 2 && stands_outside(cut, world); k++) {
             double away = out * (cut->s[k] - sight.s), up = cut->z[k] - sight.z;
-            if (away > 1e-3 && atan2(up, away) > sight.angle_rad) {
-                sight.angle_rad = atan2(up, away);
+            double angle = atan2(up, away);
+            if (away > 1e-3 && angle > 0.0 && fabs(angle - edge) < nearest) {
+                nearest = fabs(angle - edge);
+                sight.angle_rad = angle;
                 sight.distance_m = away;
             }
         }

@@ -342,6 +342,19 @@ if command -v pdftotext >/dev/null; then
     check "a window behind the point is not minus so far away" lacks "^W2, .*away" "$scratch/behind.pdf"
     check "but said to be behind it" has_words "$scratch/behind.pdf" "W2: the point lies"
 fi
+# The window's middle is 1.55 m high, the slab at 2.8 m and 1.5 m deep: atan(1.25 / 1.5) is 39.8
+# degrees. Its parapet, above the slab, hides nothing more.
+cat >"$scratch/balcony.xml" <<'EOF'
+<room version="1"><plan width="4" depth="5" height="2.6"/>
+<window wall="south" left="1" sill="0.8" width="2" height="1.5">
+<balcony depth="1.5" level="2.8" left="0.5" right="0.5"/></window></room>
+EOF
+run chart section -o "$scratch/balcony.pdf" "$scratch/balcony.xml"
+check_words "under a balcony the sky ends at its slab" "$scratch/balcony.pdf" \
+    "overhang: sky up to 40°" "2.6 m high"
+if command -v pdftotext >/dev/null; then
+    check "and no line of sight passes through it" lacks "line of sight" "$scratch/balcony.pdf"
+fi
 if [ -c /dev/full ]; then
     check "a full disk is noticed" \
         refuses 3 "/dev/full" chart plan --format pdf -o /dev/full "$deep"
