@@ -88,6 +88,11 @@ check('in steps of 5 cm', Math.abs(steps * 20 - Math.round(steps * 20)) < 1e-6, 
 
 // ---- keys, typing, undo ----
 
+// The drags above may have left windows that overlap.
+await example('office');
+await until(() => window.pepperpot.board.variant.undo.length === 0);
+await idle();
+await until(() => document.getElementById('status').hidden);
 await select('window');
 await idle();
 const left = parseFloat(await attribute('window', 'left'));
