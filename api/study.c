@@ -11,7 +11,7 @@
 #include "model/room/room.h"
 #include "model/room/room_light.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "studies/criteria/en17037_grid.h"
+#include "studies/criteria/plane_grid.h"
 
 void pp_study_begin_report(struct pp_study *study)
 {
@@ -124,11 +124,11 @@ enum pp_status pp_study_set_sky(struct pp_study *study, const char *sky,
 
 /* Takes over the list. */
 static void take_over_points(struct pp_study *study, struct pp_receiver *points,
-                             int count, bool on_grid)
+                             int count, struct pp_grid_choice grid)
 {
     forget_results(study);
     pp_study_room_set_points(&study->room, points, count);
-    study->on_grid = on_grid;
+    study->grid = grid;
     pp_study_begin_report(study);
 }
 
@@ -149,18 +149,24 @@ enum pp_status pp_study_set_points(struct pp_study *study, const double (*points
             return PP_BAD_INPUT;
         }
     }
-    take_over_points(study, receivers, count, false);
+    take_over_points(study, receivers, count, (struct pp_grid_choice){0});
     return PP_OK;
 }
 
 enum pp_status pp_study_set_grid(struct pp_study *study, struct pp_error *err)
 {
-    struct pp_receiver *receivers;
-    int count;
-    enum pp_status status = pp_en17037_grid(&receivers, &count, study->room.world, err);
-    if (status == PP_OK)
-        take_over_points(study, receivers, count, true);
-    return status;
+    struct pp_plane_grid grid;
+    enum pp_status status =
+        pp_plane_grid_make(&grid, study->room.world, study->description, NULL, 0, err);
+    if (status != PP_OK) {
+        pp_plane_grid_clear(&grid);
+        return status;
+    }
+    take_over_points(study, grid.receivers, grid.count,
+                     (struct pp_grid_choice){.spacing_m = grid.spacing_m,
+                                             .margin_m = grid.margin_m});
+    free(grid.cells);
+    return PP_OK;
 }
 
 int pp_study_point_count(const struct pp_study *study)

@@ -18,8 +18,7 @@ struct pp_study {
     struct pp_report report;
     struct pp_light_scene *scene;     /* of the world; NULL: not needed yet */
     struct pp_simulation *simulation; /* NULL: none requested */
-    bool on_grid;                     /* true if the points are those of EN 17037's
-                                       * grid */
+    struct pp_grid_choice grid;       /* that the points are; empty: other points */
     struct pp_assessment assessment;
     bool has_assessment;
 };

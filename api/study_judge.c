@@ -30,6 +30,7 @@ enum pp_status pp_study_judge(struct pp_study *study, const char *criteria,
 {
     const struct pp_assess_options options = {.study = &study->options,
                                               .criteria = criteria,
+                                              .grid = study->grid,
                                               .median_lux = median_diffuse_lux};
     struct pp_assessment *assessment = &study->assessment;
     if (study->has_assessment)
@@ -37,7 +38,7 @@ enum pp_status pp_study_judge(struct pp_study *study, const char *criteria,
     enum pp_status status =
         pp_assessment_begin(assessment, &study->room, 1, NULL, &options, err);
     study->has_assessment = true;
-    if (status == PP_OK && study->on_grid && assessment->has_factors)
+    if (status == PP_OK && study->grid.spacing_m > 0.0 && assessment->has_factors)
         status = take_simulated(&assessment->report, &study->report, err);
     return status == PP_OK ? pp_assessment_judge(assessment, &options, err) : status;
 }

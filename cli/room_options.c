@@ -8,6 +8,7 @@
 
 #include "model/base/text.h"
 #include "model/base/array.h"
+#include "studies/criteria/plane_grid.h"
 
 const struct pp_room_options pp_room_options_none = {.study.seed = 1};
 
@@ -104,6 +105,35 @@ const struct pp_option pp_room_french_option[] = {
      "Calculate the vertical sky component of full-height windows at this height above "
      "the floor, such as 1.6, instead of at their centre.",
      pp_options_read_metres, 0},
+    {0},
+};
+
+/* "S", "S,MARGIN" or "largest". */
+static enum pp_status read_spacing(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_grid_choice *choice = place;
+    double v[2] = {0.0, PP_PLANE_GRID_MARGIN_M};
+    *choice = (struct pp_grid_choice){.largest = strcmp(text, "largest") == 0};
+    if (choice->largest)
+        return PP_OK;
+    if (pp_options_numbers(text, ',', v, 2) < 1 || !(v[0] >= 0.01 && v[0] <= 10.0)
+        || !(v[1] >= 0.0 && v[1] <= 10.0))
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "a spacing from 0.01 to 10 m, with a margin from 0 to 10 m behind "
+            "a comma if it is not 0.5, such as 0.25 or 0.25,0.5; or largest");
+    choice->spacing_m = v[0];
+    choice->margin_m = v[1];
+    return PP_OK;
+}
+
+const struct pp_option pp_room_spacing_option[] = {
+    {"spacing", 0, "S[,MARGIN]",
+     "Judge the working plane on a grid of this spacing, so far from the walls "
+     "(default 0.5 m). Without the option: the spacing of the file's grid, or 0.3 m, "
+     "halved until the verdicts no longer depend on it. \"largest\" is the coarsest "
+     "grid that EN 17037 permits.",
+     read_spacing, 0},
     {0},
 };
 

@@ -34,6 +34,8 @@ extern const struct pp_option pp_room_sky_options[]; /* sky, room */
 extern const struct pp_option pp_room_external_option[];
 /* vsc-point-french; its values are one double, 0 where it is not given. */
 extern const struct pp_option pp_room_french_option[];
+/* spacing; its values are a struct pp_grid_choice, empty where it is not given. */
+extern const struct pp_option pp_room_spacing_option[];
 extern const struct pp_option pp_room_simulate_option[];
 /* Options of commands that simulate by default: simulate, and by-hand in its place. */
 extern const struct pp_option pp_room_by_hand_options[];

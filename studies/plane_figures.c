@@ -8,7 +8,7 @@
 
 #include "model/results/common_error.h"
 #include "model/results/lattice.h"
-#include "studies/criteria/en17037_grid.h"
+#include "studies/criteria/plane_grid.h"
 #include "studies/criteria/plane_share.h"
 
 static enum pp_status is_grid(bool *grid, const struct pp_study_room *room,
@@ -34,7 +34,7 @@ enum pp_status pp_plane_figures_receivers(struct pp_receiver **all, int *count,
     *all = NULL;
     enum pp_status status = is_grid(&have, room, err);
     if (status == PP_OK && !have)
-        status = pp_en17037_grid(&grid, &more, room->world, err);
+        status = pp_plane_grid_largest(&grid, &more, room->world, err);
     if (status != PP_OK)
         return status;
     *all = malloc(((size_t)own + (size_t)more + 1) * sizeof **all);

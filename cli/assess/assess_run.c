@@ -10,7 +10,7 @@
 #include "cli/ranks/room_queue.h"
 #include "cli/watch.h"
 #include "studies/criteria/facade_sensitivity.h"
-#include "studies/study_report.h"
+#include "studies/criteria/plane_trace.h"
 
 static struct pp_room_figures assessed_room_figures(void *data, int room)
 {
@@ -26,9 +26,9 @@ static enum pp_status simulate_room(const void *data, int room,
     const struct pp_assess_run *run = data;
     struct pp_study_options own = run->words->room.study;
     own.seconds *= 1.0 - PP_FACADE_SENSITIVITY_SHARE;
-    return run->all.list[room].has_factors
-               ? pp_study_report_traced(report, &own, by_clock, err)
-               : PP_OK;
+    return run->all.list[room].has_factors ? pp_plane_trace(
+               report, &own, run->all.list[room].has_average, by_clock, err)
+                                           : PP_OK;
 }
 
 static enum pp_status compute_assessments(void *data, struct pp_error *err)
@@ -48,6 +48,8 @@ static enum pp_status compute_assessments(void *data, struct pp_error *err)
         .place = run->words->place,
         .median_lux = run->words->median_lux,
         .french_m = run->words->french_m,
+        .grid = run->words->grid,
+        .trace_again = study->simulate,
         .mirrored = &mirrored,
         .sunshine = run->words->sunshine.known ? &run->words->sunshine : NULL,
         .of_weather = run->words->weather != NULL};

@@ -9,6 +9,7 @@
 #include "model/room/building.h"
 #include "pepperpot.h"
 #include "studies/climate/sunshine.h"
+#include "studies/criteria/plane_grid.h"
 #include "studies/criteria/profile.h"
 
 /* Line at which the building is mirrored, if given. */
@@ -25,8 +26,9 @@ struct pp_assess_words {
     bool table;         /* one table of all rooms in place of a sheet a room */
     const char *before; /* the file with the room as it was; NULL: none */
     struct pp_boundary_words mirror_image;
-    const char *place;   /* a capital of the standard's table; NULL: the room's site */
-    double median_lux;   /* instead; 0: not given */
+    const char *place; /* a capital of the standard's table; NULL: the room's site */
+    double median_lux; /* instead; 0: not given */
+    struct pp_grid_choice grid; /* of --spacing */
     double french_m;     /* height of the point of French windows; 0: the middle */
     const char *weather; /* or the weather file that it is taken from; NULL: none */
     struct pp_sunshine sunshine; /* of that file */

@@ -45,6 +45,7 @@ static enum pp_exit run_assess(void *words, char **files, int file_count)
 static const struct pp_option_group groups[] = {
     {"Criteria", pp_assess_words_choice, 0},
     {"Criteria", pp_room_french_option, PLACE(french_m)},
+    {"Criteria", pp_room_spacing_option, PLACE(grid)},
     {"Criteria", pp_room_external_option, PLACE(room)},
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
     {"Simulation", pp_room_plain_option, PLACE(room)},

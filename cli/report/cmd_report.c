@@ -251,6 +251,7 @@ static enum pp_exit run_report(void *words, char **files, int file_count)
 static const struct pp_option_group groups[] = {
     {"Criteria", pp_assess_words_choice, 0},
     {"Criteria", pp_room_french_option, PLACE(french_m)},
+    {"Criteria", pp_room_spacing_option, PLACE(grid)},
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
     {"Output", format_option, 0},
     {"Output", pp_room_output_options, PLACE(room)},

@@ -320,6 +320,7 @@ static const struct pp_option_group groups[] = {
     {"Target", pp_size_task_options, 0},
     {"Target", pp_size_block_options, 0},
     {"Target", pp_room_french_option, PLACE(rule.french_m)},
+    {"Target", pp_room_spacing_option, PLACE(request.grid)},
     PP_ROOM_PLACE_GROUPS("Target", PLACE(room)),
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
     {"Output", pp_format_option, PLACE(format)},

@@ -220,6 +220,11 @@ enum pp_status pp_size_options_settle(struct pp_size_options *options,
     if (options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
                        "csv is for --envelope only; expected text or json");
+    if (!options->request.criterion
+        && (options->request.grid.largest || options->request.grid.spacing_m > 0.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--spacing is the grid that a criterion is judged by; it needs "
+                       "--for");
     if (options->request.criterion) {
         enum pp_status status = settle_criterion(options, err);
         if (status != PP_OK)

@@ -341,3 +341,12 @@ enum pp_status pp_room_is_sound(bool *sound, const struct pp_room *room,
     pp_mistakes_clear(&mistakes);
     return status == PP_BAD_INPUT ? PP_OK : status;
 }
+
+double pp_room_grid_spacing(const struct pp_room *room)
+{
+    double finest = NAN;
+    for (int i = 0; i < room->receiver_count; i++)
+        if (room->receivers[i].kind == PP_GRID)
+            finest = fmin(finest, room->receivers[i].spacing_m);
+    return finest;
+}

@@ -63,6 +63,9 @@ enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
 /* Puts the other room's sky in place of the room's. */
 void pp_room_take_sky(struct pp_room *room, const struct pp_room *other);
 
+/* Spacing of the finest grid of points that the room file gives (m); NAN: it has none. */
+double pp_room_grid_spacing(const struct pp_room *room);
+
 /* Gives all faces of that role (PP_FLOOR, PP_WALL or PP_CEILING) that are darker this
  * reflectance. */
 void pp_room_lighten(struct pp_room *room, enum pp_role role, double reflectance);

@@ -40,6 +40,9 @@ static void put_finding(const struct pp_assessment *room,
     put_text(pp_finding_verdict(finding->verdict), out);
     pp_format_csv_number(finding->confidence, out);
     put_text(finding->note, out);
+    pp_format_csv_number(scale * finding->grid_error, out);
+    pp_format_csv_number(100.0 * finding->reached_over, out);
+    pp_format_csv_number(100.0 * finding->over_error, out);
     fputs("\r\n", out);
 }
 
@@ -48,7 +51,7 @@ enum pp_status pp_assess_csv(const struct pp_assessments *all, FILE *out,
 {
     (void)err;
     fputs("file,room,ref,use,criterion,of,line,existing,proposed,figure,unit,std_error,"
-          "wanted,bound,verdict,confidence,note\r\n",
+          "wanted,bound,verdict,confidence,note,grid_error,reached_over,over_error\r\n",
           out);
     for (int i = 0; i < all->count; i++)
         for (int k = 0; k < all->list[i].answer_count; k++) {

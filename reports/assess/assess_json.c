@@ -26,6 +26,8 @@ static struct json_object *finding_object(const struct pp_finding *finding,
         good = pp_json_text(object, "unit", pp_figure_unit(finding->kind));
     if (good && isfinite(finding->std_error))
         good = pp_json_number(object, "se", scale * finding->std_error);
+    if (good && isfinite(finding->grid_error))
+        good = pp_json_number(object, "grid-error", scale * finding->grid_error);
     if (good && pp_band_is_known(finding->band))
         good = pp_print_band_json(object, finding->band)
                && pp_json_add(object, "open",
@@ -42,6 +44,8 @@ static struct json_object *finding_object(const struct pp_finding *finding,
                && pp_json_text(object, "bound", finding->at_most ? "most" : "least");
     if (good && isfinite(finding->reached_over))
         good = pp_json_number(object, "reached_over", 100.0 * finding->reached_over);
+    if (good && isfinite(finding->over_error))
+        good = pp_json_number(object, "over-error", 100.0 * finding->over_error);
     if (good)
         good = pp_json_text(object, "verdict", pp_finding_verdict(finding->verdict));
     if (good && isfinite(finding->confidence))

@@ -3,6 +3,7 @@
 #include "studies/bands/report_bands.h"
 #include "studies/criteria/assessment.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,8 +11,8 @@
 #include "model/base/text.h"
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/capitals.h"
-#include "studies/criteria/en17037_grid.h"
 #include "studies/criteria/factors.h"
+#include "studies/criteria/plane_trace.h"
 #include "studies/criteria/room_before.h"
 
 /* Marks the criteria of a comma-separated list; NULL: all. */
@@ -57,31 +58,15 @@ static void find_median(struct pp_median *median, const struct pp_world *world,
     }
 }
 
-/* Gathers the daylight factors needed by criteria, without those of simulation. */
-static enum pp_status gather_factors(struct pp_assessment *assessment,
-                                     const struct pp_assess_options *options,
-                                     struct pp_error *err)
-{
-    const struct pp_world *world = assessment->room->world;
-    find_median(&assessment->median, world, options);
-    assessment->report = (struct pp_report){
-        .world = world, .light = assessment->room->light, .finished = true};
-    if (!assessment->has_factors)
-        return PP_OK;
-    enum pp_status status = pp_en17037_grid(
-        &assessment->grid, &assessment->report.receiver_count, world, err);
-    assessment->report.receivers = assessment->grid;
-    if (status == PP_OK)
-        status = pp_factors_by_hand(&assessment->report, err);
-    return status == PP_OK ? pp_report_bands_fill(&assessment->report, err) : status;
-}
-
+/* Judges by all chosen criteria, or by those of daylight factors alone. */
 static enum pp_status judge_criteria(struct pp_assessment *assessment,
                                      const bool chosen[PP_CRITERIA_MOST],
-                                     const char *country,
+                                     bool factors_only,
                                      const struct pp_assess_options *options,
                                      struct pp_error *err)
 {
+    const char *own = assessment->room->world->country;
+    const char *country = options->profile && !own[0] ? options->profile->country : own;
     const struct pp_inquiry inquiry = {
         .world = assessment->room->world,
         .light = &assessment->room->light,
@@ -90,6 +75,7 @@ static enum pp_status judge_criteria(struct pp_assessment *assessment,
         .mirrored = assessment->mirrored ? assessment->mirrored->world : NULL,
         .mirrored_pairs = assessment->mirrored_pairs,
         .factors = assessment->has_factors ? &assessment->report : NULL,
+        .grid = assessment->has_factors ? &assessment->grid : NULL,
         .median = assessment->median,
         .sunshine = options->sunshine,
         .french_m = options->french_m,
@@ -101,7 +87,8 @@ static enum pp_status judge_criteria(struct pp_assessment *assessment,
     enum pp_status status = PP_OK;
     const struct pp_criterion *criterion;
     for (int i = 0; status == PP_OK && (criterion = pp_criteria_at(i)) != NULL; i++) {
-        if (!chosen[i] || (criterion->needs_before && !inquiry.before)
+        if (!chosen[i] || (factors_only && !criterion->of_factors)
+            || (criterion->needs_before && !inquiry.before)
             || (criterion->needs_mirror_image && !inquiry.mirrored)
             || (criterion->of_gardens && inquiry.world->garden_count == 0))
             continue;
@@ -110,6 +97,111 @@ static enum pp_status judge_criteria(struct pp_assessment *assessment,
         status = criterion->evaluate(&inquiry, &answer->findings, err);
     }
     return status;
+}
+
+/* ---- the grid ---- */
+
+/* A figure's error by the grid is small below this share of it. */
+static const double small_error = 0.02;
+
+/* Most halvings of a grid that the user has not chosen, and points of it. */
+enum { HALVINGS_MOST = 3, POINTS_MOST = 4000 };
+
+/* Has the grid a larger part in the error than the noise, where it matters? */
+static bool is_coarse(const struct pp_finding *finding)
+{
+    if (!(finding->grid_error > 0.0))
+        return false;
+    double noise = 0.0;
+    if (isfinite(finding->std_error))
+        noise = sqrt(fmax(finding->std_error * finding->std_error
+                              - finding->grid_error * finding->grid_error,
+                          0.0));
+    return finding->grid_error > noise
+           && (finding->verdict == PP_UNDECIDED
+               || finding->grid_error > small_error * finding->figure);
+}
+
+/* Should the grid be halved, and may it be? */
+static bool wants_finer_grid(const struct pp_assessment *assessment,
+                             const struct pp_assess_options *options)
+{
+    if (options->grid.largest || options->grid.spacing_m > 0.0
+        || assessment->grid.halvings >= HALVINGS_MOST
+        || 4 * assessment->grid.count > POINTS_MOST)
+        return false;
+    for (int i = 0; i < assessment->answer_count; i++)
+        for (int k = 0; k < assessment->answers[i].findings.count; k++)
+            if (is_coarse(&assessment->answers[i].findings.list[k]))
+                return true;
+    return false;
+}
+
+static void clear_answers(struct pp_assessment *assessment)
+{
+    for (int i = 0; i < assessment->answer_count; i++)
+        pp_finding_list_clear(&assessment->answers[i].findings);
+    free(assessment->answers);
+    assessment->answers = NULL;
+    assessment->answer_count = 0;
+}
+
+/* Makes the grid, and the report with the hand methods' factors at its points. */
+static enum pp_status lay_grid(struct pp_assessment *assessment, int halvings,
+                               const struct pp_assess_options *options,
+                               struct pp_error *err)
+{
+    const struct pp_study_room *room = assessment->room;
+    pp_report_clear(&assessment->report);
+    pp_plane_grid_clear(&assessment->grid);
+    enum pp_status status = pp_plane_grid_make(
+        &assessment->grid, room->world, room->room, &options->grid, halvings, err);
+    assessment->report = (struct pp_report){.world = room->world,
+                                            .light = room->light,
+                                            .receivers = assessment->grid.receivers,
+                                            .receiver_count = assessment->grid.count,
+                                            .finished = true};
+    return status == PP_OK ? pp_factors_by_hand(&assessment->report, err) : status;
+}
+
+/* Gathers the daylight factors needed by criteria, without those of simulation, on a grid
+ * that is fine enough for the hand methods' verdicts. */
+static enum pp_status gather_factors(struct pp_assessment *assessment,
+                                     const bool chosen[PP_CRITERIA_MOST],
+                                     const struct pp_assess_options *options,
+                                     struct pp_error *err)
+{
+    const struct pp_world *world = assessment->room->world;
+    find_median(&assessment->median, world, options);
+    assessment->report = (struct pp_report){
+        .world = world, .light = assessment->room->light, .finished = true};
+    if (!assessment->has_factors)
+        return PP_OK;
+    enum pp_status status = PP_OK;
+    bool finer = true;
+    for (int halvings = 0; finer && status == PP_OK; halvings++) {
+        status = lay_grid(assessment, halvings, options, err);
+        if (status == PP_OK)
+            status = judge_criteria(assessment, chosen, true, options, err);
+        finer = status == PP_OK && wants_finer_grid(assessment, options);
+        clear_answers(assessment);
+    }
+    return status == PP_OK ? pp_report_bands_fill(&assessment->report, err) : status;
+}
+
+/* Halves the grid and simulates again. */
+static enum pp_status trace_finer(struct pp_assessment *assessment,
+                                  const struct pp_assess_options *options,
+                                  struct pp_error *err)
+{
+    enum pp_status status =
+        lay_grid(assessment, assessment->grid.halvings + 1, options, err);
+    if (status == PP_OK)
+        status = pp_report_bands_fill(&assessment->report, err);
+    return status == PP_OK
+               ? pp_plane_trace(&assessment->report, options->study,
+                                assessment->has_average, &assessment->by_clock, err)
+               : status;
 }
 
 /* Chooses the named criteria; otherwise those of the profile, or all, that apply to the
@@ -139,6 +231,15 @@ static bool any_of_factors(const bool chosen[PP_CRITERIA_MOST])
     return false;
 }
 
+static bool is_chosen(const bool chosen[PP_CRITERIA_MOST],
+                      const struct pp_criterion *criterion)
+{
+    for (int i = 0; pp_criteria_at(i); i++)
+        if (pp_criteria_at(i) == criterion)
+            return chosen[i];
+    return false;
+}
+
 enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
                                    const struct pp_study_room *room, int room_count,
                                    const struct pp_rooms_before *before,
@@ -151,13 +252,14 @@ enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
     if (status != PP_OK)
         return status;
     assessment->has_factors = any_of_factors(chosen);
+    assessment->has_average = is_chosen(chosen, &pp_criterion_average);
     if (before && before->count > 0)
         status = pp_room_before_find(&assessment->before, &assessment->pairs, room,
                                      room_count, before, err);
     if (status == PP_OK && options->mirrored && options->mirrored->count > 0)
         status = pp_room_before_find(&assessment->mirrored, &assessment->mirrored_pairs,
                                      room, room_count, options->mirrored, err);
-    return status == PP_OK ? gather_factors(assessment, options, err) : status;
+    return status == PP_OK ? gather_factors(assessment, chosen, options, err) : status;
 }
 
 enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
@@ -167,11 +269,16 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
     bool chosen[PP_CRITERIA_MOST];
     const struct pp_world *world = assessment->room->world;
     enum pp_status status = choose_criteria(chosen, world, options, err);
-    const char *country = options->profile && !world->country[0]
-                              ? options->profile->country
-                              : world->country;
     if (status == PP_OK)
-        status = judge_criteria(assessment, chosen, country, options, err);
+        status = judge_criteria(assessment, chosen, false, options, err);
+    while (status == PP_OK && options->trace_again && assessment->report.finished
+           && pp_report_find(&assessment->report, PP_DF, "traced")
+           && wants_finer_grid(assessment, options)) {
+        clear_answers(assessment);
+        status = trace_finer(assessment, options, err);
+        if (status == PP_OK)
+            status = judge_criteria(assessment, chosen, false, options, err);
+    }
     assessment->has_gains =
         !options->criteria && !options->profile && !options->verdicts_only;
     if (status == PP_OK && assessment->has_gains)
@@ -186,11 +293,9 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
 
 void pp_assessment_clear(struct pp_assessment *assessment)
 {
-    for (int i = 0; i < assessment->answer_count; i++)
-        pp_finding_list_clear(&assessment->answers[i].findings);
-    free(assessment->answers);
+    clear_answers(assessment);
     pp_report_clear(&assessment->report);
-    free(assessment->grid);
+    pp_plane_grid_clear(&assessment->grid);
     free(assessment->pairs);
     free(assessment->mirrored_pairs);
 }

@@ -24,9 +24,13 @@ struct pp_assess_options {
     bool of_weather;   /* is that median a weather file's? */
     const struct pp_sunshine *sunshine; /* not owned; NULL: not known */
     const struct pp_rooms_before
-        *mirrored;      /* the rooms of the same files with the mirror
+        *mirrored;              /* the rooms of the same files with the mirror
                                              * image outside; not owned; NULL: none */
-    bool verdicts_only; /* no improvements are searched */
+    bool verdicts_only;         /* no improvements are searched */
+    struct pp_grid_choice grid; /* the grid of the plane; empty: the file's, or the
+                                 * default one, halved as far as the verdicts need */
+    bool
+        trace_again; /* may pp_assessment_judge simulate on a finer grid, by `study`? */
 };
 
 /* A selected criterion, with its findings. */
@@ -42,7 +46,8 @@ struct pp_assessment {
     const struct pp_study_room *mirrored; /* not owned; NULL */
     int *mirrored_pairs;
     bool has_factors; /* true if any selected criterion uses them */
-    struct pp_receiver *grid;
+    bool has_average; /* and that of the average? */
+    struct pp_plane_grid grid;
     struct pp_report report; /* daylight factors on the grid */
     struct pp_median median;
     struct pp_answer *answers;
@@ -61,8 +66,9 @@ enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *l
 
 /* An assessment of a room, of which nothing is judged yet: its grid, the hand methods'
  * daylight factors there, the place's median, and of the rooms before (may be NULL) the
- * one that this one is, as pp_room_before_find has it. Whoever wants to judge by traced
- * factors adds them to assessment->report (study_report.h) before pp_assessment_judge.
+ * one that this one is, as pp_room_before_find has it. The grid is fine enough for
+ * verdicts by hand. Whoever wants to judge by traced factors adds them to
+ * assessment->report (plane_trace.h) before pp_assessment_judge.
  * To be cleared in any case. */
 enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
                                    const struct pp_study_room *room, int room_count,

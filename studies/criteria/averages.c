@@ -4,7 +4,7 @@
  *               the whole working plane: traced, else by the formula that the code
  *               gives, `average-df`, else by a pair of hand methods
  *   uniformity  minimum over average: 0.3 in rooms lit from the side, 0.7 under glazed
- *               roofs [BREEAM14], at the points of EN 17037's grid, which leaves out
+ *               roofs [BREEAM14], at the points of the grid (plane_grid.h), which leaves out
  *               0.5 m along the walls
  *
  * A roof is glazed where more than half of the area of the openings slopes less than 75
@@ -101,14 +101,17 @@ static enum pp_status evaluate_uniformity(const struct pp_inquiry *inquiry,
     }
     double wanted = has_glazed_roof(inquiry->world) ? 0.7 : 0.3;
     struct pp_plane_share share;
+    struct pp_grid_error error;
     enum pp_status status = pp_plane_share(&share, column->points, count,
                                            column->common, 1.0, wanted * mean, err);
+    if (status == PP_OK)
+        status =
+            pp_factors_grid_error(&error, inquiry, column, 1.0, wanted * mean, err);
     if (status != PP_OK)
         return status;
     struct pp_finding finding =
         pp_finding_of(PP_FIGURE_RATIO, share.level / mean, wanted, false, what);
-    if (isfinite(share.probability))
-        pp_finding_sampled(&finding, share.std_error / mean, share.probability);
+    pp_factors_judge_share(&finding, &share, &error, 1.0 / mean);
     pp_finding_note(&finding, "minimum %.4g %%, average %.4g %% on %d points",
                     100.0 * share.level, 100.0 * mean, count);
     return pp_finding_list_add(findings, &finding, err);

@@ -14,6 +14,7 @@
 #include "studies/climate/sunshine.h"
 #include "studies/criteria/capitals.h"
 #include "studies/criteria/finding.h"
+#include "studies/criteria/plane_grid.h"
 #include "model/results/report.h"
 #include "model/room/world.h"
 
@@ -31,10 +32,11 @@ struct pp_inquiry {
                                 * the proposed parts; NULL: not requested */
     const int *mirrored_pairs; /* as pairs, of it */
 
-    /* Daylight factors at the points of EN 17037's grid (en17037_grid.h), which are the
-     * report's receivers, and averages over the working plane: columns "traced" where
-     * the room was simulated, and the columns that pp_factors_by_hand adds. */
+    /* Daylight factors at the points of a grid (plane_grid.h), which are the report's
+     * receivers, and averages over the working plane: columns "traced" where the room
+     * was simulated, and the columns that pp_factors_by_hand adds. */
     const struct pp_report *factors;
+    const struct pp_plane_grid *grid;
     struct pp_median median;            /* outside, at the room's site */
     const struct pp_sunshine *sunshine; /* at the site; NULL: not known */
     double french_m; /* above the floor, where the vertical sky component of a window

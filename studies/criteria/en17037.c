@@ -15,8 +15,8 @@
  *   UK annex (table NA.1)     100 lx bedrooms, 150 lx living rooms, 200 lx kitchens,
  *                             each over 50 %
  *
- * The reference plane is the room's working plane less 0.5 m along the walls, on the
- * standard's grid (en17037_grid.h); the sky is the CIE overcast sky (type 16 or 1). A
+ * The reference plane is the room's working plane less 0.5 m along the walls, on a grid
+ * (plane_grid.h) that the standard permits or a finer one; the sky is the CIE overcast sky (type 16 or 1). A
  * room all of whose glass is within 15 degrees of level has rooflights; every other room
  * has windows.
  */
@@ -59,10 +59,14 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
     struct pp_finding finding = pp_finding_not_judged(why ? why : "", "%s", what);
     if (!why) {
         struct pp_plane_share share;
+        struct pp_grid_error error;
         double wanted = target->lux / inquiry->median.lux;
         enum pp_status status =
             pp_plane_share(&share, column->points, inquiry->factors->receiver_count,
                            column->common, target->part, wanted, err);
+        if (status == PP_OK)
+            status = pp_factors_grid_error(&error, inquiry, column, target->part,
+                                           wanted, err);
         if (status != PP_OK)
             return status;
         finding =
@@ -72,8 +76,7 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
                                  inquiry->factors->receiver_count, target->part, err);
         if (status != PP_OK)
             return status;
-        if (isfinite(share.probability))
-            pp_finding_sampled(&finding, share.std_error, share.probability);
+        pp_factors_judge_share(&finding, &share, &error, 1.0);
     }
     return pp_finding_list_add(findings, &finding, err);
 }
@@ -91,10 +94,14 @@ static const struct pp_column *grid_factors(const struct pp_inquiry *inquiry,
     if (*why)
         return NULL;
     const struct pp_column *column = pp_factors_of_grid(inquiry, findings, why);
+    char grid[PP_PLANE_GRID_WORDS];
+    if (inquiry->grid)
+        pp_plane_grid_words(grid, inquiry->grid);
+    else
+        snprintf(grid, sizeof grid, "%d points", inquiry->factors->receiver_count);
     if (column)
-        pp_finding_list_add_basis(
-            findings, ", on %d points; median outside %.0f lx: %s",
-            inquiry->factors->receiver_count, inquiry->median.lux, inquiry->median.how);
+        pp_finding_list_add_basis(findings, ", on %s; median outside %.0f lx: %s", grid,
+                                  inquiry->median.lux, inquiry->median.how);
     return column;
 }
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "model/room/room_facades.h"
-#include "studies/study_report.h"
+#include "studies/criteria/plane_trace.h"
 
 /* Length by which walls are extended: beyond 30 m a longer wall hides less than 3
  * degrees more of the ground in front of the window. */
@@ -82,9 +82,11 @@ static enum pp_status judge_other(struct pp_assessment *assessment,
     coarser.seconds *= PP_FACADE_SENSITIVITY_SHARE;
     wanted.study = &coarser;
     wanted.verdicts_only = true;
+    wanted.trace_again = false;
     enum pp_status status = pp_assessment_begin(&other, room, 1, NULL, &wanted, err);
     if (status == PP_OK)
-        status = pp_study_report_traced(&other.report, &coarser, &other.by_clock, err);
+        status = pp_plane_trace(&other.report, &coarser, other.has_average,
+                                &other.by_clock, err);
     assessment->report.finished &= other.report.finished;
     assessment->by_clock |= other.by_clock;
     if (status == PP_OK)

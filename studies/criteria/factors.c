@@ -60,7 +60,7 @@ const struct pp_column *pp_factors_of_grid(const struct pp_inquiry *inquiry,
     const struct pp_report *report = inquiry->factors;
     *why = pp_factors_refuse(inquiry);
     if (!*why && report->receiver_count == 0)
-        *why = "no point of the standard's grid lies 0.5 m or more from the walls";
+        *why = "no point of the grid lies 0.5 m or more from the walls";
     if (*why)
         return NULL;
     const struct pp_column *column = pp_report_find(report, PP_DF, traced);
@@ -130,4 +130,42 @@ enum pp_status pp_factors_band(struct pp_band_ends *band,
     return status == PP_OK
                ? level_at(&band->high, column->bands, count, part, true, err)
                : status;
+}
+
+enum pp_status pp_factors_grid_error(struct pp_grid_error *error,
+                                     const struct pp_inquiry *inquiry,
+                                     const struct pp_column *column, double part,
+                                     double target, struct pp_error *err)
+{
+    *error = (struct pp_grid_error){NAN, NAN};
+    if (!inquiry->grid || inquiry->grid->count == 0)
+        return PP_OK;
+    return pp_grid_error(error, inquiry->grid, column->points, part, target, err);
+}
+
+/* The less certain of two probabilities of one event. */
+static double less_certain(double a, double b)
+{
+    return fabs(a - 0.5) < fabs(b - 0.5) ? a : b;
+}
+
+void pp_factors_judge_share(struct pp_finding *finding,
+                            const struct pp_plane_share *share,
+                            const struct pp_grid_error *error, double scale)
+{
+    double grid = isfinite(error->level) ? scale * error->level : 0.0;
+    finding->grid_error = scale * error->level;
+    finding->over_error =
+        hypot(error->over, isfinite(share->over_error) ? share->over_error : 0.0);
+    if (!isfinite(share->probability)) {
+        pp_finding_within(finding, grid);
+        return;
+    }
+    double both = hypot(scale * share->std_error, grid);
+    double probability = share->probability;
+    if (grid > 0.0)
+        probability = less_certain(
+            probability,
+            pp_finding_probability_at_least(finding->figure, both, finding->wanted));
+    pp_finding_sampled(finding, both, probability);
 }

@@ -4,6 +4,8 @@
 #define PP_STUDIES_CRITERIA_FACTORS_H
 
 #include "studies/criteria/criterion.h"
+#include "studies/criteria/grid_error.h"
+#include "studies/criteria/plane_share.h"
 
 /* Adds to a report, whose world and receivers the caller has set, the columns of
  * `average-df`, of `exact+bre` and, in rooms that `exact+bre` does not cover, of
@@ -32,5 +34,18 @@ const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
 enum pp_status pp_factors_band(struct pp_band_ends *band,
                                const struct pp_column *column, int count, double part,
                                struct pp_error *err);
+
+/* The error of the figure is that of its grid, too: sets std_error, grid_error and
+ * over_error and judges by them. share: as pp_plane_share has it; error: of the spacing.
+ * scale: the figure over the share's level. */
+void pp_factors_judge_share(struct pp_finding *finding,
+                            const struct pp_plane_share *share,
+                            const struct pp_grid_error *error, double scale);
+
+/* Errors of the inquiry's grid; NAN where it is not known. */
+enum pp_status pp_factors_grid_error(struct pp_grid_error *error,
+                                     const struct pp_inquiry *inquiry,
+                                     const struct pp_column *column, double part,
+                                     double target, struct pp_error *err);
 
 #endif

@@ -27,10 +27,12 @@ struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wante
                                  .now = NAN,
                                  .before = NAN,
                                  .std_error = NAN,
+                                 .grid_error = NAN,
                                  .band = pp_band_none(),
                                  .wanted = wanted,
                                  .at_most = at_most,
                                  .reached_over = NAN,
+                                 .over_error = NAN,
                                  .confidence = NAN};
     finding.verdict = isnan(figure)      ? PP_NOT_JUDGED
                       : isnan(wanted)    ? PP_STATED

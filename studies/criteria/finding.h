@@ -22,15 +22,18 @@ struct pp_finding {
     char what[80]; /* "south, line 9"; "300 lx over 50 % of the plane" */
     int line;      /* of the opening in the room file; 0: the room as a whole */
     enum pp_figure kind;
-    double figure;            /* NAN: not judged */
-    double now, before;       /* that it rests on, by pp_finding_compares; NAN: none */
-    enum pp_figure compared;  /* their kind */
-    double std_error;         /* of the figure; NAN where nothing was sampled */
+    double figure;           /* NAN: not judged */
+    double now, before;      /* that it rests on, by pp_finding_compares; NAN: none */
+    enum pp_figure compared; /* their kind */
+    double std_error;  /* of the figure, by noise and by the grid; NAN where nothing was
+                        * sampled */
+    double grid_error; /* part of it that the spacing of the grid makes; NAN: no grid */
     struct pp_band_ends band; /* of a figure by hand, where that is known */
     double wanted;            /* the bound; NAN: there is none, the figure is stated */
     bool at_most;             /* the bound is an upper one, else a lower one */
     double reached_over; /* share of the plane on which the bound is reached; NAN where
                           * the criterion does not ask for one */
+    double over_error;   /* its standard error, by noise and grid; NAN: not known */
     enum pp_verdict verdict;
     double confidence; /* probability that the verdict is right; for PP_UNDECIDED that
                         * the criterion is met; NAN where nothing was sampled */

@@ -12,6 +12,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "model/results/common_error.h"
 #include "studies/criteria/finding.h"
 
 /* Distance of a probability from 0 or 1 within which the point counts as certain. */
@@ -251,6 +252,23 @@ static double level_of(const struct plane_points *points, double probability,
     return 0.5 * (low + high);
 }
 
+/* Standard error of the share of points that reach the target: the number of these is a
+ * sum of tosses, of which the share `common` of the variance is common. */
+static double share_error(const struct plane_points *points, double target)
+{
+    double sum = 0.0, squares = 0.0;
+    for (int i = 0; i < points->count; i++) {
+        const struct pp_reading *point = &points->list[i];
+        if (!(point->std_error > 0.0))
+            continue;
+        double p =
+            pp_finding_probability_at_least(point->value, point->std_error, target);
+        sum += sqrt(p * (1.0 - p));
+        squares += p * (1.0 - p);
+    }
+    return pp_common_error(sum, squares, points->common) / points->count;
+}
+
 /* Leaves out points that are surely above, or surely below the figure: their order among
  * themselves changes nothing. values: space for count numbers. */
 static void leave_out_distant(struct plane_points *points, double *values)
@@ -310,8 +328,10 @@ enum pp_status pp_plane_share(struct pp_plane_share *share,
     *share = (struct pp_plane_share){.level = figure_of(&all, values),
                                      .std_error = NAN,
                                      .over = (double)over / count,
+                                     .over_error = NAN,
                                      .probability = NAN};
     if (sampled) {
+        share->over_error = share_error(&all, target);
         leave_out_distant(&all, values);
         share->probability = probability_of(&all, target, values);
         share->std_error =

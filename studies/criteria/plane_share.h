@@ -8,11 +8,12 @@
 #include "model/results/reading.h"
 
 struct pp_plane_share {
-    double level;     /* daylight factor that the given part of the points reaches; for
+    double level;      /* daylight factor that the given part of the points reaches; for
                        * half of the points their median, which is the mean of the two
                        * middle values of an even number */
-    double std_error; /* of level; NAN where nothing was sampled */
-    double over;      /* share of the points that reach the target */
+    double std_error;  /* of level; NAN where nothing was sampled */
+    double over;       /* share of the points that reach the target */
+    double over_error; /* its standard error; NAN where nothing was sampled */
     double probability; /* that the given part of the points reaches the target; NAN if
                          * nothing was sampled */
 };

@@ -5,12 +5,18 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "model/base/text.h"
 #include "studies/criteria/assessment.h"
-#include "studies/study_report.h"
+#include "studies/criteria/plane_trace.h"
 
 enum { NAME_BYTES = 64 };
 
 static const double most_share = 1e6; /* of an upper bound, where the figure is 0 */
+
+/* Standard errors between a figure and its one-sided limit of 95 % (PP_SURE). */
+static const double sure_errors = 1.6449;
+
+static const double just_below = 1e-6;
 
 static void requirement_name(char name[NAME_BYTES], const char *words)
 {
@@ -35,11 +41,39 @@ enum pp_status pp_criterion_margin_check(const char *words, struct pp_error *err
     return pp_assessment_choose(chosen, name, err);
 }
 
+/* Does a finding begin with these words? A hyphen stands for a blank, too: "living-room". */
+static bool begins_with(const char *what, const char *beginning)
+{
+    for (; *beginning; beginning++, what++)
+        if (*beginning != *what && !(*beginning == '-' && *what == ' '))
+            return false;
+    return true;
+}
+
+/* Share of the bound that a figure has; of a sampled one, its limit on the side of the
+ * bound, which is below 1 if the verdict is anything but met. */
 static double finding_share(const struct pp_finding *finding)
 {
-    double share = finding->at_most ? finding->wanted / finding->figure
-                                    : finding->figure / finding->wanted;
+    double limit = finding->figure;
+    if (isfinite(finding->std_error))
+        limit += (finding->at_most ? 1.0 : -1.0) * sure_errors * finding->std_error;
+    double share = finding->at_most ? finding->wanted / limit : limit / finding->wanted;
+    if (isfinite(finding->std_error) && finding->verdict != PP_MET)
+        share = fmin(share, 1.0 - just_below);
     return fmin(share, most_share);
+}
+
+/* Says that no finding begins so, and lists those that there are. */
+static void say_none(char *why, size_t why_bytes,
+                     const struct pp_finding_list *findings, const char *beginning)
+{
+    snprintf(why, why_bytes, "no requirement%s%.40s%s; available:",
+             beginning[0] ? " begins with \"" : " with a bound", beginning,
+             beginning[0] ? "\"" : "");
+    for (int i = 0; i < findings->count; i++)
+        if (isfinite(findings->list[i].wanted))
+            pp_text_append(why, why_bytes, "%s \"%s\"", i > 0 ? "," : "",
+                           findings->list[i].what);
 }
 
 /* The least share of the findings that count. */
@@ -49,7 +83,7 @@ static void take_least(struct pp_reading *least, char *why, size_t why_bytes,
     bool found = false;
     for (int i = 0; i < findings->count; i++) {
         const struct pp_finding *finding = &findings->list[i];
-        if (strncmp(finding->what, beginning, strlen(beginning)) != 0)
+        if (!begins_with(finding->what, beginning))
             continue;
         if (!isfinite(finding->figure)) {
             *least = pp_reading_none(NULL);
@@ -62,24 +96,27 @@ static void take_least(struct pp_reading *least, char *why, size_t why_bytes,
         if (found && !(share < least->value))
             continue;
         found = true;
-        least->value = share;
-        least->std_error = finding->std_error * share / finding->figure;
+        *least = pp_reading_of(share);
     }
     if (!found)
-        snprintf(why, why_bytes, "it has no finding%s%s with a bound",
-                 beginning[0] ? " that begins with " : "", beginning);
+        say_none(why, why_bytes, findings, beginning);
 }
 
 enum pp_status pp_criterion_margin(struct pp_reading *reading, char *why,
                                    size_t why_bytes, const char *words,
                                    const struct pp_study_room *room,
                                    const struct pp_world *world,
+                                   const struct pp_grid_choice *grid,
                                    const struct pp_study_options *traced,
                                    struct pp_error *err)
 {
     char name[NAME_BYTES];
     requirement_name(name, words);
-    const struct pp_assess_options wanted = {.criteria = name, .verdicts_only = true};
+    const struct pp_assess_options wanted = {.study = traced,
+                                             .criteria = name,
+                                             .verdicts_only = true,
+                                             .grid = *grid,
+                                             .trace_again = traced != NULL};
     struct pp_study_room changed = *room;
     struct pp_assessment assessment;
     changed.world = (struct pp_world *)world;
@@ -89,8 +126,8 @@ enum pp_status pp_criterion_margin(struct pp_reading *reading, char *why,
         pp_assessment_begin(&assessment, &changed, 1, NULL, &wanted, err);
     bool is_traced = traced && assessment.has_factors;
     if (status == PP_OK && is_traced)
-        status = pp_study_report_traced(&assessment.report, traced,
-                                        &assessment.by_clock, err);
+        status = pp_plane_trace(&assessment.report, traced, assessment.has_average,
+                                &assessment.by_clock, err);
     if (status == PP_OK && !assessment.report.finished)
         status = pp_fail(err, PP_INTERRUPTED, "interrupted before a size was found");
     if (status == PP_OK && (!traced || is_traced))

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 #include "studies/sizing/gain_changes.h"
-#include "studies/criteria/en17037_grid.h"
+#include "studies/criteria/plane_grid.h"
 #include "methods/evaluate.h"
 #include "methods/default_methods.h"
 #include "model/base/text.h"
@@ -27,7 +27,8 @@ static enum pp_status evaluate_gain(struct pp_gain_values *values,
     *values = (struct pp_gain_values){NAN, NAN};
     struct pp_report report = {.world = world, .light = *light, .finished = true};
     struct pp_receiver *grid = NULL;
-    enum pp_status status = pp_en17037_grid(&grid, &report.receiver_count, world, err);
+    enum pp_status status =
+        pp_plane_grid_largest(&grid, &report.receiver_count, world, err);
     report.receivers = grid;
     if (status == PP_OK)
         status = pp_methods_evaluate(&report, method, err);
@@ -56,7 +57,8 @@ static enum pp_status simulate_gain(struct pp_gain_values *values,
     struct pp_report report = {.world = world, .light = *light, .finished = true};
     struct pp_receiver *grid = NULL;
     bool by_clock = false;
-    enum pp_status status = pp_en17037_grid(&grid, &report.receiver_count, world, err);
+    enum pp_status status =
+        pp_plane_grid_largest(&grid, &report.receiver_count, world, err);
     report.receivers = grid;
     if (status == PP_OK)
         status = pp_study_report_traced(&report, options, &by_clock, err);

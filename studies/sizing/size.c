@@ -21,6 +21,9 @@ static const double near_share = 0.0025;
 /* A sampled value shall come this near to the target, in its standard errors. */
 static const double near_errors = 0.5;
 
+/* The lower limit of a sampled value may exceed the target by this share. */
+static const double near_limit = 0.01;
+
 /* A value this share below the target has lost it by rounding, and reaches it. */
 static const double rounding_share = 1e-9;
 
@@ -71,9 +74,9 @@ static bool has_value(const struct size_trial *trial)
     return isfinite(trial->reading.value);
 }
 
-static bool is_sampled(const struct size_trial *trial)
+static bool is_sampled(const struct search *search, const struct size_trial *trial)
 {
-    return isfinite(trial->reading.std_error);
+    return search->task->sampled || isfinite(trial->reading.std_error);
 }
 
 static bool reaches(const struct search *search, const struct size_trial *trial)
@@ -84,7 +87,10 @@ static bool reaches(const struct search *search, const struct size_trial *trial)
 /* True if a sampled value is near enough to the target. */
 static bool is_near(const struct search *search, const struct size_trial *trial)
 {
-    return is_sampled(trial)
+    if (search->task->sampled)
+        return reaches(search, trial)
+               && trial->reading.value <= (1.0 + near_limit) * search->task->target;
+    return isfinite(trial->reading.std_error)
            && fabs(trial->reading.value - search->task->target)
                   <= near_errors * trial->reading.std_error;
 }
@@ -96,7 +102,7 @@ static int size_between(const struct search *search, const struct size_trial *be
 {
     int steps = above->step - below->step;
     double share = 0.5;
-    if (is_sampled(above)) {
+    if (is_sampled(search, above)) {
         double rise = above->reading.value - below->reading.value;
         if (rise > 0.0)
             share = (search->task->target - below->reading.value) / rise;
@@ -137,7 +143,8 @@ static enum pp_status refine(const struct search *search, struct size_trial *bel
     const struct pp_size_task *task = search->task;
     enum pp_status status = PP_OK;
     for (int i = 0; i < REFINED_MOST && status == PP_OK; i++) {
-        if (task->by_counts || is_sampled(above) || task->change == PP_CHANGE_NUMBER
+        if (task->by_counts || is_sampled(search, above)
+            || task->change == PP_CHANGE_NUMBER
             || above->reading.value <= (1.0 + near_share) * task->target)
             break;
         pp_window_sizes_refine(search->sizes);
@@ -169,7 +176,7 @@ static enum pp_status scan_range(const struct search *search, struct size_trial 
     if (status != PP_OK || !has_value(&trials[0]))
         return status;
     search->answer->now = trials[0].reading;
-    if (is_sampled(&trials[0]))
+    if (is_sampled(search, &trials[0]))
         wanted = SCANNED_SAMPLED;
 
     for (int i = 0; i < wanted && status == PP_OK; i++) {

@@ -31,6 +31,8 @@ struct pp_size_task {
     double target;  /* a fraction, as the value is */
     bool by_counts; /* the value is a count (of dots, say) and grows in jumps, so that
                      * finer sizes come no closer to the target */
+    bool sampled; /* the value is the lower limit of a sampled figure, and has to reach
+                   * the target itself: a search may end within 1 % above it */
     pp_size_value *value;
     void *data; /* handed to value */
 };

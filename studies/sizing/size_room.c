@@ -22,6 +22,7 @@ struct valuation {
     const struct pp_size_request *request;
     const struct pp_study_room *room;
     struct pp_room_value by_hand;
+    bool is_traced; /* is the size searched by simulated values? */
 };
 
 enum pp_gives pp_size_room_gives(const char *by)
@@ -55,9 +56,10 @@ static enum pp_status margin_of(struct valuation *valuation,
                                 const struct pp_study_options *traced,
                                 struct pp_reading *reading, struct pp_error *err)
 {
-    return pp_criterion_margin(
-        reading, valuation->by_hand.why, sizeof valuation->by_hand.why,
-        valuation->request->criterion, valuation->room, world, traced, err);
+    return pp_criterion_margin(reading, valuation->by_hand.why,
+                               sizeof valuation->by_hand.why,
+                               valuation->request->criterion, valuation->room, world,
+                               &valuation->request->grid, traced, err);
 }
 
 /* Simulates the average, the lowest of the points, or the margin of a criterion. */
@@ -104,8 +106,8 @@ static enum pp_status sized_room_value(void *data, const struct pp_world *world,
                                        struct pp_reading *reading, struct pp_error *err)
 {
     struct valuation *valuation = data;
-    return valuation->request->traced ? trace_sized_room(valuation, world, reading, err)
-                                      : value_by_hand(valuation, world, reading, err);
+    return valuation->is_traced ? trace_sized_room(valuation, world, reading, err)
+                                : value_by_hand(valuation, world, reading, err);
 }
 
 /* True if the opening is one of those that may change. */
@@ -301,10 +303,60 @@ static bool falls_short(const struct pp_reading *traced, double target)
     return traced->value + noise < target;
 }
 
+/* Searches again by simulated values: the answer by hand does not hold. */
+static enum pp_status search_traced(struct pp_size_room_result *result,
+                                    struct pp_size_task *task,
+                                    struct valuation *valuation, struct pp_error *err)
+{
+    valuation->is_traced = true;
+    task->sampled = true;
+    pp_size_answer_clear(&result->answer);
+    enum pp_status status = pp_size_find(&result->answer, task, err);
+    if (status == PP_OK)
+        result->traced = result->answer.reading;
+    return status;
+}
+
+/* Sizes again by hand, for a target that is higher or lower by as much as the simulated
+ * margin fell short of the criterion or exceeded it, until the simulated margin is met by
+ * 2 % or less. Ends with a search by simulation alone if that does not help. */
+static enum pp_status repeat_until_it_holds(struct pp_size_room_result *result,
+                                            struct pp_size_task *task,
+                                            struct valuation *valuation,
+                                            struct pp_error *err)
+{
+    enum { TRIES = 6, PATIENCE = 3 };
+    static const double near = 1.02, beyond = 1.005;
+    struct pp_size_answer *answer = &result->answer;
+    for (int i = 0; i < TRIES; i++) {
+        double traced = result->traced.value;
+        bool met = traced >= 1.0;
+        if (met && answer->verdict == PP_SIZE_OUT_OF_REACH)
+            answer->verdict = PP_SIZE_REACHED;
+        if (met
+            && (i >= PATIENCE || traced <= near
+                || answer->verdict == PP_SIZE_SMALLEST_EXCEEDS))
+            return PP_OK;
+        if (!met && (answer->verdict == PP_SIZE_OUT_OF_REACH || !(traced > 0.0)))
+            break;
+        task->target = answer->reading.value / traced * beyond;
+        pp_size_answer_clear(answer);
+        enum pp_status status = pp_size_find(answer, task, err);
+        if (status == PP_OK && answer->room)
+            status = trace_room(&result->traced, NULL, answer->room, valuation, err);
+        if (status != PP_OK || !answer->room)
+            return status;
+    }
+    task->target = 1.0;
+    return result->traced.value >= 1.0 ? PP_OK
+                                       : search_traced(result, task, valuation, err);
+}
+
 /* The simulated check of an answer. Where it does not hold, the largest size is traced
  * too: a target that not even that reaches is out of reach, and the largest size becomes
  * the answer. */
 static enum pp_status check_by_simulation(struct pp_size_room_result *result,
+                                          struct pp_size_task *task,
                                           struct valuation *valuation,
                                           struct pp_error *err)
 {
@@ -312,6 +364,9 @@ static enum pp_status check_by_simulation(struct pp_size_room_result *result,
     double target = valuation->request->target;
     enum pp_status status =
         trace_room(&result->traced, NULL, answer->room, valuation, err);
+    if (status == PP_OK && valuation->request->criterion
+        && isfinite(result->traced.value))
+        return repeat_until_it_holds(result, task, valuation, err);
     if (status != PP_OK || answer->verdict == PP_SIZE_OUT_OF_REACH)
         return status;
     result->holds = !falls_short(&result->traced, target);
@@ -340,6 +395,7 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
     struct valuation valuation = {
         .request = request,
         .room = room,
+        .is_traced = request->traced,
         .by_hand = {.points = points ? room->receivers : NULL,
                     .point_count = points ? room->receiver_count : 0,
                     .threads = request->study->threads}};
@@ -356,6 +412,7 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
                                 .change = request->change,
                                 .openings = openings,
                                 .target = request->target,
+                                .sampled = request->criterion && request->traced,
                                 .value = sized_room_value,
                                 .data = &valuation};
     bool by_method = !request->criterion;
@@ -372,7 +429,7 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
         status = pp_size_find(&result->answer, &task, err);
     if (status == PP_OK && request->study->simulate && !request->traced
         && result->answer.room)
-        status = check_by_simulation(result, &valuation, err);
+        status = check_by_simulation(result, &task, &valuation, err);
     if (status == PP_OK && result->answer.room && by_method && !request->traced)
         status = find_band(result, &valuation, err);
     if (status == PP_OK && result->answer.room)

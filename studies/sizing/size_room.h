@@ -4,6 +4,7 @@
 #ifndef PP_STUDIES_SIZING_SIZE_ROOM_H
 #define PP_STUDIES_SIZING_SIZE_ROOM_H
 
+#include "studies/criteria/plane_grid.h"
 #include "studies/study_room.h"
 #include "studies/reliability.h"
 #include "studies/sizing/size.h"
@@ -19,6 +20,7 @@ struct pp_size_request {
     const char
         *criterion; /* replaces these, as in criterion_margin.h: the target is then a
                      * margin of 1; NULL: none */
+    struct pp_grid_choice grid; /* by which a criterion of the plane is judged */
     const char *by; /* a method, a pair, or "traced"; NULL: one that covers the room */
     bool traced;    /* by is "traced" */
     enum pp_size_change change;

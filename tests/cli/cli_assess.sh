@@ -11,7 +11,7 @@ for example in "$examples"/*.xml; do
     check "$name is tidy in 80 columns" nothing "$(untidy)"
 done
 check "simulated, with illuminances, too" \
-    gives assess --simulate --error 4% --external 5000 "$examples/building.xml"
+    gives assess --simulate --error 4% --spacing largest --external 5000 "$examples/building.xml"
 check "it fits in 80 columns" nothing "$(too_wide)"
 check "a room of a building each has its sum of verdicts" \
     test "$(grep -cE '^  [0-9]+ met' "$scratch/out")" -eq 4
@@ -20,15 +20,15 @@ check "illuminances stand beside" grep -qE "% +[0-9]+ lx +>=" "$scratch/out"
 check "the median outside is named" grep -q "13900 lx: Berlin" "$scratch/out"
 
 check "in UTF-8 it fits too" sh -c "
-    LC_ALL=C.UTF-8 '$pepperpot' assess -s --error 4% --external 5000 '$deep' |
+    LC_ALL=C.UTF-8 '$pepperpot' assess -s --error 4% --spacing largest --external 5000 '$deep' |
         grep -vF '$examples/' | LC_ALL=C.UTF-8 sed -n '/^.\{81\}/p' |
         grep -c . | grep -qx 0"
 
-check "verdicts do not make the status" shows "not met" assess --error 4% "$deep"
+check "verdicts do not make the status" shows "not met" assess --error 4% --spacing largest "$deep"
 check "it simulates unless told otherwise" grep -q "^  By simulation" "$scratch/out"
 cp "$scratch/out" "$scratch/simulated"
 check "--simulate says the same" sh -c "
-    '$pepperpot' assess --simulate --error 4% '$deep' | cmp - '$scratch/simulated'"
+    '$pepperpot' assess --simulate --error 4% --spacing largest '$deep' | cmp - '$scratch/simulated'"
 check "by hand it says so" shows "by exact+bre, not simulated" assess --by-hand "$deep"
 check "100 lx over 95 % is met by hand" \
     grep -qE "100 lx over.* +met\$" "$scratch/out"
@@ -38,14 +38,14 @@ check "--by-hand and --simulate do not go together" refuses 2 "--by-hand" \
 check "nor --by-hand and what ends a simulation" refuses 2 "--time" \
     assess --by-hand --time 1s "$deep"
 check "standard input is a room" sh -c \
-    "'$pepperpot' assess - <'$deep' | grep -q '(standard input)'"
+    "'$pepperpot' assess --by-hand - <'$deep' | grep -q '(standard input)'"
 check "one criterion by itself" shows "Limiting depth" assess -c limiting-depth "$deep"
 check "is by itself" nothing "$(grep -i 'glazing over floor' "$scratch/out")"
 check "one room of a building" shows "Kitchen" \
-    assess --room Kitchen "$examples/building.xml"
+    assess --by-hand --room Kitchen "$examples/building.xml"
 check "and no other" nothing "$(grep Bedroom "$scratch/out")"
 check "criteria have their short names too" shows "Vertical sky component" \
-    assess -c vsc,nsl,adf "$deep"
+    assess --by-hand -c vsc,nsl,adf "$deep"
 check "one of which is the no-sky line" grep -q "^  No-sky line" "$scratch/out"
 check "and one the average" grep -q "^  Average daylight factor" "$scratch/out"
 check "of a name that is none they are told" refuses 2 'no criterion "vsk"' assess -c vsk "$deep"
@@ -61,7 +61,7 @@ check "what the 25 degree rule leaves to the vertical sky component is no failur
 check "by itself it is one" shows "1 not met" assess -c obstruction "$scratch/near.xml"
 check "in JSON it says which decides" shows '"decided_by": "vertical-sky"' \
     assess -c obstruction --format json "$scratch/near.xml"
-check "another capital" shows "12100 lx" assess --place stockholm "$deep"
+check "another capital" shows "12100 lx" assess --by-hand --place stockholm "$deep"
 sed 's/<site /<site country="IT" /' "$deep" >"$scratch/italy.xml"
 check "a nation's capital" shows "19200 lx: Rome" \
     assess --by-hand "$scratch/italy.xml"
@@ -71,27 +71,27 @@ sed 's/<site /<site country="it" /' "$deep" >"$scratch/small.xml"
 check "a country in small letters is refused" refuses 1 "expected two capital letters" \
     assess "$scratch/small.xml"
 check "an illuminance of one's own" shows "9999 lx: as given" \
-    assess --median-diffuse 9999 "$deep"
-"$pepperpot" assess --format json "$deep" -o "$scratch/out.json"
+    assess --by-hand --median-diffuse 9999 "$deep"
+"$pepperpot" assess --by-hand --format json "$deep" -o "$scratch/out.json"
 check "a file instead of standard output" \
     grep -q '"format": "pepperpot-assess-1"' "$scratch/out.json"
 check "3 threads give the same bytes as 1" same_by_threads "1 3" \
-    assess --simulate --samples 16 --format json "$deep"
+    assess --simulate --spacing largest --samples 16 --format json "$deep"
 interrupted assess --simulate --error 0.01% -c average,uniformity --format json "$deep"
 check "an interrupted run says so" sh -c "
     grep -q '\"finished\": false' '$scratch/out' && grep -q interrupted '$scratch/err'"
 check "and has what there is" grep -q '"se"' "$scratch/out"
-check "--time stops" shows "stopped by --time" assess -s --time 200ms "$deep"
+check "--time stops" shows "stopped by --time" assess -s --spacing largest --time 200ms "$deep"
 
 # The room before: the obstructed office is the deep one with a building opposite.
 blocked=$examples/deep-office-obstructed.xml
-check "the room before" shows "area lost" assess --before "$deep" "$blocked"
+check "the room before" shows "area lost" assess --by-hand --before "$deep" "$blocked"
 check "its windows are compared" grep -q "39.6 % before" "$scratch/out"
 check "its area that sees sky too" grep -q "27.00 m2 before" "$scratch/out"
-check "without it nothing is" nothing "$("$pepperpot" assess "$blocked" | grep -i before)"
-check "nothing is lost to itself" shows "0.00" assess --before "$deep" "$deep"
+check "without it nothing is" nothing "$("$pepperpot" assess --by-hand "$blocked" | grep -i before)"
+check "nothing is lost to itself" shows "0.00" assess --by-hand --before "$deep" "$deep"
 check "a building's rooms are found by name" shows "area lost" \
-    assess --before "$examples/building.xml" --room Study "$examples/building.xml"
+    assess --by-hand --before "$examples/building.xml" --room Study "$examples/building.xml"
 check "another room is refused" refuses 1 "another shape" \
     assess --before "$examples/office.xml" "$deep"
 check "with its name" grep -q "office.xml: " "$scratch/err"
@@ -107,7 +107,7 @@ sed 's/<plan /<sky type="uniform"\/><plan /' "$scratch/nowhere-room.xml" > "$scr
 check "under another sky that is the reason, which no place can help" \
     shows "asked under an overcast sky" assess -c en17037 "$scratch/uniform-room.xml"
 check "without a latitude EN 17037 is not judged" \
-    shows "gives no latitude" assess "$scratch/nowhere-room.xml"
+    shows "gives no latitude" assess --by-hand "$scratch/nowhere-room.xml"
 check "but the rest is" grep -q "^  No-sky line" "$scratch/out"
 
 check "a room is needed" refuses 2 "expected a room file" assess
@@ -135,7 +135,7 @@ flat() {
     cat <<EOF
 <room version="1"><site latitude="51.5" longitude="-0.1" ground-level="-0.5"/>
   <plan width="4" depth="5" height="2.7"/><finishes floor="0.3" walls="0.7" ceiling="0.85"/>
-  <window wall="south" left="1" sill="0.8" width="2" height="1.5" glazing="clear-double"
+  <window wall="south" left="0.85" sill="0.8" width="2.3" height="1.5" glazing="clear-double"
     frame-factor="0.8" maintenance="0.8"/>$1
   <block x="-60" y="-22" width="124" depth="12" height="18" reflectance="0.3"/></room>
 EOF
@@ -145,7 +145,7 @@ flat '<facade wall="south" left="30" right="30" up="15" down="0.5"/>' > "$scratc
 flat '<facade wall="south"/>' > "$scratch/hut.xml"
 # verdict FILE: of the annex's bedroom, and what stands below it.
 verdict() {
-    "$pepperpot" assess -q -c uk-annex "$scratch/$1" | grep -A 3 'bedroom: 100 lx'
+    "$pepperpot" assess -q --error 2% -c uk-annex "$scratch/$1" | grep -A 3 'bedroom: 100 lx'
 }
 turns() {
     verdict alone.xml > "$scratch/alone"
@@ -154,15 +154,15 @@ turns() {
 }
 check "a verdict that the house beside the room would turn is not certain" turns
 check "with the house in the file it is known" sh -c "
-    '$pepperpot' assess -q -c uk-annex '$scratch/house.xml' > '$scratch/house'
+    '$pepperpot' assess -q --error 2% -c uk-annex '$scratch/house.xml' > '$scratch/house'
     grep 'bedroom: 100 lx' '$scratch/house' | grep -q 'not met: certain' &&
     ! grep -q 'goes on' '$scratch/house'"
 check "and where the file says that there is none" sh -c "
-    '$pepperpot' assess -q -c uk-annex '$scratch/hut.xml' > '$scratch/hut'
+    '$pepperpot' assess -q --error 2% -c uk-annex '$scratch/hut.xml' > '$scratch/hut'
     grep 'bedroom: 100 lx' '$scratch/hut' | grep -qE ' met: (certain|99)' &&
     ! grep -q 'goes on' '$scratch/hut'"
 check "in JSON it has no confidence, and a note" sh -c "
-    '$pepperpot' assess -q -c uk-annex --format json '$scratch/alone.xml' |
+    '$pepperpot' assess -q --error 2% -c uk-annex --format json '$scratch/alone.xml' |
     grep 'bedroom: 100 lx' | grep 'behind a wall' | grep -vq confidence"
 # An overhang takes sky whatever stands opposite: without it the window has what the same wall
 # without one has.
@@ -228,6 +228,31 @@ check "or at the height asked for, and others at theirs" \
     near "$(vsc_of 1.1)" "$(vsc_of 1.1125)" "--vsc-point-french 1.6"
 check "a height of 20 m is none" refuses 2 "a height from 0.1 to 10 m" \
     assess --vsc-point-french 20 "$scratch/french.xml"
+# A plane that falls steeply from one window: a coarse grid is not certain of what it says.
+# grid_says WORDS FILE [OPTION ...]: in what is printed, on one line.
+grid_says() {
+    words=$1 file=$2
+    shift 2
+    "$pepperpot" assess -q --by-hand -c en17037 "$@" "$file" | tr -s ' \n' ' ' >"$scratch/out"
+    grep -qF "$words" "$scratch/out"
+}
+check "the grid is named in the verdict" \
+    grid_says "a grid of 0.29 x 0.30 m (189 points, 0.5 m from the walls)" "$deep"
+check "--spacing chooses it" \
+    grid_says "a grid of 0.50 x 0.50 m (64 points, 0.5 m" "$deep" --spacing 0.5
+check "and the margin" \
+    grid_says "a grid of 0.50 x 0.50 m (85 points, 0.25 m" "$deep" --spacing 0.5,0.25
+check "or the largest permitted" \
+    grid_says "(30 points, 0.5 m from the walls, the largest permitted)" "$deep" --spacing largest
+sed 's/<line .*/<grid spacing="0.4" margin="0.1"\/>/' "$deep" >"$scratch/own-grid.xml"
+check "the file's spacing comes before the default one, its margin does not" \
+    grid_says "a grid of 0.40 x 0.40 m (100 points, 0.5 m from" "$scratch/own-grid.xml"
+check "JSON has the error that the grid makes" shows '"grid-error": ' \
+    assess --by-hand -c en17037 --format json "$deep"
+for spacing in 0 -1 0.3,x 0.3,0.5,1 20 largest,0.5; do
+    check "no spacing of $spacing" refuses 2 "a spacing from 0.01 to 10 m" \
+        assess --spacing=$spacing "$deep"
+done
 check "the help has every criterion" sh -c "
     '$pepperpot' assess --help | grep -qE '^  rights-of-light '"
 tap_done

@@ -139,11 +139,21 @@ check "windows on a slope too" gives size --by-hand --for glazing-ratio --write 
     "$examples/workshop.xml"
 check "which meets it" sh -c "
     '$pepperpot' assess --by-hand -c glazing-ratio '$scratch/sized.xml' | grep -qF '12.5 %'"
-check "checked by tracing" shows '"holds": false' \
-    size --for uk-annex:kitchen --error 3% -f json "$deep"
-check "says the criterion" grep -qF '"criterion": "uk-annex:kitchen"' "$scratch/out"
+check "checked by tracing, and sized again until that agrees" shows '"holds": true' \
+    size --for uk-annex:living-room --change height --error 3% -f json "$deep"
+check "says the criterion" grep -qF '"criterion": "uk-annex:living-room"' "$scratch/out"
+"$pepperpot" size -q --for uk-annex:living-room --change height --error 3% \
+    --write "$scratch/sized.xml" "$deep" >/dev/null
+check "so that assess finds it met" sh -c "
+    '$pepperpot' assess -q -c uk-annex --error 3% -f csv '$scratch/sized.xml' |
+    grep 'living room' | grep -q ',least,met,'"
+check "on a grid of one's own, too" shows '"reached": true' \
+    size --for uk-annex:living-room --change height --error 3% --spacing 0.5 -f json "$deep"
+check "a grid is for a criterion" refuses 2 "it needs --for" size -t 2 --spacing 0.5 "$deep"
+check "a requirement that there is none of" shows 'available: "minimum: 300 lx over 50 %",' \
+    size --by-hand --for en17037:least -f json "$deep"
 check "traced throughout" shows "reach, simulated" \
-    size --for uk-annex:kitchen --by traced --error 3% -q "$deep"
+    size --for uk-annex:kitchen --by traced --error 3% --spacing largest -q "$deep"
 check "what compares is not sized by" shows "none: it judges by what was there before" \
     size --by-hand --for former-sky "$deep"
 check "a criterion by its name" refuses 2 "there is no criterion" size --for en1737 "$deep"

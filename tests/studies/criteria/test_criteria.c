@@ -6,7 +6,7 @@
 #include "studies/criteria/factors.h"
 #include "studies/criteria/pair_rooms.h"
 #include "studies/criteria/capitals.h"
-#include "studies/criteria/en17037_grid.h"
+#include "studies/criteria/plane_grid.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 #include "model/room/section.h"
@@ -28,7 +28,7 @@ static struct pp_finding_list found_by(const struct pp_criterion *criterion,
     struct pp_receiver *grid;
     struct pp_error err;
     int *pairs = NULL;
-    assert_int_equal(pp_en17037_grid(&grid, &report.receiver_count, world, NULL),
+    assert_int_equal(pp_plane_grid_largest(&grid, &report.receiver_count, world, NULL),
                      PP_OK);
     report.receivers = grid;
     assert_int_equal(pp_factors_by_hand(&report, NULL), PP_OK);
@@ -580,7 +580,7 @@ static void traced_verdicts_are_right_as_often_as_they_say(void **state)
                 "height=\"1.4\"/>");
     struct pp_report report = {.world = world, .light = light};
     struct pp_receiver *grid;
-    assert_int_equal(pp_en17037_grid(&grid, &report.receiver_count, world, NULL),
+    assert_int_equal(pp_plane_grid_largest(&grid, &report.receiver_count, world, NULL),
                      PP_OK);
     report.receivers = grid;
     int count = report.receiver_count;

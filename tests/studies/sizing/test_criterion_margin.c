@@ -44,7 +44,8 @@ static double margin_for(const char *words, char why[200])
 {
     struct pp_reading reading;
     struct pp_error err;
-    if (pp_criterion_margin(&reading, why, 200, words, &room, room.world, NULL, &err)
+    if (pp_criterion_margin(&reading, why, 200, words, &room, room.world,
+                            &(struct pp_grid_choice){0}, NULL, &err)
         != PP_OK)
         fail_msg("%s", err.message);
     return reading.value;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "studies/sizing/gains.h"
-#include "studies/criteria/en17037_grid.h"
+#include "studies/criteria/plane_grid.h"
 #include "methods/evaluate.h"
 #include "tests/lib/room_of.h"
 
@@ -78,7 +78,7 @@ static struct pp_gain_values values_of(const char *xml, const char *method)
     struct pp_world *world = pp_test_lit_world(&light, xml);
     struct pp_receiver *grid;
     struct pp_report report = {.world = world, .light = light};
-    assert_int_equal(pp_en17037_grid(&grid, &report.receiver_count, world, NULL),
+    assert_int_equal(pp_plane_grid_largest(&grid, &report.receiver_count, world, NULL),
                      PP_OK);
     report.receivers = grid;
     assert_int_equal(pp_methods_evaluate(&report, method, NULL), PP_OK);

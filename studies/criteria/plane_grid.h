@@ -1,0 +1,78 @@
+/* plane_grid.h - the grid of points over the working plane by which criteria of daylight
+ * factors are judged: equal cells inside a margin along the walls, a point at the centre
+ * of each.
+ */
+#ifndef PP_STUDIES_CRITERIA_PLANE_GRID_H
+#define PP_STUDIES_CRITERIA_PLANE_GRID_H
+
+#include "model/base/error.h"
+#include "model/room/room.h"
+#include "model/room/world.h"
+
+/* The margin along the walls that [EN17037] leaves out (m). */
+#define PP_PLANE_GRID_MARGIN_M 0.5
+
+/* Most cells of a grid; with more there is none. */
+enum { PP_PLANE_GRID_MOST = 20000 };
+
+/* Source of a grid's spacing. */
+enum pp_grid_origin {
+    PP_GRID_DEFAULT, /* 0.3 m, or more in a plane larger than 90 m2 */
+    PP_GRID_OF_FILE, /* the finest <grid> of the room file */
+    PP_GRID_CHOSEN,  /* by the user */
+    PP_GRID_LARGEST, /* the largest that [EN17037] permits, which depends on the room */
+};
+
+/* Spacing and margin to use in place of the file's or the default ones. */
+struct pp_grid_choice {
+    double spacing_m; /* 0: not given */
+    double margin_m;  /* with spacing_m only */
+    bool largest;     /* the standard's largest cells instead */
+};
+
+struct pp_plane_grid {
+    struct pp_receiver *receivers;
+    int (*cells)[2]; /* column and row of each receiver */
+    int count;
+    int columns, rows;
+    double cell_m[2]; /* width and depth of a cell */
+    double spacing_m; /* that cells do not exceed */
+    double margin_m;
+    enum pp_grid_origin origin;
+    int halvings; /* of the origin's spacing */
+};
+
+/* Points of the working plane, facing up. The plane's bounding rectangle, less the
+ * margin, is divided into equal cells no larger than the spacing; points are the centres
+ * of cells that lie within the plane, not nearer to its edge than the margin, and where a
+ * receiver can stand (pp_position_receiver_fault). The count is 0 in a room too small for
+ * the margin, and if there would be more than PP_PLANE_GRID_MOST cells. The spacing comes
+ * from `choice` (NULL: none), from the file, or is the default one, and is halved
+ * `halvings` times. room: may be NULL (no file's grid). To be cleared in any case. */
+enum pp_status pp_plane_grid_make(struct pp_plane_grid *grid,
+                                  const struct pp_world *world,
+                                  const struct pp_room *room,
+                                  const struct pp_grid_choice *choice, int halvings,
+                                  struct pp_error *err);
+void pp_plane_grid_clear(struct pp_plane_grid *grid);
+
+/* The points of the grid of the largest cells that [EN17037] permits; to be freed. */
+enum pp_status pp_plane_grid_largest(struct pp_receiver **receivers, int *count,
+                                     const struct pp_world *world,
+                                     struct pp_error *err);
+
+/* Puts the grid into words: "a grid of 0.28 x 0.30 m (168 points, 0.5 m from the
+ * walls)". */
+enum { PP_PLANE_GRID_WORDS = 128 };
+void pp_plane_grid_words(char words[PP_PLANE_GRID_WORDS],
+                         const struct pp_plane_grid *grid);
+
+/* Largest distance of neighbouring points (m), after [EN17037] annex B:
+ *
+ *     p = 0.5 * 5^(log10 d),   at most 10 m
+ *
+ * d is the longer side of the plane, or the shorter one where the longer is twice as
+ * long or more (m, both greater than 0). */
+double pp_plane_grid_largest_spacing(double width_m, double depth_m);
+
+#endif
