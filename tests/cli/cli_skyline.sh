@@ -8,7 +8,7 @@
 # figures FILE: of the sky that a window has, the floor that sees some, and the sun.
 figures() {
     "$pepperpot" assess -c vertical-sky,sun-exposure,no-sky-line --by-hand --format csv "$1" |
-        awk -F, 'NR > 1 { print $5, $(NF - 7) }'
+        awk -F, 'NR > 1 { print $5, $(NF - 10) }'
 }
 
 for kind in skyline block; do
