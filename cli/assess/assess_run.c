@@ -49,6 +49,7 @@ static enum pp_status compute_assessments(void *data, struct pp_error *err)
         .median_lux = run->words->median_lux,
         .french_m = run->words->french_m,
         .grid = run->words->grid,
+        .least_altitude_rad = run->words->least_altitude_rad,
         .trace_again = study->simulate,
         .mirrored = &mirrored,
         .sunshine = run->words->sunshine.known ? &run->words->sunshine : NULL,

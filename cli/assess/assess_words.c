@@ -30,6 +30,16 @@ static enum pp_status read_boundary(const char *text, void *place, struct pp_err
     return PP_OK;
 }
 
+static enum pp_status read_altitude(const char *text, void *place, struct pp_error *err)
+{
+    double deg;
+    if (!pp_text_parse_number(text, &deg) || !(deg > 0.0 && deg <= 45.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "an altitude above 0, to 45 degrees, such as 11");
+    *(double *)place = deg * PP_RAD;
+    return PP_OK;
+}
+
 const struct pp_option pp_assess_words_table[] = {
     {"table", 0, NULL,
      "One table of all windows and rooms, existing and proposed, instead of a sheet "
@@ -64,6 +74,12 @@ const struct pp_option pp_assess_words_choice[] = {
      "Take the median illuminance from this EnergyPlus weather file, and the "
      "probability of sunshine.",
      pp_options_read_input, PLACE(weather)},
+    {"least-altitude", 0, "DEG",
+     "The sun counts above this altitude for sun-exposure (default: that of EN 17037 "
+     "for "
+     "the country, known for DE, 11, and CZ, 13; elsewhere the verdict is given where "
+     "any from 5 to 20 degrees leads to it).",
+     read_altitude, PLACE(least_altitude_rad)},
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room.room)},
     {"state", 0, "STATE",

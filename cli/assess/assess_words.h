@@ -29,6 +29,7 @@ struct pp_assess_words {
     const char *place; /* a capital of the standard's table; NULL: the room's site */
     double median_lux; /* instead; 0: not given */
     struct pp_grid_choice grid; /* of --spacing */
+    double least_altitude_rad;  /* of --least-altitude; 0: not given */
     double french_m;     /* height of the point of French windows; 0: the middle */
     const char *weather; /* or the weather file that it is taken from; NULL: none */
     struct pp_sunshine sunshine; /* of that file */

@@ -160,15 +160,16 @@ static enum pp_status add_rest(struct pp_sunlit_day *day,
                                          : status;
 }
 
-enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
-                                   const struct pp_hidden_cones *cones,
-                                   struct pp_sunlit_place place,
-                                   const struct pp_sunlit_sun *sun,
-                                   struct pp_error *err)
+/* The times at which the sun is above an altitude and not hidden. */
+static enum pp_status add_above(struct pp_sunlit_day *day,
+                                const struct pp_hidden_cones *cones,
+                                struct pp_sunlit_place place,
+                                const struct pp_sunlit_sun *sun, double above_rad,
+                                struct pp_error *err)
 {
     struct path path = path_of(place, sun->declination_rad);
     /* The sun's height has its greatest value at noon: q.z >= 0 and r.z = 0. */
-    struct arc up = arc_of(fmax(path.q.z, 0.0), 0.0, path.p.z);
+    struct arc up = arc_of(fmax(path.q.z, 0.0), 0.0, path.p.z - sin(above_rad));
     double from = fmax(sun->from_rad, -up.half), to = fmin(sun->to_rad, up.half);
     struct pp_sunlit_day hidden = {0};
     enum pp_status status = PP_OK;
@@ -183,6 +184,15 @@ enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
         status = add_rest(day, &hidden, from, to, err);
     pp_sunlit_hours_clear(&hidden);
     return status;
+}
+
+enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
+                                   const struct pp_hidden_cones *cones,
+                                   struct pp_sunlit_place place,
+                                   const struct pp_sunlit_sun *sun,
+                                   struct pp_error *err)
+{
+    return add_above(day, cones, place, sun, 0.0, err);
 }
 
 /* The sun's declination on a day of 2025 at an hour of the place's own time. */
@@ -200,6 +210,14 @@ enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
                                       struct pp_sunlit_place place, int month, int date,
                                       struct pp_error *err)
 {
+    return pp_sunlit_hours_above(day, cones, place, month, date, 0.0, err);
+}
+
+enum pp_status pp_sunlit_hours_above(struct pp_sunlit_day *day,
+                                     const struct pp_hidden_cones *cones,
+                                     struct pp_sunlit_place place, int month, int date,
+                                     double above_rad, struct pp_error *err)
+{
     enum pp_status status = PP_OK;
     for (int hour = 0; hour < 24 && status == PP_OK; hour++) {
         struct pp_sunlit_sun sun = {
@@ -207,7 +225,7 @@ enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
             .from_rad = (hour - 12) * PP_PI / 12.0,
             .to_rad = (hour - 11) * PP_PI / 12.0,
         };
-        status = pp_sunlit_hours_add(day, cones, place, &sun, err);
+        status = add_above(day, cones, place, &sun, above_rad, err);
     }
     pp_sunlit_hours_unite(day);
     return status;

@@ -50,6 +50,12 @@ enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
                                       struct pp_sunlit_place place, int month, int date,
                                       struct pp_error *err);
 
+/* The same with the sun above an altitude (rad, 0 to below pi/2). */
+enum pp_status pp_sunlit_hours_above(struct pp_sunlit_day *day,
+                                     const struct pp_hidden_cones *cones,
+                                     struct pp_sunlit_place place, int month, int date,
+                                     double above_rad, struct pp_error *err);
+
 /* Joins times that overlap. */
 void pp_sunlit_hours_unite(struct pp_sunlit_day *day);
 

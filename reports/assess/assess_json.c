@@ -52,6 +52,8 @@ static struct json_object *finding_object(const struct pp_finding *finding,
         good = pp_json_number(
             object, finding->verdict == PP_UNDECIDED ? "probability" : "confidence",
             finding->confidence);
+    if (good && finding->is_optional)
+        good = pp_json_add(object, "optional", json_object_new_boolean(true));
     if (good && finding->decided_by)
         good = pp_json_text(object, "decided_by", finding->decided_by);
     if (good && finding->note[0])

@@ -30,6 +30,10 @@ struct layout {
 static void write_verdict(char cell[CELL], const struct pp_finding *finding)
 {
     const char *word = pp_finding_verdict(finding->verdict);
+    if (finding->is_optional && finding->verdict == PP_MET)
+        word = "reached";
+    if (finding->is_optional && finding->verdict == PP_NOT_MET)
+        word = "not reached";
     double sure = finding->confidence;
     if (isnan(sure))
         snprintf(cell, CELL, "%s", word ? word : "");
@@ -171,26 +175,15 @@ static void print_answer(const struct pp_answer *answer, struct layout layout,
 
 /* ---- a room ---- */
 
-/* True if another selected criterion decides the finding. */
-static bool is_left_to_another(const struct pp_assessment *assessment,
-                               const struct pp_finding *finding)
-{
-    for (int i = 0; i < assessment->answer_count && finding->decided_by; i++)
-        if (strcmp(assessment->answers[i].criterion->name, finding->decided_by) == 0)
-            return true;
-    return false;
-}
-
-/* Number of findings with that verdict, those left to another criterion or all others. */
+/* Number of findings with that verdict; levels above the lowest do not count. */
 static int count_verdicts(const struct pp_assessment *assessment,
-                          enum pp_verdict verdict, bool left)
+                          enum pp_verdict verdict)
 {
     int count = 0;
     for (int i = 0; i < assessment->answer_count; i++)
         for (int k = 0; k < assessment->answers[i].findings.count; k++) {
             const struct pp_finding *finding = &assessment->answers[i].findings.list[k];
-            count += finding->verdict == verdict
-                     && is_left_to_another(assessment, finding) == left;
+            count += finding->verdict == verdict && !finding->is_optional;
         }
     return count;
 }
@@ -202,16 +195,13 @@ static void print_sum(const struct pp_assessment *assessment, FILE *out)
     const char *before = "";
     fputs("\n  ", out);
     for (int v = 0; v < 4; v++) {
-        int count = count_verdicts(assessment, verdicts[v], false);
+        int count = count_verdicts(assessment, verdicts[v]);
         if (count == 0)
             continue;
         fprintf(out, "%s%d %s", before, count, pp_finding_verdict(verdicts[v]));
         before = ", ";
     }
-    int left = count_verdicts(assessment, PP_NOT_MET, true);
-    if (left > 0)
-        fprintf(out, "%s%d decided by the vertical sky component", before, left);
-    fputs(*before || left > 0 ? "\n" : "no verdicts\n", out);
+    fputs(*before ? "\n" : "no verdicts\n", out);
 }
 
 static void print_simulation(const struct pp_assessment *assessment,

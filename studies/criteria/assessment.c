@@ -79,6 +79,7 @@ static enum pp_status judge_criteria(struct pp_assessment *assessment,
         .median = assessment->median,
         .sunshine = options->sunshine,
         .french_m = options->french_m,
+        .least_altitude_rad = options->least_altitude_rad,
         .country = country,
     };
     assessment->answers = calloc(PP_CRITERIA_MOST, sizeof *assessment->answers);
@@ -107,10 +108,11 @@ static const double small_error = 0.02;
 /* Most halvings of a grid that the user has not chosen, and points of it. */
 enum { HALVINGS_MOST = 3, POINTS_MOST = 4000 };
 
-/* Has the grid a larger part in the error than the noise, where it matters? */
+/* Has the grid a larger part in the error than the noise, where it matters? A minimum
+ * (which is reached over no given share) depends on every grid, and halves none. */
 static bool is_coarse(const struct pp_finding *finding)
 {
-    if (!(finding->grid_error > 0.0))
+    if (!(finding->grid_error > 0.0) || !isfinite(finding->reached_over))
         return false;
     double noise = 0.0;
     if (isfinite(finding->std_error))

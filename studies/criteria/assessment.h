@@ -21,7 +21,8 @@ struct pp_assess_options {
     const char *place; /* a capital of the standard's table; NULL: the room's site */
     double median_lux; /* instead; 0: not given */
     double french_m;   /* as an inquiry's */
-    bool of_weather;   /* is that median a weather file's? */
+    double least_altitude_rad;          /* as an inquiry's */
+    bool of_weather;                    /* is that median a weather file's? */
     const struct pp_sunshine *sunshine; /* not owned; NULL: not known */
     const struct pp_rooms_before
         *mirrored;              /* the rooms of the same files with the mirror

@@ -41,7 +41,9 @@ struct pp_inquiry {
     const struct pp_sunshine *sunshine; /* at the site; NULL: not known */
     double french_m; /* above the floor, where the vertical sky component of a window
                       * down to it is taken; 0: at its middle */
-    const char *country; /* country whose rules apply; "": unknown */
+    double least_altitude_rad; /* above which the sun counts for EN 17037; 0: the
+                                * country's, where it is known */
+    const char *country;       /* country whose rules apply; "": unknown */
 };
 
 struct pp_criterion {

@@ -35,7 +35,8 @@ static const double level_rad = 15.0 * PP_RAD;
 struct target {
     const char *who; /* the level or the kind of room: "minimum", "bedroom" */
     double lux;
-    double part; /* of the plane, a fraction */
+    double part;      /* of the plane, a fraction */
+    bool is_optional; /* a level above the minimum */
 };
 
 static bool is_lit_by_rooflights(const struct pp_world *world)
@@ -78,6 +79,7 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
             return status;
         pp_factors_judge_share(&finding, &share, &error, 1.0);
     }
+    finding.is_optional = target->is_optional;
     return pp_finding_list_add(findings, &finding, err);
 }
 
@@ -128,8 +130,9 @@ static enum pp_status assess_en17037(const struct pp_inquiry *inquiry,
     bool further = true;
     const struct pp_column *column = grid_factors(inquiry, findings, &why);
     for (int i = 0; i < 3; i++) {
-        struct target target = {levels[i], targets[i], rooflights ? nearly_all : half};
-        struct target least = {levels[i], minima[i], nearly_all};
+        struct target target = {levels[i], targets[i], rooflights ? nearly_all : half,
+                                i > 0};
+        struct target least = {levels[i], minima[i], nearly_all, i > 0};
         int first = findings->count;
         enum pp_status status =
             add_target(inquiry, &target, column, why, findings, err);
@@ -154,8 +157,9 @@ static enum pp_status evaluate_annex(const struct pp_inquiry *inquiry,
                                      struct pp_finding_list *findings,
                                      struct pp_error *err)
 {
-    static const struct target targets[] = {
-        {"bedroom", 100, 0.5}, {"living room", 150, 0.5}, {"kitchen", 200, 0.5}};
+    static const struct target targets[] = {{"bedroom", 100, 0.5, false},
+                                            {"living room", 150, 0.5, false},
+                                            {"kitchen", 200, 0.5, false}};
     static const enum pp_dwelling_room kinds[] = {
         PP_DWELLING_BEDROOM, PP_DWELLING_LIVING_ROOM, PP_DWELLING_KITCHEN};
     int rooms = pp_bearing_dwelling_rooms(inquiry->world->use);

@@ -135,7 +135,7 @@ check "the sun by a weather file is probable" shows "of probable hours" \
     assess --by-hand -c sunlight -w "$scratch/mornings.epw" "$scratch/west.xml"
 check "of mornings a west window has minutes" grep -qE "year +0\.[0-9] %.*not met" "$scratch/out"
 check "of all possible hours half" sh -c "
-    '$pepperpot' assess --by-hand -c sunlight '$scratch/west.xml' | grep -qE 'year +50\.0 %.* met'"
+    '$pepperpot' assess --by-hand -c sunlight '$scratch/west.xml' | grep -qE 'year +50\.0 %'"
 
 # Charts.
 for format in pdf svg png; do

@@ -39,6 +39,13 @@ static void read_site(struct pp_reader *r, struct pp_room *room,
             form.country);
         return;
     }
+    if (form.country && strcmp(form.country, "UK") == 0) {
+        pp_mistakes_add(
+            r->mistakes, e->line,
+            "site: country is \"UK\", which is no code of ISO 3166; did you "
+            "mean \"GB\"?");
+        return;
+    }
     enum pp_work by_place = form.surroundings == PP_INDUSTRIAL ? PP_DIRTY : PP_CLEAN;
     room->site_is_own = true;
     room->site = (struct pp_site_part){

@@ -6,11 +6,13 @@
  * The day is 21 March. Sun counts that reaches the reference point of any opening: the
  * middle of its width on the inside of its wall, 1.2 m above the floor and 0.3 m above
  * the sill at least (of sloping glass its middle). The standard leaves out the sun below
- * an altitude that it gives by place; its table was not at hand, so that all sun above the
- * horizon counts here: the figure is an upper bound, which shows that a level is not
- * reached, and cannot show that it is.
+ * an altitude that it gives by country. Its table was not at hand; Germany's 11 degrees and
+ * the Czech Republic's 13 are known from secondary sources. Elsewhere a level is reached if
+ * the sun above 20 degrees is enough, and is not if the sun above 5 degrees is not; between
+ * these it is undecided, with the altitude at which the verdict turns.
  */
 #include <math.h>
+#include <string.h>
 
 #include "methods/exact/sunlit_hours.h"
 #include "studies/criteria/bearing.h"
@@ -19,8 +21,21 @@
 #define ABOVE_FLOOR_M 1.2
 #define ABOVE_SILL_M 0.3
 
-static const char upper_bound[] =
-    "with low sun, which the standard leaves out below an altitude by place";
+/* Altitudes between which the standard's table is taken to lie. */
+static const double lowest_rad = 5.0 * PP_RAD, highest_rad = 20.0 * PP_RAD;
+
+/* Altitude above which the sun counts in a country; 0: not known. */
+static double known_altitude_rad(const char *country)
+{
+    static const struct {
+        const char *country;
+        double deg;
+    } known[] = {{"DE", 11.0}, {"CZ", 13.0}};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (strcmp(country, known[i].country) == 0)
+            return known[i].deg * PP_RAD;
+    return 0.0;
+}
 
 /* The reference point of an opening. */
 static struct pp_vec3 exposure_point(const struct pp_opening *opening)
@@ -46,9 +61,9 @@ static struct pp_vec3 exposure_point(const struct pp_opening *opening)
     return pp_vec_along(middle, y, opening->up);
 }
 
-/* The hours of sun through any of the openings. */
+/* The hours of sun above an altitude through any of the openings. */
 static enum pp_status find_hours(double *hours, const struct pp_world *world,
-                                 struct pp_error *err)
+                                 double above_rad, struct pp_error *err)
 {
     struct pp_sunlit_place place = {world->latitude_rad, world->north_rad,
                                     world->longitude_rad};
@@ -63,11 +78,77 @@ static enum pp_status find_hours(double *hours, const struct pp_world *world,
         status = pp_hidden_cones_init(&cones, world, &view, err);
         if (status != PP_OK)
             break;
-        status = pp_sunlit_hours_of_day(&day, &cones, place, 3, 21, err);
+        status = pp_sunlit_hours_above(&day, &cones, place, 3, 21, above_rad, err);
         pp_hidden_cones_clear(&cones);
     }
     *hours = pp_sunlit_hours_sum(&day);
     pp_sunlit_hours_clear(&day);
+    return status;
+}
+
+/* The altitude above which the sun gives the wanted hours, to a hundredth of a degree. */
+static enum pp_status find_turn(double *turn_rad, const struct pp_world *world,
+                                double wanted, struct pp_error *err)
+{
+    double low = lowest_rad, high = highest_rad;
+    enum pp_status status = PP_OK;
+    while (high - low > 0.01 * PP_RAD && status == PP_OK) {
+        double hours, middle = 0.5 * (low + high);
+        status = find_hours(&hours, world, middle, err);
+        if (hours >= wanted)
+            low = middle;
+        else
+            high = middle;
+    }
+    *turn_rad = 0.5 * (low + high);
+    return status;
+}
+
+/* Hours with the sun above both bounds of the altitude, which are equal if it is known. */
+struct bounded_hours {
+    double altitude_rad; /* 0: not known */
+    double least, most;
+};
+
+static enum pp_status find_bounded(struct bounded_hours *hours,
+                                   const struct pp_inquiry *inquiry,
+                                   struct pp_error *err)
+{
+    hours->altitude_rad = inquiry->least_altitude_rad > 0.0
+                              ? inquiry->least_altitude_rad
+                              : known_altitude_rad(inquiry->country);
+    bool known = hours->altitude_rad > 0.0;
+    enum pp_status status = find_hours(&hours->least, inquiry->world,
+                                       known ? hours->altitude_rad : highest_rad, err);
+    hours->most = hours->least;
+    return status == PP_OK && !known
+               ? find_hours(&hours->most, inquiry->world, lowest_rad, err)
+               : status;
+}
+
+static enum pp_status judge_level(struct pp_finding *finding, const char *name,
+                                  double wanted, const struct bounded_hours *hours,
+                                  const struct pp_world *world, struct pp_error *err)
+{
+    bool met = hours->least >= wanted, decided = met || hours->most < wanted;
+    *finding = pp_finding_of(PP_FIGURE_HOURS, met ? hours->least : hours->most, wanted,
+                             false, "%s: %g h on 21 March", name, wanted);
+    if (hours->altitude_rad > 0.0) {
+        pp_finding_note(finding, "the sun counts above %.4g degrees",
+                        hours->altitude_rad / PP_RAD);
+        return PP_OK;
+    }
+    if (decided) {
+        pp_finding_note(finding, "with the sun above %g degrees", met ? 20.0 : 5.0);
+        return PP_OK;
+    }
+    double turn_rad;
+    enum pp_status status = find_turn(&turn_rad, world, wanted, err);
+    finding->verdict = PP_UNDECIDED;
+    pp_finding_note(finding,
+                    "with the sun above 5 degrees; met if the standard counts the sun "
+                    "from %.1f degrees or lower at this place (--least-altitude)",
+                    turn_rad / PP_RAD);
     return status;
 }
 
@@ -79,23 +160,20 @@ static enum pp_status assess_sun_exposure(const struct pp_inquiry *inquiry,
         const char *name;
         double hours;
     } levels[] = {{"minimum", 1.5}, {"medium", 3.0}, {"high", 4.0}};
-    const struct pp_world *world = inquiry->world;
-    double hours;
-    if (isnan(world->latitude_rad)) {
+    struct bounded_hours hours;
+    if (isnan(inquiry->world->latitude_rad)) {
         struct pp_finding finding =
             pp_finding_not_judged("the room file gives no latitude (site)", "21 March");
         return pp_finding_list_add(findings, &finding, err);
     }
-    enum pp_status status = find_hours(&hours, world, err);
+    enum pp_status status = find_bounded(&hours, inquiry, err);
     for (int i = 0; i < 3 && status == PP_OK; i++) {
-        struct pp_finding finding =
-            pp_finding_of(PP_FIGURE_HOURS, hours, levels[i].hours, false,
-                          "%s: %g h on 21 March", levels[i].name, levels[i].hours);
-        if (finding.verdict == PP_MET) {
-            finding.verdict = PP_UNDECIDED;
-            pp_finding_note(&finding, "%s", upper_bound);
-        }
-        status = pp_finding_list_add(findings, &finding, err);
+        struct pp_finding finding;
+        status = judge_level(&finding, levels[i].name, levels[i].hours, &hours,
+                             inquiry->world, err);
+        finding.is_optional = i > 0;
+        if (status == PP_OK)
+            status = pp_finding_list_add(findings, &finding, err);
     }
     return status;
 }

@@ -11,7 +11,7 @@
  * [BR209] counts probable hours: those that the clouds of many years leave. A weather file
  * says how likely the sun is to shine (studies/climate/sunshine.h); without one each hour with
  * the sun above the horizon counts alike: possible hours (methods/exact/sunlit_hours.h), of
- * which winter has a larger share. The sky of the room does not matter.
+ * which winter has a larger share. These are stated and not judged. The sky of the room does not matter.
  */
 #include <math.h>
 
@@ -26,7 +26,9 @@
 #define SMALL_LOSS 0.04
 
 static const char possible[] = "of the hours with the sun above the horizon, each "
-                               "counted alike: possible, not probable ones";
+                               "counted alike: possible, not probable ones, "
+                               "which BR 209 does not judge; --weather FILE.epw "
+                               "gives probable ones";
 static const char probable[] = "of probable hours: by month and hour, the weather "
                                "file's share with direct sun of more than 120 W/m2";
 static const char no_place[] = "the room file gives no latitude (site)";
@@ -81,12 +83,12 @@ static bool is_kept(const struct pp_sunlit_year *now, const struct pp_sunlit_yea
 }
 
 static enum pp_status add_finding(struct pp_finding_list *findings, double now,
-                                  double then, double wanted, bool kept,
+                                  double then, double wanted, bool kept, bool judged,
                                   const struct pp_opening *opening, const char *window,
                                   const char *when, struct pp_error *err)
 {
-    struct pp_finding finding =
-        pp_finding_of(PP_FIGURE_SHARE, now, wanted, false, "%s, %s", window, when);
+    struct pp_finding finding = pp_finding_of(
+        PP_FIGURE_SHARE, now, judged ? wanted : NAN, false, "%s, %s", window, when);
     finding.line = opening->line;
     pp_finding_compares(&finding, PP_FIGURE_SHARE, now, then);
     if (!isnan(then))
@@ -114,11 +116,11 @@ static enum pp_status judge_window(const struct pp_inquiry *inquiry, int index,
                              inquiry->sunshine, err);
     bool kept = inquiry->before && is_kept(&now, &then);
     if (status == PP_OK)
-        status = add_finding(findings, now.all, then.all, YEAR_WANTED, kept, opening,
-                             window, "year", err);
+        status = add_finding(findings, now.all, then.all, YEAR_WANTED, kept,
+                             inquiry->sunshine != NULL, opening, window, "year", err);
     if (status == PP_OK)
         status = add_finding(findings, now.winter, then.winter, WINTER_WANTED, kept,
-                             opening, window, "winter", err);
+                             inquiry->sunshine != NULL, opening, window, "winter", err);
     return status;
 }
 

@@ -224,8 +224,9 @@ static enum pp_status find_angle(struct pp_finding *finding,
     double angle = pp_section_angle(inquiry->world, &inquiry->world->openings[opening]);
     *finding = pp_finding_of(PP_FIGURE_ANGLE, angle, ANGLE_WANTED, true, "%s", what);
     if (finding->verdict == PP_NOT_MET) {
+        finding->verdict = PP_STATED;
         finding->decided_by = pp_criterion_vertical_sky.name;
-        pp_finding_note(finding, "no failure by itself: the vertical sky component "
+        pp_finding_note(finding, "a first check only: the vertical sky component "
                                  "decides");
     }
     return PP_OK;

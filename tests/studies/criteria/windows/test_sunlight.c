@@ -1,6 +1,7 @@
 /* Hours of sun as criteria judge them, in rooms whose answer is known on paper. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "model/light/sun_path.h"
 #include "studies/criteria/criteria.h"
@@ -21,6 +22,10 @@ static struct pp_world *world_of(const char *body)
     return pp_test_world(text);
 }
 
+/* Of the inquiries below. */
+static bool with_sunshine = true;
+static double least_altitude_rad = 1e-9;
+
 /* The index-th finding of one criterion in a room given by the XML in its element. */
 static struct pp_finding finding_in(const struct pp_criterion *criterion, int index,
                                     const char *body, const char *before_body)
@@ -30,8 +35,17 @@ static struct pp_finding finding_in(const struct pp_criterion *criterion, int in
     int *pairs = NULL;
     if (before)
         assert_int_equal(pp_pair_rooms(&pairs, world, before, NULL), PP_OK);
-    const struct pp_inquiry inquiry = {
-        .world = world, .before = before, .pairs = pairs, .country = ""};
+    /* Sunshine in every hour, so that probable hours are the possible ones, and the sun
+     * counts down to the horizon. */
+    struct pp_sunshine always = {.known = true};
+    for (int i = 0; i < PP_SUNSHINE_MONTHS * PP_SUNSHINE_HOURS; i++)
+        (&always.share[0][0])[i] = 1.0;
+    const struct pp_inquiry inquiry = {.world = world,
+                                       .before = before,
+                                       .pairs = pairs,
+                                       .sunshine = with_sunshine ? &always : NULL,
+                                       .least_altitude_rad = least_altitude_rad,
+                                       .country = ""};
     struct pp_finding_list findings = {0};
     assert_int_equal(criterion->evaluate(&inquiry, &findings, NULL), PP_OK);
     assert_true(index < findings.count);
@@ -192,10 +206,46 @@ static void on_the_equinox_jambs_cut_the_sun(void **state)
     const char *body = SITE(51.5) PLAN WINDOW("south");
     assert_near(hours, 3.9, 0.1);
     /* The declination is not that of noon before and after it, by 0.03 degrees. No more
-     * than 4 h; of the lower levels an upper bound says nothing. */
+     * than 4 h. */
     const struct pp_criterion *criterion = &pp_criterion_sun_exposure;
     assert_verdict(finding_in(criterion, 2, body, NULL), hours, 1e-4, PP_NOT_MET);
-    assert_verdict(finding_in(criterion, 0, body, NULL), hours, 1e-4, PP_UNDECIDED);
+    assert_verdict(finding_in(criterion, 0, body, NULL), hours, 1e-4, PP_MET);
+}
+
+/* At the equinox the sun over the equator rises by 15 degrees an hour, due east: from 20
+ * degrees to noon it takes 70/15 h. An overhang that hides it from 35 degrees on (1 m over
+ * the point, 1.43 m deep) leaves 1 h above 20 degrees and 2 h above 5 degrees: 1.5 h above
+ * 12.5 degrees. */
+static void low_sun_decides_only_where_a_level_needs_it(void **state)
+{
+    (void)state;
+    const struct pp_criterion *criterion = &pp_criterion_sun_exposure;
+    const char *east = SITE(0.001) PLAN
+        "<window wall=\"east\" left=\"0.4\" sill=\"0.95\" width=\"4\" height=\"1.3\"/>";
+    least_altitude_rad = 0.0;
+    struct pp_finding high = finding_in(criterion, 2, east, NULL);
+    assert_verdict(high, 70.0 / 15.0, 0.02, PP_MET);
+    least_altitude_rad = 15.0 * PP_RAD;
+    assert_verdict(finding_in(criterion, 2, east, NULL), 75.0 / 15.0, 0.02, PP_MET);
+    least_altitude_rad = 0.0;
+    const char *low = SITE(0.001) PLAN
+        "<window wall=\"east\" left=\"0.4\" sill=\"0.95\" width=\"4\" height=\"1.3\">"
+        "<overhang depth=\"1.43\" left=\"50\" right=\"50\"/></window>";
+    struct pp_finding minimum = finding_in(criterion, 0, low, NULL);
+    assert_int_equal(minimum.verdict, PP_UNDECIDED);
+    assert_non_null(
+        strstr(minimum.note, "met if the standard counts the sun from 12."));
+    least_altitude_rad = 1e-9;
+}
+
+static void possible_hours_are_not_judged(void **state)
+{
+    (void)state;
+    with_sunshine = false;
+    struct pp_finding year = sun(0, SITE(51.5) PLAN WINDOW("south"), NULL);
+    with_sunshine = true;
+    assert_int_equal(year.verdict, PP_STATED);
+    assert_true(isnan(year.wanted) && year.figure > 0.5);
 }
 
 /* Hours through several windows count once where they are the same hours. */
@@ -241,6 +291,8 @@ TEST_FILE
         cmocka_unit_test(without_a_latitude_there_is_no_sun),
         cmocka_unit_test(poles_and_the_equator_have_their_hours),
         cmocka_unit_test(on_the_equinox_jambs_cut_the_sun),
+        cmocka_unit_test(low_sun_decides_only_where_a_level_needs_it),
+        cmocka_unit_test(possible_hours_are_not_judged),
         cmocka_unit_test(windows_add_up_only_what_is_not_the_same_sun),
         cmocka_unit_test(
             a_skyline_with_a_distance_hides_the_sun_from_windows_of_other_walls),
