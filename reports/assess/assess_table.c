@@ -9,6 +9,7 @@
 #include "reports/parts/figure_unit.h"
 #include "reports/parts/print.h"
 #include "reports/parts/table.h"
+#include "studies/criteria/br209_count.h"
 #include "studies/criteria/site_table.h"
 
 /* Content of a column in a row. */
@@ -246,11 +247,35 @@ static void print_foot(const struct pp_site_table *table, int width, FILE *out)
     pp_print_wrapped(text, 2, 2, width, out);
 }
 
+/* The count of windows and rooms, and the losses of windows in bands. */
+static void print_count(const struct pp_assessments *all, int width, FILE *out)
+{
+    const struct pp_br209_count count = pp_br209_count_of(all->list, all->count);
+    char text[PP_BR209_WORDS + 200];
+    pp_br209_count_words(text, &count);
+    if (!text[0])
+        return;
+    if (count.compared > 0) {
+        pp_text_append(text, sizeof text, "; loss of sky below %.0f %%: %d window%s",
+                       100.0 * pp_loss_bands[1], count.losses[0],
+                       count.losses[0] == 1 ? "" : "s");
+        for (int i = 1; i < PP_LOSS_BANDS; i++)
+            pp_text_append(text, sizeof text, ", %s%.0f %%%s: %d",
+                           i + 1 < PP_LOSS_BANDS ? "from " : "",
+                           100.0 * pp_loss_bands[i],
+                           i + 1 < PP_LOSS_BANDS ? "" : " or more", count.losses[i]);
+    }
+    fputs("\n  ", out);
+    pp_print_wrapped(text, 2, 2, width, out);
+}
+
 enum pp_status pp_assess_table(const struct pp_assessments *all, int width, FILE *out,
                                struct pp_error *err)
 {
     struct pp_site_table table;
     enum pp_status status = pp_site_table_of(&table, all->list, all->count, err);
+    if (status == PP_OK)
+        print_count(all, width, out);
     if (status == PP_OK)
         status = print_table("Windows", of_windows, table.windows, table.window_count,
                              NULL, width, out, err);

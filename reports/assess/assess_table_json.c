@@ -5,6 +5,7 @@
 
 #include "reports/parts/figure_unit.h"
 #include "reports/parts/json.h"
+#include "studies/criteria/br209_count.h"
 #include "studies/criteria/site_table.h"
 
 static struct json_object *row_object(const struct pp_site_row *row, bool compares)
@@ -112,6 +113,23 @@ static bool add_rows(struct json_object *object, const char *key,
     return good;
 }
 
+/* Counts of windows and rooms that meet BR 209, and of windows by their loss. */
+static struct json_object *br209_object(const struct pp_assessments *all)
+{
+    static const char *const bands[PP_LOSS_BANDS] = {
+        "loss-below-20", "loss-20-to-30", "loss-30-to-40", "loss-40-or-more"};
+    const struct pp_br209_count count = pp_br209_count_of(all->list, all->count);
+    struct json_object *object = json_object_new_object();
+    bool good =
+        object && pp_json_add(object, "windows", json_object_new_int(count.windows))
+        && pp_json_add(object, "windows-met", json_object_new_int(count.windows_met))
+        && pp_json_add(object, "rooms", json_object_new_int(count.rooms))
+        && pp_json_add(object, "rooms-met", json_object_new_int(count.rooms_met));
+    for (int i = 0; i < PP_LOSS_BANDS && good; i++)
+        good = pp_json_add(object, bands[i], json_object_new_int(count.losses[i]));
+    return pp_json_whole(object, good);
+}
+
 enum pp_status pp_assess_table_json(const struct pp_assessments *all, FILE *out,
                                     struct pp_error *err)
 {
@@ -121,6 +139,7 @@ enum pp_status pp_assess_table_json(const struct pp_assessments *all, FILE *out,
         struct json_object *object = json_object_new_object();
         bool good =
             object && pp_json_text(object, "format", "pepperpot-site-1")
+            && pp_json_add(object, "br209", br209_object(all))
             && add_rows(object, "windows", table.windows, table.window_count, true)
             && add_rows(object, "rooms", table.rooms, table.room_count, true)
             && (table.garden_count == 0

@@ -25,7 +25,7 @@ static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verd
     for (int k = 0; k < room->answer_count; k++) {
         const struct pp_finding_list *list = &room->answers[k].findings;
         for (int n = 0; n < list->count; n++)
-            count += list->list[n].verdict == verdict;
+            count += list->list[n].verdict == verdict && !list->list[n].is_optional;
     }
     return count;
 }

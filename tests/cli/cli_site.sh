@@ -187,6 +187,18 @@ check "no target with it" refuses 2 "and --obstruction exclude each other" \
     size --obstruction Tower --target 2% "$site"
 check "no share without it" refuses 2 "is for --obstruction" size --target 2% --keep 80% "$site"
 check "a file without names" refuses 1 "no block in it has a name" size --obstruction Tower "$deep"
+# Each window counts once in the table's head: met, by 27 % or 0.8, of the lines of former-sky.
+counts_agree() {
+    "$pepperpot" assess --by-hand --for uk-planning --table -f json "$site" >"$scratch/table.json"
+    "$pepperpot" assess --by-hand --for uk-planning -f csv "$site" >"$scratch/all.csv"
+    said=$(sed -n 's/.*"windows-met": \([0-9]*\).*/\1/p' "$scratch/table.json")
+    met=$(grep ',former-sky,' "$scratch/all.csv" | grep -c ',least,met,')
+    windows=$(sed -n 's/.*"windows": \([0-9]*\).*/\1/p' "$scratch/table.json")
+    echo "# $said of $windows said, $met counted"
+    [ "$said" = "$met" ] && [ "$windows" -eq "$(grep -c ',vertical-sky,' "$scratch/all.csv")" ]
+}
+check "windows that meet BR 209 are counted once" counts_agree
+check "the text says so" shows " windows and " assess --by-hand --for uk-planning --table "$site"
 check "planning has the sun, existing and proposed" sh -c "
     '$pepperpot' assess --by-hand --for uk-planning --room Study '$site' |
         grep -qE '[0-9.]+ % now, [0-9.]+ % before'"

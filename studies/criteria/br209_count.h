@@ -1,0 +1,32 @@
+/* br209_count.h - how many windows and rooms keep their light by [BR209], each counted once.
+ *
+ * A window meets the guide if its vertical sky component is 27 % or 0.8 of its former
+ * value; a room, if 0.8 of the former area that saw sky still does. A window or room that
+ * is not judged is not counted.
+ */
+#ifndef PP_STUDIES_CRITERIA_BR209_COUNT_H
+#define PP_STUDIES_CRITERIA_BR209_COUNT_H
+
+#include "studies/criteria/assessment.h"
+
+/* Losses of a window's vertical sky component in bands, as consultants name them in
+ * assessments of effects: below 20 %, from there (minor), 30 (moderate), 40 (major). */
+enum { PP_LOSS_BANDS = 4 };
+extern const double pp_loss_bands[PP_LOSS_BANDS]; /* lower ends, fractions */
+
+struct pp_br209_count {
+    int windows, windows_met;
+    int rooms, rooms_met;
+    int losses[PP_LOSS_BANDS]; /* windows whose loss is in each band */
+    int compared;              /* windows with a former value */
+};
+
+struct pp_br209_count pp_br209_count_of(const struct pp_assessment *rooms, int count);
+
+/* Puts the counts into words: "11 of 12 windows and 5 of 6 rooms meet BR 209"; empty if
+ * nothing was judged. */
+enum { PP_BR209_WORDS = 96 };
+void pp_br209_count_words(char words[PP_BR209_WORDS],
+                          const struct pp_br209_count *count);
+
+#endif
