@@ -37,7 +37,8 @@ struct pp_finding {
     enum pp_verdict verdict;
     double confidence; /* probability that the verdict is right; for PP_UNDECIDED that
                         * the criterion is met; NAN where nothing was sampled */
-    bool is_optional; /* a level above the lowest, which nothing requires: its verdict is
+    bool
+        is_optional; /* a level above the lowest, which nothing requires: its verdict is
                        * not counted */
     const char *decided_by; /* criterion that decides where this one is not met: then it
                              * counts as no failure; NULL: this one does. Static */
