@@ -155,7 +155,7 @@ static void a_section_names_room_sky_methods_scale_and_notes(void **state)
         "Daylight factor (%)",
         "exact+bre",
         "brs-table+bre",
-        "traced \xc2\xb1 standard error",
+        "simulated \xc2\xb1 standard error",
         "average-df, room average 2.1 %",
         "Distance from the window wall (m)",
         "Section 1:50.",
