@@ -143,8 +143,8 @@ static enum pp_status draw_site(struct drawing_task *task, int first, int count,
 
 /* ---- of a room ---- */
 
-/* The line of the window that has least of the sun that a criterion wants; 0: the criterion
- * is of the room; -1: nothing of sunlight is judged. */
+/* The line of the window that has least of the sun that a criterion requires, or least sun
+ * where none is required; 0: the criterion is of the room; -1: sunlight is not assessed. */
 static int least_sunny(const struct pp_assessment *room)
 {
     int line = -1;
@@ -156,7 +156,8 @@ static int least_sunny(const struct pp_assessment *room)
             continue;
         for (int k = 0; k < findings->count; k++) {
             const struct pp_finding *finding = &findings->list[k];
-            double share = finding->figure / finding->wanted;
+            double share =
+                finding->figure / (isnan(finding->wanted) ? 1.0 : finding->wanted);
             if (!isfinite(share) || share >= least)
                 continue;
             least = share;

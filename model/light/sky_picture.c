@@ -8,7 +8,7 @@
 /* ---- a pixel's neighbourhood ---- */
 
 /* Mean of the pixels around a place, by bilinear weights, of those that count. */
-struct neighbourhood {
+struct pixel_square {
     double luminance;
     struct pp_rgb colour;
     double q;      /* rim_variable of their centres */
@@ -59,8 +59,8 @@ struct counted {
     bool colour;
 };
 
-static void add_pixel(struct neighbourhood *sum, const struct pp_sky_frame *frame,
-                      int x, int y, double weight, struct counted counted)
+static void add_pixel(struct pixel_square *sum, const struct pp_sky_frame *frame, int x,
+                      int y, double weight, struct counted counted)
 {
     double q = 0.0;
     if (is_fisheye(frame)) {
@@ -85,10 +85,10 @@ static void add_pixel(struct neighbourhood *sum, const struct pp_sky_frame *fram
 }
 
 /* x and y in pixels. */
-static struct neighbourhood around(const struct pp_sky_frame *frame, double x, double y,
-                                   struct counted counted)
+static struct pixel_square around(const struct pp_sky_frame *frame, double x, double y,
+                                  struct counted counted)
 {
-    struct neighbourhood sum = {0};
+    struct pixel_square sum = {0};
     double left = floor(x - 0.5), top = floor(y - 0.5);
     double right = x - 0.5 - left, below = y - 0.5 - top;
     int i = (int)left, k = (int)top;
@@ -104,8 +104,8 @@ static struct neighbourhood around(const struct pp_sky_frame *frame, double x, d
 }
 
 /* The pixels `in` pixels inside a place that is `radius` from the middle. */
-static struct neighbourhood inside(const struct pp_sky_frame *frame,
-                                   const double place[2], double radius, double in)
+static struct pixel_square inside(const struct pp_sky_frame *frame,
+                                  const double place[2], double radius, double in)
 {
     double scale = fmax(0.0, frame->radius[0] - in / radius);
     return around(frame, frame->centre[0] + scale * place[0],
@@ -129,7 +129,7 @@ static double rim_luminance(const struct pp_sky_frame *frame, const double place
                             double radius)
 {
     static const double steps[] = {1.25, 3.0};
-    struct neighbourhood outer = {0};
+    struct pixel_square outer = {0};
     double in = 0.0;
     for (; in < 4.0 && !(outer.weight > 0.25); in += 0.25)
         outer = inside(frame, place, radius, in);
@@ -138,7 +138,7 @@ static double rim_luminance(const struct pp_sky_frame *frame, const double place
     double at[3] = {outer.q};
     double value[3] = {outer.luminance};
     for (int i = 0; i < 2; i++) {
-        struct neighbourhood inner = inside(frame, place, radius, in + steps[i]);
+        struct pixel_square inner = inside(frame, place, radius, in + steps[i]);
         if (!(inner.weight > 0.0))
             return outer.luminance;
         at[i + 1] = inner.q;
@@ -205,7 +205,7 @@ static double frame_luminance(const struct pp_sky_frame *frame, struct pp_vec3 u
     if (!edge && bilinear(frame, x, y, &luminance))
         return luminance;
     struct counted counted = {.side = edge ? u.z : 0.0};
-    struct neighbourhood those = around(frame, x, y, counted);
+    struct pixel_square those = around(frame, x, y, counted);
     if (!(those.weight > 0.0))
         those = around(frame, x, y, (struct counted){0});
     return those.luminance;
@@ -362,7 +362,7 @@ static void scale_luminance(struct pp_sky_picture *picture, double factor)
     picture->fill_cd_m2 *= factor;
 }
 
-static bool is_within(const struct pp_sky_frame *frame, int x, int y)
+static bool is_within_lens(const struct pp_sky_frame *frame, int x, int y)
 {
     return !is_fisheye(frame) || radius_of(frame, x + 0.5, y + 0.5) <= 1.0;
 }
@@ -376,7 +376,7 @@ static enum pp_status check_pixels(struct pp_sky_picture *picture, struct pp_err
                 double value =
                     (double)
                         frame->luminance[(size_t)y * (size_t)frame->width + (size_t)x];
-                if (!is_within(frame, x, y))
+                if (!is_within_lens(frame, x, y))
                     continue;
                 if (!(value >= 0.0) || !isfinite(value))
                     return pp_fail(err, PP_BAD_INPUT,
@@ -404,7 +404,7 @@ static void count_saturated(struct pp_sky_picture *picture)
                     (double)frame
                             ->luminance[(size_t)y * (size_t)frame->width + (size_t)x]
                         >= same
-                    && is_within(frame, x, y);
+                    && is_within_lens(frame, x, y);
     }
     bool bright = picture->peak_cd_m2 > SUN * picture->horizontal_lx / PP_PI;
     picture->saturated = bright && count >= SEVERAL ? count : 0;

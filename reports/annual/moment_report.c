@@ -74,7 +74,8 @@ enum pp_status pp_moment_report_text(const struct pp_annual_results *results,
     return PP_OK;
 }
 
-static bool add_parts(struct json_object *to, const struct pp_annual_figures *figures)
+static bool add_moment_parts(struct json_object *to,
+                             const struct pp_annual_figures *figures)
 {
     bool good = true;
     for (int i = 0; i < PARTS && good; i++) {
@@ -130,10 +131,10 @@ static struct json_object *moment_room(const void *all, int index)
         struct json_object *point = json_object_new_object();
         good = pp_json_append(points, point) && pp_json_number(point, "x", at.x)
                && pp_json_number(point, "y", at.y) && pp_json_number(point, "z", at.z)
-               && add_parts(point, &sheet->points[x]);
+               && add_moment_parts(point, &sheet->points[x]);
     }
     good = pp_json_add(object, "mean_of_points", mean) && good
-           && add_parts(mean, &sheet->mean);
+           && add_moment_parts(mean, &sheet->mean);
     return pp_json_whole(object, good);
 }
 

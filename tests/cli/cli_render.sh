@@ -211,7 +211,7 @@ check "a checkpoint of another version" refuses 1 "version 7" \
     render $small --checkpoint "$scratch/cut" "$deep" -o "$scratch/x.hdr"
 check "a place for no checkpoint is said at once" refuses 3 "nowhere" \
     render $long --checkpoint "$scratch/nowhere/c" "$deep" -o "$scratch/x.hdr"
-check "picture and checkpoint in one file" refuses 2 "one file" \
+check "picture and checkpoint in one file" refuses 2 "are the same file" \
     render $small --checkpoint "$scratch/x.hdr" "$deep" -o "$scratch/x.hdr"
 # fills WORDS: on a full disk the status is 3, and nothing is left of the picture.
 fills() {
@@ -228,7 +228,7 @@ check "a file that is no checkpoint" refuses 1 "not a checkpoint" \
 # ---- what makes no sense ----
 
 check "no output" refuses 2 "expected -o FILE.hdr" render "$deep"
-check "an ending unknown" refuses 2 "can't be told" render "$deep" -o "$scratch/x.jpg"
+check "an ending unknown" refuses 2 "is not clear from its name" render "$deep" -o "$scratch/x.jpg"
 check "no room" refuses 2 "expected one room file" render -o "$scratch/x.png"
 check "several rooms" refuses 2 "expected --room NAME" \
     render -o "$scratch/x.png" "$examples/building.xml"
@@ -242,7 +242,7 @@ check "an angle of no perspective" refuses 2 "less than 180" \
     render --angle 180 $small "$deep" -o "$scratch/x.png"
 check "a picture that is kept but can't be shown" refuses 2 "up to 32767" \
     render --size 1x40000 "$deep" -o "$scratch/x.png"
-check "an eye in a wall" refuses 1 "is in a surface" \
+check "an eye in a wall" refuses 1 "is inside a surface" \
     render --from 0,4,1.2 $small "$deep" -o "$scratch/x.png"
 check "an eye that looks at itself" refuses 1 "the position of the eye" \
     render --from 1,4 --towards 1,4 $small "$deep" -o "$scratch/x.png"

@@ -46,10 +46,12 @@ static enum pp_status read_files(struct pp_rad_reader *reader,
     enum pp_status status = PP_OK;
     context.depth++;
     for (int i = 0; i < xform->file_count && status == PP_OK; i++) {
-        if (context.depth > PP_RAD_DEPTH_MOST)
+        if (context.depth > PP_RAD_DEPTH_MOST) {
+            reader->too_deep = true;
             return pp_rad_pipe_fail(
                 pipe, err, "files are nested too deep; a file may include itself: ",
                 xform->files[i]);
+        }
         if (!texts[i].bytes)
             status = read_scene_text(&texts[i], xform->files[i], err);
         if (status == PP_OK)
@@ -263,7 +265,7 @@ static enum pp_status read_text(struct pp_rad_reader *reader,
     reader->copied_bytes += context->copied ? text->length : 0;
     enum pp_status status = read_words(reader, &words, context, err);
     /* A file that a scene names, and that is none, is not quoted: it may be any. */
-    if (status == PP_BAD_INPUT && context->depth > 0
+    if (status == PP_BAD_INPUT && context->depth > 0 && !reader->too_deep
         && shapes == reader->scene->shape_count
         && materials == reader->scene->material_count && words.line <= first_lines)
         return pp_fail(err, status, "%.200s:%d: is no scene of Radiance's", words.file,

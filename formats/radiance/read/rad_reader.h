@@ -77,6 +77,7 @@ struct pp_rad_reader {
     unsigned long long copied_bytes; /* bytes of the files read in copies */
     int copied_shapes;               /* in copies, */
     long copied_corners;             /* and of the polygons among them */
+    bool too_deep;                   /* files within files were too many */
     /* Strings of the current primitive; kept from one to the next. */
     struct pp_rad_word *strings;
     int string_space;

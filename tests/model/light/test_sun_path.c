@@ -46,7 +46,8 @@ static void declinations_are_those_of_the_seasons(void **state)
 }
 
 /* At one moment and longitude the hour angle is the same at all latitudes; at the equator
- * it shows in the plane of east and zenith. */
+ * it shows in the plane of east and zenith. The almanac's sun has a
+ * parallax of up to 4.3e-5, the path has none. */
 static void the_path_is_the_almanacs_at_other_latitudes(void **state)
 {
     (void)state;
@@ -60,9 +61,9 @@ static void the_path_is_the_almanacs_at_other_latitudes(void **state)
             phi = latitudes[i] * PP_RAD;
             struct pp_sun there = pp_sun_at(days, phi, 0.1);
             struct pp_vec3 u = pp_sun_path_direction(phi, there.declination_rad, h);
-            assert_near(u.z, sin(there.altitude_rad), 1e-9);
-            assert_near(u.x, cos(there.altitude_rad) * sin(there.bearing_rad), 1e-9);
-            assert_near(u.y, cos(there.altitude_rad) * cos(there.bearing_rad), 1e-9);
+            assert_near(u.z, sin(there.altitude_rad), 5e-5);
+            assert_near(u.x, cos(there.altitude_rad) * sin(there.bearing_rad), 5e-5);
+            assert_near(u.y, cos(there.altitude_rad) * cos(there.bearing_rad), 5e-5);
         }
 }
 

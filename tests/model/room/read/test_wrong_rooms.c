@@ -177,7 +177,7 @@ static void many_mistakes_of_one_file_are_all_told(void **state)
         {5, "height is \"9,5\""},
         {5, "did you mean \"clear-double\""},
         {6, "the position of the sun"},
-        {7, "\"gate\" is not known"},
+        {7, "\"gate\" is unknown"},
         {8, "reflectance is \"1.2\""},
         {9, "text \"words\""},
         {10, "y is missing"},
