@@ -11,7 +11,7 @@
 #include "model/room/room.h"
 #include "model/room/room_light.h"
 #include "simulate/scene/light_scene_of_world.h"
-#include "studies/criteria/plane_grid.h"
+#include "studies/criteria/grid/plane_grid.h"
 
 void pp_study_begin_report(struct pp_study *study)
 {

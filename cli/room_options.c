@@ -8,7 +8,7 @@
 
 #include "model/base/text.h"
 #include "model/base/array.h"
-#include "studies/criteria/plane_grid.h"
+#include "studies/criteria/grid/plane_grid.h"
 
 const struct pp_room_options pp_room_options_none = {.study.seed = 1};
 

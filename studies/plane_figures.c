@@ -8,8 +8,8 @@
 
 #include "model/results/common_error.h"
 #include "model/results/lattice.h"
-#include "studies/criteria/plane_grid.h"
-#include "studies/criteria/plane_share.h"
+#include "studies/criteria/grid/plane_grid.h"
+#include "studies/criteria/grid/plane_share.h"
 
 static enum pp_status is_grid(bool *grid, const struct pp_study_room *room,
                               struct pp_error *err)

@@ -3,7 +3,7 @@
  */
 #include "charts/sheet/page.h"
 #include "model/base/text.h"
-#include "model/light/sky_picture.h"
+#include "model/light/photographs/sky_picture.h"
 
 #include <math.h>
 #include <stdarg.h>

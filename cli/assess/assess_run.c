@@ -10,7 +10,7 @@
 #include "cli/ranks/room_queue.h"
 #include "cli/watch.h"
 #include "studies/criteria/facade_sensitivity.h"
-#include "studies/criteria/plane_trace.h"
+#include "studies/criteria/grid/plane_trace.h"
 
 static struct pp_room_figures assessed_room_figures(void *data, int room)
 {

@@ -9,7 +9,7 @@
 #include "model/room/building.h"
 #include "pepperpot.h"
 #include "studies/climate/sunshine.h"
-#include "studies/criteria/plane_grid.h"
+#include "studies/criteria/grid/plane_grid.h"
 #include "studies/criteria/profile.h"
 
 /* Line at which the building is mirrored, if given. */

@@ -11,7 +11,7 @@
 #include "cli/output.h"
 #include "cli/progress.h"
 #include "cli/render/render_view.h"
-#include "model/light/sky_picture.h"
+#include "model/light/photographs/sky_picture.h"
 #include "model/base/clock.h"
 #include "model/base/read_file.h"
 #include "simulate/cache/cache_file.h"

@@ -5,7 +5,7 @@
 #include <stddef.h>
 
 #include "model/light/graded_sky.h"
-#include "model/light/sky_picture.h"
+#include "model/light/photographs/sky_picture.h"
 
 static const double iso_parameters[][6] = {
 #include "tables/iso15469.inc"

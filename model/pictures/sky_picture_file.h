@@ -17,7 +17,7 @@
 #include <stdbool.h>
 
 #include "model/base/error.h"
-#include "model/light/sky_picture.h"
+#include "model/light/photographs/sky_picture.h"
 
 /* How the pictures lie and what they measure. NAN and -1: as the file says, or else the
  * value in brackets. */

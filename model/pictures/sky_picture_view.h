@@ -4,7 +4,7 @@
 #define PP_MODEL_PICTURES_SKY_PICTURE_VIEW_H
 
 #include "model/base/error.h"
-#include "model/light/sky_picture.h"
+#include "model/light/photographs/sky_picture.h"
 #include "model/pictures/sky_picture_file.h"
 
 /* Sets the frame's projection, angle, circle and axes for a picture of that size. view:

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "model/base/text.h"
-#include "model/light/sky_picture.h"
+#include "model/light/photographs/sky_picture.h"
 #include "model/pictures/sky_picture_file.h"
 
 const char *const pp_sky_words[] = {

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "reports/parts/format.h"
-#include "model/light/sky_picture.h"
+#include "model/light/photographs/sky_picture.h"
 #include "model/room/corrections.h"
 #include "model/base/text.h"
 

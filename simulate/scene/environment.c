@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "model/light/graded_sky.h"
-#include "model/light/sky_picture.h"
+#include "model/light/photographs/sky_picture.h"
 #include "simulate/sampling/hash.h"
 
 /* Brightness of an overcast sky, and of the ground, over its horizon. */

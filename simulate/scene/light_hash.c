@@ -2,7 +2,7 @@
  * structs hold anything. */
 #include "simulate/scene/light_hash.h"
 
-#include "model/light/sky_picture.h"
+#include "model/light/photographs/sky_picture.h"
 #include "model/room/surface_materials.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/light_scene_parts.h"

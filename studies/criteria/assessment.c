@@ -12,7 +12,7 @@
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/capitals.h"
 #include "studies/criteria/factors.h"
-#include "studies/criteria/plane_trace.h"
+#include "studies/criteria/grid/plane_trace.h"
 #include "studies/criteria/room_before.h"
 
 /* Marks the criteria of a comma-separated list; NULL: all. */

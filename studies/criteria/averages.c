@@ -16,7 +16,7 @@
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/factors.h"
-#include "studies/criteria/plane_share.h"
+#include "studies/criteria/grid/plane_share.h"
 
 /* The greatest traced average over that by average-df, of all example rooms; see the
  * manual's section on accuracy. */

@@ -14,7 +14,7 @@
 #include "studies/climate/sunshine.h"
 #include "studies/criteria/capitals.h"
 #include "studies/criteria/finding.h"
-#include "studies/criteria/plane_grid.h"
+#include "studies/criteria/grid/plane_grid.h"
 #include "model/results/report.h"
 #include "model/room/world.h"
 

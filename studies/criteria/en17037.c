@@ -26,7 +26,7 @@
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/factors.h"
-#include "studies/criteria/plane_share.h"
+#include "studies/criteria/grid/plane_share.h"
 
 static const double half = 0.5, nearly_all = 0.95;
 static const double level_rad = 15.0 * PP_RAD;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "model/room/room_facades.h"
-#include "studies/criteria/plane_trace.h"
+#include "studies/criteria/grid/plane_trace.h"
 
 /* Length by which walls are extended: beyond 30 m a longer wall hides less than 3
  * degrees more of the ground in front of the window. */

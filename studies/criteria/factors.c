@@ -7,7 +7,7 @@
 
 #include "methods/default_methods.h"
 #include "methods/evaluate.h"
-#include "studies/criteria/plane_share.h"
+#include "studies/criteria/grid/plane_share.h"
 
 static const char traced[] = "traced", formula[] = "average-df";
 static const char no_method[] =

@@ -4,8 +4,8 @@
 #define PP_STUDIES_CRITERIA_FACTORS_H
 
 #include "studies/criteria/criterion.h"
-#include "studies/criteria/grid_error.h"
-#include "studies/criteria/plane_share.h"
+#include "studies/criteria/grid/grid_error.h"
+#include "studies/criteria/grid/plane_share.h"
 
 /* Adds to a report, whose world and receivers the caller has set, the columns of
  * `average-df`, of `exact+bre` and, in rooms that `exact+bre` does not cover, of

@@ -7,7 +7,7 @@
 
 #include "model/base/text.h"
 #include "studies/criteria/assessment.h"
-#include "studies/criteria/plane_trace.h"
+#include "studies/criteria/grid/plane_trace.h"
 
 enum { NAME_BYTES = 64 };
 

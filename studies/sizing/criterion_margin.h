@@ -7,7 +7,7 @@
 #include <stdbool.h>
 
 #include "model/results/reading.h"
-#include "studies/criteria/plane_grid.h"
+#include "studies/criteria/grid/plane_grid.h"
 #include "studies/study_options.h"
 #include "studies/study_room.h"
 

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 #include "studies/sizing/gain_changes.h"
-#include "studies/criteria/plane_grid.h"
+#include "studies/criteria/grid/plane_grid.h"
 #include "methods/evaluate.h"
 #include "methods/default_methods.h"
 #include "model/base/text.h"

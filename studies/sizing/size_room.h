@@ -4,7 +4,7 @@
 #ifndef PP_STUDIES_SIZING_SIZE_ROOM_H
 #define PP_STUDIES_SIZING_SIZE_ROOM_H
 
-#include "studies/criteria/plane_grid.h"
+#include "studies/criteria/grid/plane_grid.h"
 #include "studies/study_room.h"
 #include "studies/reliability.h"
 #include "studies/sizing/size.h"

@@ -6,7 +6,7 @@
 . "$srcdir/tests/lib/tap.sh"
 
 program="model formats methods simulate studies charts reports api serve cli"
-files_most=41        # a folder
+files_most=35        # a folder
 lines_most=500       # a file of the program
 test_lines_most=700  # a test or benchmark: a list of facts, each short
 share_least=95       # per cent of the external functions

@@ -1,5 +1,5 @@
 /* test_sky_picture.c - photographed skies: light and shade of skies that are known. */
-#include "model/light/sky_picture.h"
+#include "model/light/photographs/sky_picture.h"
 
 #include "model/light/sky.h"
 #include "tests/lib/near.h"

@@ -6,7 +6,7 @@
 #include "studies/criteria/factors.h"
 #include "studies/criteria/pair_rooms.h"
 #include "studies/criteria/capitals.h"
-#include "studies/criteria/plane_grid.h"
+#include "studies/criteria/grid/plane_grid.h"
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 #include "model/room/section.h"

@@ -1,8 +1,8 @@
 /* The error that a grid's spacing makes, in fields whose area shares are known. */
 #include <stdlib.h>
 
-#include "studies/criteria/grid_error.h"
-#include "studies/criteria/plane_share.h"
+#include "studies/criteria/grid/grid_error.h"
+#include "studies/criteria/grid/plane_share.h"
 #include "tests/lib/near.h"
 
 enum { COLUMNS = 7, ROWS = 5, MOST = COLUMNS * ROWS };

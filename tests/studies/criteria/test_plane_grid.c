@@ -1,7 +1,7 @@
 /* The spacing of grids by which criteria judge. */
 #include "tests/lib/near.h"
 
-#include "studies/criteria/plane_grid.h"
+#include "studies/criteria/grid/plane_grid.h"
 
 /* 5^log10(10) is 5, 5^log10(100) is 25 and half of that above the most. */
 static void the_spacing_grows_slower_than_the_room(void **state)

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "studies/criteria/finding.h"
-#include "studies/criteria/plane_share.h"
+#include "studies/criteria/grid/plane_share.h"
 #include "tests/lib/near.h"
 
 enum { MOST = 400 };

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "studies/sizing/gains.h"
-#include "studies/criteria/plane_grid.h"
+#include "studies/criteria/grid/plane_grid.h"
 #include "methods/evaluate.h"
 #include "tests/lib/room_of.h"
 

@@ -9,15 +9,15 @@
  *
  * Directions are x east, y north, z up.
  */
-#ifndef PP_MODEL_LIGHT_SKY_PICTURE_H
-#define PP_MODEL_LIGHT_SKY_PICTURE_H
+#ifndef PP_MODEL_LIGHT_PHOTOGRAPHS_SKY_PICTURE_H
+#define PP_MODEL_LIGHT_PHOTOGRAPHS_SKY_PICTURE_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
 #include "model/base/error.h"
 #include "model/light/rgb.h"
-#include "model/light/sky_projection.h"
+#include "model/light/photographs/sky_projection.h"
 
 /* One picture and how it lies. */
 struct pp_sky_frame {

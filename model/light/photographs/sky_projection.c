@@ -1,5 +1,5 @@
 /* sky_projection.c - see sky_projection.h. */
-#include "model/light/sky_projection.h"
+#include "model/light/photographs/sky_projection.h"
 
 #include <math.h>
 #include <stddef.h>

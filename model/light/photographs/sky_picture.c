@@ -1,5 +1,5 @@
 /* sky_picture.c - see sky_picture.h. */
-#include "model/light/sky_picture.h"
+#include "model/light/photographs/sky_picture.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,8 +2,8 @@
  * are known to the target error: its median, the level that 95 % of it reach, and, if
  * that is judged, its average. A point by itself has a larger error, which saves most of the time.
  */
-#ifndef PP_STUDIES_CRITERIA_PLANE_TRACE_H
-#define PP_STUDIES_CRITERIA_PLANE_TRACE_H
+#ifndef PP_STUDIES_CRITERIA_GRID_PLANE_TRACE_H
+#define PP_STUDIES_CRITERIA_GRID_PLANE_TRACE_H
 
 #include "model/results/report.h"
 #include "studies/study_options.h"

@@ -1,5 +1,5 @@
 /* plane_grid.c - see plane_grid.h. */
-#include "studies/criteria/plane_grid.h"
+#include "studies/criteria/grid/plane_grid.h"
 
 #include <math.h>
 #include <stdio.h>

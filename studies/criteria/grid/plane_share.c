@@ -6,7 +6,7 @@
  * than the gap down to the greatest of the others. The two gaps' joint distribution comes
  * from the same sums, with two levels in place of one.
  */
-#include "studies/criteria/plane_share.h"
+#include "studies/criteria/grid/plane_share.h"
 
 #include <math.h>
 #include <stdbool.h>

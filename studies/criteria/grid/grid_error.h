@@ -5,12 +5,12 @@
  * follow the slopes to the neighbouring cells: a surface of planes in place of one of
  * steps. The difference of the two is the error, to first order in the spacing.
  */
-#ifndef PP_STUDIES_CRITERIA_GRID_ERROR_H
-#define PP_STUDIES_CRITERIA_GRID_ERROR_H
+#ifndef PP_STUDIES_CRITERIA_GRID_GRID_ERROR_H
+#define PP_STUDIES_CRITERIA_GRID_GRID_ERROR_H
 
 #include "model/base/error.h"
 #include "model/results/reading.h"
-#include "studies/criteria/plane_grid.h"
+#include "studies/criteria/grid/plane_grid.h"
 
 struct pp_grid_error {
     double level; /* of the level that the part reaches, as pp_plane_share has it */

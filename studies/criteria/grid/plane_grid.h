@@ -2,8 +2,8 @@
  * factors are judged: equal cells inside a margin along the walls, a point at the centre
  * of each.
  */
-#ifndef PP_STUDIES_CRITERIA_PLANE_GRID_H
-#define PP_STUDIES_CRITERIA_PLANE_GRID_H
+#ifndef PP_STUDIES_CRITERIA_GRID_PLANE_GRID_H
+#define PP_STUDIES_CRITERIA_GRID_PLANE_GRID_H
 
 #include "model/base/error.h"
 #include "model/room/room.h"

@@ -1,12 +1,12 @@
 /* plane_trace.c - simulates with a large error a point, looks how large that of the
  * figures is, and simulates again with as much less as they need.
  */
-#include "studies/criteria/plane_trace.h"
+#include "studies/criteria/grid/plane_trace.h"
 
 #include <math.h>
 #include <stddef.h>
 
-#include "studies/criteria/plane_share.h"
+#include "studies/criteria/grid/plane_share.h"
 #include "studies/study_report.h"
 
 /* First error of a point over the target error of a figure. Medians of a hundred points

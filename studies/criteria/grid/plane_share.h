@@ -1,8 +1,8 @@
 /* plane_share.h - over which share of the plane a daylight factor is reached, and with
  * which probability, by points that were computed or sampled.
  */
-#ifndef PP_STUDIES_CRITERIA_PLANE_SHARE_H
-#define PP_STUDIES_CRITERIA_PLANE_SHARE_H
+#ifndef PP_STUDIES_CRITERIA_GRID_PLANE_SHARE_H
+#define PP_STUDIES_CRITERIA_GRID_PLANE_SHARE_H
 
 #include "model/base/error.h"
 #include "model/results/reading.h"

@@ -13,8 +13,8 @@
  * Places run from -1 to 1 to the right and to the top of the circle, or of the whole
  * latitude-longitude picture.
  */
-#ifndef PP_MODEL_LIGHT_SKY_PROJECTION_H
-#define PP_MODEL_LIGHT_SKY_PROJECTION_H
+#ifndef PP_MODEL_LIGHT_PHOTOGRAPHS_SKY_PROJECTION_H
+#define PP_MODEL_LIGHT_PHOTOGRAPHS_SKY_PROJECTION_H
 
 #include <stdbool.h>
 

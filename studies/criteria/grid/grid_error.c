@@ -1,10 +1,10 @@
 /* grid_error.c - see grid_error.h. */
-#include "studies/criteria/grid_error.h"
+#include "studies/criteria/grid/grid_error.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "studies/criteria/plane_share.h"
+#include "studies/criteria/grid/plane_share.h"
 
 /* Points of a cell in each direction. */
 enum { FINER = 4 };
