@@ -17,7 +17,7 @@ static const struct pp_colour_scale share_scale = {
 static const struct pp_colour_scale sun_scale = {
     {0.0, 1.0, 50.0, 100.0, 250.0, 500.0, 1000.0}, " h"};
 
-/* Of neighbouring cells, so that rounding leaves no line between them. */
+/* Overlap of neighbouring cells, so that rounding leaves no line between them. */
 static const double OVERLAP_MM = 0.03;
 
 struct year_plot {

@@ -8,7 +8,7 @@
 #include "model/base/mistakes.h"
 #include "model/geometry/clipper.h"
 
-/* What an envelope is made of. */
+/* Source of an envelope. */
 struct pp_gbxml_envelope_parts {
     const struct pp_gbxml_space *space;
     const struct pp_gbxml_polygon *polygons; /* of the surfaces about it */

@@ -68,7 +68,7 @@ static struct pp_bounds2 face_extent(const struct pp_gbxml_shell *shell, int fac
     return extent;
 }
 
-/* How far the face `other` stands behind the face `own`, within the other's room; 0 if
+/* Distance that the face `other` stands behind the face `own`, within the other's room; 0 if
  * it is not against it by up to the trim. */
 static double face_overlap(const struct pp_gbxml_shell *shell, int own,
                            const struct pp_gbxml_shell *behind, int other)

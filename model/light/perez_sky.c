@@ -178,7 +178,7 @@ double pp_perez_sky_luminance(const struct pp_perez_sky *sky, struct pp_vec3 u)
 
 struct pp_sky pp_perez_sky_relative(const struct pp_perez_sky *perez)
 {
-    /* Of (1), 1 + c exp(d gamma) is K + c (exp(d gamma) - exp(d pi/2)), as ISO 15469
+    /* In (1), 1 + c exp(d gamma) is K + c (exp(d gamma) - exp(d pi/2)), as ISO 15469
      * writes it. */
     double K = 1.0 + perez->c * exp(perez->d * PP_PI / 2.0);
     struct pp_sky sky = pp_sky_overcast();

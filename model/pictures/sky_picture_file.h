@@ -19,7 +19,7 @@
 #include "model/base/error.h"
 #include "model/light/photographs/sky_picture.h"
 
-/* How the pictures lie and what they measure. NAN and -1: as the file says, or else the
+/* Position and unit of the pictures. NAN and -1: as the file says, or else the
  * value in brackets. */
 struct pp_sky_picture_options {
     int projection;           /* (latitude-longitude if twice as wide as high, else

@@ -9,7 +9,7 @@
 
 /* ---- Radiance's VIEW ---- */
 
-/* What a VIEW says of a picture; 0 and NAN: nothing. */
+/* Values of a VIEW in the header; 0 and NAN: not given. */
 struct said {
     char type; /* behind -vt */
     struct pp_vec3 toward, up;

@@ -178,7 +178,7 @@ enum pp_status pp_position_find_surfaces(struct pp_position_surfaces *surfaces,
     return PP_OK;
 }
 
-/* Of all surfaces, where `among` is NULL. */
+/* `among` NULL: all surfaces. */
 static const char *find_fault(const struct pp_world *world,
                               const struct pp_position_surfaces *among,
                               struct pp_vec3 position, struct pp_vec3 normal)

@@ -77,7 +77,7 @@ static void print_head(const struct pp_compare_result *result, int width, FILE *
     pp_print_wrapped(text, 2, 2, width, out);
 }
 
-/* What the explanation leaves; NAN, for a dash, where it explains no light: nothing
+/* Difference that the explanation leaves; NAN, for a dash, where it explains no light: nothing
  * beyond its error. */
 static double left_percent(double theirs, double explained, double error)
 {

@@ -7,7 +7,7 @@
 
 #include "serve/answers/mistake_place.h"
 
-/* What one request may ask of the server. Larger rooms are for the command. */
+/* Limits of one request. Larger rooms are for the command. */
 enum {
     POINTS_MOST = 5000,
     OPENINGS_MOST = 200,

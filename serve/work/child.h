@@ -31,7 +31,7 @@ struct pp_child_result {
 struct pp_child_result pp_child_run(struct pp_task *task, const char *const *words,
                                     const char *input, size_t input_length);
 
-/* What is wrong, by the child's own first message or by how it ended; it cuts the errors off
+/* The fault, by the child's own first message or by how it ended; it cuts the errors off
  * there. */
 const char *pp_child_sentence(struct pp_child_result *result);
 

@@ -42,7 +42,7 @@ struct pp_task {
     int socket;
     int owners;
 
-    /* Of the line. */
+    /* Set by the work line. */
     struct pp_task *next;
     uint64_t turn;
 };

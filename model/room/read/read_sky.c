@@ -73,7 +73,7 @@ static bool read_photograph(struct pp_reader *r, struct pp_sky_part *part,
     return part->picture != NULL;
 }
 
-/* Of the attributes of a photograph the first that is given; NULL: none is. */
+/* First attribute of a photograph that is given; NULL: none is. */
 static const char *given_option(const struct pp_sky_form *form)
 {
     if (form->file || form->second)
