@@ -33,19 +33,9 @@ static void answer_child(struct pp_task *task, struct pp_child_result *result,
 
 bool pp_answer_program(struct pp_task *task)
 {
-    struct pp_asked_room asked = {0};
     struct pp_program_words words = {0};
-    struct json_object *options = NULL, *room = NULL;
-    /* The limits and mistakes of the room, before the child has it: a room in memory names
-     * no files. Options are the command's own here. */
-    json_object_object_get_ex(task->body, "options", &options);
-    json_object_get(options);
-    json_object_object_del(task->body, "options");
-    bool good = pp_asked_room_open(&asked, task);
-    pp_asked_room_clear(&asked);
-    if (options)
-        json_object_object_add(task->body, "options", options);
-    if (good && pp_program_words_make(&words, task)) {
+    struct json_object *room = NULL;
+    if (pp_asked_room_check(task) && pp_program_words_make(&words, task)) {
         json_object_object_get_ex(task->body, "room", &room);
         struct pp_child_result result =
             pp_child_run(task, words.list, json_object_get_string(room),

@@ -266,3 +266,17 @@ void pp_asked_room_clear(struct pp_asked_room *asked)
     pp_mistakes_destroy(asked->mistakes);
     *asked = (struct pp_asked_room){0};
 }
+
+bool pp_asked_room_check(struct pp_task *task)
+{
+    struct pp_asked_room asked = {0};
+    struct json_object *options = NULL;
+    json_object_object_get_ex(task->body, "options", &options);
+    json_object_get(options);
+    json_object_object_del(task->body, "options");
+    bool good = pp_asked_room_open(&asked, task);
+    pp_asked_room_clear(&asked);
+    if (options)
+        json_object_object_add(task->body, "options", options);
+    return good;
+}

@@ -38,6 +38,11 @@ bool pp_asked_room_number(double *number, struct pp_task *task, const char *name
 bool pp_asked_room_open(struct pp_asked_room *asked, struct pp_task *task);
 void pp_asked_room_clear(struct pp_asked_room *asked);
 
+/* Checks the room of a request for a child process: its limits and mistakes, and that it
+ * names no files. The options are the command's own and are not read. False: the answer is
+ * set. */
+bool pp_asked_room_check(struct pp_task *task);
+
 /* The mistakes of the room as a list; NULL: memory is out. */
 struct json_object *pp_asked_room_mistakes(const struct pp_asked_room *asked);
 

@@ -51,22 +51,12 @@ static bool take_size(struct render *render, struct pp_task *task)
 
 static bool begin_render(struct pp_task *task)
 {
-    struct pp_asked_room asked = {0};
-    struct json_object *options = NULL;
     struct render *render = calloc(1, sizeof *render);
     task->state = render;
     task->free_state = free;
     if (!render || !take_size(render, task))
         return false;
-    /* As in answer_program.c: the room is checked before a child has it. */
-    json_object_object_get_ex(task->body, "options", &options);
-    json_object_get(options);
-    json_object_object_del(task->body, "options");
-    bool good = pp_asked_room_open(&asked, task);
-    pp_asked_room_clear(&asked);
-    if (options)
-        json_object_object_add(task->body, "options", options);
-    return good;
+    return pp_asked_room_check(task);
 }
 
 static void send_picture(struct pp_task *task, const struct pp_child_result *result,
