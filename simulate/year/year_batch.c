@@ -447,7 +447,7 @@ enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
         (struct pp_path_walk){.scene = task->scene, .environment = task->environment};
     pp_outdoor_cells_init(&work->outdoor, task->scene, batch->outdoor_points,
                           PP_YEAR_OUTDOOR_CELLS, work->seed);
-    int columns = task->group_count * (task->column_count + PP_YEAR_OUTDOOR_CELLS);
+    int columns = task->group_count * columns_a_group(task);
     enum pp_status status = make_space(batch, task, err);
     for (int k = 0; k < ROWS_COUNT && status == PP_OK; k++) {
         int width = k == ROWS_D ? columns : task->cells->count;
