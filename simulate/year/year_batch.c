@@ -1,4 +1,4 @@
-/* year_batch.c - paths of all cells and receivers to sparse rows, and equation (2). */
+/* year_batch.c - paths of all cells and receivers to sparse rows. */
 #include "simulate/year/year_batch.h"
 
 #include <math.h>
@@ -9,15 +9,11 @@
 #include "simulate/sampling/triangle.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/year/outdoor_cells.h"
-#include "simulate/year/sparse_rows.h"
 #include "simulate/year/year_path.h"
+#include "simulate/year/year_solve.h"
 
 /* Surfaces nearer than this many sizes of a cell are followed on. */
 static const double NEAR = 1.5;
-
-/* Kinds of rows: one each for cells and receivers. For every group D has the columns of
- * light, the outdoor cells, and the panes as emitters. */
-enum rows { ROWS_D, ROWS_N, ROWS_G, ROWS_COUNT };
 
 /* A randomisation under way. */
 struct batch_work {
@@ -26,23 +22,18 @@ struct batch_work {
     struct pp_outdoor_cells outdoor;
     struct pp_path_walk walk;
     uint64_t seed;
-    struct pp_sparse_rows of_cells[ROWS_COUNT], of_points[ROWS_COUNT],
-        of_panes[ROWS_COUNT];
+    struct pp_sparse_rows of_cells[PP_YEAR_ROWS_COUNT], of_points[PP_YEAR_ROWS_COUNT],
+        of_panes[PP_YEAR_ROWS_COUNT];
     struct pp_sparse_rows *rows; /* those being filled */
     double scale;                /* one over the number of paths */
     bool views_sky; /* does the receiver's closed form have direct light? */
 };
 
-static int columns_a_group(const struct pp_year_task *task)
-{
-    return task->column_count + PP_YEAR_OUTDOOR_CELLS + 1;
-}
-
 static int column_of(const struct batch_work *work, int opening, int column)
 {
     const struct pp_year_task *task = work->task;
     int group = opening >= 0 ? task->group_of_opening[opening] : 0;
-    return group * columns_a_group(task) + column;
+    return group * pp_year_solve_columns(task) + column;
 }
 
 /* ---- events ---- */
@@ -50,7 +41,8 @@ static int column_of(const struct batch_work *work, int opening, int column)
 static void add_light(struct batch_work *work, const struct pp_year_event *event,
                       int column)
 {
-    pp_sparse_rows_add(&work->rows[ROWS_D], column_of(work, event->opening, column),
+    pp_sparse_rows_add(&work->rows[PP_YEAR_ROWS_D],
+                       column_of(work, event->opening, column),
                        event->weight * work->scale);
 }
 
@@ -80,7 +72,8 @@ static void take_lit(void *data, const struct pp_year_event *event)
     if (event->at.space == PP_INDOORS) {
         int cell = pp_year_cells_of(work->task->cells, event->hit);
         if (cell >= 0)
-            pp_sparse_rows_add(&work->rows[ROWS_N], cell, event->weight * work->scale);
+            pp_sparse_rows_add(&work->rows[PP_YEAR_ROWS_N], cell,
+                               event->weight * work->scale);
         return;
     }
     int index = pp_outdoor_cells_find(&work->outdoor, &event->at, event->weight);
@@ -90,7 +83,7 @@ static void take_lit(void *data, const struct pp_year_event *event)
 static void take_pane(void *data, const struct pp_year_event *event)
 {
     struct batch_work *work = data;
-    add_light(work, event, columns_a_group(work->task) - 1);
+    add_light(work, event, pp_year_solve_columns(work->task) - 1);
 }
 
 static bool take_known(void *data, const struct pp_year_event *event)
@@ -101,7 +94,7 @@ static bool take_known(void *data, const struct pp_year_event *event)
     if (cell < 0 || !work->batch->cell_has_point[cell]
         || event->hit->distance_m < NEAR * cells->size_m)
         return false;
-    pp_sparse_rows_add(&work->rows[ROWS_G], cell, event->weight * work->scale);
+    pp_sparse_rows_add(&work->rows[PP_YEAR_ROWS_G], cell, event->weight * work->scale);
     return true;
 }
 
@@ -129,11 +122,40 @@ static void follow_both(struct batch_work *work, const struct pp_lit_point *at)
     pp_year_path_lobe(&work->walk, &sink, at);
 }
 
-static bool draw_on_cell(struct batch_work *work, int cell, struct pp_lit_point *at)
+/* Draws a place for every path of a cell; those off its surface get no normal. Returns how
+ * many are on it. */
+static int draw_places(struct batch_work *work, int cell, struct pp_lit_point *places)
 {
-    double u[2];
-    pp_path_walk_draw(&work->walk, 2, u);
-    return pp_year_cells_point(work->task->cells, cell, u[0], u[1], at);
+    int drawn = 0;
+    for (int i = 0; i < work->task->cell_paths; i++) {
+        double u[2];
+        work->walk.index = (uint32_t)i;
+        work->walk.vertex = 0;
+        pp_path_walk_draw(&work->walk, 2, u);
+        if (pp_year_cells_point(work->task->cells, cell, u[0], u[1], &places[i]))
+            drawn++;
+        else
+            places[i].normal = pp_vec(0.0, 0.0, 0.0);
+    }
+    return drawn;
+}
+
+/* Follows the paths of a cell that has a point. Every place counts as often as it is drawn
+ * on the surface; where none is, all paths begin at the cell's point. */
+static void follow_cell(struct batch_work *work, int cell, struct pp_lit_point *places)
+{
+    const struct pp_year_task *task = work->task;
+    begin_paths(work, (uint64_t)cell);
+    int drawn = draw_places(work, cell, places);
+    work->scale = 1.0 / (drawn > 0 ? drawn : task->cell_paths);
+    for (int i = 0; i < task->cell_paths; i++) {
+        const struct pp_lit_point *at =
+            drawn > 0 ? &places[i] : &work->batch->cell_points[cell];
+        work->walk.index = (uint32_t)i;
+        work->walk.vertex = 1;
+        if (pp_vec_length(at->normal) > 0.0)
+            follow_both(work, at);
+    }
 }
 
 /* Finds the places of the suns: up to so many draws for each cell. Those of all
@@ -165,38 +187,17 @@ static void place_suns(struct batch_work *work, int index)
 static enum pp_status follow_cells(struct batch_work *work, struct pp_error *err)
 {
     const struct pp_year_task *task = work->task;
-    enum pp_status status = PP_OK;
+    struct pp_lit_point *places = malloc((size_t)task->cell_paths * sizeof *places);
+    enum pp_status status = places ? PP_OK : pp_fail_memory(err);
     work->rows = work->of_cells;
     work->views_sky = false;
     for (int c = 0; c < task->cells->count && status == PP_OK; c++) {
-        /* Every place counts as often as it is drawn on the surface. */
-        struct pp_lit_point *places = malloc((size_t)task->cell_paths * sizeof *places);
-        int drawn = 0;
-        if (!places)
-            return pp_fail_memory(err);
-        begin_paths(work, (uint64_t)c);
-        for (int i = 0; i < task->cell_paths && work->batch->cell_has_point[c]; i++) {
-            work->walk.index = (uint32_t)i;
-            work->walk.vertex = 0;
-            places[i].normal = pp_vec(0.0, 0.0, 0.0);
-            if (draw_on_cell(work, c, &places[i]))
-                drawn++;
-            else
-                places[i].normal = pp_vec(0.0, 0.0, 0.0);
-        }
-        bool alone = work->batch->cell_has_point[c] && drawn == 0;
-        work->scale = 1.0 / (alone ? task->cell_paths : drawn > 0 ? drawn : 1);
-        for (int i = 0; i < task->cell_paths && (drawn > 0 || alone); i++) {
-            bool on = pp_vec_length(places[i].normal) > 0.0;
-            work->walk.index = (uint32_t)i;
-            work->walk.vertex = 1;
-            if (on || alone)
-                follow_both(work, on ? &places[i] : &work->batch->cell_points[c]);
-        }
-        free(places);
-        for (int k = 0; k < ROWS_COUNT && status == PP_OK; k++)
+        if (work->batch->cell_has_point[c])
+            follow_cell(work, c, places);
+        for (int k = 0; k < PP_YEAR_ROWS_COUNT && status == PP_OK; k++)
             status = pp_sparse_rows_end(&work->of_cells[k], err);
     }
+    free(places);
     return status;
 }
 
@@ -219,10 +220,16 @@ static enum pp_status follow_points(struct batch_work *work, struct pp_error *er
             work->walk.vertex = 0;
             follow_both(work, &at);
         }
-        for (int k = 0; k < ROWS_COUNT && status == PP_OK; k++)
+        for (int k = 0; k < PP_YEAR_ROWS_COUNT && status == PP_OK; k++)
             status = pp_sparse_rows_end(&work->of_points[k], err);
     }
     return status;
+}
+
+static int group_of_pane(const struct pp_year_task *task, int pane)
+{
+    const struct pp_light_scene *scene = task->scene;
+    return task->group_of_opening[scene->parts[scene->panes[pane].part].window];
 }
 
 /* A random place on the outside of a group's panes: each has its share of the area. */
@@ -234,11 +241,11 @@ static struct pp_lit_point draw_on_pane(struct batch_work *work, int group)
     pp_path_walk_draw(&work->walk, 3, u);
     const struct pp_target *target = NULL;
     for (int i = 0; i < scene->pane_count; i++)
-        if (task->group_of_opening[scene->parts[scene->panes[i].part].window] == group)
+        if (group_of_pane(task, i) == group)
             area_m2 += scene->panes[i].target.area_m2;
     double left_m2 = u[2] * area_m2;
     for (int i = 0; i < scene->pane_count; i++) {
-        if (task->group_of_opening[scene->parts[scene->panes[i].part].window] != group)
+        if (group_of_pane(task, i) != group)
             continue;
         target = &scene->panes[i].target;
         if (left_m2 < target->area_m2)
@@ -279,132 +286,21 @@ static enum pp_status follow_panes(struct batch_work *work, struct pp_error *err
             if (pp_vec_length(at.normal) > 0.0)
                 pp_year_path_lobe(&work->walk, &sink, &at);
         }
-        for (int k = 0; k < ROWS_COUNT && status == PP_OK; k++)
+        for (int k = 0; k < PP_YEAR_ROWS_COUNT && status == PP_OK; k++)
             status = pp_sparse_rows_end(&rows[k], err);
         /* By whichever opening the light has left the room again. */
-        const struct pp_sparse_rows *D = &rows[ROWS_D];
+        const struct pp_sparse_rows *D = &rows[PP_YEAR_ROWS_D];
         for (int k = D->first[g]; status == PP_OK && k < D->first[g + 1]; k++) {
-            int column = D->entries[k].column % columns_a_group(task);
+            int column = D->entries[k].column % pp_year_solve_columns(task);
             float value = D->entries[k].value;
             if (column < task->column_count)
                 batch->on_pane[g * task->column_count + column] += value;
-            else if (column < columns_a_group(task) - 1)
+            else if (column < pp_year_solve_columns(task) - 1)
                 batch->on_pane_outdoor[g * PP_YEAR_OUTDOOR_CELLS + column
                                        - task->column_count] += value;
         }
     }
     return status;
-}
-
-/* ---- equation (2) ----
- *
- * For a block of receivers at once: V is summed up term by term, V = G_x + G_x G + ...
- */
-enum { BLOCK = 8, TERMS_MOST = 400 };
-static const double LAST_TERM = 1e-5; /* of the sum */
-
-typedef float block_row[BLOCK];
-
-static void add_times(block_row *sum, const block_row *factor, int count,
-                      const struct pp_sparse_rows *rows)
-{
-    for (int c = 0; c < count; c++)
-        for (int k = rows->first[c]; k < rows->first[c + 1]; k++) {
-            float *to = sum[rows->entries[k].column], value = rows->entries[k].value;
-            for (int p = 0; p < BLOCK; p++)
-                to[p] += factor[c][p] * value;
-        }
-}
-
-static double sum_of_block(const block_row *rows, int count)
-{
-    double sum = 0.0;
-    for (int c = 0; c < count; c++)
-        for (int p = 0; p < BLOCK; p++)
-            sum += rows[c][p];
-    return sum;
-}
-
-static void load(block_row *to, const struct pp_sparse_rows *rows, int first, int count)
-{
-    for (int p = 0; p < count; p++)
-        for (int k = rows->first[first + p]; k < rows->first[first + p + 1]; k++)
-            to[rows->entries[k].column][p] += rows->entries[k].value;
-}
-
-/* Space for a block: V, a term and the next one, the sun's row; the columns of D. */
-struct block_space {
-    block_row *V, *term, *next, *sun, *D;
-};
-
-static void solve_block(struct batch_work *work, struct block_space *space, int first,
-                        int count)
-{
-    const struct pp_year_task *task = work->task;
-    int cells = task->cells->count;
-    int per_group = columns_a_group(task);
-    int columns = task->group_count * per_group;
-    size_t cell_bytes = (size_t)cells * sizeof(block_row);
-    memset(space->term, 0, cell_bytes);
-    memset(space->sun, 0, cell_bytes);
-    memset(space->D, 0, (size_t)columns * sizeof(block_row));
-    load(space->term, &work->of_points[ROWS_G], first, count);
-    memcpy(space->V, space->term, cell_bytes);
-    for (int i = 0; i < TERMS_MOST; i++) {
-        memset(space->next, 0, cell_bytes);
-        add_times(space->next, (const block_row *)space->term, cells,
-                  &work->of_cells[ROWS_G]);
-        block_row *swap = space->term;
-        space->term = space->next;
-        space->next = swap;
-        for (int c = 0; c < cells; c++)
-            for (int p = 0; p < BLOCK; p++)
-                space->V[c][p] += space->term[c][p];
-        if (sum_of_block((const block_row *)space->term, cells)
-            <= LAST_TERM * sum_of_block((const block_row *)space->V, cells))
-            break;
-    }
-    load(space->D, &work->of_points[ROWS_D], first, count);
-    add_times(space->D, (const block_row *)space->V, cells, &work->of_cells[ROWS_D]);
-    memcpy(space->sun, space->V, cell_bytes);
-    load(space->sun, &work->of_points[ROWS_N], first, count);
-    add_times(space->sun, (const block_row *)space->V, cells, &work->of_cells[ROWS_N]);
-
-    struct pp_year_batch *batch = work->batch;
-    for (int p = 0; p < count; p++) {
-        size_t x = (size_t)(first + p);
-        for (int c = 0; c < cells; c++)
-            batch->inside[x * (size_t)cells + (size_t)c] = space->sun[c][p];
-        for (int g = 0; g < task->group_count; g++) {
-            size_t row = x * (size_t)task->group_count + (size_t)g;
-            for (int k = 0; k < task->column_count; k++)
-                batch->light[row * (size_t)task->column_count + (size_t)k] =
-                    space->D[g * per_group + k][p];
-            for (int k = 0; k < PP_YEAR_OUTDOOR_CELLS; k++)
-                batch->outdoor[row * PP_YEAR_OUTDOOR_CELLS + (size_t)k] =
-                    space->D[g * per_group + task->column_count + k][p];
-            batch->by_pane[row] =
-                space->D[g * per_group + per_group - 1][p] / (float)PP_PI;
-        }
-    }
-}
-
-static enum pp_status solve_points(struct batch_work *work, struct pp_error *err)
-{
-    const struct pp_year_task *task = work->task;
-    size_t cells = (size_t)task->cells->count + 1;
-    size_t columns = (size_t)(task->group_count * columns_a_group(task));
-    block_row *all = malloc((4 * cells + columns) * sizeof *all);
-    if (!all)
-        return pp_fail_memory(err);
-    struct block_space space = {all, all + cells, all + 2 * cells, all + 3 * cells,
-                                all + 4 * cells};
-    for (int x = 0; x < task->receiver_count; x += BLOCK) {
-        int left = task->receiver_count - x;
-        solve_block(work, &space, x, left < BLOCK ? left : BLOCK);
-    }
-    free(all);
-    return PP_OK;
 }
 
 /* ---- all of it ---- */
@@ -447,10 +343,10 @@ enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
         (struct pp_path_walk){.scene = task->scene, .environment = task->environment};
     pp_outdoor_cells_init(&work->outdoor, task->scene, batch->outdoor_points,
                           PP_YEAR_OUTDOOR_CELLS, work->seed);
-    int columns = task->group_count * columns_a_group(task);
+    int columns = task->group_count * pp_year_solve_columns(task);
     enum pp_status status = make_space(batch, task, err);
-    for (int k = 0; k < ROWS_COUNT && status == PP_OK; k++) {
-        int width = k == ROWS_D ? columns : task->cells->count;
+    for (int k = 0; k < PP_YEAR_ROWS_COUNT && status == PP_OK; k++) {
+        int width = k == PP_YEAR_ROWS_D ? columns : task->cells->count;
         status = pp_sparse_rows_init(&work->of_cells[k], width, err);
         if (status == PP_OK)
             status = pp_sparse_rows_init(&work->of_points[k], width, err);
@@ -466,10 +362,10 @@ enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
     if (status == PP_OK)
         status = follow_panes(work, err);
     if (status == PP_OK)
-        status = solve_points(work, err);
+        status = pp_year_solve(batch, task, work->of_cells, work->of_points, err);
     for (int i = 0; i < PP_YEAR_OUTDOOR_CELLS; i++)
         batch->outdoor_is_used[i] = work->outdoor.weights[i] > 0.0;
-    for (int k = 0; k < ROWS_COUNT; k++) {
+    for (int k = 0; k < PP_YEAR_ROWS_COUNT; k++) {
         pp_sparse_rows_clear(&work->of_cells[k]);
         pp_sparse_rows_clear(&work->of_points[k]);
         pp_sparse_rows_clear(&work->of_panes[k]);

@@ -46,7 +46,6 @@ struct pp_year_task {
     int column_count; /* of light */
     int cell_paths;   /* from each cell; a power of two */
     int point_paths;  /* from each receiver; a power of two */
-    bool pane_light;  /* also the light on and by panes, for blinds */
     const struct pp_sobol *sobol;
     uint64_t seed;
 };

@@ -221,6 +221,38 @@ static void a_turned_plan_has_the_same_year(void **state)
     pp_world_destroy(b);
 }
 
+/* Windows in opposite walls are two groups. In the middle between them each gives half of
+ * the light of a sky that is the same all round; together they give all of it. */
+static void opposite_windows_give_half_of_the_light_each(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(
+        &light, "<room version='1'><plan width='4' depth='4.4' height='2.9'/>"
+                "<window wall='south' left='0.6' sill='0.9' width='2.3' height='1.7'/>"
+                "<window wall='north' left='1.1' sill='0.9' width='2.3' height='1.7'/>"
+                "<point x='2' y='2.2'/></room>");
+    struct made_year made;
+    make_year(&made);
+    struct pp_perez_sky sky = {.b = -1.0, .sun = {0, 0, 1}, .N = 2000.0};
+    sky.diffuse_lx = PP_PI * sky.N;
+    add_made_hour(&made, &sky);
+    struct pp_annual_sheet sheet;
+    struct pp_annual_options options = whole_day(256);
+    compute(&sheet, world, &light, &made, &options);
+    assert_int_equal(sheet.group_count, 2);
+    const struct pp_annual_value all = sheet.points[0].year_lxh,
+                                 *half[2] = {&sheet.groups[0].light_lxh,
+                                             &sheet.groups[1].light_lxh};
+    assert_relative(half[0]->value + half[1]->value, all.value, 1e-5);
+    assert_near(half[0]->value, half[1]->value,
+                3.0 * hypot(half[0]->std_error, half[1]->std_error)
+                    + 0.002 * all.value);
+    assert_true(half[0]->value > 0.0);
+    pp_annual_sheet_clear(&sheet);
+    pp_world_destroy(world);
+}
+
 /* ---- direct light ---- */
 
 static void sum_pieces(void *data, const struct pp_sky_piece *piece)
@@ -344,6 +376,7 @@ TEST_FILE
         cmocka_unit_test(under_a_uniform_sky_it_is_the_daylight_factor),
         cmocka_unit_test(patches_and_cells_agree_with_the_plain_year),
         cmocka_unit_test(a_turned_plan_has_the_same_year),
+        cmocka_unit_test(opposite_windows_give_half_of_the_light_each),
         cmocka_unit_test(pieces_of_sky_are_the_whole_of_it),
         cmocka_unit_test(the_sun_is_seen_where_a_ray_reaches_it),
         cmocka_unit_test(dark_hours_count),
