@@ -24,6 +24,10 @@ static const double surely_off = 7.04;
 /* Values and targets are computed: a difference of this share is rounding. */
 static const double rounding = 1e-9;
 
+/* Most points near the figure whose distribution is computed without approximation: its
+ * time goes with the square of their number, and more. */
+enum { EXACT_MOST = 200 };
+
 static int compare_falling(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
@@ -149,11 +153,35 @@ static double tie_probability(const struct plane_points *points, double level,
     return gap_above_is_greater(points, level, shift, &all, odds);
 }
 
+/* Normal probability of a shift that is less than this. */
+static double normal_below(double z)
+{
+    return 0.5 * erfc(-z / sqrt(2.0));
+}
+
+/* Probability that the figure reaches the level, with such a shift, where the number of
+ * points that reach it is nearly normal: by its mean and variance, half a point to either
+ * side of whole numbers. */
+static double probability_of_many(const struct plane_points *points, double level,
+                                  double shift)
+{
+    double mean = 0.0, variance = 0.0;
+    for (int i = 0; i < points->count; i++) {
+        double p = probability_of_point(points, i, level, shift);
+        mean += p;
+        variance += p * (1.0 - p);
+    }
+    double least = points->wanted + (points->half_way ? 0.5 : 0.0);
+    return normal_below((mean - least + 0.5) / sqrt(fmax(variance, surely)));
+}
+
 /* Probability that the figure reaches the level, with such a shift. `odds` has space for
  * count + 1 numbers. */
 static double probability_with(const struct plane_points *points, double level,
                                double shift, double *odds)
 {
+    if (points->count > EXACT_MOST)
+        return probability_of_many(points, level, shift);
     int uncertain, sure = odds_of(points, level, level, shift, odds, &uncertain);
     int least = points->wanted + (points->half_way ? 1 : 0);
     double sum = 0.0;
@@ -163,12 +191,6 @@ static double probability_with(const struct plane_points *points, double level,
     if (points->half_way && tie >= 0 && tie <= uncertain && odds[tie] > surely)
         sum += tie_probability(points, level, shift, odds);
     return fmin(sum, 1.0);
-}
-
-/* Normal probability of a shift that is less than this. */
-static double normal_below(double z)
-{
-    return 0.5 * erfc(-z / sqrt(2.0));
 }
 
 /* Largest shift, in standard deviations, and finest step. */

@@ -25,7 +25,8 @@ struct pp_plane_share {
  * Points are normal with their standard errors, of whose squares they have the share
  * `common` in common (common_error.h) and are independent else. Given what is common, the
  * number of points that reach a level has the Poisson binomial distribution (a sum of
- * unlike coin tosses), which is computed without approximation; over what is common it is
+ * unlike coin tosses). It is computed without approximation for 200 points that may reach
+ * the level or miss it, and as a normal one, to 0.002, for more; over what is common it is
  * a sum whose steps are as fine as it is steep. `level` is the k-th largest value, or the
  * median; its standard error is half the distance between the levels that are reached with
  * probabilities of 16 and 84 %. The error that the grid's spacing makes is not

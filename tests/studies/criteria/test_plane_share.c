@@ -205,6 +205,43 @@ static void many_points_are_quick_and_as_sure(void **state)
                     0.01);
 }
 
+/* Probability that `wanted` points or more reach the target, by adding one after the
+ * other to the distribution of their number. */
+static double reached_by(const struct pp_reading *points, int count, int wanted,
+                         double target)
+{
+    double odds[MOST + 1] = {1.0}, sum = 0.0;
+    for (int i = 0; i < count; i++) {
+        double z = (target - points[i].value) / points[i].std_error;
+        double p = 0.5 * erfc(z / sqrt(2.0));
+        for (int k = i + 1; k > 0; k--)
+            odds[k] = odds[k] * (1.0 - p) + odds[k - 1] * p;
+        odds[0] *= 1.0 - p;
+    }
+    for (int k = wanted; k <= count; k++)
+        sum += odds[k];
+    return sum;
+}
+
+/* More points than are computed without approximation, with unlike values and errors. */
+static void many_points_are_normal_to_two_thousandths(void **state)
+{
+    (void)state;
+    struct pp_reading points[MOST];
+    for (int i = 0; i < MOST; i++)
+        points[i] = (struct pp_reading){.value = 0.019 + 5e-6 * i,
+                                        .std_error = 0.0008 + 2e-6 * i};
+    int count = MOST - 1;
+    static const double targets[] = {0.0198, 0.0199, 0.02, 0.0201, 0.0202};
+    for (int i = 0; i < 5; i++) {
+        double exact = reached_by(points, count, (count + 1) / 2, targets[i]);
+        assert_near(share_of(points, count, 0.5, targets[i]).probability, exact, 0.002);
+        /* Just above a half of an even number it is no median. */
+        exact = reached_by(points, MOST, 240, targets[i]);
+        assert_near(share_of(points, MOST, 0.6, targets[i]).probability, exact, 0.002);
+    }
+}
+
 static void verdicts_need_ninety_five_per_cent(void **state)
 {
     (void)state;
@@ -292,6 +329,7 @@ TEST_FILE
         cmocka_unit_test(median_of_an_even_number_is_as_sure_as_drawing_says),
         cmocka_unit_test(points_without_an_error_are_sure),
         cmocka_unit_test(many_points_are_quick_and_as_sure),
+        cmocka_unit_test(many_points_are_normal_to_two_thousandths),
         cmocka_unit_test(verdicts_need_ninety_five_per_cent),
         cmocka_unit_test(a_figure_nearer_than_its_error_decides_nothing),
         cmocka_unit_test(points_that_go_wrong_together_are_as_one),
