@@ -8,7 +8,7 @@
 #include "cli/df/engine_choice.h"
 #include "cli/format_option.h"
 #include "cli/df/formula_option.h"
-#include "cli/df/moment_choice.h"
+#include "cli/df/moment_run.h"
 #include "studies/bands/report_bands.h"
 #include "studies/plane_margin.h"
 #include "studies/study_report.h"
@@ -334,12 +334,13 @@ static enum pp_exit run_df(void *values, char **files, int file_count)
     options->room.study.method_options.lumen_table = table;
     exit_status = pp_rooms_load(&rooms, "df", files, file_count, &options->room);
     if (exit_status == PP_EXIT_DONE) {
-        if (options->moment.when)
-            exit_status = pp_moment_choice_run(&options->moment, &options->room,
-                                               options->format, options->array, &rooms);
+        bool moment = pp_moment_choice_said(&options->moment);
+        if (moment)
+            exit_status = pp_moment_run(&options->moment, &options->room,
+                                        options->format, options->array, &rooms);
         else
             exit_status = check_rooms(options, &rooms);
-        if (exit_status == PP_EXIT_DONE && !options->moment.when)
+        if (exit_status == PP_EXIT_DONE && !moment)
             exit_status = run_df_of_rooms(options, &rooms);
         pp_rooms_clear(&rooms);
     }
@@ -374,7 +375,10 @@ static enum pp_status check_df_options(void *values, char **files, int file_coun
                        "--array is for JSON; expected --format json with it");
     enum pp_status status =
         pp_moment_choice_settle(&options->moment, &options->room, err);
-    study->simulate |= options->moment.when != NULL;
+    if (status == PP_OK && pp_moment_choice_said(&options->moment)) {
+        study->simulate = true;
+        status = pp_moment_run_check(&options->room, err);
+    }
     if (status == PP_OK)
         status = pp_room_options_settle(&options->room, err);
     if (status == PP_OK && study->methods)

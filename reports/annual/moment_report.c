@@ -22,7 +22,7 @@ static const struct {
 enum { PARTS = sizeof parts / sizeof *parts };
 
 static const char why_no_factor[] = "a daylight factor is of a standard sky without "
-                                    "sun; this is an hour of a weather file";
+                                    "sun; this is a sky with a sun";
 
 static struct pp_annual_value part_of(const struct pp_annual_figures *of, int part)
 {
@@ -48,10 +48,10 @@ enum pp_status pp_moment_report_text(const struct pp_annual_results *results,
         fprintf(out, "%s", i > 0 ? "\n" : "");
         pp_print_title(sheet->world, results->list[i].file, out);
         fprintf(out,
-                "  %s, standard time: illuminances in lux. The record that holds this "
-                "time;\n  sun %.1f degrees high, bearing %.1f; outside %.0f lx diffuse "
-                "horizontal, %.0f lx direct normal.\n",
-                when, hour->sun_altitude_rad / PP_RAD, hour->sun_bearing_rad / PP_RAD,
+                "  %s%s: illuminances in lux;\n  sun %.1f degrees high, bearing %.1f; "
+                "outside %.0f lx diffuse horizontal, %.0f lx direct normal.\n",
+                when ? when : "Sky and sun as given", when ? ", standard time" : "",
+                hour->sun_altitude_rad / PP_RAD, hour->sun_bearing_rad / PP_RAD,
                 hour->diffuse_lx, hour->direct_lx);
         fputs("  ", out);
         pp_print_wrapped(sheet->weather, 2, 2, width, out);
@@ -115,7 +115,7 @@ static struct json_object *moment_room(const void *all, int index)
         object && pp_json_text(object, "format", "pepperpot-df-1")
         && pp_json_text(object, "room", sheet->world->name)
         && pp_json_text(object, "sky", "perez")
-        && pp_json_text(object, "when", rooms->when)
+        && (!rooms->when || pp_json_text(object, "when", rooms->when))
         && pp_json_text(object, "unit", "lx")
         && pp_json_text(object, "weather", sheet->weather)
         && pp_json_number(object, "sun_altitude_deg", hour->sun_altitude_rad / PP_RAD)
@@ -161,7 +161,7 @@ enum pp_status pp_moment_report_csv(const struct pp_annual_results *results,
             pp_format_csv_field(results->list[i].file, out);
             fputc(',', out);
             pp_format_csv_field(sheet->world->name, out);
-            fprintf(out, ",%s", when);
+            fprintf(out, ",%s", when ? when : "");
             pp_format_csv_number(at.x, out);
             pp_format_csv_number(at.y, out);
             pp_format_csv_number(at.z, out);

@@ -1,4 +1,6 @@
-/* moment_report.h - the illuminances of rooms in one hour, as text, JSON and CSV.
+/* moment_report.h - the illuminances of rooms in one moment, as text, JSON and CSV.
+ *
+ * when: the time as typed; NULL: the sun was given without one.
  *
  * JSON is that of df, "pepperpot-df-1", with components in lux and without daylight
  * factors, which are of the standard skies.

@@ -55,6 +55,30 @@ static void warn(struct pp_annual_sheet *sheet, const char *text)
         snprintf(sheet->warnings[sheet->warning_count++], PP_ANNUAL_WORDS, "%s", text);
 }
 
+static void say_weather(struct pp_annual_sheet *sheet,
+                        const struct pp_weather_year *year)
+{
+    const struct pp_epw *epw = year->epw;
+    if (!epw) {
+        snprintf(sheet->weather, sizeof sheet->weather, "%s", year->words);
+        return;
+    }
+    snprintf(
+        sheet->weather, sizeof sheet->weather,
+        "%.160s; latitude %.4g, longitude %.4g, clock %g h ahead of universal time; "
+        "sun at the middle of each record%s, in the year %d; "
+        "illuminances by Perez's luminous efficacy of the file's irradiances",
+        epw->place, epw->latitude_rad / PP_RAD, epw->longitude_rad / PP_RAD,
+        epw->time_zone_h, year->sun_shift_h != 0.0 ? " moved by the sun shift" : "",
+        year->sun_year);
+    if (year->count > 1)
+        pp_text_append(sheet->weather, sizeof sheet->weather, "; %d records of %g h",
+                       year->count, epw->record_h);
+    if (year->sun_shift_h != 0.0)
+        pp_text_append(sheet->weather, sizeof sheet->weather, "; sun shift %g minutes",
+                       sheet->sun_shift_min);
+}
+
 static void say_period(struct pp_annual_sheet *sheet,
                        const struct pp_annual_options *options,
                        const struct pp_year_clock *clock)
@@ -124,7 +148,7 @@ static void compare_places(struct pp_annual_sheet *sheet, const struct pp_world 
                            const struct pp_epw *epw)
 {
     char text[PP_ANNUAL_WORDS];
-    if (isnan(world->latitude_rad)
+    if (!epw || isnan(world->latitude_rad)
         || !(fabs(world->latitude_rad - epw->latitude_rad) > 1.0 * PP_RAD))
         return;
     snprintf(
@@ -143,7 +167,6 @@ enum pp_status pp_annual_words_fill(struct pp_annual_sheet *sheet,
                                     const struct pp_blind_groups *groups,
                                     struct pp_error *err)
 {
-    const struct pp_epw *epw = year->epw;
     char text[PP_ANNUAL_WORDS];
     enum pp_status status = fill_hours(sheet, year, options, err);
     if (status != PP_OK)
@@ -157,24 +180,11 @@ enum pp_status pp_annual_words_fill(struct pp_annual_sheet *sheet,
     sheet->occupied_h = clock->all_occupied_h;
     sheet->diffuse_median_lx = clock->diffuse_median_lx;
     sheet->sun_shift_min = 60.0 * year->sun_shift_h;
-    snprintf(
-        sheet->weather, sizeof sheet->weather,
-        "%.160s; latitude %.4g, longitude %.4g, clock %g h ahead of universal time; "
-        "sun at the middle of each record%s, in the year %d; "
-        "illuminances by Perez's luminous efficacy of the file's irradiances",
-        epw->place, epw->latitude_rad / PP_RAD, epw->longitude_rad / PP_RAD,
-        epw->time_zone_h, year->sun_shift_h != 0.0 ? " moved by the sun shift" : "",
-        year->sun_year);
-    if (year->count > 1)
-        pp_text_append(sheet->weather, sizeof sheet->weather, "; %d records of %g h",
-                       year->count, epw->record_h);
-    if (year->sun_shift_h != 0.0)
-        pp_text_append(sheet->weather, sizeof sheet->weather, "; sun shift %g minutes",
-                       sheet->sun_shift_min);
+    say_weather(sheet, year);
     pp_weather_year_notes(sheet->notes, sizeof sheet->notes, year);
     if (pp_weather_year_warning(text, sizeof text, year))
         warn(sheet, text);
-    compare_places(sheet, world, epw);
+    compare_places(sheet, world, year->epw);
     if (clock->diffuse_median_lx <= 0.0 && year->count > 1)
         warn(sheet, "a quarter of the year or less has daylight: EN 17037's levels are "
                     "out of reach at this place");

@@ -2,26 +2,132 @@
 #include "studies/year/moment.h"
 
 #include <math.h>
+#include <stdio.h>
 
-enum pp_status pp_moment_of_room(
-    struct pp_annual_sheet *sheet, const struct pp_world *world,
-    const struct pp_outside_light *light, const struct pp_receiver *receivers,
-    int receiver_count, const struct pp_weather_year *year, struct pp_month_day date,
-    double clock_h, const struct pp_annual_options *options, struct pp_error *err)
+#include "model/base/text.h"
+#include "model/light/sun.h"
+
+enum pp_status pp_moment_of_weather(struct pp_moment *moment,
+                                    const struct pp_weather_year *year,
+                                    struct pp_month_day date, double clock_h,
+                                    struct pp_error *err)
 {
-    struct pp_perez_sky sky;
-    *sheet = (struct pp_annual_sheet){.points = NULL};
-    enum pp_status status = pp_weather_year_moment(&sky, year, date, clock_h, err);
+    *moment = (struct pp_moment){.date = date, .clock_h = clock_h, .year = year};
+    return pp_weather_year_moment(&moment->sky, year, date, clock_h, err);
+}
+
+/* ---- irradiances ---- */
+
+static struct pp_vec3 sun_direction(double altitude_rad, double bearing_rad)
+{
+    double c = cos(altitude_rad);
+    return pp_vec(c * sin(bearing_rad), c * cos(bearing_rad), sin(altitude_rad));
+}
+
+/* The sun of the time at the place. */
+static enum pp_status sun_of_time(const struct pp_moment_irradiances *of,
+                                  double *zone_h, struct pp_sun *sun,
+                                  struct pp_error *err)
+{
+    if (of->date.month == 0)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the sky has no sun; expected perez,DNI,DHI,ALTITUDE,BEARING, or "
+            "--when 'YYYY-MM-DD HH:MM'");
+    if (isnan(of->latitude_rad) || isnan(of->longitude_rad))
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the room has no place for the sun of --when; expected a site "
+            "with latitude and longitude, or perez,DNI,DHI,ALTITUDE,BEARING");
+    *zone_h = of->zone_h;
+    if (isnan(*zone_h)) /* 0.0: never -0 */
+        *zone_h = 0.0 + round(of->longitude_rad / (15.0 * PP_RAD));
+    double n = pp_sun_days_since_2000(of->year, of->date.month, of->date.day,
+                                      of->clock_h - *zone_h);
+    *sun = pp_sun_at(n, of->latitude_rad, of->longitude_rad);
+    return PP_OK;
+}
+
+static const struct {
+    unsigned limit;
+    const char *words;
+} limits[] = {
+    {PP_PEREZ_NO_DIFFUSE, "there is direct light and no diffuse light: a black sky"},
+    {PP_PEREZ_B_POSITIVE, "Perez's b is above 0 and counts as 0"},
+    {PP_PEREZ_BRIGHTNESS, "the brightness is beyond Perez's limits and is limited"},
+    {PP_PEREZ_CLEARNESS, "the clearness is beyond Perez's limits and is limited"},
+};
+
+enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
+                                        const struct pp_moment_irradiances *of,
+                                        struct pp_error *err)
+{
+    /* Dew point of 2 cm of precipitable water. */
+    static const double DEW_POINT_C = 10.97;
+    bool by_time = isnan(of->sun_altitude_rad);
+    struct pp_sun sun = {.altitude_rad = of->sun_altitude_rad,
+                         .bearing_rad = of->sun_bearing_rad,
+                         .distance_au = 1.0};
+    double zone_h = 0.0;
+    *moment = (struct pp_moment){.date = of->date, .clock_h = of->clock_h};
+    enum pp_status status = by_time ? sun_of_time(of, &zone_h, &sun, err) : PP_OK;
     if (status != PP_OK)
         return status;
-    struct pp_weather_hour hour = {.date = date,
+    if (of->direct_w_m2 > 0.0 && !(sun.altitude_rad > 0.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the sun stands %.1f degrees below the horizon; expected a "
+                       "direct irradiance of 0, or another time",
+                       -sun.altitude_rad / PP_RAD);
+    moment->sky = pp_perez_sky_of(&(struct pp_perez_conditions){
+        .direct_w_m2 = of->direct_w_m2,
+        .diffuse_w_m2 = of->diffuse_w_m2,
+        .sun = sun_direction(sun.altitude_rad, sun.bearing_rad),
+        .sun_distance_au = sun.distance_au,
+        .dew_point_c = DEW_POINT_C});
+    if (!(moment->sky.diffuse_lx > 0.0) && !(moment->sky.direct_lx > 0.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the sky gives no light; expected an irradiance above 0");
+    snprintf(
+        moment->words, sizeof moment->words,
+        "Perez sky of %g W/m2 direct normal and %g W/m2 diffuse horizontal "
+        "irradiance, with Perez's luminous efficacy at 2 cm of precipitable water; ",
+        of->direct_w_m2, of->diffuse_w_m2);
+    if (by_time)
+        pp_text_append(moment->words, sizeof moment->words,
+                       "sun of that time at latitude %.4g, longitude %.4g, clock %g h "
+                       "ahead of universal time%s",
+                       of->latitude_rad / PP_RAD, of->longitude_rad / PP_RAD, zone_h,
+                       isnan(of->zone_h) ? " by the longitude" : "");
+    else
+        pp_text_append(moment->words, sizeof moment->words, "sun as given");
+    for (size_t i = 0; i < sizeof limits / sizeof *limits; i++)
+        if (moment->sky.limits & limits[i].limit)
+            pp_text_append(moment->words, sizeof moment->words, "; %s",
+                           limits[i].words);
+    return PP_OK;
+}
+
+/* ---- a room ---- */
+
+enum pp_status pp_moment_of_room(struct pp_annual_sheet *sheet,
+                                 const struct pp_world *world,
+                                 const struct pp_outside_light *light,
+                                 const struct pp_receiver *receivers,
+                                 int receiver_count, const struct pp_moment *moment,
+                                 const struct pp_annual_options *options,
+                                 struct pp_error *err)
+{
+    struct pp_perez_sky sky = moment->sky;
+    struct pp_weather_hour hour = {.date = moment->date,
                                    .weekday = PP_WEEKDAY_UNKNOWN,
-                                   .start_h = floor(clock_h),
+                                   .start_h = floor(moment->clock_h),
                                    .length_h = 1.0,
                                    .known = true,
                                    .lit = true,
                                    .sky = 0};
-    struct pp_weather_year one = *year;
+    struct pp_weather_year one = {.words = moment->words};
+    if (moment->year)
+        one = *moment->year;
     one.hours = &hour;
     one.skies = &sky;
     one.count = one.sky_count = 1;

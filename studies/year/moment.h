@@ -1,16 +1,55 @@
-/* moment.h - the illuminances of a room's points in one hour of a weather file. */
+/* moment.h - one moment's sky and sun, and the illuminances of a room's points under them.
+ *
+ * It comes from the record of a weather file, or from irradiances: then the sun has the
+ * place given, or that of a time at the room's site.
+ */
 #ifndef PP_STUDIES_YEAR_MOMENT_H
 #define PP_STUDIES_YEAR_MOMENT_H
 
 #include "studies/year/annual.h"
 
+struct pp_moment {
+    struct pp_perez_sky sky;            /* axes: x east, y north, z up */
+    struct pp_month_day date;           /* month 0: none */
+    double clock_h;                     /* local standard time */
+    const struct pp_weather_year *year; /* of the record; not owned; NULL: none */
+    char words[PP_ANNUAL_WORDS];        /* on sky and sun, without a record */
+};
+
+/* That of the record that holds the time. PP_BAD_INPUT where the hour is dark or not
+ * known. year must live as long. */
+enum pp_status pp_moment_of_weather(struct pp_moment *moment,
+                                    const struct pp_weather_year *year,
+                                    struct pp_month_day date, double clock_h,
+                                    struct pp_error *err);
+
+/* A sky by its irradiances, and its sun. */
+struct pp_moment_irradiances {
+    double direct_w_m2, diffuse_w_m2;         /* normal, horizontal */
+    double sun_altitude_rad, sun_bearing_rad; /* NAN: by the time and the place */
+    int year;
+    struct pp_month_day date;
+    double clock_h,
+        zone_h; /* hours ahead of universal time; NAN: the whole hours of the
+                             * longitude */
+    double latitude_rad, longitude_rad; /* NAN: not known */
+};
+
+/* Precipitable water is 2 cm. PP_BAD_INPUT for a sun below the horizon that shines, for a
+ * time without a place, and where there is no light. */
+enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
+                                        const struct pp_moment_irradiances *of,
+                                        struct pp_error *err);
+
 /* Fills the sheet of a year that has this hour alone: illuminances are its year_lxh, and
- * sky_lxh, sun_lxh, sun_reflected_lxh its parts. clock_h: local standard time. The caller
- * clears *sheet, after a failure too. PP_BAD_INPUT where the hour is dark or not known. */
-enum pp_status pp_moment_of_room(
-    struct pp_annual_sheet *sheet, const struct pp_world *world,
-    const struct pp_outside_light *light, const struct pp_receiver *receivers,
-    int receiver_count, const struct pp_weather_year *year, struct pp_month_day date,
-    double clock_h, const struct pp_annual_options *options, struct pp_error *err);
+ * sky_lxh, sun_lxh, sun_reflected_lxh its parts. The caller clears *sheet, after a failure
+ * too. */
+enum pp_status pp_moment_of_room(struct pp_annual_sheet *sheet,
+                                 const struct pp_world *world,
+                                 const struct pp_outside_light *light,
+                                 const struct pp_receiver *receivers,
+                                 int receiver_count, const struct pp_moment *moment,
+                                 const struct pp_annual_options *options,
+                                 struct pp_error *err);
 
 #endif

@@ -29,7 +29,8 @@ struct pp_weather_options {
 };
 
 struct pp_weather_year {
-    const struct pp_epw *epw; /* not owned */
+    const struct pp_epw *epw; /* not owned; NULL: skies without a file, and */
+    const char *words;        /* the sentence on them */
     int count;
     struct pp_weather_hour *hours;
     int sky_count;

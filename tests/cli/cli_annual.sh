@@ -83,6 +83,29 @@ check "weather without a time" refuses 2 "--when" $hour "$room"
 check "methods have no hour" refuses 2 "--methods" $hour --when "2023-03-21 12:00" \
     -m exact+bre "$room"
 
+# A sky by its irradiances: the sun is given, or that of a time at the site.
+perez="df --samples 16 --sky perez,600,120"
+check "a Perez sky with a sun" shows "sun 35.0 degrees high, bearing 150.0" $perez,35,150 "$room"
+check "its JSON has no time" lacks '"when"' $perez,35,150 -f json "$room"
+check "its factor is null" shows '"df": { "value": null, "why"' $perez,35,150 -f json "$room"
+check "the sun of a time" shows "sun 38.7 degrees high" $perez --when "2023-03-21 12:00" "$room"
+check "clock of a zone" shows "clock 9 h ahead" $perez --when "2023-03-21 21:00+09:00" "$room"
+check "a black sky is said" shows "black sky" df --samples 16 --sky perez,100,0,10,180 "$room"
+check "no sun" refuses 2 "has no sun" $perez "$room"
+check "one irradiance" refuses 2 "perez,DNI,DHI" df --sky perez,600 "$room"
+check "more than the sun gives" refuses 2 "1500" df --sky perez,1600,100,35,150 "$room"
+check "a sun below the horizon" refuses 2 "0 to 90" df --sky perez,600,100,-3,150 "$room"
+check "night" refuses 1 "below the horizon" $perez --when "2023-03-21 02:00" "$room"
+check "no light" refuses 1 "no light" df --sky perez,0,0,10,180 "$room"
+check "two suns" refuses 2 "one of them" $perez,35,150 --when "2023-03-21 12:00" "$room"
+check "two skies" refuses 2 "one of them" $hour --sky perez,600,120 --when "2023-03-21 12:00" "$room"
+check "no such day" refuses 2 "1800 to 2200" $perez --when "2023-02-29 12:00" "$room"
+check "a zone beside a weather file" refuses 2 "standard time" $hour \
+    --when "2023-03-21 12:00+01:00" "$room"
+sed 's/longitude="[^"]*"//' "$room" >"$scratch/nowhere.xml"
+check "no place" refuses 1 "nowhere.xml: the room has no place" $perez \
+    --when "2023-03-21 12:00" "$scratch/nowhere.xml"
+
 check "no weather file" refuses 2 "--weather" annual "$room"
 check "no room" refuses 2 "room file" $annual
 check "a weather file that is none" refuses 1 "EPW" annual -w "$deep" "$room"

@@ -1,0 +1,204 @@
+/* moment_choice.c - see moment_choice.h. */
+#include "cli/moment_choice.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cli/availability/availability_options.h"
+#include "cli/message.h"
+#include "model/base/read_file.h"
+#include "model/base/text.h"
+
+/* ---- the options ---- */
+
+/* Reads "", "Z" or "+HH:MM": hours ahead of universal time, NAN where nothing is said. */
+static bool read_zone(const char *text, double *zone_h)
+{
+    int hours, minutes, used = 0;
+    *zone_h = *text ? 0.0 : NAN;
+    if (!*text || strcmp(text, "Z") == 0)
+        return true;
+    if ((*text != '+' && *text != '-')
+        || sscanf(text + 1, "%2d:%2d%n", &hours, &minutes, &used) != 2
+        || text[1 + used] != '\0' || hours < 0 || hours > 14 || minutes < 0
+        || minutes > 59)
+        return false;
+    *zone_h = (*text == '-' ? -1.0 : 1.0) * (hours + minutes / 60.0);
+    return true;
+}
+
+static enum pp_status read_when(const char *text, void *place, struct pp_error *err)
+{
+    struct pp_moment_choice *choice = place;
+    struct pp_moment_irradiances *of = &choice->of;
+    int year, month, day, hour, minute, used = 0;
+    double zone_h;
+    if (sscanf(text, "%4d-%2d-%2d %2d:%2d%n", &year, &month, &day, &hour, &minute,
+               &used)
+            != 5
+        || month < 1 || month > 12 || day < 1 || day > pp_month_day_days_of_month(month)
+        || hour < 0 || hour > 23 || minute < 0 || minute > 59
+        || !read_zone(text + used, &zone_h))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a time as 'YYYY-MM-DD HH:MM', in standard time");
+    choice->when = text;
+    of->year = year;
+    of->date = (struct pp_month_day){month, day};
+    of->clock_h = hour + minute / 60.0;
+    of->zone_h = zone_h;
+    return PP_OK;
+}
+
+const struct pp_option pp_moment_options[] = {
+    {"when", 0, "'YYYY-MM-DD HH:MM'",
+     "Illuminances in lux at that standard time, with direct sunlight, in place of "
+     "daylight factors: in the record of --weather, or with the sun of --sky "
+     "perez,DNI,DHI (+HH:MM behind it: hours ahead of universal time).",
+     read_when, 0},
+    {"weather", 'w', "FILE.epw", "Weather file of --when.", pp_options_read_input,
+     offsetof(struct pp_moment_choice, weather)},
+    {0},
+};
+
+/* ---- a sky of irradiances ---- */
+
+enum { PEREZ_NUMBERS = 4 };
+
+/* A day of the calendar, in the years that the sun's formulae are good for. */
+static bool is_in_calendar(const struct pp_moment_irradiances *of)
+{
+    int year = of->year;
+    bool leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+    return year >= 1800 && year <= 2200
+           && (leap || of->date.month != 2 || of->date.day != 29);
+}
+
+static enum pp_status read_perez(struct pp_moment_choice *choice, struct pp_error *err)
+{
+    static const double MOST_W_M2 = 1500.0; /* the sun outside the atmosphere: 1412 */
+    const char *numbers = choice->perez + strlen("perez");
+    double v[PEREZ_NUMBERS] = {NAN, NAN, NAN, NAN};
+    int count =
+        *numbers == ',' ? pp_options_numbers(numbers + 1, ',', v, PEREZ_NUMBERS) : 0;
+    if ((count != 2 && count != 4) || !(v[0] >= 0.0 && v[0] <= MOST_W_M2)
+        || !(v[1] >= 0.0 && v[1] <= MOST_W_M2)
+        || (count == 4
+            && !(v[2] >= 0.0 && v[2] <= 90.0 && v[3] >= -360.0 && v[3] <= 360.0)))
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--sky \"%.100s\": expected perez,DNI,DHI, the direct normal and "
+            "diffuse horizontal irradiance from 0 to 1500 W/m2, or "
+            "perez,DNI,DHI,ALTITUDE,BEARING with the sun at 0 to 90 and -360 "
+            "to 360 degrees",
+            choice->perez);
+    choice->of.direct_w_m2 = v[0];
+    choice->of.diffuse_w_m2 = v[1];
+    choice->of.sun_altitude_rad = v[2] * PP_RAD;
+    choice->of.sun_bearing_rad = v[3] * PP_RAD;
+    if (choice->weather)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--weather and --sky perez both give the sky; expected one of "
+                       "them");
+    if (count == 4 && choice->when)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--when and --sky perez,DNI,DHI,ALTITUDE,BEARING both give the "
+                       "sun; expected one of them");
+    if (choice->when && !is_in_calendar(&choice->of))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--when %s: expected a day of the years 1800 to 2200",
+                       choice->when);
+    if (count == 2 && !choice->when)
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--sky %s has no sun; expected perez,DNI,DHI,ALTITUDE,BEARING, or "
+            "--when 'YYYY-MM-DD HH:MM'",
+            choice->perez);
+    return PP_OK;
+}
+
+static bool is_perez(const char *sky)
+{
+    size_t length = strlen("perez");
+    return sky && strncmp(sky, "perez", length) == 0
+           && (sky[length] == '\0' || sky[length] == ',');
+}
+
+enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,
+                                       struct pp_room_options *room,
+                                       struct pp_error *err)
+{
+    struct pp_study_options *study = &room->study;
+    if (is_perez(study->sky)) {
+        choice->perez = study->sky;
+        study->sky = NULL;
+        enum pp_status status = read_perez(choice, err);
+        if (status != PP_OK)
+            return status;
+    } else if (!choice->when && !choice->weather) {
+        return PP_OK;
+    } else if (!choice->when || !choice->weather) {
+        return pp_fail(err, PP_BAD_INPUT, "%s needs %s",
+                       choice->when ? "--when" : "--weather",
+                       choice->when ? "--weather FILE.epw, or --sky perez,DNI,DHI"
+                                    : "--when 'YYYY-MM-DD HH:MM'");
+    } else if (!isnan(choice->of.zone_h)) {
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--when %s: the time is the weather file's standard time; "
+                       "expected it without hours ahead of universal time",
+                       choice->when);
+    }
+    const char *of_factors = study->methods              ? "--methods"
+                             : study->explain            ? "--explain"
+                             : study->sky                ? "--sky"
+                             : study->external_lux > 0.0 ? "--external"
+                                                         : NULL;
+    if (of_factors)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s: the moment has its own sky and is simulated; expected it "
+                       "without %s",
+                       choice->perez ? "--sky perez" : "--when", of_factors);
+    return PP_OK;
+}
+
+bool pp_moment_choice_said(const struct pp_moment_choice *choice)
+{
+    return choice->perez || choice->when;
+}
+
+/* ---- the moment ---- */
+
+enum pp_exit pp_moment_choice_load(struct pp_moment_choice *choice)
+{
+    choice->light = pp_year_options_default;
+    if (!choice->weather)
+        return PP_EXIT_DONE;
+    const struct pp_weather_options weather = {.sun_shift_h = NAN};
+    struct pp_error err = {0};
+    choice->light.weather = choice->weather;
+    enum pp_exit result = pp_availability_options_load(&choice->light);
+    if (result != PP_EXIT_DONE)
+        return result;
+    enum pp_status status =
+        pp_weather_year_of_epw(&choice->year, choice->light.epw, &weather,
+                               pp_read_file_title(choice->weather), &err);
+    return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
+}
+
+void pp_moment_choice_clear(struct pp_moment_choice *choice)
+{
+    pp_weather_year_clear(&choice->year);
+    pp_availability_options_clear(&choice->light);
+}
+
+enum pp_status pp_moment_choice_find(struct pp_moment *moment,
+                                     const struct pp_moment_choice *choice,
+                                     const struct pp_world *world, struct pp_error *err)
+{
+    struct pp_moment_irradiances of = choice->of;
+    if (!choice->perez)
+        return pp_moment_of_weather(moment, &choice->year, of.date, of.clock_h, err);
+    of.latitude_rad = world->latitude_rad;
+    of.longitude_rad = world->longitude_rad;
+    return pp_moment_of_irradiances(moment, &of, err);
+}

@@ -1,0 +1,42 @@
+/* moment_choice.h - --when and --weather, or --sky perez,...: one moment's sky and sun in
+ * place of the room file's sky. */
+#ifndef PP_CLI_MOMENT_CHOICE_H
+#define PP_CLI_MOMENT_CHOICE_H
+
+#include "cli/exit_status.h"
+#include "cli/room_options.h"
+#include "studies/climate/year_light.h"
+#include "studies/year/moment.h"
+
+struct pp_moment_choice {
+    const char *when; /* as typed, "2023-03-21 15:00"; NULL: not given */
+    const char *weather;
+    const char *perez; /* --sky perez,...; NULL: not given */
+    struct pp_moment_irradiances of;
+
+    struct pp_year_options light; /* loaded */
+    struct pp_weather_year year;
+};
+
+extern const struct pp_option pp_moment_options[]; /* of a struct pp_moment_choice */
+
+/* A Perez sky of --sky moves from the room's options to the choice. PP_BAD_INPUT for parts
+ * that are missing or belong to daylight factors alone. */
+enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,
+                                       struct pp_room_options *room,
+                                       struct pp_error *err);
+
+/* True if results are of one moment. */
+bool pp_moment_choice_said(const struct pp_moment_choice *choice);
+
+/* Reads the weather file, if there is one. The caller clears the choice in any case. */
+enum pp_exit pp_moment_choice_load(struct pp_moment_choice *choice);
+void pp_moment_choice_clear(struct pp_moment_choice *choice);
+
+/* The moment at a room's site. */
+enum pp_status pp_moment_choice_find(struct pp_moment *moment,
+                                     const struct pp_moment_choice *choice,
+                                     const struct pp_world *world,
+                                     struct pp_error *err);
+
+#endif
