@@ -252,7 +252,8 @@ void pp_options_help_word(const char *word, const char *text, FILE *out)
 
 void pp_options_help(const struct pp_command_line *line, FILE *out)
 {
-    fprintf(out, "Usage: pepperpot %s [OPTIONS] %s\n\n", line->command, line->operands);
+    fprintf(out, "Usage: pepperpot %s [OPTIONS]%s%s\n\n", line->command,
+            *line->operands ? " " : "", line->operands);
     wrap(out, line->about, 0, 0);
     const char *title = "";
     for (const struct pp_option_group *group = line->groups; group->title; group++) {

@@ -1,6 +1,8 @@
 /* lettering.c - lays text out with pango, unhinted, and draws or measures it. */
 #include "charts/sheet/lettering.h"
 
+#include <stdio.h>
+
 #include <pango/pangocairo.h>
 
 /* Fonts in order of preference; the last is an alias that every machine has. */
@@ -137,4 +139,28 @@ struct pp_box pp_lettering_draw_on_white(cairo_t *cr, const struct pp_style *sty
                                          double y, const char *words)
 {
     return draw_lettering(cr, style, text, x, y, words, true);
+}
+
+int pp_lettering_font(const char *words, char *family, size_t room)
+{
+    PangoContext *context =
+        pango_font_map_create_context(pango_cairo_font_map_get_default());
+    PangoFontDescription *wanted = pango_font_description_new();
+    pango_font_description_set_family_static(wanted, families);
+    PangoFont *font = pango_context_load_font(context, wanted);
+    PangoFontDescription *found = font ? pango_font_describe(font) : NULL;
+    const char *name = found ? pango_font_description_get_family(found) : NULL;
+    snprintf(family, room, "%s", name ? name : "");
+
+    PangoLayout *layout = pango_layout_new(context);
+    pango_layout_set_font_description(layout, wanted);
+    pango_layout_set_text(layout, words, -1);
+    int missing = pango_layout_get_unknown_glyphs_count(layout);
+    g_object_unref(layout);
+    pango_font_description_free(found);
+    if (font)
+        g_object_unref(font);
+    pango_font_description_free(wanted);
+    g_object_unref(context);
+    return missing;
 }

@@ -7,6 +7,7 @@
 #define PP_CHARTS_SHEET_LETTERING_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include <cairo.h>
 
@@ -45,5 +46,9 @@ struct pp_box pp_lettering_draw(cairo_t *cr, const struct pp_style *style,
 struct pp_box pp_lettering_draw_on_white(cairo_t *cr, const struct pp_style *style,
                                          const struct pp_lettering *text, double x,
                                          double y, const char *words);
+
+/* Writes the family name of the font that is used, as UTF-8; "" if the machine has no
+ * font. Returns the number of characters of `words` that no font has. */
+int pp_lettering_font(const char *words, char *family, size_t room);
 
 #endif

@@ -5,10 +5,10 @@
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "cli/message.h"
+#include "cli/program/program_place.h"
 #include "model/base/work_ranks.h"
 
 #define MODULE "pepperpot-mpi.so"
@@ -26,30 +26,29 @@ static bool is_rank(void)
     return ranked && (!count || atoi(count) > 1);
 }
 
-/* The folder of the running program, ending in '/'; empty if the system does not tell. */
-static void program_folder(char *folder, size_t room)
+/* Searched relative to the running program, in the build tree and in an installed tree,
+ * which may be staged or moved; then where it was configured to be installed. */
+bool pp_mpirun_module_path(char *path, size_t room)
 {
-    ssize_t length = readlink("/proc/self/exe", folder, room - 1);
-    folder[length > 0 ? length : 0] = '\0';
-    char *slash = strrchr(folder, '/');
-    folder[slash ? slash + 1 - folder : 0] = '\0';
+    static const char *const relative[] = {".libs", "../lib/pepperpot"};
+    char folder[PATH_MAX];
+    pp_program_place_own(folder, sizeof folder);
+    for (int i = 0; folder[0] && i < 2; i++) {
+        snprintf(path, room, "%s%s/" MODULE, folder, relative[i]);
+        if (access(path, R_OK) == 0)
+            return true;
+    }
+    snprintf(path, room, "%s", PP_MODULE_FOLDER "/" MODULE);
+    return access(path, R_OK) == 0;
 }
 
 /* The module is a file of its own, so that the program also runs where MPI is not
- * installed. Searched relative to the running program, in the build tree and in an installed
- * tree, which may be staged or moved; then where it was configured to be installed. NULL: see
- * dlerror(). */
+ * installed. NULL: see dlerror(). */
 static void *load_module(void)
 {
-    static const char *const relative[] = {".libs", "../lib/pepperpot"};
-    char folder[PATH_MAX], path[PATH_MAX + 64];
-    program_folder(folder, sizeof folder);
-    for (int i = 0; folder[0] && i < 2; i++) {
-        snprintf(path, sizeof path, "%s%s/" MODULE, folder, relative[i]);
-        if (access(path, R_OK) == 0)
-            return dlopen(path, RTLD_NOW | RTLD_GLOBAL);
-    }
-    return dlopen(PP_MODULE_FOLDER "/" MODULE, RTLD_NOW | RTLD_GLOBAL);
+    char path[PATH_MAX + 64];
+    pp_mpirun_module_path(path, sizeof path);
+    return dlopen(path, RTLD_NOW | RTLD_GLOBAL);
 }
 
 enum pp_exit pp_mpirun_begin(struct pp_mpirun *mpirun)

@@ -2,6 +2,9 @@
 #ifndef PP_CLI_RANKS_MPIRUN_H
 #define PP_CLI_RANKS_MPIRUN_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "cli/exit_status.h"
 #include "model/base/ranks.h"
 
@@ -9,6 +12,9 @@ struct pp_mpirun {
     struct pp_ranks ranks;   /* good where count is 2 or more */
     void (*end)(void *data); /* of the module; NULL: none is loaded */
 };
+
+/* The path of the module for MPI. False: it is not installed; path is where it would be. */
+bool pp_mpirun_module_path(char *path, size_t room);
 
 /* To be called first. Where the process is one of several ranks, loads the module;
  * ranks but 0 print nothing from here on. Says what is wrong, if so. */

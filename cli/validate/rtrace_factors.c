@@ -3,6 +3,7 @@
 #include "cli/validate/rtrace_factors.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,30 +12,15 @@
 #include <unistd.h>
 
 #include "cli/interrupt.h"
+#include "cli/program/program_place.h"
 #include "cli/radiance/radiance_export.h"
 #include "model/base/text.h"
 
-/* Is there a program of that name that can be run? */
-static bool on_path(const char *program)
-{
-    const char *path = getenv("PATH");
-    for (const char *at = path; at && *at;) {
-        size_t length = strcspn(at, ":");
-        char *file;
-        if (asprintf(&file, "%.*s/%s", (int)length, at, program) < 0)
-            return false;
-        bool found = length > 0 && access(file, X_OK) == 0;
-        free(file);
-        if (found)
-            return true;
-        at += length + (at[length] == ':');
-    }
-    return false;
-}
-
 bool pp_rtrace_is_there(void)
 {
-    return on_path("rtrace") && on_path("oconv");
+    char path[PATH_MAX];
+    return pp_program_place_on_path("rtrace", path, sizeof path)
+           && pp_program_place_on_path("oconv", path, sizeof path);
 }
 
 /* The script's factors, *text the caller's; its messages go to standard error. */

@@ -105,7 +105,7 @@ runs() {
     (
         unset LD_LIBRARY_PATH
         cd "$work" || exit 1
-        for command in "df room.xml" "chart section room.xml -o section.svg" \
+        for command in doctor "df room.xml" "chart section room.xml -o section.svg" \
             "render --size 8x6 --samples 1 --quiet -ad 16 -as 4 -o picture.png room.xml" \
             "assess --by-hand --quiet room.xml" "report --by-hand --quiet room.xml -o report.html" \
             "size --target 2% --by-hand --quiet room.xml" \
@@ -122,7 +122,7 @@ runs() {
             }
         done
         "$bin/pepperpot" --help >help &&
-            [ "$(sed -n '/^Commands:/,/^$/p' help | grep -c '^  ')" -eq 15 ]
+            [ "$(sed -n '/^Commands:/,/^$/p' help | grep -c '^  ')" -eq 16 ]
     )
 }
 

@@ -1,0 +1,28 @@
+/* doctor_checks.h - tries the parts that every user needs: both ways to a known daylight
+ * factor, threads, drawings in each format, a font, and a file written and read back.
+ */
+#ifndef PP_CLI_DOCTOR_DOCTOR_CHECKS_H
+#define PP_CLI_DOCTOR_DOCTOR_CHECKS_H
+
+#include <stdbool.h>
+
+#include "charts/sheet/canvas.h"
+
+struct pp_doctor_check {
+    const char *name;
+    bool passes;
+    char result[600]; /* a figure or place; where it fails, the reason */
+};
+
+enum { PP_DOCTOR_CHECK_COUNT = 8 };
+
+/* Tries all. Takes about a second. */
+void pp_doctor_checks_run(struct pp_doctor_check list[PP_DOCTOR_CHECK_COUNT]);
+
+/* The test page as a file in memory: a canvas to be destroyed by the caller, and its
+ * bytes, which live as long. */
+enum pp_status pp_doctor_checks_page(struct pp_canvas **canvas,
+                                     const unsigned char **bytes, size_t *length,
+                                     enum pp_chart_format format, struct pp_error *err);
+
+#endif

@@ -1,0 +1,15 @@
+/* program_place.h - where programs are: this one, and those on PATH. */
+#ifndef PP_CLI_PROGRAM_PROGRAM_PLACE_H
+#define PP_CLI_PROGRAM_PROGRAM_PLACE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* The folder of the running program, ending in '/'; empty if the system does not tell. */
+void pp_program_place_own(char *folder, size_t room);
+
+/* The path of a program that PATH has and this user may run. False: there is none, and
+ * path is "". */
+bool pp_program_place_on_path(const char *program, char *path, size_t room);
+
+#endif
