@@ -74,6 +74,7 @@ static void settle_annual(struct annual_run *run)
     memcpy(annual->illuminances_lx, options->light.illuminances.lx,
            sizeof annual->illuminances_lx);
     annual->blinds = !options->without_blinds && !annual->exact_sky;
+    annual->measure = true;
     annual->coefficients = options->coefficients != NULL;
     annual->samples = (int)study->samples;
     annual->error = study->error;

@@ -113,6 +113,21 @@ static bool add_warnings(struct json_object *object,
     return good;
 }
 
+static bool add_discretisation(struct json_object *object,
+                               const struct pp_annual_sheet *sheet)
+{
+    const struct pp_annual_discretisation *d = &sheet->discretisation;
+    if (d->points == 0)
+        return true;
+    struct json_object *to = json_object_new_object();
+    return pp_json_add(object, "discretisation", to)
+           && pp_json_number(to, "points", d->points)
+           && pp_json_number(to, "hours", d->hours)
+           && add_annual_figure(to, "sky-percent", &d->sky, 100.0)
+           && pp_json_number(to, "sky_rms_percent", 100.0 * d->sky_rms)
+           && add_annual_figure(to, "all-percent", &d->all, 100.0);
+}
+
 static struct json_object *annual_room(const void *all, int index)
 {
     const struct pp_annual_results *results = all;
@@ -136,8 +151,8 @@ static struct json_object *annual_room(const void *all, int index)
            && pp_json_add(object, "grid", json_object_new_boolean(sheet->is_grid))
            && pp_json_add(object, "finished", json_object_new_boolean(sheet->finished));
     if (good && sheet->finished)
-        good = add_plane(object, sheet) && add_groups(object, sheet)
-               && add_points(object, sheet);
+        good = add_plane(object, sheet) && add_discretisation(object, sheet)
+               && add_groups(object, sheet) && add_points(object, sheet);
     return pp_json_whole(object, good);
 }
 

@@ -202,6 +202,24 @@ static void print_errors(const struct text_page *page)
     print_annual_fact(page, "standard errors", text);
 }
 
+static void print_discretisation(const struct text_page *page)
+{
+    const struct pp_annual_discretisation *d = &page->sheet->discretisation;
+    const char *sign = page->utf8 ? "\xC2\xB1" : "+-";
+    char text[320];
+    if (d->points == 0)
+        return;
+    snprintf(
+        text, sizeof text,
+        "against paths under the true sky and sun, %d point%s in %d hours: patches "
+        "%+.2f %% %s %.2f of the sky's light (rms of hours %.2f %%); patches and "
+        "cells %+.1f %% %s %.1f of all light but direct sun",
+        d->points, d->points == 1 ? "" : "s", d->hours, 100.0 * d->sky.value, sign,
+        100.0 * d->sky.std_error, 100.0 * d->sky_rms, 100.0 * d->all.value, sign,
+        100.0 * d->all.std_error);
+    print_annual_fact(page, "discretisation", text);
+}
+
 static void print_groups(const struct text_page *page)
 {
     const struct pp_annual_sheet *sheet = page->sheet;
@@ -247,6 +265,7 @@ static bool print_annual_room(const struct pp_annual_result *result, int width,
     fputc('\n', out);
     print_plane(&page);
     print_errors(&page);
+    print_discretisation(&page);
     print_groups(&page);
     fputc('\n', out);
     return print_points(&page);

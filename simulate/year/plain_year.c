@@ -105,13 +105,18 @@ static void follow_paths(const struct pp_plain_year *plain, int receiver, int ba
 /* The light of one event in one hour (lx), and the group it belongs to. */
 static double light_of(const struct pp_plain_year *plain,
                        const struct kept_event *event,
-                       const struct pp_light_columns *light, int hour, int *group)
+                       const struct pp_light_columns *light, bool by_patch, int hour,
+                       int *group)
 {
     const struct pp_perez_sky *sky = &light->skies[hour];
     int opening;
     *group = event->group;
     switch (event->kind) {
     case MET_SKY:
+        if (by_patch)
+            return event->weight
+                   * pp_light_columns_at(
+                       light, pp_sky_patches_of(&light->patches, event->u), hour);
         return event->weight * pp_perez_sky_luminance(sky, event->u);
     case MET_COLUMN:
         return event->weight * pp_light_columns_at(light, event->column, hour);
@@ -128,7 +133,7 @@ static double light_of(const struct pp_plain_year *plain,
 /* theory: end */
 
 enum pp_status pp_plain_year_point(const struct pp_plain_year *plain, int receiver,
-                                   const struct pp_light_columns *light,
+                                   const struct pp_light_columns *light, bool by_patch,
                                    struct pp_year_point *point, struct pp_error *err)
 {
     size_t step = (size_t)light->tiles * PP_LIGHT_LANES;
@@ -142,7 +147,8 @@ enum pp_status pp_plain_year_point(const struct pp_plain_year *plain, int receiv
         for (int i = 0; i < events.count; i++)
             for (int t = 0; t < light->count; t++) {
                 int group;
-                double lx = light_of(plain, &events.list[i], light, t, &group);
+                double lx =
+                    light_of(plain, &events.list[i], light, by_patch, t, &group);
                 size_t row = (size_t)(group * PP_YEAR_BATCHES + b) * step + (size_t)t;
                 (events.list[i].kind == MET_SUN ? point->sun : point->sky)[row] +=
                     (float)lx;

@@ -221,6 +221,9 @@ static enum pp_status work_out(struct pp_annual_work *work, struct pp_error *err
         status = keep_coefficients(work, err);
     if (status == PP_OK)
         status = for_points(work, pp_annual_point_work, err);
+    if (status == PP_OK && work->options->measure && work->coefficients
+        && goes_on(work, 0.9))
+        status = pp_annual_discretisation_measure(work, err);
     if (status == PP_OK)
         finish(work);
     return status;

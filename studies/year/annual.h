@@ -28,6 +28,7 @@ struct pp_annual_options {
     double error; /* largest standard error over a point's annual light; 0: not set */
     bool blinds;
     bool coefficients; /* keep them in the sheet */
+    bool measure;      /* the error of patches and cells */
     bool exact_sky;    /* without patches and cells: the slow reference */
     uint64_t seed;
     int threads;

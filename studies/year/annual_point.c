@@ -177,9 +177,10 @@ bool pp_annual_point_work(void *data, int worker, int x)
     size_t row =
         (size_t)x * (size_t)work->groups.count * (size_t)work->columns.column_count;
     work->status[x] =
-        work->plain ? pp_plain_year_point(work->plain, x, &work->columns, &point, NULL)
-                    : pp_year_coefficients_point(work->coefficients, x,
-                                                 work->direct + row, &point, NULL);
+        work->plain
+            ? pp_plain_year_point(work->plain, x, &work->columns, false, &point, NULL)
+            : pp_year_coefficients_point(work->coefficients, x, work->direct + row,
+                                         &point, NULL);
     if (work->status[x] != PP_OK)
         return false;
     add_up(work, space, x);

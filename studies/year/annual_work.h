@@ -52,4 +52,9 @@ enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
 void pp_annual_point_clear_spaces(struct pp_annual_work *work);
 bool pp_annual_point_work(void *work, int worker, int x);
 
+/* Measures the error of patches and cells on a sample of points and hours.
+ * (annual_discretisation.c) */
+enum pp_status pp_annual_discretisation_measure(struct pp_annual_work *work,
+                                                struct pp_error *err);
+
 #endif

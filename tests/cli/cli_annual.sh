@@ -32,6 +32,8 @@ cell() {
 
 check "text" shows "sDA300/50" $annual "$room"
 check "it names its assumptions" shows "LM-83-12" $annual "$room"
+check "the error of patches is said" shows "discretisation" $annual "$room"
+check "and is in JSON" shows '"sky_rms_percent"' $annual -f json "$room"
 check "it says that points are no grid" shows "no grid" $annual "$room"
 # lacks TEXT WORDS: the output has no such text.
 lacks() {

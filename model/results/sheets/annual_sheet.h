@@ -91,6 +91,16 @@ struct pp_annual_hour {
     int sky;                                  /* index of its values; -1: dark */
 };
 
+/* The error of patches and cells on a sample, against paths under the true sky and sun. */
+struct pp_annual_discretisation {
+    int points, hours; /* of the sample; 0: not measured */
+    struct pp_annual_value
+        sky;        /* error by patches over the light of sky and ground, mean */
+    double sky_rms; /* of its single hours and points */
+    struct pp_annual_value
+        all; /* error over all light but direct sun, mean of the points */
+};
+
 struct pp_annual_sheet {
     const struct pp_world *world;        /* not owned */
     const struct pp_receiver *receivers; /* not owned */
@@ -113,6 +123,7 @@ struct pp_annual_sheet {
     struct pp_annual_figures *points; /* by receiver; owned */
     struct pp_annual_figures mean;
     struct pp_annual_plane plane;
+    struct pp_annual_discretisation discretisation;
     int near_half; /* points whose autonomy is within 2 se of a half */
     int group_count;
     struct pp_annual_group *groups; /* owned */

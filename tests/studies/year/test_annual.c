@@ -179,6 +179,47 @@ static void patches_and_cells_agree_with_the_plain_year(void **state)
     pp_world_destroy(world);
 }
 
+/* ---- the error of patches ---- */
+
+/* A sky of one luminance is the same in patches; a clear one is not, and 145 patches lose
+ * more of it than 2305. The error of all lies within its standard errors. */
+static void patches_err_under_uneven_skies_alone(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, street);
+    struct made_year made;
+    make_year(&made);
+    struct pp_perez_sky sky = {.b = -1.0, .sun = {0, 0, 1}, .N = 2000.0};
+    sky.diffuse_lx = PP_PI * sky.N;
+    add_made_hour(&made, &sky);
+    struct pp_annual_sheet even, coarse, fine;
+    struct pp_annual_options options = whole_day(32);
+    options.measure = true;
+    compute(&even, world, &light, &made, &options);
+    assert_int_equal(even.discretisation.points, 3);
+    assert_int_equal(even.discretisation.hours, 1);
+    assert_near(even.discretisation.sky.value, 0.0, 1e-6);
+    assert_near(even.discretisation.sky_rms, 0.0, 1e-6);
+
+    make_mixed_year(&made);
+    options.patches = 145;
+    compute(&coarse, world, &light, &made, &options);
+    options.patches = 2305;
+    compute(&fine, world, &light, &made, &options);
+    const struct pp_annual_discretisation *a = &coarse.discretisation,
+                                          *b = &fine.discretisation;
+    assert_int_equal(a->hours, 16);
+    assert_true(a->sky_rms > 4.0 * b->sky_rms && b->sky_rms > 0.0);
+    assert_true(a->sky_rms < 0.03);
+    assert_near(b->all.value, 0.0, 3.0 * b->all.std_error + 0.004);
+    assert_true(b->all.std_error > 0.0 && b->all.std_error < 0.05);
+    pp_annual_sheet_clear(&even);
+    pp_annual_sheet_clear(&coarse);
+    pp_annual_sheet_clear(&fine);
+    pp_world_destroy(world);
+}
+
 /* ---- symmetries ---- */
 
 /* The same office: its window in the south wall; or in the wall named east of a plan whose
@@ -375,6 +416,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(under_a_uniform_sky_it_is_the_daylight_factor),
         cmocka_unit_test(patches_and_cells_agree_with_the_plain_year),
+        cmocka_unit_test(patches_err_under_uneven_skies_alone),
         cmocka_unit_test(a_turned_plan_has_the_same_year),
         cmocka_unit_test(opposite_windows_give_half_of_the_light_each),
         cmocka_unit_test(pieces_of_sky_are_the_whole_of_it),
