@@ -71,21 +71,50 @@ static char *folder_of(const char *path)
     return strndup(path, end ? (size_t)(end - path) + 1 : 0);
 }
 
-enum pp_status pp_building_read(struct pp_building **building, const char *path,
-                                struct pp_mistakes *mistakes, struct pp_error *err)
+/* Parses the text with the changes in it. */
+static enum pp_status parse_changed(struct pp_building **building, const char *bytes,
+                                    size_t length, const char *path,
+                                    const struct pp_room_changes *changes,
+                                    struct pp_mistakes *mistakes, struct pp_error *err)
+{
+    char *folder = folder_of(path), *changed = NULL;
+    enum pp_status status = folder ? PP_OK : pp_fail_memory(err);
+    struct pp_error why = {0};
+    if (status == PP_OK && changes->count > 0) {
+        status = pp_room_change_text(&changed, &length, bytes, length, changes, &why);
+        if (status != PP_OK)
+            pp_fail(err, status, "%s: %s", mistakes->file, why.message);
+        bytes = changed;
+    }
+    if (status == PP_OK)
+        status = parse(building, bytes, length, folder, mistakes, err);
+    free(changed);
+    free(folder);
+    return status;
+}
+
+enum pp_status pp_building_read_changed(struct pp_building **building, const char *path,
+                                        const struct pp_room_changes *changes,
+                                        struct pp_mistakes *mistakes,
+                                        struct pp_error *err)
 {
     char *bytes;
     size_t length;
     *building = NULL;
     enum pp_status status =
         pp_read_file(&bytes, &length, path, PP_READ_ELEMENTS_BYTES_MOST, err);
-    char *folder = status == PP_OK ? folder_of(path) : NULL;
-    if (status == PP_OK)
-        status = folder ? parse(building, bytes, length, folder, mistakes, err)
-                        : pp_fail_memory(err);
-    free(folder);
+    if (status != PP_OK)
+        return status;
+    status = parse_changed(building, bytes, length, path, changes, mistakes, err);
     free(bytes);
     return status;
+}
+
+enum pp_status pp_building_read(struct pp_building **building, const char *path,
+                                struct pp_mistakes *mistakes, struct pp_error *err)
+{
+    const struct pp_room_changes none = {0};
+    return pp_building_read_changed(building, path, &none, mistakes, err);
 }
 
 enum pp_status pp_building_read_again(struct pp_building **building,

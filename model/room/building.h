@@ -8,6 +8,7 @@
 
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
+#include "model/room/room_change.h"
 #include "model/room/world.h"
 
 /* One room as described in the file: names, lengths and lines, unresolved. */
@@ -28,6 +29,12 @@ struct pp_building;
  * nothing could. */
 enum pp_status pp_building_read(struct pp_building **building, const char *path,
                                 struct pp_mistakes *mistakes, struct pp_error *err);
+
+/* The same with changes in its text (room_change.h), which pp_building_text then has. */
+enum pp_status pp_building_read_changed(struct pp_building **building, const char *path,
+                                        const struct pp_room_changes *changes,
+                                        struct pp_mistakes *mistakes,
+                                        struct pp_error *err);
 
 /* The same from memory. */
 enum pp_status pp_building_parse(struct pp_building **building, const char *bytes,
