@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/sweep_options.h"
 #include "model/base/text.h"
 #include "model/base/array.h"
 #include "studies/criteria/grid/plane_grid.h"
@@ -228,6 +229,11 @@ enum pp_status pp_room_options_settle(struct pp_room_options *options,
                                       struct pp_error *err)
 {
     const char *needs_simulate = stop_option(&options->study);
+    enum pp_status status = pp_sweep_options_check(&options->sweep, err);
+    if (status == PP_OK)
+        status = pp_sweep_choose(&options->sweep, 0, err);
+    if (status != PP_OK)
+        return status;
     if (needs_simulate && !options->study.simulate)
         return pp_fail(
             err, PP_BAD_INPUT,
@@ -248,4 +254,5 @@ void pp_room_options_clear(struct pp_room_options *options)
 {
     free(options->study.points.list);
     options->study.points = (struct pp_point_list){0};
+    pp_sweep_clear(&options->sweep);
 }

@@ -116,7 +116,8 @@ static enum pp_exit load_file(struct loading *loading, const char *file)
     pp_mistakes_init(&mistakes, strcmp(file, "-") == 0 ? "standard input" : file);
     struct pp_error err = {0};
     struct pp_building *building = NULL;
-    enum pp_status status = pp_building_read(&building, file, &mistakes, &err);
+    enum pp_status status = pp_building_read_changed(
+        &building, file, &loading->options->sweep.now, &mistakes, &err);
 
     enum pp_exit result = PP_EXIT_DONE;
     if (status != PP_OK && (status != PP_BAD_INPUT || mistakes.count == 0))

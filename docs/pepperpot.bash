@@ -12,7 +12,7 @@ _pepperpot()
         mapfile -t COMPREPLY < <(compgen -W 'office flat classroom attic' -- "$word")
     elif [ "$previous" = --format ] || [ "$previous" = -f ]; then
         local formats='text json csv'
-        [[ $command != size && $command != compare ]] || formats='text json'
+        [ "$command" != compare ] || formats='text json'
         [ "$command" != chart ] || formats='pdf svg png'
         [ "$command" != report ] || formats='html pdf'
         [ "$command" != render ] || formats='hdr pfm png pdf svg'

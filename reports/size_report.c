@@ -45,8 +45,7 @@ static void print_size_fact(const char *label, const char *text, int width, FILE
     pp_print_wrapped(text, LABEL + 2, LABEL + 2, width, out);
 }
 
-/* The length that a change is about. */
-static double length_of(struct pp_opening_place place, enum pp_size_change change)
+double pp_size_report_length(struct pp_opening_place place, enum pp_size_change change)
 {
     switch (change) {
     case PP_CHANGE_HEIGHT:
@@ -90,8 +89,9 @@ static void append_size(char text[TEXT_BYTES], const struct pp_size_room_result 
     double first = NAN, first_was = NAN;
     for (int i = 0; i < result->edit_count; i++) {
         const struct pp_text_edit *edit = &result->edits[i];
-        double is = length_of(edit->place, change);
-        double was = length_of(pp_room_opening_at(before, edit->opening).place, change);
+        double is = pp_size_report_length(edit->place, change);
+        double was = pp_size_report_length(
+            pp_room_opening_at(before, edit->opening).place, change);
         first = i == 0 ? is : first;
         first_was = i == 0 ? was : first_was;
         alike = alike && fabs(is - first) <= same_m;

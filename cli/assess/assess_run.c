@@ -31,7 +31,7 @@ static enum pp_status simulate_room(const void *data, int room,
                                            : PP_OK;
 }
 
-static enum pp_status compute_assessments(void *data, struct pp_error *err)
+enum pp_status pp_assess_run_compute(void *data, struct pp_error *err)
 {
     struct pp_assess_run *run = data;
     struct pp_assessments *all = &run->all;
@@ -78,7 +78,7 @@ static enum pp_status compute_assessments(void *data, struct pp_error *err)
     return status;
 }
 
-static bool assessments_are_finished(const void *data)
+bool pp_assess_run_is_finished(const void *data)
 {
     const struct pp_assess_run *run = data;
     for (int i = 0; i < run->all.count; i++)
@@ -87,27 +87,24 @@ static bool assessments_are_finished(const void *data)
     return true;
 }
 
-static enum pp_exit assess_rooms(
-    struct pp_assess_words *words, const struct pp_rooms *rooms,
-    const struct pp_rooms *before, const struct pp_rooms *mirrored,
-    enum pp_status (*print)(const void *, FILE *, struct pp_error *))
+struct pp_assess_run pp_assess_run_of(const struct pp_assess_words *words,
+                                      const struct pp_assess_rooms *rooms)
 {
-    struct pp_terminal_watch watch;
-    words->room.study.watch = pp_watch_of_terminal(&watch, words->room.quiet);
-    struct pp_assess_run run = {.words = words,
-                                .rooms = rooms,
-                                .before = before,
-                                .mirrored = mirrored,
-                                .all = {.several = rooms->several,
-                                        .more_than_one_file = rooms->more_than_one_file,
-                                        .options = &words->room.study}};
-    enum pp_exit exit_status =
-        pp_job_run(&(struct pp_job){words->room.output, compute_assessments, print,
-                                    assessments_are_finished, &run});
-    for (int i = 0; i < run.all.count; i++)
-        pp_assessment_clear(&run.all.list[i]);
-    free(run.all.list);
-    return exit_status;
+    return (struct pp_assess_run){
+        .words = words,
+        .rooms = &rooms->rooms,
+        .before = &rooms->before,
+        .mirrored = &rooms->mirrored,
+        .all = {.several = rooms->rooms.several,
+                .more_than_one_file = rooms->rooms.more_than_one_file,
+                .options = &words->room.study}};
+}
+
+void pp_assess_run_clear(struct pp_assess_run *run)
+{
+    for (int i = 0; i < run->all.count; i++)
+        pp_assessment_clear(&run->all.list[i]);
+    free(run->all.list);
 }
 
 static enum pp_status refuse_alone(const struct pp_criterion *criterion,
@@ -144,37 +141,63 @@ static enum pp_exit check_compared(const struct pp_assess_words *words,
     return PP_EXIT_DONE;
 }
 
-enum pp_exit pp_assess_run(struct pp_assess_words *words, const char *command,
-                           char **files, int file_count,
-                           enum pp_status (*print)(const void *data, FILE *out,
-                                                   struct pp_error *err))
+enum pp_exit pp_assess_run_load(struct pp_assess_rooms *all,
+                                struct pp_assess_words *words, const char *command,
+                                char **files, int file_count)
 {
-    struct pp_rooms rooms = {0}, before = {0}, mirrored = {0};
-    enum pp_exit exit_status = PP_EXIT_DONE;
-    if (words->weather)
-        exit_status = pp_availability_options_median(words->weather, &words->median_lux,
-                                                     &words->sunshine);
-    if (exit_status == PP_EXIT_DONE)
-        exit_status = pp_rooms_load(&rooms, command, files, file_count, &words->room);
+    enum pp_exit exit_status =
+        pp_rooms_load(&all->rooms, command, files, file_count, &words->room);
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
     if (words->before) {
         struct pp_room_options all_rooms = words->room;
         all_rooms.room = NULL;
+        all_rooms.sweep.now.lenient = true;
         char *file[] = {(char *)words->before};
-        exit_status = pp_rooms_load(&before, command, file, 1, &all_rooms);
+        exit_status = pp_rooms_load(&all->before, command, file, 1, &all_rooms);
     } else if (words->room.state == PP_STATE_BOTH) {
-        exit_status = pp_rooms_load_existing(&before, command, &rooms, &words->room);
+        exit_status =
+            pp_rooms_load_existing(&all->before, command, &all->rooms, &words->room);
     }
     if (exit_status == PP_EXIT_DONE)
-        exit_status = check_compared(words, command, before.count > 0);
+        exit_status = check_compared(words, command, all->before.count > 0);
     if (exit_status == PP_EXIT_DONE && words->mirror_image.given)
-        exit_status = pp_rooms_load_mirrored(&mirrored, command, &rooms, &words->room,
-                                             &words->mirror_image.line);
+        exit_status = pp_rooms_load_mirrored(&all->mirrored, command, &all->rooms,
+                                             &words->room, &words->mirror_image.line);
+    return exit_status;
+}
+
+void pp_assess_run_unload(struct pp_assess_rooms *all)
+{
+    pp_rooms_clear(&all->mirrored);
+    pp_rooms_clear(&all->before);
+    pp_rooms_clear(&all->rooms);
+}
+
+enum pp_exit pp_assess_run_weather(struct pp_assess_words *words)
+{
+    return words->weather ? pp_availability_options_median(
+               words->weather, &words->median_lux, &words->sunshine)
+                          : PP_EXIT_DONE;
+}
+
+enum pp_exit pp_assess_run(struct pp_assess_words *words, const char *command,
+                           char **files, int file_count,
+                           enum pp_status (*print)(const void *data, FILE *out,
+                                                   struct pp_error *err))
+{
+    struct pp_terminal_watch watch;
+    struct pp_assess_rooms rooms = {0};
+    enum pp_exit exit_status = pp_assess_run_weather(words);
     if (exit_status == PP_EXIT_DONE)
-        exit_status = assess_rooms(words, &rooms, &before, &mirrored, print);
-    pp_rooms_clear(&mirrored);
-    pp_rooms_clear(&before);
-    pp_rooms_clear(&rooms);
+        exit_status = pp_assess_run_load(&rooms, words, command, files, file_count);
+    words->room.study.watch = pp_watch_of_terminal(&watch, words->room.quiet);
+    struct pp_assess_run run = pp_assess_run_of(words, &rooms);
+    if (exit_status == PP_EXIT_DONE)
+        exit_status =
+            pp_job_run(&(struct pp_job){words->room.output, pp_assess_run_compute,
+                                        print, pp_assess_run_is_finished, &run});
+    pp_assess_run_clear(&run);
+    pp_assess_run_unload(&rooms);
     return exit_status;
 }

@@ -14,6 +14,28 @@ struct pp_assess_run {
     struct pp_assessments all;
 };
 
+/* Rooms as they are, as they were, and with the mirror image; zeroed at first. */
+struct pp_assess_rooms {
+    struct pp_rooms rooms, before, mirrored;
+};
+
+/* Loads them with the changes of words->room.sweep. The caller unloads them in any case.
+ */
+enum pp_exit pp_assess_run_load(struct pp_assess_rooms *rooms,
+                                struct pp_assess_words *words, const char *command,
+                                char **files, int file_count);
+void pp_assess_run_unload(struct pp_assess_rooms *rooms);
+
+/* Takes the median illuminance and the sunshine from --weather, if given. */
+enum pp_exit pp_assess_run_weather(struct pp_assess_words *words);
+
+/* An empty run; its functions take it as `data`, as struct pp_job does. */
+struct pp_assess_run pp_assess_run_of(const struct pp_assess_words *words,
+                                      const struct pp_assess_rooms *rooms);
+enum pp_status pp_assess_run_compute(void *data, struct pp_error *err);
+bool pp_assess_run_is_finished(const void *data);
+void pp_assess_run_clear(struct pp_assess_run *run);
+
 /* Assesses all rooms of the files and prints them by `print`, whose data is a struct
  * pp_assess_run. command: its name, for messages. */
 enum pp_exit pp_assess_run(struct pp_assess_words *words, const char *command,

@@ -163,6 +163,10 @@ enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
                          "--mirror-image compares a file's existing and proposed "
                          "states; it cannot be combined with %s",
                          options->before ? "--before" : "--state");
+    if (status == PP_OK && options->table && options->room.sweep.axis_count > 0)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "--table is for one run, and --sweep makes many; expected "
+                         "one of them");
     if (status == PP_OK && options->before && options->room.state != PP_STATE_BOTH)
         status =
             pp_fail(err, PP_BAD_INPUT,

@@ -3,9 +3,11 @@
 #include <stddef.h>
 
 #include "cli/assess/assess_run.h"
+#include "cli/assess/assess_sweep.h"
 #include "cli/assess/assess_words.h"
 #include "cli/command.h"
 #include "cli/format_option.h"
+#include "cli/sweep_options.h"
 #include "cli/terminal.h"
 #include "reports/assess/assess_csv.h"
 #include "reports/assess/assess_json.h"
@@ -39,6 +41,9 @@ static enum pp_status print_assess(const void *data, FILE *out, struct pp_error 
 
 static enum pp_exit run_assess(void *words, char **files, int file_count)
 {
+    struct pp_assess_words *options = words;
+    if (options->room.sweep.axis_count > 0)
+        return pp_assess_sweep_run(words, files, file_count, print_assess);
     return pp_assess_run(words, "assess", files, file_count, print_assess);
 }
 
@@ -47,6 +52,7 @@ static const struct pp_option_group groups[] = {
     {"Criteria", pp_room_french_option, PLACE(french_m)},
     {"Criteria", pp_room_spacing_option, PLACE(grid)},
     {"Criteria", pp_room_external_option, PLACE(room)},
+    {"Criteria", pp_sweep_options, PLACE(room.sweep)},
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
     {"Simulation", pp_room_plain_option, PLACE(room)},
     {"Output", pp_assess_words_table, 0},

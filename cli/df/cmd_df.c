@@ -4,44 +4,19 @@
 #include <string.h>
 
 #include "cli/command.h"
-#include "cli/ranks/room_queue.h"
-#include "cli/df/engine_choice.h"
+#include "cli/df/df_run.h"
 #include "cli/format_option.h"
-#include "cli/df/formula_option.h"
 #include "cli/df/moment_run.h"
-#include "studies/bands/report_bands.h"
-#include "studies/plane_margin.h"
-#include "studies/study_report.h"
-#include "cli/interrupt.h"
-#include "cli/lumen_option.h"
 #include "cli/message.h"
 #include "cli/job.h"
-#include "cli/rooms.h"
-#include "cli/terminal.h"
+#include "cli/sweep_options.h"
 #include "cli/watch.h"
-#include "reports/df_text.h"
-#include "reports/df_json.h"
-#include "reports/df_csv.h"
 #include "reports/formula_list.h"
 #include "methods/evaluate.h"
 #include "methods/selection.h"
 #include "methods/method.h"
 
-struct df_options {
-    struct pp_room_options room;
-    struct pp_lumen_files lumen_files;
-    struct pp_formula_words formulae;
-    bool list_formulae;
-    struct pp_engine_choice engine;
-    struct pp_moment_choice moment;
-    enum pp_format format;
-    bool array;
-    bool bands, no_bands;
-    bool advise; /* which method to use */
-    bool margin; /* the average inside the plane's margin too */
-};
-
-#define PLACE(member) offsetof(struct df_options, member)
+#define PLACE(member) offsetof(struct pp_df_options, member)
 
 static const struct pp_option explain_option[] = {
     {"explain", 'e', NULL,
@@ -113,159 +88,8 @@ static void help_on_methods(FILE *out)
                          out);
 }
 
-/* Runs the selected engines; saves the cache file. */
-static enum pp_status simulate_df_room(struct pp_report *report, bool *by_clock,
-                                       const struct pp_study_options *study,
-                                       const struct pp_engine_choice *choice,
-                                       struct pp_error *err)
-{
-    const struct pp_engine_options options = {.sensor_m = choice->sensor_m,
-                                              .cache = choice->cache.options,
-                                              .interpolate = choice->interpolate,
-                                              .cache_file = choice->cache.file};
-    struct pp_kept_bytes kept = {0};
-    enum pp_status status = PP_OK;
-    const struct pp_engine *engine;
-    for (int i = 0; (engine = pp_engine_at(i)) != NULL && status == PP_OK; i++)
-        if (pp_engine_choice_has(choice, i))
-            status = pp_study_report_simulate(
-                report, engine, options, study, by_clock,
-                engine->keep && choice->cache.file ? &kept : NULL, err);
-    if (status == PP_OK && kept.bytes && report->finished)
-        status = pp_cache_choice_write(&choice->cache, kept.bytes, kept.length, err);
-    free(kept.bytes);
-    return status;
-}
-
-struct df_run {
-    const struct df_options *options;
-    const struct pp_rooms *rooms;
-    struct pp_results results;
-};
-
-/* The same methods and simulation on the plane inside its margin. */
-static enum pp_status add_margin(struct pp_result *result,
-                                 const struct pp_study_room *room,
-                                 const struct df_options *options, struct pp_error *err)
-{
-    struct pp_study_options study = options->room.study;
-    struct pp_engine_choice engine = options->engine;
-    struct pp_result inside = {.file = result->file, .report = {.finished = true}};
-    struct pp_plane_margin margin;
-    engine.cache.file = NULL;
-    study.explain = false;
-    enum pp_status status = pp_plane_margin_init(&margin, room, err);
-    if (status == PP_OK && margin.has_plane)
-        status = pp_study_report_methods(&inside.report, &margin.room, &study, err);
-    if (status == PP_OK && margin.has_plane && study.simulate)
-        status =
-            simulate_df_room(&inside.report, &inside.by_clock, &study, &engine, err);
-    if (status == PP_OK)
-        status = pp_plane_margin_take(&result->report,
-                                      margin.has_plane ? &inside.report : NULL, err);
-    result->report.finished &= inside.report.finished;
-    result->by_clock |= inside.by_clock;
-    pp_report_clear(&inside.report);
-    pp_plane_margin_clear(&margin);
-    return status;
-}
-
-/* Adds advice from the results of all methods. */
-static enum pp_status add_advice(struct pp_result *result,
-                                 const struct pp_study_room *room,
-                                 const struct df_options *options, struct pp_error *err)
-{
-    struct pp_study_options study = options->room.study;
-    struct pp_report all;
-    study.methods = "all";
-    study.explain = false;
-    enum pp_status status = pp_study_report_methods(&all, room, &study, err);
-    if (status == PP_OK)
-        status = pp_advice_of(&result->advice, &all, err);
-    result->has_advice = status == PP_OK;
-    pp_report_clear(&all);
-    return status;
-}
-
-static struct pp_room_figures df_room_figures(void *data, int room)
-{
-    struct pp_result *result = &((struct df_run *)data)->results.list[room];
-    return (struct pp_room_figures){&result->report, &result->by_clock};
-}
-
-static enum pp_status simulate_room(const void *data, int room,
-                                    struct pp_report *report, bool *by_clock,
-                                    struct pp_error *err)
-{
-    const struct df_run *run = data;
-    (void)room;
-    return simulate_df_room(report, by_clock, run->results.options,
-                            &run->options->engine, err);
-}
-
-/* Runs the hand methods of all rooms first: they take milliseconds, and their results
- * are kept whatever happens to the simulation. */
-static enum pp_status compute_df(void *data, struct pp_error *err)
-{
-    struct df_run *run = data;
-    struct pp_results *results = &run->results;
-    const struct pp_rooms *rooms = run->rooms;
-    enum pp_status status = PP_OK;
-    results->list = calloc((size_t)rooms->count + 1, sizeof *results->list);
-    if (!results->list)
-        return pp_fail_memory(err);
-    for (int i = 0; i < rooms->count && status == PP_OK; i++) {
-        struct pp_result *result = &results->list[results->count++];
-        result->file = rooms->list[i].file;
-        status = pp_study_report_with_plane(&result->report, &rooms->list[i],
-                                            results->options, err);
-    }
-    if (status == PP_OK && results->options->simulate)
-        pp_interrupt_watch();
-    if (status == PP_OK)
-        status = pp_room_queue_run(
-            &(struct pp_room_queue){results->options->simulate ? results->count : 0,
-                                    run->options->room.ranks, df_room_figures,
-                                    simulate_room, run},
-            err);
-    for (int i = 0; i < results->count && status == PP_OK && run->options->margin; i++)
-        status = add_margin(&results->list[i], &rooms->list[i], run->options, err);
-    for (int i = 0; i < results->count && status == PP_OK; i++)
-        status = pp_study_report_settle(&results->list[i].report, &rooms->list[i], err);
-    for (int i = 0; i < results->count && status == PP_OK && !run->options->no_bands;
-         i++)
-        status = pp_report_bands_fill(&results->list[i].report, err);
-    for (int i = 0; i < results->count && status == PP_OK && run->options->advise; i++)
-        status = add_advice(&results->list[i], &rooms->list[i], run->options, err);
-    return status;
-}
-
-static enum pp_status print_df(const void *data, FILE *out, struct pp_error *err)
-{
-    const struct df_run *run = data;
-    switch (run->options->format) {
-    case PP_FORMAT_JSON:
-        return pp_df_json(&run->results, out, err);
-    case PP_FORMAT_CSV:
-        return pp_df_csv(&run->results, out, err);
-    case PP_FORMAT_TEXT:
-        break;
-    }
-    return pp_df_text(&run->results, pp_terminal_width(run->options->room.output),
-                      pp_terminal_utf8(), out, err);
-}
-
-static bool df_is_finished(const void *data)
-{
-    const struct df_run *run = data;
-    for (int i = 0; i < run->results.count; i++)
-        if (!run->results.list[i].report.finished)
-            return false;
-    return true;
-}
-
 /* A sum is set out for one point a room; a cache file has the records of one room. */
-static enum pp_exit check_rooms(const struct df_options *options,
+static enum pp_exit check_rooms(const struct pp_df_options *options,
                                 const struct pp_rooms *rooms)
 {
     struct pp_error err = {0};
@@ -283,24 +107,16 @@ static enum pp_exit check_rooms(const struct df_options *options,
     return err.status == PP_OK ? PP_EXIT_DONE : pp_message_usage("df", &err);
 }
 
-static enum pp_exit run_df_of_rooms(struct df_options *options,
+static enum pp_exit run_df_of_rooms(struct pp_df_options *options,
                                     const struct pp_rooms *rooms)
 {
     struct pp_terminal_watch watch;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
-    struct df_run run = {.options = options,
-                         .rooms = rooms,
-                         .results = {.several = rooms->several || options->array,
-                                     .more_than_one_file = rooms->more_than_one_file,
-                                     .bands = options->bands,
-                                     .options = &options->room.study}};
-    enum pp_exit exit_status = pp_job_run(&(struct pp_job){
-        options->room.output, compute_df, print_df, df_is_finished, &run});
-    for (int i = 0; i < run.results.count; i++) {
-        pp_report_clear(&run.results.list[i].report);
-        pp_advice_clear(&run.results.list[i].advice);
-    }
-    free(run.results.list);
+    struct pp_df_run run = pp_df_run_of(options, rooms);
+    enum pp_exit exit_status =
+        pp_job_run(&(struct pp_job){options->room.output, pp_df_run_compute,
+                                    pp_df_run_print, pp_df_run_is_finished, &run});
+    pp_df_run_clear(&run);
     return exit_status;
 }
 
@@ -322,7 +138,7 @@ static enum pp_status print_formulae(const void *data, FILE *out, struct pp_erro
 /* Runs with the user's own tables for the lumen method, if given. */
 static enum pp_exit run_df(void *values, char **files, int file_count)
 {
-    struct df_options *options = values;
+    struct pp_df_options *options = values;
     struct pp_lumen_table *table;
     struct pp_rooms rooms;
     if (options->list_formulae)
@@ -332,6 +148,11 @@ static enum pp_exit run_df(void *values, char **files, int file_count)
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
     options->room.study.method_options.lumen_table = table;
+    if (options->room.sweep.axis_count > 0) {
+        exit_status = pp_df_run_sweep(options, files, file_count);
+        pp_lumen_table_destroy(table);
+        return exit_status;
+    }
     exit_status = pp_rooms_load(&rooms, "df", files, file_count, &options->room);
     if (exit_status == PP_EXIT_DONE) {
         bool moment = pp_moment_choice_said(&options->moment);
@@ -353,7 +174,7 @@ static enum pp_exit run_df(void *values, char **files, int file_count)
 static enum pp_status check_df_options(void *values, char **files, int file_count,
                                        struct pp_error *err)
 {
-    struct df_options *options = values;
+    struct pp_df_options *options = values;
     struct pp_study_options *study = &options->room.study;
     (void)files;
     if (options->list_formulae && file_count > 0)
@@ -373,6 +194,15 @@ static enum pp_status check_df_options(void *values, char **files, int file_coun
     if (options->array && options->format != PP_FORMAT_JSON)
         return pp_fail(err, PP_BAD_INPUT,
                        "--array is for JSON; expected --format json with it");
+    const char *alone = study->explain                            ? "explain"
+                        : options->advise                         ? "advise"
+                        : pp_moment_choice_said(&options->moment) ? "when"
+                        : options->engine.cache.file              ? "cache"
+                                                                  : NULL;
+    if (options->room.sweep.axis_count > 0 && alone)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--%s is for one run, and --sweep makes many; expected --set",
+                       alone);
     enum pp_status status =
         pp_moment_choice_settle(&options->moment, &options->room, err);
     if (status == PP_OK && pp_moment_choice_said(&options->moment)) {
@@ -393,13 +223,13 @@ static enum pp_status check_df_options(void *values, char **files, int file_coun
 
 static void init_df_options(void *values)
 {
-    *(struct df_options *)values = (struct df_options){
+    *(struct pp_df_options *)values = (struct pp_df_options){
         .room = pp_room_options_none, .engine = {.cache = pp_cache_choice_default()}};
 }
 
 static void clear_df_options(void *values)
 {
-    struct df_options *options = values;
+    struct pp_df_options *options = values;
     pp_room_options_clear(&options->room);
     pp_formula_option_clear(&options->formulae);
     pp_cache_choice_clear(&options->engine.cache);
@@ -407,6 +237,7 @@ static void clear_df_options(void *values)
 
 static const struct pp_option_group groups[] = {
     PP_ROOM_CHOICE_GROUPS("Calculation", PLACE(room)),
+    {"Calculation", pp_sweep_options, PLACE(room.sweep)},
     {"Calculation", pp_lumen_option, PLACE(lumen_files)},
     {"Calculation", explain_option, 0},
     {"Calculation", advise_option, 0},
@@ -432,7 +263,7 @@ const struct pp_command pp_command_df = {
     .operands = "FILE...",
     .about = about,
     .groups = groups,
-    .size = sizeof(struct df_options),
+    .size = sizeof(struct pp_df_options),
     .more_help = help_on_methods,
     .init = init_df_options,
     .check = check_df_options,

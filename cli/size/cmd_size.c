@@ -16,10 +16,13 @@
 #include "reports/size_report.h"
 #include "cli/rooms.h"
 #include "cli/format_option.h"
+#include "cli/sweep_job.h"
+#include "cli/sweep_options.h"
 #include "cli/watch.h"
 #include "cli/size/size_options.h"
 #include "model/base/relative_path.h"
-#include "cli/format_option.h"
+#include "reports/size_csv.h"
+#include "reports/sweep/sweep_text.h"
 
 static const char about[] =
     "Finds the window that just reaches a target: the smallest width, height, head, "
@@ -127,6 +130,8 @@ static enum pp_status compute_sizes(void *data, struct pp_error *err)
 static enum pp_status print_size(const void *data, FILE *out, struct pp_error *err)
 {
     const struct size_run *run = data;
+    if (run->options->format == PP_FORMAT_CSV)
+        return pp_size_csv(&run->results, out, err);
     return run->options->format == PP_FORMAT_JSON
                ? pp_size_report_json(&run->results, out, err)
                : pp_size_report(&run->results,
@@ -147,6 +152,96 @@ static enum pp_exit size_rooms(struct size_run *run)
                             &err)
                != PP_OK)
         return pp_message_error(&err);
+    return exit_status;
+}
+
+static struct size_run size_run_of(const struct pp_size_options *options,
+                                   const struct pp_rooms *rooms)
+{
+    return (struct size_run){
+        .options = options,
+        .rooms = rooms,
+        .results = {.several = rooms->several,
+                    .more_than_one_file = rooms->more_than_one_file,
+                    .request = &options->request}};
+}
+
+static void clear_size_run(struct size_run *run)
+{
+    for (int i = 0; i < run->results.count; i++)
+        pp_size_room_result_clear(&run->results.list[i]);
+    free(run->results.list);
+}
+
+/* ---- --sweep ---- */
+
+struct size_sweep {
+    struct pp_size_options *options;
+    char **files;
+    int file_count;
+    struct pp_rooms *rooms; /* of each run */
+    struct size_run *runs;
+};
+
+static enum pp_exit load_size_run(void *data, int run)
+{
+    struct size_sweep *sweep = data;
+    enum pp_exit exit_status = pp_rooms_load(&sweep->rooms[run], "size", sweep->files,
+                                             sweep->file_count, &sweep->options->room);
+    sweep->runs[run] = size_run_of(sweep->options, &sweep->rooms[run]);
+    return exit_status;
+}
+
+static enum pp_status compute_size_run(void *data, int run, struct pp_error *err)
+{
+    return compute_sizes(&((struct size_sweep *)data)->runs[run], err);
+}
+
+static enum pp_status print_size_run(const void *data, int run, FILE *out,
+                                     struct pp_error *err)
+{
+    return print_size(&((const struct size_sweep *)data)->runs[run], out, err);
+}
+
+static enum pp_status print_size_table(const void *data, FILE *out,
+                                       struct pp_error *err)
+{
+    const struct size_sweep *sweep = data;
+    const struct pp_sweep *values = &sweep->options->room.sweep;
+    int count = pp_sweep_count(values);
+    const struct pp_size_results **results = calloc((size_t)count, sizeof *results);
+    if (!results)
+        return pp_fail_memory(err);
+    for (int i = 0; i < count; i++)
+        results[i] = &sweep->runs[i].results;
+    enum pp_status status = pp_sweep_size_text(
+        values, results, pp_terminal_width(sweep->options->room.output),
+        pp_terminal_utf8(), out, err);
+    free(results);
+    return status;
+}
+
+static enum pp_exit size_sweep(struct pp_size_options *options, char **files,
+                               int file_count)
+{
+    struct pp_error err;
+    int count = pp_sweep_count(&options->room.sweep);
+    struct size_sweep sweep = {options, files, file_count,
+                               calloc((size_t)count, sizeof *sweep.rooms),
+                               calloc((size_t)count, sizeof *sweep.runs)};
+    if (options->room.study.simulate)
+        pp_interrupt_watch();
+    enum pp_exit exit_status =
+        sweep.rooms && sweep.runs ? pp_sweep_job_run(&(struct pp_sweep_job){
+            &options->room, options->format, load_size_run, compute_size_run, NULL,
+            print_size_run, print_size_table, &sweep})
+                                  : (pp_fail_memory(&err), pp_message_error(&err));
+    for (int i = 0; i < count && sweep.rooms && sweep.runs; i++) {
+        clear_size_run(&sweep.runs[i]);
+        pp_rooms_clear(&sweep.rooms[i]);
+    }
+    free(sweep.runs);
+    free(sweep.rooms);
     return exit_status;
 }
 
@@ -295,19 +390,15 @@ static enum pp_exit run_size(void *values, char **files, int file_count)
     if (pp_size_options_block(options))
         return size_block(options, files[0]);
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
+    if (options->room.sweep.axis_count > 0)
+        return size_sweep(options, files, file_count);
     enum pp_exit exit_status =
         pp_rooms_load(&rooms, "size", files, file_count, &options->room);
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
-    struct size_run size = {.options = options,
-                            .rooms = &rooms,
-                            .results = {.several = rooms.several,
-                                        .more_than_one_file = rooms.more_than_one_file,
-                                        .request = &options->request}};
+    struct size_run size = size_run_of(options, &rooms);
     exit_status = size_rooms(&size);
-    for (int i = 0; i < size.results.count; i++)
-        pp_size_room_result_clear(&size.results.list[i]);
-    free(size.results.list);
+    clear_size_run(&size);
     pp_rooms_clear(&rooms);
     return exit_status;
 }
@@ -322,6 +413,7 @@ static const struct pp_option_group groups[] = {
     {"Target", pp_room_french_option, PLACE(rule.french_m)},
     {"Target", pp_room_spacing_option, PLACE(request.grid)},
     PP_ROOM_PLACE_GROUPS("Target", PLACE(room)),
+    {"Target", pp_sweep_options, PLACE(room.sweep)},
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
     {"Output", pp_format_option, PLACE(format)},
     {"Output", pp_size_write_option, 0},
@@ -350,6 +442,13 @@ static enum pp_status check_size_options(void *values, char **files, int file_co
     if (status == PP_OK && options->write && file_count > 1)
         status = pp_fail(err, PP_BAD_INPUT,
                          "--write needs one room file, and there are %d", file_count);
+    const char *alone = options->write                   ? "write"
+                        : pp_size_options_block(options) ? "obstruction"
+                                                         : NULL;
+    if (status == PP_OK && options->room.sweep.axis_count > 0 && alone)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "--%s is for one run, and --sweep makes many; expected --set",
+                         options->envelope ? "envelope" : alone);
     return status;
 }
 

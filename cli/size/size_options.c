@@ -209,17 +209,16 @@ static enum pp_status settle_criterion(struct pp_size_options *options,
 enum pp_status pp_size_options_settle(struct pp_size_options *options,
                                       struct pp_error *err)
 {
-    if (pp_size_options_block(options))
-        return settle_block(options, err);
+    if (pp_size_options_block(options)) {
+        enum pp_status status = pp_sweep_choose(&options->room.sweep, 0, err);
+        return status == PP_OK ? settle_block(options, err) : status;
+    }
     const char *stray = stray_rule(options);
     if (stray)
         return pp_fail(
             err, PP_BAD_INPUT,
             "--%s is for --obstruction or --envelope; expected one of these with it",
             stray);
-    if (options->format == PP_FORMAT_CSV)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "csv is for --envelope only; expected text or json");
     if (!options->request.criterion
         && (options->request.grid.largest || options->request.grid.spacing_m > 0.0))
         return pp_fail(err, PP_BAD_INPUT,

@@ -1,0 +1,27 @@
+/* sweep_job.h - the course of a command with --sweep: all runs are loaded, then all are
+ * computed, and then they are printed together. */
+#ifndef PP_CLI_SWEEP_JOB_H
+#define PP_CLI_SWEEP_JOB_H
+
+#include "cli/exit_status.h"
+#include "cli/room_options.h"
+#include "pepperpot.h"
+
+struct pp_sweep_job {
+    struct pp_room_options *room; /* whose sweep it is */
+    enum pp_format format;
+    /* Loads the rooms of a run, whose values are chosen in room->sweep. */
+    enum pp_exit (*load)(void *data, int run);
+    enum pp_status (*compute)(void *data, int run, struct pp_error *err);
+    bool (*is_finished)(const void *data, int run);
+    /* Prints a run alone, as CSV or JSON. */
+    enum pp_status (*print)(const void *data, int run, FILE *out, struct pp_error *err);
+    /* Prints all runs as text. */
+    enum pp_status (*print_text)(const void *data, FILE *out, struct pp_error *err);
+    void *data; /* the command's own */
+};
+
+/* A wrong value in any run is reported before anything is computed. */
+enum pp_exit pp_sweep_job_run(const struct pp_sweep_job *job);
+
+#endif

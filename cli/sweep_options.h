@@ -1,0 +1,15 @@
+/* sweep_options.h - the options --set and --sweep. */
+#ifndef PP_CLI_SWEEP_OPTIONS_H
+#define PP_CLI_SWEEP_OPTIONS_H
+
+#include "cli/options.h"
+#include "studies/sweep.h"
+
+/* set and sweep; with a struct pp_sweep as values. */
+extern const struct pp_option pp_sweep_options[];
+
+/* PP_BAD_INPUT if there are more runs than PP_SWEEP_RUNS_MOST. */
+enum pp_status pp_sweep_options_check(const struct pp_sweep *sweep,
+                                      struct pp_error *err);
+
+#endif

@@ -1,0 +1,15 @@
+/* size_csv.h - sized windows, one room a line; factors in per cent. */
+#ifndef PP_REPORTS_SIZE_CSV_H
+#define PP_REPORTS_SIZE_CSV_H
+
+#include "reports/size_report.h"
+
+enum pp_status pp_size_csv(const struct pp_size_results *results, FILE *out,
+                           struct pp_error *err);
+
+/* Size of the answer: metres of the first window that changes, or the number of windows;
+ * NAN if there is no answer, or nothing changes. */
+double pp_size_csv_size(const struct pp_size_room_result *result,
+                        enum pp_size_change change);
+
+#endif

@@ -1,0 +1,25 @@
+/* sweep_output.h - the results of all runs of a sweep, as one CSV or JSON. */
+#ifndef PP_REPORTS_SWEEP_SWEEP_OUTPUT_H
+#define PP_REPORTS_SWEEP_SWEEP_OUTPUT_H
+
+#include <stdio.h>
+
+#include "model/base/error.h"
+#include "studies/sweep.h"
+
+/* Prints the results of one run, in the format of a run alone. */
+typedef enum pp_status pp_sweep_output_run(const void *data, int run, FILE *out,
+                                           struct pp_error *err);
+
+/* The lines of all runs under one head, each with the swept values before it. All runs
+ * have the same head. */
+enum pp_status pp_sweep_output_csv(const struct pp_sweep *sweep,
+                                   pp_sweep_output_run *print, const void *data,
+                                   FILE *out, struct pp_error *err);
+
+/* {"format": "pepperpot-sweep-1", "runs": [{"set": {ADDRESS: VALUE}, "result": ...}]} */
+enum pp_status pp_sweep_output_json(const struct pp_sweep *sweep,
+                                    pp_sweep_output_run *print, const void *data,
+                                    FILE *out, struct pp_error *err);
+
+#endif

@@ -1,0 +1,38 @@
+/* sweep_text.h - the results of all runs of a sweep as one table of text. */
+#ifndef PP_REPORTS_SWEEP_SWEEP_TEXT_H
+#define PP_REPORTS_SWEEP_SWEEP_TEXT_H
+
+#include <stdio.h>
+
+#include "reports/assess/assess_text.h"
+#include "reports/df_result.h"
+#include "reports/parts/table.h"
+#include "reports/size_report.h"
+#include "studies/sweep.h"
+
+/* One row for each run and room, and with --points for each point: the average, or the
+ * point, by each method. `runs` has the results of each run. */
+enum pp_status pp_sweep_df_text(const struct pp_sweep *sweep,
+                                const struct pp_results *const *runs, int width,
+                                bool utf8, FILE *out, struct pp_error *err);
+
+/* One row for each finding, one column for each run. */
+enum pp_status pp_sweep_assess_text(const struct pp_sweep *sweep,
+                                    const struct pp_assessments *const *runs, int width,
+                                    bool utf8, FILE *out, struct pp_error *err);
+
+/* One row for each run and room: the size, its value, the simulated value. */
+enum pp_status pp_sweep_size_text(const struct pp_sweep *sweep,
+                                  const struct pp_size_results *const *runs, int width,
+                                  bool utf8, FILE *out, struct pp_error *err);
+
+/* Adds the key columns with the swept values; `of_run` has the run of each row. False:
+ * out of memory. */
+bool pp_sweep_text_keys(struct pp_table *table, const struct pp_sweep *sweep,
+                        const int *of_run);
+
+/* "2.31" or "2.31 +-0.02" in per cent, or "-". */
+void pp_sweep_text_reading(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
+                           bool utf8);
+
+#endif

@@ -1,0 +1,40 @@
+/* sweep.h - attributes of room files with other values: one value, or many runs.
+ *
+ * Several sweeps are combined: each value of one with each of the others. The last one
+ * changes fastest.
+ */
+#ifndef PP_STUDIES_SWEEP_H
+#define PP_STUDIES_SWEEP_H
+
+#include "model/base/error.h"
+#include "model/room/room_change.h"
+
+enum { PP_SWEEP_RUNS_MOST = 1000, PP_SWEEP_AXES_MOST = 8 };
+
+/* One attribute and its values; owned. */
+struct pp_sweep_axis {
+    char *address;
+    char **values;
+    int count;
+};
+
+struct pp_sweep {
+    struct pp_room_change *set; /* of --set; owned, and so are the texts */
+    int set_count;
+    struct pp_sweep_axis axes[PP_SWEEP_AXES_MOST];
+    int axis_count;             /* 0: no --sweep */
+    struct pp_room_changes now; /* the changes of the run that was chosen; owned */
+};
+
+/* Number of runs: 1 without axes. */
+int pp_sweep_count(const struct pp_sweep *sweep);
+
+/* The value of an axis in that run. */
+const char *pp_sweep_value(const struct pp_sweep *sweep, int run, int axis);
+
+/* Puts the changes of that run in sweep->now. PP_SYSTEM: out of memory. */
+enum pp_status pp_sweep_choose(struct pp_sweep *sweep, int run, struct pp_error *err);
+
+void pp_sweep_clear(struct pp_sweep *sweep);
+
+#endif
