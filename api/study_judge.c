@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "api/study.h"
-#include "model/room/room_text.h"
+#include "model/room/text/room_text.h"
 #include "studies/sizing/size_room.h"
 
 /* Moves the study's simulated factors, if they are those of the grid. */

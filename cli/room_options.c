@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/sweep_options.h"
+#include "cli/sweep/sweep_options.h"
 #include "model/base/text.h"
 #include "model/base/array.h"
 #include "studies/criteria/grid/plane_grid.h"

@@ -26,7 +26,7 @@ double pp_size_csv_size(const struct pp_size_room_result *result,
                : NAN;
 }
 
-static void put_reading(const struct pp_reading *reading, FILE *out)
+static void put_size_reading(const struct pp_reading *reading, FILE *out)
 {
     pp_format_csv_number(100.0 * reading->value, out);
     pp_format_csv_number(100.0 * reading->std_error, out);
@@ -52,9 +52,9 @@ enum pp_status pp_size_csv(const struct pp_size_results *results, FILE *out,
         pp_format_csv_number(100.0 * results->request->target, out);
         fprintf(out, ",%s", reached ? "yes" : "no");
         pp_format_csv_number(pp_size_csv_size(result, results->request->change), out);
-        put_reading(&result->answer.now, out);
-        put_reading(&result->answer.reading, out);
-        put_reading(&result->traced, out);
+        put_size_reading(&result->answer.now, out);
+        put_size_reading(&result->answer.reading, out);
+        put_size_reading(&result->traced, out);
         fprintf(out, ",%s,",
                 !isfinite(result->traced.value) ? ""
                 : result->holds                 ? "yes"

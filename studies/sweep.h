@@ -7,7 +7,7 @@
 #define PP_STUDIES_SWEEP_H
 
 #include "model/base/error.h"
-#include "model/room/room_change.h"
+#include "model/room/text/room_change.h"
 
 enum { PP_SWEEP_RUNS_MOST = 1000, PP_SWEEP_AXES_MOST = 8 };
 

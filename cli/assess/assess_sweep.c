@@ -5,7 +5,7 @@
 
 #include "cli/assess/assess_run.h"
 #include "cli/message.h"
-#include "cli/sweep_job.h"
+#include "cli/sweep/sweep_job.h"
 #include "cli/terminal.h"
 #include "cli/watch.h"
 #include "reports/sweep/sweep_text.h"

@@ -7,7 +7,7 @@
 #include "cli/assess/assess_words.h"
 #include "cli/command.h"
 #include "cli/format_option.h"
-#include "cli/sweep_options.h"
+#include "cli/sweep/sweep_options.h"
 #include "cli/terminal.h"
 #include "reports/assess/assess_csv.h"
 #include "reports/assess/assess_json.h"

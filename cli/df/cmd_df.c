@@ -9,7 +9,7 @@
 #include "cli/df/moment_run.h"
 #include "cli/message.h"
 #include "cli/job.h"
-#include "cli/sweep_options.h"
+#include "cli/sweep/sweep_options.h"
 #include "cli/watch.h"
 #include "reports/formula_list.h"
 #include "methods/evaluate.h"

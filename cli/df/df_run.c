@@ -6,7 +6,7 @@
 #include "cli/interrupt.h"
 #include "cli/message.h"
 #include "cli/ranks/room_queue.h"
-#include "cli/sweep_job.h"
+#include "cli/sweep/sweep_job.h"
 #include "cli/terminal.h"
 #include "cli/watch.h"
 #include "methods/method.h"

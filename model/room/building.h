@@ -8,7 +8,7 @@
 
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
-#include "model/room/room_change.h"
+#include "model/room/text/room_change.h"
 #include "model/room/world.h"
 
 /* One room as described in the file: names, lengths and lines, unresolved. */

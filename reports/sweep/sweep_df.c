@@ -6,13 +6,13 @@
 #include "reports/sweep/sweep_text.h"
 
 /* Row of a table: a room of a run, and its point (its average: receiver_count). */
-struct row {
+struct df_row {
     const struct pp_result *result;
     int point;
 };
 
 struct df_rows {
-    struct row *list;
+    struct df_row *list;
     int *of_run;
     int count;
     bool several, points;
@@ -42,7 +42,7 @@ static bool gather_df_rows(struct df_rows *rows, const struct pp_sweep *sweep,
             rows->points |= points > 0;
             for (int p = 0; p <= points; p++) {
                 rows->of_run[rows->count] = run;
-                rows->list[rows->count++] = (struct row){
+                rows->list[rows->count++] = (struct df_row){
                     result, p < points ? p : result->report.receiver_count};
             }
         }
@@ -94,7 +94,7 @@ static struct pp_table_column *method_column(struct pp_table *table, int first,
 }
 
 static bool fill_df_row(struct pp_table *table, int keys, int row,
-                        const struct row *of_row, bool utf8)
+                        const struct df_row *of_row, bool utf8)
 {
     const struct pp_report *report = &of_row->result->report;
     for (int c = 0; c < report->column_count; c++) {

@@ -9,7 +9,7 @@
 #include "studies/reliability.h"
 #include "studies/sizing/size.h"
 #include "methods/method.h"
-#include "model/room/room_text.h"
+#include "model/room/text/room_text.h"
 #include "studies/study_options.h"
 #include "studies/sizing/window_sizes.h"
 

@@ -11,8 +11,8 @@
  * A part is named by its `name` or `ref`; a part without these by its `wall`. Names may
  * contain points. A part with a name or number must be a single one.
  */
-#ifndef PP_MODEL_ROOM_ROOM_CHANGE_H
-#define PP_MODEL_ROOM_ROOM_CHANGE_H
+#ifndef PP_MODEL_ROOM_TEXT_ROOM_CHANGE_H
+#define PP_MODEL_ROOM_TEXT_ROOM_CHANGE_H
 
 #include <stdbool.h>
 #include <stddef.h>

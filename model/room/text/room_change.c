@@ -4,7 +4,7 @@
  * tree is the n-th start tag of the text, so the text itself is changed, and its reader
  * checks the new value like any other.
  */
-#include "model/room/room_change.h"
+#include "model/room/text/room_change.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -16,7 +16,7 @@
 #include "model/base/xml.h"
 #include "model/room/read/read_elements.h"
 #include "model/room/read/room_schema.h"
-#include "model/room/room_tags.h"
+#include "model/room/text/room_tags.h"
 
 enum { NAMES_MOST = 64, NAME_BYTES = 64 };
 

@@ -5,8 +5,8 @@
  * a tag, a comment, a processing instruction or CDATA, and a ">" in a tag stands in
  * quotes or ends it.
  */
-#ifndef PP_MODEL_ROOM_ROOM_TAGS_H
-#define PP_MODEL_ROOM_ROOM_TAGS_H
+#ifndef PP_MODEL_ROOM_TEXT_ROOM_TAGS_H
+#define PP_MODEL_ROOM_TEXT_ROOM_TAGS_H
 
 #include <stdbool.h>
 #include <stdio.h>

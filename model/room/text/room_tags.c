@@ -1,5 +1,5 @@
 /* room_tags.c - see room_tags.h. */
-#include "model/room/room_tags.h"
+#include "model/room/text/room_tags.h"
 
 #include <string.h>
 

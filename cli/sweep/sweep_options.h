@@ -1,6 +1,6 @@
 /* sweep_options.h - the options --set and --sweep. */
-#ifndef PP_CLI_SWEEP_OPTIONS_H
-#define PP_CLI_SWEEP_OPTIONS_H
+#ifndef PP_CLI_SWEEP_SWEEP_OPTIONS_H
+#define PP_CLI_SWEEP_SWEEP_OPTIONS_H
 
 #include "cli/options.h"
 #include "studies/sweep.h"

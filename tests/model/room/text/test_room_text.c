@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "model/room/room_text.h"
+#include "model/room/text/room_text.h"
 #include "tests/lib/near.h"
 
 /* Text like a window that is none, quotes of both kinds, a tag over two lines, an element

@@ -1,5 +1,5 @@
 /* sweep_options.c - see sweep_options.h. */
-#include "cli/sweep_options.h"
+#include "cli/sweep/sweep_options.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* room_text.h - the text of a room file with some of its windows changed, or moved to
  * another folder; all else stays byte for byte, comments and blanks included. */
-#ifndef PP_MODEL_ROOM_ROOM_TEXT_H
-#define PP_MODEL_ROOM_ROOM_TEXT_H
+#ifndef PP_MODEL_ROOM_TEXT_ROOM_TEXT_H
+#define PP_MODEL_ROOM_TEXT_ROOM_TEXT_H
 
 #include <stddef.h>
 

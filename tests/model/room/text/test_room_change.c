@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/room/room_change.h"
+#include "model/room/text/room_change.h"
 #include "tests/lib/near.h"
 
 static const char building[] =

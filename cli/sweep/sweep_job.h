@@ -1,7 +1,7 @@
 /* sweep_job.h - the course of a command with --sweep: all runs are loaded, then all are
  * computed, and then they are printed together. */
-#ifndef PP_CLI_SWEEP_JOB_H
-#define PP_CLI_SWEEP_JOB_H
+#ifndef PP_CLI_SWEEP_SWEEP_JOB_H
+#define PP_CLI_SWEEP_SWEEP_JOB_H
 
 #include "cli/exit_status.h"
 #include "cli/room_options.h"

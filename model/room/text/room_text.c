@@ -1,12 +1,12 @@
 /* room_text.c - see room_text.h. */
-#include "model/room/room_text.h"
+#include "model/room/text/room_text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "model/base/text.h"
-#include "model/room/room_tags.h"
+#include "model/room/text/room_tags.h"
 
 /* The start tag of the index-th opening. */
 static struct pp_room_tag opening_tag(const char *text, size_t length, int index)

@@ -1,5 +1,5 @@
 /* sweep_job.c - see sweep_job.h. */
-#include "cli/sweep_job.h"
+#include "cli/sweep/sweep_job.h"
 
 #include "cli/job.h"
 #include "cli/message.h"
