@@ -12,7 +12,7 @@
 
 struct pp_work_line;
 
-enum { PP_WORK_LINE_MOST = 512, PP_WORK_LINE_CLIENT_MOST = 64 };
+enum { PP_WORK_LINE_MOST = 512, PP_WORK_LINE_CLIENT_MOST = 256 };
 
 /* Starts the workers; NULL: memory or threads are out. */
 struct pp_work_line *pp_work_line_create(int workers);
