@@ -37,7 +37,8 @@ struct pp_board_options {
     bool fine;               /* pepper-pot: dots worth 0.01 % */
     enum pp_yes_no vertical; /* a blank pepper-pot's receiver; unsaid: no */
     double viewing_mm; /* pepper-pot: from the eye to the drawing; 0: 30, fine 60 */
-    struct pp_sky sky; /* of a blank; set by the caller */
+    struct pp_sky sky; /* of a blank; set by the caller, */
+    struct pp_sky_picture *picture; /* and its photograph, held; NULL: it has none */
 
     int number;          /* a blank protractor of the ten; 0: not said */
     const char *glazing; /* or of any glazing, "none" too; NULL: not said */

@@ -45,7 +45,10 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
     struct pp_room *room = pp_building_room(building, index);
     struct pp_error err = {0};
     const char *sky = loading->options->study.sky;
-    if (sky && pp_room_set_sky(room, sky, &err) != PP_OK) {
+    bool shared = sky && index > 0 && strncmp(sky, "picture,", 8) == 0;
+    if (shared) { /* read once for all rooms of the file */
+        pp_room_take_sky(room, pp_building_room(building, 0));
+    } else if (sky && pp_room_set_sky(room, sky, &err) != PP_OK) {
         struct pp_error usage;
         pp_fail(&usage, PP_BAD_INPUT, "--sky: %s", err.message);
         return err.status == PP_BAD_INPUT ? pp_message_usage(loading->command, &usage)

@@ -97,17 +97,18 @@ enum pp_status pp_board_options_read_nomogram(const char *text, void *place,
 }
 
 /* The sky of a blank, by the words of --sky. */
-static enum pp_status set_sky(struct pp_sky *sky, const char *words,
+static enum pp_status set_sky(struct pp_board_options *board, const char *words,
                               struct pp_error *err)
 {
-    *sky = pp_sky_overcast();
+    board->sky = pp_sky_overcast();
     if (!words)
         return PP_OK;
     struct pp_sky_part part = pp_sky_words_default();
     struct pp_error why = {0};
     if (pp_sky_words_parse(&part, words, &why) != PP_OK)
         return pp_fail(err, PP_BAD_INPUT, "--sky: %s", why.message);
-    return pp_sky_words_sky(sky, &part, 0.0, err);
+    board->picture = part.picture;
+    return pp_sky_words_sky(&board->sky, &part, 0.0, err);
 }
 
 /* Chooses a protractor by glazing, slope and sky, if one of them was given. */
@@ -194,7 +195,7 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
             err, PP_BAD_INPUT,
             "%s is for a blank diagram; a room's diagram takes it from the room",
             board->glazed ? "--glazed" : "--receiver");
-    enum pp_status status = set_sky(&board->sky, options->study.sky, err);
+    enum pp_status status = set_sky(board, options->study.sky, err);
     if (status == PP_OK && (nomogram || position) && board->sky.kind != PP_SKY_OVERCAST)
         status = pp_fail(err, PP_BAD_INPUT,
                          "--sky is \"%.60s\"; expected overcast, the sky of nomograms",

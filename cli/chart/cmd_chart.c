@@ -15,6 +15,7 @@
 #include "methods/evaluate.h"
 #include "methods/selection.h"
 #include "model/base/text.h"
+#include "model/light/photographs/sky_picture.h"
 
 static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
 {
@@ -422,6 +423,7 @@ static void clear_chart_options(void *values)
 {
     struct chart_command *command = values;
     pp_availability_options_clear(&command->chart.choice.availability);
+    pp_sky_picture_release(command->chart.choice.board.picture);
     pp_room_options_clear(&command->room);
 }
 

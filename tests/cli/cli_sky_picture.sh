@@ -57,6 +57,18 @@ traced=$(awk -F, '$3 == "point" && $10 == "sc" && $11 == "traced" { print $12 }'
     "$scratch/out")
 check "within its error" nothing "$(near "$traced" "$clear" 0.03)"
 
+run df -m pepper-pot-sky --points 1.5,2 --sky "picture,$scratch/clear.pfm" \
+    --format csv "$deep"
+dots=$(awk -F, '$3 == "point" && $10 == "sc" { print $12 }' "$scratch/out")
+check "pepper-pot dots laid out for it count to its sky component" \
+    nothing "$(near "$dots" "$clear" 0.02)"
+check "an overlay has crosses of equal light of it" quietly chart overlay --show dots \
+    --sky "picture,$scratch/clear.pfm" -o "$scratch/overlay.svg"
+check "which are not those of the overcast sky" quietly chart overlay --show dots \
+    -o "$scratch/other.svg"
+check "but others" test -n "$(cmp "$scratch/overlay.svg" "$scratch/other.svg" 2>&1)"
+check "a protractor can't be drawn for it" refuses 2 "the same in all" \
+    chart protractor --sky "picture,$scratch/clear.pfm" -o "$scratch/protractor.svg"
 check "a sky without its file" refuses 2 "expected picture,FILE" \
     df --sky picture "$deep"
 check "a file that is not there" refuses 2 "none.hdr" \
