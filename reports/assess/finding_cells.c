@@ -17,11 +17,14 @@ static const char *unit_of(enum pp_figure kind, bool utf8)
         return " %";
     case PP_FIGURE_ANGLE:
         return utf8 ? "\xc2\xb0" : " deg";
+    case PP_FIGURE_LENGTH:
+        return " m";
     case PP_FIGURE_AREA:
         return utf8 ? " m\xc2\xb2" : " m2";
     case PP_FIGURE_HOURS:
         return " h";
     case PP_FIGURE_RATIO:
+    case PP_FIGURE_COUNT:
         break;
     }
     return "";
@@ -53,9 +56,10 @@ static int decimals_more(const struct pp_finding *finding, int decimals)
 static int decimals_of(const struct pp_finding *finding, int *significant)
 {
     bool one = finding->kind == PP_FIGURE_ANGLE || finding->kind == PP_FIGURE_SHARE;
-    int more = decimals_more(finding, one ? 1 : 2);
+    int usual = finding->kind == PP_FIGURE_COUNT ? 0 : one ? 1 : 2;
+    int more = decimals_more(finding, usual);
     *significant = 3 + more;
-    return (one ? 1 : 2) + more;
+    return usual + more;
 }
 
 void pp_finding_cells_figure(char cell[PP_FINDING_CELL],

@@ -7,9 +7,14 @@ static const struct {
     const char *unit;
     double scale;
 } kinds[] = {
-    [PP_FIGURE_FACTOR] = {"%", 100.0}, [PP_FIGURE_SHARE] = {"%", 100.0},
-    [PP_FIGURE_RATIO] = {"", 1.0},     [PP_FIGURE_ANGLE] = {"degrees", 1.0 / PP_RAD},
-    [PP_FIGURE_AREA] = {"m2", 1.0},    [PP_FIGURE_HOURS] = {"h", 1.0},
+    [PP_FIGURE_FACTOR] = {"%", 100.0},
+    [PP_FIGURE_SHARE] = {"%", 100.0},
+    [PP_FIGURE_RATIO] = {"", 1.0},
+    [PP_FIGURE_COUNT] = {"", 1.0},
+    [PP_FIGURE_ANGLE] = {"degrees", 1.0 / PP_RAD},
+    [PP_FIGURE_LENGTH] = {"m", 1.0},
+    [PP_FIGURE_AREA] = {"m2", 1.0},
+    [PP_FIGURE_HOURS] = {"h", 1.0},
 };
 
 double pp_figure_scale(enum pp_figure kind)

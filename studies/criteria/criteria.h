@@ -11,6 +11,7 @@ extern const struct pp_criterion pp_criterion_obstruction;
 extern const struct pp_criterion pp_criterion_sunlight;
 extern const struct pp_criterion pp_criterion_sun_exposure;
 extern const struct pp_criterion pp_criterion_gardens;
+extern const struct pp_criterion pp_criterion_view_out;
 extern const struct pp_criterion pp_criterion_no_sky_line;
 extern const struct pp_criterion pp_criterion_mirror_image;
 extern const struct pp_criterion pp_criterion_sky_line;

@@ -13,7 +13,9 @@ enum pp_figure {
     PP_FIGURE_FACTOR, /* a fraction of the open-sky horizontal illuminance */
     PP_FIGURE_SHARE,  /* a fraction of anything else; printed in per cent, as factors */
     PP_FIGURE_RATIO,  /* a plain number */
+    PP_FIGURE_COUNT,  /* a whole number */
     PP_FIGURE_ANGLE,  /* radians */
+    PP_FIGURE_LENGTH, /* m */
     PP_FIGURE_AREA,   /* m2 */
     PP_FIGURE_HOURS,
 };

@@ -11,8 +11,8 @@ static const struct pp_profile profiles[] = {
      "vertical-sky,former-sky,obstruction,sunlight,gardens,no-sky-line,mirror-image,"
      "uk-annex",
      "GB"},
-    {"en17037", "daylight provision and exposure to sunlight by EN 17037",
-     "en17037,sun-exposure", ""},
+    {"en17037", "daylight provision, view out and sunlight by EN 17037",
+     "en17037,view-out,sun-exposure", ""},
     {"uk-dwellings", "daylight in dwellings by the UK annex of EN 17037", "uk-annex",
      "GB"},
     {"breeam", "average, uniformity and view of sky, as BREEAM takes them",

@@ -142,7 +142,7 @@ static double by_quadrature(const struct lighting *lighting,
 {
     struct pp_integrand integrand = {
         luminance_at, lighting,
-        pp_sky_has_azimuth(&lighting->sky) ? &lighting->sky.sun : NULL};
+        pp_sky_has_azimuth(&lighting->sky) ? &lighting->sky.sun : NULL, 0.0};
     struct pp_quadrature result;
     assert_int_equal(pp_quadrature_over(&result, &window->visible.view,
                                         &window->patch.region, lighting->limits, 2,
