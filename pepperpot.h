@@ -135,8 +135,9 @@ const char *pp_study_name(const struct pp_study *study);
 enum pp_status pp_study_set_points(struct pp_study *study, const double (*points)[3],
                                    int count, struct pp_error *err);
 
-/* The grid of EN 17037 in place of the points; pp_study_judge judges by simulated
- * factors where they are there. */
+/* A grid over the working plane in place of the points: that of `assess`, with the spacing
+ * of the file's grid, else 0.3 m, within the limits of EN 17037. pp_study_judge then judges
+ * by simulated factors, if there are any. */
 enum pp_status pp_study_set_grid(struct pp_study *study, struct pp_error *err);
 int pp_study_point_count(const struct pp_study *study);
 void pp_study_point(const struct pp_study *study, int index, double xyz[3]);
@@ -259,7 +260,7 @@ enum pp_verdict {
  * turn the verdict. */
 struct pp_judgement {
     const char *criterion; /* of PP_LIST_CRITERIA */
-    const char *what;      /* "south, line 9" */
+    const char *what;      /* "W1, south" */
     double figure;         /* NAN: not judged */
     double std_error;      /* of it; NAN where nothing was sampled */
     double wanted;         /* NAN: stated */

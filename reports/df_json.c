@@ -18,7 +18,8 @@
 #include "studies/engines/engine.h"
 
 /* Adds a step in the units of the output: per cent and degrees. */
-static bool add_step(struct json_object *object, const struct pp_calculation_step *step)
+static bool add_step(struct json_object *object, const struct pp_world *world,
+                     const struct pp_calculation_step *step)
 {
     static const char *const units[] = {
         [PP_UNIT_DAYLIGHT_FACTOR] = "%",
@@ -36,19 +37,21 @@ static bool add_step(struct json_object *object, const struct pp_calculation_ste
                              pp_steps_printed_unit(step->unit) * step->value)
            && pp_json_text(object, "unit", units[step->unit])
            && (!step->line
-               || pp_json_add(object, "opening", json_object_new_int(step->line)));
+               || (pp_json_add(object, "opening", json_object_new_int(step->line))
+                   && pp_json_room_add_opening_names(object, world, step->line)));
 }
 
 /* Adds "steps": [{ "step": "...", "symbol": "W", "formula": "...", "value": 1.25,
- * "unit": "%", "opening": 8 }]; symbol and formula where there are any, the line of the
- * opening where it is one's. */
-static bool add_steps(struct json_object *object, const struct pp_steps *steps)
+ * "unit": "%", "opening": 8, "label": "W1" }]; symbol and formula where there are any,
+ * line and names of the opening where it is one's. */
+static bool add_steps(struct json_object *object, const struct pp_world *world,
+                      const struct pp_steps *steps)
 {
     struct json_object *list = json_object_new_array();
     bool good = pp_json_add(object, "steps", list);
     for (int i = 0; i < steps->count && good; i++) {
         struct json_object *step = json_object_new_object();
-        good = pp_json_append(list, step) && add_step(step, &steps->list[i]);
+        good = pp_json_append(list, step) && add_step(step, world, &steps->list[i]);
     }
     return good;
 }
@@ -69,7 +72,8 @@ static bool add_contents(struct json_object *object, const char *name)
  * column's; with "band": [1.1, 1.6] where that is known. With truth, another engine's reading
  * there, "apart": how far the two are apart. With external_lux over 0, the illuminance that
  * is its share. */
-static struct json_object *entry(const struct pp_reading *reading, const char *name,
+static struct json_object *entry(const struct pp_world *world,
+                                 const struct pp_reading *reading, const char *name,
                                  const struct pp_reading *truth,
                                  struct pp_band_ends band, double external_lux)
 {
@@ -86,7 +90,7 @@ static struct json_object *entry(const struct pp_reading *reading, const char *n
         good =
             pp_json_text(object, "why", reading->why ? reading->why : "not computed");
     if (good && reading->steps)
-        good = add_contents(object, name) && add_steps(object, reading->steps);
+        good = add_contents(object, name) && add_steps(object, world, reading->steps);
     return pp_json_whole(object, good);
 }
 
@@ -138,7 +142,7 @@ static bool add_readings(struct json_object *object, const struct pp_report *rep
         }
         const struct pp_column *truth = truth_for(report, column);
         if (!pp_json_add(*component, column->name,
-                         entry(df_reading(column, index), column->name,
+                         entry(report->world, df_reading(column, index), column->name,
                                truth ? df_reading(truth, index) : NULL,
                                band_of(column, index),
                                column->component == PP_DF ? external_lux : 0.0)))

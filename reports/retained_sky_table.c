@@ -29,23 +29,20 @@ static double ratio_of(const struct pp_retained_sky_place *due)
     return due->before > 0.0 ? due->after / due->before : NAN;
 }
 
-/* Room, window and line; of rooms, the room alone. */
+/* Room, and the window's label; of rooms, the room alone. */
 static bool fill_names(struct pp_table *table, const struct pp_retained_sky *dues,
                        enum pp_retained_sky_of of)
 {
-    static const char *const headings[] = {"room", "window", "line"};
-    table->key_count = of == PP_RETAINED_SKY_VSC ? 3 : 1;
+    static const char *const headings[] = {"room", "window"};
+    table->key_count = of == PP_RETAINED_SKY_VSC ? 2 : 1;
     for (int c = 0; c < table->key_count; c++) {
         struct pp_table_column *column = pp_table_add(table, NULL, NULL, headings[c]);
         if (!column)
             return false;
         for (int i = 0; i < dues->count; i++)
-            if (c == 2)
-                snprintf(column->cells[i], PP_CELL_BYTES, "%d", dues->list[i].line);
-            else
-                pp_text_excerpt(column->cells[i], PP_CELL_BYTES,
-                                c ? dues->list[i].window : dues->list[i].room);
-        column->is_words = c < 2;
+            pp_text_excerpt(column->cells[i], PP_CELL_BYTES,
+                            c ? dues->list[i].label : dues->list[i].room);
+        column->is_words = true;
     }
     return true;
 }
@@ -101,6 +98,7 @@ static struct json_object *due_object(const struct pp_retained_sky_place *due,
     if (of == PP_RETAINED_SKY_VSC)
         good = good
                && pp_json_text(object, "window", due->window[0] ? due->window : NULL)
+               && pp_json_text(object, "label", due->label)
                && pp_json_add(object, "line", json_object_new_int(due->line));
     good = good && pp_json_number(object, "before", unit * due->before)
            && pp_json_number(object, "now", unit * due->now)

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "reports/parts/json.h"
+#include "reports/parts/json_room.h"
 #include "reports/parts/print.h"
 #include "reports/parts/print_band.h"
 #include "reports/parts/print_reliability.h"
@@ -340,9 +341,11 @@ static bool add_edit(struct json_object *list, const struct pp_size_room_result 
         pp_room_opening_at(result->room->room, edit->opening);
     bool window = opening.kind == PP_WINDOW;
     struct pp_opening_place p = edit->place;
-    bool good = pp_json_add(object, "line", json_object_new_int(opening.line))
-                && pp_json_text(object, "is", words[edit->kind])
-                && (!window || pp_json_text(object, "wall", opening.wall));
+    bool good =
+        pp_json_add(object, "line", json_object_new_int(opening.line))
+        && pp_json_room_add_opening_names(object, result->room->world, opening.line)
+        && pp_json_text(object, "is", words[edit->kind])
+        && (!window || pp_json_text(object, "wall", opening.wall));
     if (!good || edit->kind == PP_TEXT_REMOVE)
         return good;
     char *element;

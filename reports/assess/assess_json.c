@@ -5,13 +5,16 @@
 
 #include "reports/parts/figure_unit.h"
 #include "reports/parts/json.h"
+#include "reports/parts/json_room.h"
 #include "reports/parts/print_band.h"
 #include "reports/parts/print_reliability.h"
 #include "reports/gains_report.h"
 
-/* Object { "of": "south, line 9", "line": 9, "figure": 30.1, "unit": "%", "wanted": 27,
- * "bound": "least", "verdict": "met" } with any further members. */
+/* Object { "of": "W1, south", "line": 9, "label": "W1", "wall": "south", "figure": 30.1,
+ * "unit": "%", "wanted": 27, "bound": "least", "verdict": "met" } with any further
+ * members. */
 static struct json_object *finding_object(const struct pp_finding *finding,
+                                          const struct pp_world *world,
                                           double external_lux)
 {
     struct json_object *object = json_object_new_object();
@@ -19,7 +22,8 @@ static struct json_object *finding_object(const struct pp_finding *finding,
     bool judged = isfinite(finding->figure);
     bool good = object && pp_json_text(object, "of", finding->what);
     if (good && finding->line > 0)
-        good = pp_json_add(object, "line", json_object_new_int(finding->line));
+        good = pp_json_add(object, "line", json_object_new_int(finding->line))
+               && pp_json_room_add_opening_names(object, world, finding->line);
     if (good)
         good = pp_json_number(object, "figure", scale * finding->figure);
     if (good && judged)
@@ -65,16 +69,19 @@ static struct json_object *finding_object(const struct pp_finding *finding,
 }
 
 static bool add_findings(struct json_object *object,
-                         const struct pp_finding_list *findings, double external_lux)
+                         const struct pp_finding_list *findings,
+                         const struct pp_world *world, double external_lux)
 {
     struct json_object *list = json_object_new_array();
     bool good = pp_json_add(object, "findings", list);
     for (int i = 0; i < findings->count && good; i++)
-        good = pp_json_append(list, finding_object(&findings->list[i], external_lux));
+        good = pp_json_append(list,
+                              finding_object(&findings->list[i], world, external_lux));
     return good;
 }
 
 static struct json_object *answer_object(const struct pp_answer *answer,
+                                         const struct pp_world *world,
                                          double external_lux)
 {
     struct json_object *object = json_object_new_object();
@@ -83,18 +90,19 @@ static struct json_object *answer_object(const struct pp_answer *answer,
                 && pp_json_text(object, "source", answer->criterion->source);
     if (good && answer->findings.basis[0])
         good = pp_json_text(object, "basis", answer->findings.basis);
-    good = good && add_findings(object, &answer->findings, external_lux);
+    good = good && add_findings(object, &answer->findings, world, external_lux);
     return pp_json_whole(object, good);
 }
 
 static bool add_criteria(struct json_object *object,
                          const struct pp_assessment *assessment, double external_lux)
 {
+    const struct pp_world *world = assessment->room->world;
     struct json_object *list = json_object_new_array();
     bool good = pp_json_add(object, "criteria", list);
     for (int i = 0; i < assessment->answer_count && good; i++)
-        good =
-            pp_json_append(list, answer_object(&assessment->answers[i], external_lux));
+        good = pp_json_append(
+            list, answer_object(&assessment->answers[i], world, external_lux));
     return good;
 }
 

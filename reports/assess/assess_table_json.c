@@ -5,6 +5,7 @@
 
 #include "reports/parts/figure_unit.h"
 #include "reports/parts/json.h"
+#include "reports/parts/json_room.h"
 #include "studies/criteria/br209_count.h"
 #include "studies/criteria/site_table.h"
 
@@ -21,7 +22,8 @@ static struct json_object *row_object(const struct pp_site_row *row, bool compar
                 && pp_json_text(object, "criterion", row->criterion->name)
                 && pp_json_text(object, "of", finding->what);
     if (good && finding->line > 0)
-        good = pp_json_add(object, "line", json_object_new_int(finding->line));
+        good = pp_json_add(object, "line", json_object_new_int(finding->line))
+               && pp_json_room_add_opening_names(object, world, finding->line);
     if (good && compares)
         good = pp_json_number(object, "existing", scale * row->existing)
                && pp_json_number(object, "proposed", scale * row->proposed)

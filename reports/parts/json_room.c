@@ -36,6 +36,25 @@ static struct json_object *face_of(const struct pp_world *world, int index)
     return pp_json_whole(object, good);
 }
 
+/* Adds label, name and wall of an opening. */
+static bool add_names(struct json_object *object, const struct pp_world *world,
+                      const struct pp_opening *opening)
+{
+    const struct pp_surface *face = &world->surfaces[opening->face];
+    return pp_json_text(object, "label", opening->label)
+           && (!opening->name || pp_json_text(object, "name", opening->name))
+           && (!face->name || pp_json_text(object, "wall", face->name));
+}
+
+bool pp_json_room_add_opening_names(struct json_object *object,
+                                    const struct pp_world *world, int line)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].line == line)
+            return add_names(object, world, &world->openings[i]);
+    return true;
+}
+
 static struct json_object *opening_of(const struct pp_world *world, int index)
 {
     const struct pp_opening *opening = &world->openings[index];
@@ -47,6 +66,8 @@ static struct json_object *opening_of(const struct pp_world *world, int index)
     struct json_object *object = json_object_new_object();
     bool good =
         object && pp_json_add(object, "line", json_object_new_int(opening->line))
+        && add_names(object, world, opening)
+        && (!world->name || pp_json_text(object, "room", world->name))
         && (!face->name || pp_json_text(object, "face", face->name))
         && pp_json_number(object, "width", opening->width_m)
         && pp_json_number(object, "height", opening->height_m)

@@ -81,7 +81,9 @@ static bool add_openings(struct json_object *object, const struct pp_world *worl
     for (int i = 0; i < world->opening_count && good; i++) {
         const struct pp_opening *opening = &world->openings[i];
         struct json_object *item = scene_item(list);
-        good = item && add_name(item, opening->name) && add_line(item, opening->line)
+        good = item && add_name(item, opening->name)
+               && pp_json_text(item, "label", opening->label)
+               && add_line(item, opening->line)
                && pp_json_add(item, "face", json_object_new_int(opening->face))
                && pp_json_number(item, "slope", opening->slope_rad / PP_RAD)
                && pp_json_number(item, "reveal", opening->reveal_m)

@@ -21,7 +21,7 @@ enum pp_figure {
 };
 
 struct pp_finding {
-    char what[80]; /* "south, line 9"; "300 lx over 50 % of the plane" */
+    char what[80]; /* "W1, south"; "300 lx over 50 % of the plane" */
     int line;      /* of the opening in the room file; 0: the room as a whole */
     enum pp_figure kind;
     double figure;           /* NAN: not judged */

@@ -2,6 +2,7 @@
 #include "studies/sizing/retained_sky.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,6 +31,7 @@ static enum pp_status add_retained_place(struct pp_retained_sky *retained,
         .place = place, .before = NAN, .now = value, .after = NAN};
     if (opening) {
         due->line = opening->line;
+        snprintf(due->label, sizeof due->label, "%s", opening->label);
         due->middle = pp_placement_to_building(
             &world->placement, pp_vertical_sky_point(opening, rule->french_m));
         due->outward = pp_placement_turn(pp_vec_scale(opening->inner.normal, -1.0),

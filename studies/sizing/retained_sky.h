@@ -31,7 +31,8 @@ struct pp_retained_sky_rule {
 /* An upright window, or a room, that counts. */
 struct pp_retained_sky_place {
     char room[64],
-        window[64];  /* names, cut; may be empty, and of a room the window's is */
+        window[64]; /* names, cut; may be empty, and of a room the window's is */
+    char label[PP_WORLD_LABEL]; /* of the window, as on drawings; of a room "" */
     int place, line; /* the room's in its building; the window's, of a room 0 */
     struct pp_vec3 middle,
         outward;               /* of the window's outside, or where its component is

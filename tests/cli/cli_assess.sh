@@ -203,7 +203,7 @@ check "but not where it is met" sh -c "
     '$pepperpot' assess --by-hand -c average --room Bedroom '$examples/building.xml' |
     grep -A 1 'bedroom ' | grep -vq 'cannot decide'"
 check "as CSV a finding a line" \
-    shows "Deep office,,,vertical-sky,\"south, line 10\",10," \
+    shows "Deep office,,,vertical-sky,\"W1, south\",10," \
     assess --by-hand -c vsc --format csv "$deep"
 # A wall 4 m away and 6 m high, as good as endless: the tangent of its altitude is 4.4/4 from
 # 1.6 m, 4.95/4 from the middle of a French window of 2.1 m, 4.45/4 from that of the other.

@@ -10,9 +10,5 @@ void pp_opening_words(char words[PP_OPENING_WORDS], const struct pp_world *world
     const char *name = face->name                 ? face->name
                        : face->role == PP_CEILING ? "ceiling"
                                                   : "opening";
-    if (opening->name)
-        snprintf(words, PP_OPENING_WORDS, "%.20s, %.20s, line %d", opening->name, name,
-                 opening->line);
-    else
-        snprintf(words, PP_OPENING_WORDS, "%.40s, line %d", name, opening->line);
+    snprintf(words, PP_OPENING_WORDS, "%s, %.24s", opening->label, name);
 }

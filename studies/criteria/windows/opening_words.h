@@ -6,8 +6,7 @@
 
 enum { PP_OPENING_WORDS = 64 };
 
-/* Words for an opening: its own name, if it has one, its face and its line in the room
- * file: "W1, south, line 9". */
+/* Words for an opening: its label and its face: "W1, south". */
 void pp_opening_words(char words[PP_OPENING_WORDS], const struct pp_world *world,
                       const struct pp_opening *opening);
 

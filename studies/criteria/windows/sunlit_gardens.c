@@ -60,10 +60,8 @@ static enum pp_status judge_garden(const struct pp_inquiry *inquiry,
     if (status != PP_OK)
         return status;
     struct pp_finding finding =
-        garden->name ? pp_finding_of(PP_FIGURE_SHARE, now, SHARE_WANTED, false, "%.40s",
-                                     garden->name)
-                     : pp_finding_of(PP_FIGURE_SHARE, now, SHARE_WANTED, false,
-                                     "garden, line %d", garden->line);
+        pp_finding_of(PP_FIGURE_SHARE, now, SHARE_WANTED, false, "%.40s",
+                      garden->name ? garden->name : "garden");
     pp_finding_within(&finding, error);
     finding.line = garden->line;
     pp_finding_compares(&finding, PP_FIGURE_SHARE, now, then);
@@ -90,8 +88,10 @@ static enum pp_status assess_sunlit_gardens(const struct pp_inquiry *inquiry,
             status = judge_garden(inquiry, &world->gardens[i], findings, err);
             continue;
         }
-        struct pp_finding finding =
-            pp_finding_not_judged(no_place, "garden, line %d", world->gardens[i].line);
+        const struct pp_garden *garden = &world->gardens[i];
+        struct pp_finding finding = pp_finding_not_judged(
+            no_place, "%.40s", garden->name ? garden->name : "garden");
+        finding.line = garden->line;
         status = pp_finding_list_add(findings, &finding, err);
     }
     return status;
