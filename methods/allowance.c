@@ -23,13 +23,13 @@ double pp_allowance_reflected_glass(const struct pp_opening *opening)
 
 static const struct pp_formula_quantity of_the_opening[] = {
     {"a", PP_UNIT_SQUARE_METRE, "area of the opening"},
-    {"B", PP_UNIT_NUMBER, "frame factor: area of glass over area of the opening"},
+    {"B", PP_UNIT_NUMBER, "frame factor: glass area over opening area"},
     {0},
 };
 
 #define NET_GLASS                                                                      \
     .sum = "a B", .unit = PP_UNIT_SQUARE_METRE, .source = "BRE310",                    \
-    .what = "net area of glass", .quantities = of_the_opening, .fixed = true
+    .what = "net glass area", .quantities = of_the_opening, .fixed = true
 
 const struct pp_formula pp_allowance_glass_W = {.symbol = "W", NET_GLASS};
 const struct pp_formula pp_allowance_glass_Ag = {.symbol = "Ag", NET_GLASS};
@@ -45,18 +45,14 @@ double pp_allowance_net_glass(struct pp_worksheet *sheet,
                               const struct pp_opening *opening)
 {
     double a = opening->inner.area_m2, B = opening->frame_factor;
-    int line = opening->line;
     if (B == 1.0) {
         pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, a, formula->symbol,
-                         "opening on line %d: net area of glass, all of it", line);
+                         "net glass area, the whole opening");
         return a;
     }
-    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, a, "a", "opening on line %d: area",
-                     line);
-    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B",
-                     "opening on line %d: frame factor", line);
-    return pp_worksheet_work(sheet, formula, "opening on line %d: net area of glass",
-                             line);
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, a, "a", "area of the opening");
+    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B", "frame factor");
+    return pp_worksheet_work(sheet, formula, "net glass area");
 }
 
 /* ---- corrections ---- */
@@ -79,15 +75,16 @@ static bool correct_glass(struct correction *correction, unsigned allowances,
         return false;
     if (!(allowances & PP_ALLOWS_CLEAR_GLASS))
         *correction = (struct correction){
-            "T", "glass: diffuse transmittance, 0.85 for clear single",
+            "T", "glass: diffuse transmittance (clear single: 0.85)",
             pp_allowance_reflected_glass(opening)};
     else if (bare)
-        *correction = (struct correction){"G", "no glass: 1 over clear single's 0.85",
-                                          1.0 / PP_ALLOWANCE_CLEAR_DIFFUSE};
+        *correction = (struct correction){
+            "G", "no glass: 1 / 0.85, relative to clear single glass",
+            1.0 / PP_ALLOWANCE_CLEAR_DIFFUSE};
     else
-        *correction =
-            (struct correction){"G", "glass: diffuse transmittance over clear single",
-                                glass_type(&opening->glass)};
+        *correction = (struct correction){
+            "G", "glass: diffuse transmittance relative to clear single",
+            glass_type(&opening->glass)};
     return true;
 }
 
@@ -97,16 +94,16 @@ static int correct(struct correction list[CORRECTIONS_MOST], unsigned allowances
 {
     int count = 0;
     if (!(allowances & PP_ALLOWS_DIRT))
-        list[count++] = (struct correction){"M", "maintenance: what dirt leaves",
-                                            opening->maintenance};
+        list[count++] =
+            (struct correction){"M", "maintenance factor (dirt)", opening->maintenance};
     count += correct_glass(&list[count], allowances, opening);
     if (!(allowances & PP_ALLOWS_FRAME))
-        list[count++] = (struct correction){"B", "frame: area of glass over opening",
-                                            opening->frame_factor};
+        list[count++] = (struct correction){
+            "B", "frame factor: glass area over opening area", opening->frame_factor};
     /* No published figure includes curtains. */
     if (opening->curtains != 1.0)
-        list[count++] = (struct correction){"K", "curtains: what they let through",
-                                            opening->curtains};
+        list[count++] =
+            (struct correction){"K", "curtains: transmittance", opening->curtains};
     return count;
 }
 
@@ -165,7 +162,7 @@ void pp_allowance_steps(struct pp_steps *steps, const struct pp_method *method,
     double D = pp_allowance_decorations(method, world);
     if (D != 1.0)
         list[count++] =
-            (struct correction){"D", "decorations: what their deterioration leaves", D};
+            (struct correction){"D", "decorations: deterioration factor", D};
     product[0] = '\0';
     for (int i = 0; i < count; i++) {
         pp_steps_add_named(steps, PP_UNIT_NUMBER, list[i].value, list[i].symbol, "%s",
@@ -181,9 +178,10 @@ void pp_allowance_words(char *text, size_t room, unsigned allowances)
         const char *words;
     } parts[] = {
         {PP_ALLOWS_OWN_GLASS, "the opening's own glass"},
-        {PP_ALLOWS_CLEAR_GLASS, allowances & PP_ALLOWS_NO_GLASS
-                                    ? "clear single glass (none where there is none)"
-                                    : "clear single glass"},
+        {PP_ALLOWS_CLEAR_GLASS,
+         allowances & PP_ALLOWS_NO_GLASS
+             ? "clear single glass (no glass for unglazed openings)"
+             : "clear single glass"},
         {PP_ALLOWS_FRAME, "the frame"},
         {PP_ALLOWS_DIRT, "dirt"},
     };
@@ -192,7 +190,8 @@ void pp_allowance_words(char *text, size_t room, unsigned allowances)
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++)
         if (allowances & parts[i].bit)
             found[count++] = parts[i].words;
-    snprintf(text, room, "%s", count == 0 ? "nothing of glass, frame or dirt" : "");
+    snprintf(text, room, "%s",
+             count == 0 ? "no allowance for glass, frame or dirt" : "");
     pp_text_append_list(text, room, found, count, " and ");
 }
 
@@ -201,6 +200,5 @@ void pp_allowance_sentence(char *text, size_t room, const char *source,
 {
     char contents[160];
     pp_allowance_words(contents, sizeof contents, allowances);
-    snprintf(text, room, "As published [%s], its figures contain %s.", source,
-             contents);
+    snprintf(text, room, "Published figures [%s] include: %s.", source, contents);
 }

@@ -26,7 +26,7 @@
 
 static const struct pp_formula_quantity of_W[] = {
     {"a_u", PP_UNIT_SQUARE_METRE, "area of the opening above the working plane"},
-    {"a_l", PP_UNIT_SQUARE_METRE, "area of the opening below it"},
+    {"a_l", PP_UNIT_SQUARE_METRE, "area of the opening below the working plane"},
     {"rho_f", PP_UNIT_NUMBER, "reflectance of the floor"},
     {"B", PP_UNIT_NUMBER, "frame factor"},
     {0},
@@ -36,7 +36,7 @@ static const struct pp_formula glass_that_counts = {
     .symbol = "W",
     .sum = "(a_u + rho_f a_l) B",
     .unit = PP_UNIT_SQUARE_METRE,
-    .what = "net area of glass, that below the working plane by way of the floor",
+    .what = "net glass area; glass below the working plane counts times rho_f",
     .quantities = of_W,
 };
 
@@ -45,7 +45,7 @@ static const struct pp_formula glass_above = {
     .sum = "a_u B",
     .unit = PP_UNIT_SQUARE_METRE,
     .source = "BS8206",
-    .what = "net area of glass above the working plane",
+    .what = "net glass area above the working plane",
     .quantities = of_W,
 };
 
@@ -60,21 +60,20 @@ static const struct pp_formula glass_behind_well = {
     .symbol = "W",
     .sum = "a B N",
     .unit = PP_UNIT_SQUARE_METRE,
-    .what = "net area of glass, by what its well lets through",
+    .what = "net glass area times the efficiency of the well",
     .quantities = of_W_of_well,
 };
 
 #define QUANTITIES                                                                     \
-    {"T", PP_UNIT_NUMBER,                                                              \
-     "diffuse transmittance of the glass, 1 for an unglazed opening"},                 \
+    {"T", PP_UNIT_NUMBER, "diffuse transmittance of the glass (1 if unglazed)"},       \
         {"W", PP_UNIT_SQUARE_METRE,                                                    \
-         "net area of glass: opening area times frame factor"},                        \
-        {"theta_h", PP_UNIT_ANGLE, "upper limit of the sky in section"},               \
-        {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},                  \
+         "net glass area: opening area times frame factor"},                           \
+        {"theta_h", PP_UNIT_ANGLE, "upper limit of visible sky in section"},           \
+        {"alpha", PP_UNIT_ANGLE, "angle of the obstruction"},                          \
         {"theta", PP_UNIT_ANGLE, "angle of visible sky"}, PP_INTERIOR_QUANTITIES
 
 static const struct pp_formula_quantity of_average[] = {
-    QUANTITIES, {"M", PP_UNIT_NUMBER, "maintenance: what dirt leaves"}, {0}};
+    QUANTITIES, {"M", PP_UNIT_NUMBER, "maintenance factor (dirt)"}, {0}};
 static const struct pp_formula_quantity of_lynes[] = {QUANTITIES, {0}};
 
 static const struct pp_formula average = {
@@ -121,19 +120,18 @@ static void put_low_glass(struct pp_worksheet *sheet, const struct pp_world *wor
                           const struct pp_opening *opening, double low_m2,
                           enum low_glass practice)
 {
-    int line = opening->line;
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2 - low_m2,
-                     "a_u", "opening on line %d: area above the working plane", line);
+                     "a_u", "area of the opening above the working plane");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, low_m2, "a_l",
-                     "opening on line %d: area below it", line);
+                     "area of the opening below the working plane");
     pp_worksheet_put(
         sheet, PP_UNIT_NUMBER, pp_interior_role(world, PP_FLOOR).reflectance, "rho_f",
-        practice == LEFT_OUT ? "reflectance of the floor; that part is left out"
-                             : "reflectance of the floor, by which that part counts");
-    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B",
-                     "opening on line %d: frame factor", line);
+        practice == LEFT_OUT
+            ? "reflectance of the floor; glass below the plane is left out"
+            : "reflectance of the floor, the weight of glass below the plane");
+    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B", "frame factor");
     pp_worksheet_work(sheet, practice == LEFT_OUT ? &glass_above : &glass_that_counts,
-                      "opening on line %d: net area of glass that counts", line);
+                      "net glass area that counts");
 }
 
 /* W of glass with a well. */
@@ -141,15 +139,12 @@ static void put_well(struct pp_worksheet *sheet, const struct pp_world *world,
                      const struct pp_outside_light *light,
                      const struct pp_opening *opening)
 {
-    int line = opening->line;
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2, "a",
-                     "opening on line %d: area", line);
-    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B",
-                     "opening on line %d: frame factor", line);
+                     "area of the opening");
+    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B", "frame factor");
     pp_well_put(sheet, world, light, opening);
     pp_worksheet_work(sheet, &glass_behind_well,
-                      "opening on line %d: net area of glass, as of its well's foot",
-                      line);
+                      "net glass area, as seen at the foot of the well");
 }
 
 static enum pp_status put_terms(struct pp_worksheet *sheet,
@@ -160,9 +155,8 @@ static enum pp_status put_terms(struct pp_worksheet *sheet,
 {
     struct pp_interior all = pp_interior_all(world);
     double low_m2 = pp_interior_area_below(&opening->inner, world->working_plane_m);
-    int line = opening->line;
     pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
-                     "opening on line %d: diffuse transmittance", line);
+                     "diffuse transmittance of the glass");
     if (pp_well_is(opening))
         put_well(sheet, world, light, opening);
     else if (practice != COUNTS_IN_FULL && low_m2 > 0.0)
@@ -185,11 +179,8 @@ static enum pp_status work_newer_form(const struct pp_world *world,
         put_terms(&part->sheet, world, light, opening, practice, err);
     if (status != PP_OK)
         return status;
-    pp_allowance_put(&part->sheet, PP_ALLOWS_DIRT, opening, "M",
-                     "opening on line %d: maintenance", opening->line);
-    part->value =
-        pp_worksheet_work(&part->sheet, &average,
-                          "opening on line %d: average daylight factor", opening->line);
+    pp_allowance_put(&part->sheet, PP_ALLOWS_DIRT, opening, "M", "maintenance factor");
+    part->value = pp_worksheet_work(&part->sheet, &average, "average daylight factor");
     return PP_OK;
 }
 
@@ -227,8 +218,7 @@ static enum pp_status evaluate_lynes(const struct pp_world *world,
         put_terms(&part->sheet, world, light, opening, COUNTS_IN_FULL, err);
     if (status == PP_OK)
         part->value = pp_worksheet_work(&part->sheet, &average_of_surfaces,
-                                        "opening on line %d: average over all surfaces",
-                                        opening->line);
+                                        "average daylight factor over all surfaces");
     return status;
 }
 
@@ -247,7 +237,8 @@ const struct pp_method pp_method_average_df = {
 
 const struct pp_method pp_method_average_df_above = {
     .name = "average-df-above",
-    .summary = "the same without the glass below the working plane",
+    .summary =
+        "average daylight factor in one formula, without glass below the working plane",
     .source = "BS8206",
     .formulae = formulae_of_above,
     .gives = PP_GIVES_WHOLE,
@@ -260,7 +251,7 @@ const struct pp_method pp_method_average_df_above = {
 
 const struct pp_method pp_method_average_df_lynes = {
     .name = "average-df-lynes",
-    .summary = "average daylight factor over all surfaces, the older form",
+    .summary = "average daylight factor over all interior surfaces (older form)",
     .source = "LYNES79",
     .formulae = formulae_of_lynes,
     .gives = PP_GIVES_WHOLE,

@@ -268,10 +268,10 @@ enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
 {
     *plan = (struct pp_daylight_plan){.direct = !irc_name};
     if (irc_name && !(isfinite(irc) && irc >= 0.0))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "internally reflected component is %g; contours need a number "
-                       "of 0 or more",
-                       irc);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the internally reflected component is %g; expected 0 or more for contours",
+            irc);
     snprintf(plan->name, sizeof plan->name, "%s%s%s", direct->name, irc_name ? "+" : "",
              irc_name ? irc_name : "");
     struct pp_direct_plane *plane;

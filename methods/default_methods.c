@@ -30,8 +30,9 @@ static bool is_refused(char *why, size_t size, const struct pp_method *method,
         reason = method->refuses(world, light, &world->openings[i], receiver);
         if (!reason)
             continue;
-        snprintf(why, size, "%s: the opening on line %d %s", method->name,
-                 world->openings[i].line, reason);
+        snprintf(why, size, "%s: %s %s %s", method->name,
+                 pp_world_kind(world, world->openings[i].line),
+                 world->openings[i].label, reason);
         return true;
     }
     return false;

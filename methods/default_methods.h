@@ -15,7 +15,7 @@ struct pp_default_methods {
     const char *name;    /* as in a selection: "exact+bre"; static */
     const char *instead; /* the first choice that it replaces, static; NULL: it is the
                           * first choice itself */
-    char why[256];       /* the reason: "bre: the opening on line 12 slopes ..."; empty
+    char why[256];       /* the reason: "bre: window W1 slopes ..."; empty
                           * without `instead` */
 };
 

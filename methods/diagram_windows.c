@@ -16,8 +16,8 @@ enum pp_status pp_diagram_windows_check(const struct pp_method *method,
     for (int i = 0; i < world->opening_count; i++) {
         why = method->refuses(world, light, &world->openings[i], receiver);
         if (why)
-            return pp_fail(err, PP_BAD_INPUT, "%s: the opening on line %d %s",
-                           method->name, world->openings[i].line, why);
+            return pp_fail(err, PP_BAD_INPUT, "%s: window %s %s", method->name,
+                           world->openings[i].label, why);
     }
     return PP_OK;
 }

@@ -83,8 +83,8 @@ static enum pp_status check_method(const struct pp_method *method,
     for (int i = 0; i < world->opening_count && method->refuses; i++) {
         why = method->refuses(world, light, &world->openings[i], NULL);
         if (why)
-            return pp_fail(err, PP_BAD_INPUT, "%s: the opening on line %d %s",
-                           method->name, world->openings[i].line, why);
+            return pp_fail(err, PP_BAD_INPUT, "%s: window %s %s", method->name,
+                           world->openings[i].label, why);
     }
     return PP_OK;
 }
@@ -97,12 +97,11 @@ static enum pp_status check_meshes(const struct pp_world *world, struct pp_error
     int triangles = world->surface_count - pp_world_before_meshes(world);
     if ((double)triangles * world->opening_count <= mesh_triangles_most)
         return PP_OK;
-    return pp_fail(
-        err, PP_BAD_INPUT,
-        "the meshes outside have %d triangles, too many to be cut to the view "
-        "of all points of the working plane through each opening; expected "
-        "%.0f over the number of openings at most, or figures at single points",
-        triangles, mesh_triangles_most);
+    return pp_fail(err, PP_BAD_INPUT,
+                   "the external meshes have %d triangles, too many for contours over "
+                   "the working plane; expected at most %.0f divided by the number of "
+                   "openings, or single points",
+                   triangles, mesh_triangles_most);
 }
 
 enum pp_status pp_direct_plane_create(struct pp_direct_plane **plane,
@@ -169,8 +168,8 @@ enum pp_status pp_direct_plane_at(const struct pp_direct_plane *plane, double x,
             (method->evaluate_roughly ? method->evaluate_roughly : method->evaluate)(
                 world, &plane->light, opening, &receiver, plane->tools, &part, err);
         if (status == PP_OK && part.why)
-            status = pp_fail(err, PP_BAD_INPUT, "%s: the opening on line %d %s",
-                             method->name, opening->line, part.why);
+            status = pp_fail(err, PP_BAD_INPUT, "%s: window %s %s", method->name,
+                             opening->label, part.why);
         if (status != PP_OK)
             return status;
         double allowance = pp_allowance_of(method, world, opening);

@@ -33,15 +33,15 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
             reading->steps = answer->steps;
         return PP_OK;
     }
+    const struct pp_opening *opening = answer->opening;
+    const char *kind = opening ? pp_world_kind(report->world, opening->line) : NULL;
     const char *why =
         answer->column
-            ? pp_report_say(report,
-                            "%s: for the opening on line %d the formula %s, in column "
-                            "%d",
-                            name, answer->opening->line, answer->why, answer->column)
-        : answer->opening ? pp_report_say(report, "%s: the opening on line %d %s", name,
-                                          answer->opening->line, answer->why)
-                          : pp_report_say(report, "%s: %s", name, answer->why);
+            ? pp_report_say(report, "%s: the formula %s for %s %s, in column %d", name,
+                            answer->why, kind, opening->label, answer->column)
+        : opening ? pp_report_say(report, "%s: %s %s %s", name, kind, opening->label,
+                                  answer->why)
+                  : pp_report_say(report, "%s: %s", name, answer->why);
     *reading = pp_reading_none(why);
     return why ? PP_OK : pp_fail_memory(err);
 }
@@ -125,7 +125,7 @@ static enum pp_status answer_all(const struct pp_method_run *run,
     }
     if (run->method->speaks_for == PP_FOR_MINIMUM && !average->why)
         *average = (struct pp_method_answer){
-            .why = "it gives the least in the room, no average"};
+            .why = "the method gives the minimum in the room, not an average"};
     return by_point ? answer_points(run, report, answers, err) : PP_OK;
 }
 
@@ -144,8 +144,8 @@ static enum pp_status check_light(struct pp_method_answer *answer,
     answer->opening = NULL;
     answer->column = 0;
     answer->why = pp_report_say(report,
-                                "its figure of %.4g %% is more than all the light that "
-                                "enters the room could give, %.4g %%",
+                                "the result of %.4g %% exceeds the maximum possible "
+                                "from all light that enters, %.4g %%",
                                 100.0 * figure, 100.0 * most);
     return answer->why ? PP_OK : pp_fail_memory(err);
 }
@@ -321,7 +321,7 @@ static enum pp_status stand_in(struct pp_report *report, struct pp_error *err)
     if (!pair.instead)
         return PP_OK;
     report->stand_in =
-        pp_report_say(report, "%s stands in for %s, which does not cover this room",
+        pp_report_say(report, "%s replaces %s, which does not apply to this room",
                       pair.name, pair.instead);
     return report->stand_in ? pp_methods_evaluate(report, pair.name, err)
                             : pp_fail_memory(err);

@@ -52,7 +52,7 @@ struct pp_part {
     double external; /* of PP_GIVES_DIRECT */
     double value;    /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
     const char *why; /* set instead of a value: why there is none, as the end of
-                             * a sentence that begins with "the opening on line 12";
+                             * a sentence that begins with "window W1";
                              * static, or valid as long as the tools */
     struct pp_worksheet
         sheet; /* where figures are put down and formulae worked out; its
@@ -97,7 +97,7 @@ struct pp_method {
                                 const struct pp_receiver *receiver);
 
     /* Why the method does not cover this opening for this receiver (NULL for the room),
-     * as the static end of a sentence that begins with "the opening on line 12"
+     * as the static end of a sentence that begins with "window W1"
      * ("slopes; the table holds vertical openings only"), or NULL where the method
      * covers the opening. NULL function: it covers all. */
     const char *(*refuses)(const struct pp_world *world,

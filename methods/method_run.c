@@ -129,7 +129,7 @@ static enum pp_status add_openings(const struct pp_method_run *run,
     /* A point may see nothing of the openings; a room has all of them. */
     if (status == PP_OK && !answer->why && run->varied && !used
         && run->method->speaks_for != PP_FOR_POINT && world->opening_count > 0)
-        answer->why = "the room has no opening that its formula is for";
+        answer->why = "the formula applies to none of the room's openings";
     return status;
 }
 
@@ -309,7 +309,7 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
     bool stopped;
     *answer = (struct pp_method_answer){0};
     if (pp_region_area(&run->world->plane) <= 0.0) {
-        answer->why = "the room has no working plane at that height";
+        answer->why = "the room has no working plane at this height";
         return PP_OK;
     }
     if (refuse_plane(run, answer))
@@ -318,10 +318,9 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
         bool known;
         enum pp_status status = sum_averages(run, answer, &known, err);
         if (status == PP_OK && pp_beams_gave_up(run->shared.beams)) {
-            *answer = (struct pp_method_answer){
-                .why =
-                    "what stands outside is in too many pieces for an average within "
-                    "seconds"};
+            *answer =
+                (struct pp_method_answer){.why = "the obstructions have too many parts "
+                                                 "for an average within seconds"};
             return PP_OK;
         }
         if (status != PP_OK || known)
@@ -346,7 +345,8 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
     }
     if (stopped)
         return pp_fail(err, PP_SYSTEM,
-                       "%s could not be averaged over the working plane", run->name);
+                       "the average of %s over the working plane did not converge",
+                       run->name);
     answer->amounts =
         (struct pp_amounts){.sky = mean[0], .external = mean[1], .value = mean[0]};
     return PP_OK;

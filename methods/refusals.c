@@ -13,7 +13,7 @@ const char *pp_refusals_unless_up(const struct pp_receiver *receiver)
     if (receiver
         && (hypot(receiver->normal.x, receiver->normal.y) > angle_tolerance_rad
             || receiver->normal.z < 0.0))
-        return "it is made for points that face up only";
+        return "valid only for points that face up";
     return NULL;
 }
 
@@ -21,7 +21,7 @@ const char *pp_refusals_unless_overcast_and_up(const struct pp_outside_light *li
                                                const struct pp_receiver *receiver)
 {
     if (light->sky.kind != PP_SKY_OVERCAST)
-        return "it is made for the CIE overcast sky only";
+        return "valid only for the CIE overcast sky";
     return pp_refusals_unless_up(receiver);
 }
 
@@ -29,14 +29,14 @@ const char *pp_refusals_if_luminous(const struct pp_world *world)
 {
     for (int i = 0; i < world->surface_count; i = pp_world_next_but_blocks(world, i))
         if (world->surfaces[i].exitance > 0.0)
-            return "it knows no surface that gives off light by itself";
+            return "not valid with surfaces that emit light";
     return NULL;
 }
 
 const char *pp_refusals_if_mesh(const struct pp_world *world)
 {
     return world->mesh_count > 0
-               ? "it draws upright rectangles, and a mesh outside is none"
+               ? "not valid with external meshes; the method uses vertical rectangles"
                : NULL;
 }
 
@@ -49,8 +49,8 @@ const char *pp_refusals_if_fine_mesh(const struct pp_world *world)
     double triangles = world->surface_count - pp_world_before_meshes(world);
     double views = (double)world->opening_count * (world->receiver_count + 1.0);
     return triangles * views > mesh_views_most
-               ? "the meshes outside have too many triangles to be cut to the view of "
-                 "every point within seconds"
+               ? "the external meshes have too many triangles for this method within "
+                 "seconds"
                : NULL;
 }
 
@@ -73,7 +73,7 @@ const char *pp_refusals_formula_room(const struct pp_world *world,
 const char *pp_refusals_unless_vertical(const struct pp_opening *opening)
 {
     if (fabs(opening->slope_rad - PP_PI / 2.0) > angle_tolerance_rad)
-        return "is not vertical, and only vertical ones are covered";
+        return "is not vertical; the method covers vertical windows only";
     return NULL;
 }
 

@@ -41,12 +41,12 @@ static enum pp_status unknown(const char *name, struct pp_error *err)
     pp_text_did_you_mean(question, sizeof question, "\"",
                          pp_text_nearest(name, names, count), "\"");
     if (question[0])
-        return pp_fail(err, PP_BAD_INPUT,
-                       "\"%s\" is no method (%s); expected %s, or a pair such as "
-                       "exact+bre",
-                       written, question, known);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "unknown method \"%s\" (%s); expected %s, or a pair such as exact+bre",
+            written, question, known);
     return pp_fail(err, PP_BAD_INPUT,
-                   "\"%s\" is no method; expected %s, or a pair such as exact+bre",
+                   "unknown method \"%s\"; expected %s, or a pair such as exact+bre",
                    written, known);
 }
 
@@ -68,13 +68,13 @@ static enum pp_status add_pair(struct pp_selection *selection, const char *direc
         return status;
     if (direct->gives != PP_GIVES_DIRECT)
         return pp_fail(err, PP_BAD_INPUT,
-                       "\"%s+%s\": %s does not give the direct component, which the "
-                       "first of a pair must",
+                       "\"%s+%s\": %s does not give the direct component; expected "
+                       "such a method first",
                        direct_name, internal_name, direct_name);
     if (internal->gives != PP_GIVES_INTERNAL)
         return pp_fail(err, PP_BAD_INPUT,
                        "\"%s+%s\": %s does not give the internally reflected "
-                       "component, which the second of a pair must",
+                       "component; expected such a method second",
                        direct_name, internal_name, internal_name);
     return add_selected_method(selection, direct, internal, err);
 }

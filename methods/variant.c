@@ -46,8 +46,8 @@ static enum pp_status take_apart(struct parts *parts, const char *text,
     *parts = (struct parts){.text = text};
     if (strlen(text) > TEXT_MOST) {
         char what[64];
-        snprintf(what, sizeof what, "it is too long; expected %d letters at most",
-                 TEXT_MOST);
+        snprintf(what, sizeof what,
+                 "the formula is too long; expected at most %d characters", TEXT_MOST);
         return fail_at(err, text, TEXT_MOST, what);
     }
     int at = skip_blanks(text, 0);
@@ -64,11 +64,10 @@ static enum pp_status take_apart(struct parts *parts, const char *text,
     parts->symbol = at;
     parts->symbol_length = pp_expression_name_length(text + at);
     if (parts->symbol_length == 0)
-        return fail_at(err, text, at,
-                       "expected the symbol that is worked out, such as irc");
+        return fail_at(err, text, at, "expected the symbol of the result, such as irc");
     at = skip_blanks(text, at + parts->symbol_length);
     if (text[at] != '=')
-        return fail_at(err, text, at, "expected \"=\" behind the symbol");
+        return fail_at(err, text, at, "expected \"=\" after the symbol");
     parts->sum = skip_blanks(text, at + 1);
     return PP_OK;
 }
@@ -88,8 +87,8 @@ static enum pp_status find_method(const struct pp_method **method,
         if (pp_methods[i]->formulae)
             names[count++] = pp_methods[i]->name;
     snprintf(what, sizeof what,
-             *method ? "that method has no formulae; expected "
-                     : "there is no such method; expected ");
+             *method ? "this method has no formulae; expected "
+                     : "unknown method; expected ");
     pp_text_append_list(what, sizeof what, names, count, " or ");
     return fail_at(err, parts->text, parts->method, what);
 }
@@ -117,7 +116,7 @@ static bool fits_formula(const struct pp_formula *formula,
     pp_dimension_describe(is, expression.dimension);
     mistake->column = variant->shift;
     snprintf(mistake->what, sizeof mistake->what,
-             "all of this is %s; expected what %s is, as in \"%s\"", is,
+             "the result is %s; expected the unit of %s, as in \"%s\"", is,
              formula->symbol, formula->sum);
     return false;
 }
@@ -199,7 +198,7 @@ static enum pp_status read_variant(struct pp_variant *variant, const char *text,
         return fail_symbol(&parts, variant->method, err);
     if (strlen(text + parts.sum) > PP_EXPRESSION_MOST)
         return fail_at(err, text, parts.sum + PP_EXPRESSION_MOST,
-                       "the sum is too long; expected 200 letters at most");
+                       "the formula is too long; expected at most 200 characters");
     snprintf(formula->symbol, sizeof formula->symbol, "%.*s", parts.symbol_length,
              text + parts.symbol);
     snprintf(formula->sum, sizeof formula->sum, "%s", text + parts.sum);

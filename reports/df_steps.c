@@ -64,7 +64,7 @@ static void print_step(const struct pp_calculation_step *step, int width, bool u
     int gap = column + 2 > WHAT ? 2 : WHAT - column;
     int room = width - column - gap - VALUE_WIDTH - UNIT_WIDTH;
 
-    const char *words = pp_step_text_what(step);
+    const char *words = step->what;
     int length = fitting(words, room);
     fprintf(out, "%*s%-*.*s%*s%s\n", gap, "", room, length, words, VALUE_WIDTH, value,
             unit);
@@ -82,7 +82,8 @@ static void print_list(const struct pp_steps *steps, const struct pp_world *worl
     for (int i = 0; i < steps->count; i++) {
         const struct pp_calculation_step *step = &steps->list[i];
         if (step->line != line && step->line)
-            fprintf(out, "%*swindow %s\n", HEAD, "", pp_world_label(world, step->line));
+            fprintf(out, "%*s%s %s\n", HEAD, "", pp_world_kind(world, step->line),
+                    pp_world_label(world, step->line));
         else if (step->line != line)
             fprintf(out, "%*sall windows\n", HEAD, "");
         line = step->line;

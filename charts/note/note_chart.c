@@ -161,7 +161,7 @@ static double put_step(struct note_drawing *drawing, const struct pp_steps *step
     line.set.grey = step->formula[0] ? PP_GREY_TEXT : PP_INK;
     if (drawn)
         put_figure(drawing, figure, step->formula[0]);
-    drawing->y += put_note_words(drawing, line, pp_step_text_what(step), drawn);
+    drawing->y += put_note_words(drawing, line, step->what, drawn);
     double height = drawing->y - top + 0.7 * drawing->style.scale;
     drawing->y = top;
     return height;

@@ -83,14 +83,14 @@ void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double asid
 
 static const struct pp_formula_quantity of_upper[] = {
     {"h", PP_UNIT_NUMBER, "upper edge over distance"},
-    {"T_hl", PP_UNIT_DAYLIGHT_FACTOR, "table there, to the left jamb"},
-    {"T_hr", PP_UNIT_DAYLIGHT_FACTOR, "table there, to the right jamb"},
+    {"T_hl", PP_UNIT_DAYLIGHT_FACTOR, "table value, to the left jamb"},
+    {"T_hr", PP_UNIT_DAYLIGHT_FACTOR, "table value, to the right jamb"},
     {0},
 };
 static const struct pp_formula_quantity of_lower[] = {
     {"s", PP_UNIT_NUMBER, "lower edge over distance"},
-    {"T_sl", PP_UNIT_DAYLIGHT_FACTOR, "table there, to the left jamb"},
-    {"T_sr", PP_UNIT_DAYLIGHT_FACTOR, "table there, to the right jamb"},
+    {"T_sl", PP_UNIT_DAYLIGHT_FACTOR, "table value, to the left jamb"},
+    {"T_sr", PP_UNIT_DAYLIGHT_FACTOR, "table value, to the right jamb"},
     {0},
 };
 
@@ -109,7 +109,8 @@ const struct pp_formula pp_brs_edges_lower[3] = {
 
 static const struct pp_formula_quantity of_rectangle[] = {
     {"H", PP_UNIT_DAYLIGHT_FACTOR, "sum at the upper edge"},
-    {"S", PP_UNIT_DAYLIGHT_FACTOR, "sum at the lower edge; 0 where the table begins"},
+    {"S", PP_UNIT_DAYLIGHT_FACTOR,
+     "sum at the lower edge (0 at the start of the table)"},
     {0},
 };
 static const struct pp_formula_quantity of_hidden[] = {
@@ -124,7 +125,7 @@ static const char in_words[] = "sky component",
 
 const struct pp_formula pp_brs_edges_sky[2] = {
     BRS("sc", "H - S", in_words, of_rectangle, false),
-    BRS("sc", "H", "sky component, lower edge where the table begins", of_rectangle,
+    BRS("sc", "H", "sky component, lower edge at the start of the table", of_rectangle,
         false)};
 const struct pp_formula pp_brs_edges_equivalent[2] = {
     BRS("e", "H - S", equivalent, of_rectangle, false),
@@ -132,13 +133,15 @@ const struct pp_formula pp_brs_edges_equivalent[2] = {
 const struct pp_formula pp_brs_edges_reflected =
     BRS("erc", "f e", external, of_hidden, false);
 const struct pp_formula pp_brs_edges_across[4] = {
-    BRS("sc", "H + S", "sky component, the point below the glass", of_rectangle, true),
-    BRS("e", "H + S", "the same of an obstruction", of_rectangle, true),
+    BRS("sc", "H + S", "sky component, point below the glass", of_rectangle, true),
+    BRS("e", "H + S", "equivalent sky component of an obstruction, same position",
+        of_rectangle, true),
     BRS("sc", "S - H", "sky component, both edges on the lower side", of_rectangle,
         true),
-    BRS("e", "S - H", "the same of an obstruction", of_rectangle, true)};
-const struct pp_formula pp_brs_edges_less =
-    BRS("sc", "-e", "what an obstruction takes off the sky component", of_hidden, true);
+    BRS("e", "S - H", "equivalent sky component of an obstruction, same position",
+        of_rectangle, true)};
+const struct pp_formula pp_brs_edges_less = BRS(
+    "sc", "-e", "reduction of the sky component by an obstruction", of_hidden, true);
 
 /* ---- the sum ---- */
 
@@ -160,16 +163,16 @@ static void work_edge(struct pp_worksheet *sheet, const struct edge *edge,
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, up, edge->height, "%s over distance, %s",
                      edge->what, measure);
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, pp_brs_edges_read(table, up, left),
-                     edge->left, "table at that %s and w/d %.3f", measure, left);
+                     edge->left, "table value at this %s and w/d %.3f", measure, left);
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
                      pp_brs_edges_read(table, up, right), edge->right,
-                     "table at that %s and w/d %.3f", measure, right);
+                     "table value at this %s and w/d %.3f", measure, right);
     pp_worksheet_work(sheet,
                       &edge->sums[both              ? 0
                                   : at->right > 0.0 ? 2
                                                     : 1],
-                      both ? "both sides of the normal added"
-                           : "the wider less the narrower");
+                      both ? "sum of both sides of the normal"
+                           : "wider part minus narrower part");
 }
 
 /* The sum of both edges, by where the table begins. */
@@ -189,9 +192,10 @@ void pp_brs_edges_work(struct pp_part_steps *terms, struct pp_part *sum,
     struct pp_worksheet *sheet = terms->sheet;
     pp_part_steps_next(terms);
     pp_worksheet_note(sheet, PP_UNIT_NUMBER, at->left,
-                      "%s: left jamb over distance, w/d, right is positive",
+                      "%s: left jamb over distance, w/d (right positive)",
                       at->hidden ? "obstruction" : "sky");
-    pp_worksheet_note(sheet, PP_UNIT_NUMBER, at->right, "right jamb");
+    pp_worksheet_note(sheet, PP_UNIT_NUMBER, at->right,
+                      "right jamb over distance, w/d");
     work_edge(sheet, &upper, table, fabs(at->high), at, measure);
     if (at->low != 0.0)
         work_edge(sheet, &lower, table, fabs(at->low), at, measure);
@@ -207,5 +211,5 @@ void pp_brs_edges_work(struct pp_part_steps *terms, struct pp_part *sum,
     sum->external += pp_part_steps_work(terms, true, &pp_brs_edges_reflected, external);
     if (at->off_sky)
         sum->sky += pp_part_steps_work(terms, false, &pp_brs_edges_less,
-                                       "taken off the sky component");
+                                       "subtracted from the sky component");
 }

@@ -79,11 +79,10 @@ static const char *brs_rooflight_refuses(const struct pp_world *world,
     if (!pp_refusals_unless_vertical(opening))
         return pp_method_brs_table.refuses(world, light, opening, receiver);
     if (opening->glass.diffusing)
-        return "has diffusing glass; the tables hold clear glass only";
+        return "has diffusing glass; the tables cover clear glass only";
     if (!table_at(pp_slope_rectangles_slope(opening)))
-        return "is at a slope without a table; there are tables of rooflights for 0, "
-               "30 "
-               "and 60 degrees";
+        return "has a slope without a table; rooflight tables exist for 0, 30 and 60 "
+               "degrees";
     return NULL;
 }
 
@@ -103,7 +102,7 @@ static enum pp_status read_rooflight(const struct pp_world *world,
         &part->sheet, PP_UNIT_METRE,
         pp_vec_dot(pp_vec_sub(receiver->position, opening->inner.vertices[0]),
                    opening->inner.normal),
-        "distance d of the point from the plane of the glass");
+        "distance d from the point to the plane of the glass");
     double begins =
         table->slope_deg > 0.0 ? -1.0 / tan(table->slope_deg * PP_RAD) : 0.0;
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, seen.count);
@@ -154,7 +153,7 @@ static const struct pp_formula *const formulae[] = {PP_BRS_EDGES_FORMULAE,
 
 const struct pp_method pp_method_brs_rooflight = {
     .name = "brs-table-rooflight",
-    .summary = "direct component by the BRS table, and tables like it of rooflights",
+    .summary = "direct component by the BRS table and similar tables for rooflights",
     .source = "HLG58",
     .formulae = formulae,
     .gives = PP_GIVES_DIRECT,

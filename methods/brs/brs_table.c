@@ -87,7 +87,7 @@ static const char *brs_table_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
-        return "has diffusing glass; the table holds clear glass only";
+        return "has diffusing glass; the table covers clear glass only";
     return pp_refusals_unless_vertical(opening);
 }
 
@@ -110,7 +110,7 @@ static enum pp_status evaluate_brs_table(const struct pp_world *world,
         &part->sheet, PP_UNIT_METRE,
         pp_vec_dot(pp_vec_sub(receiver->position, opening->inner.vertices[0]),
                    opening->inner.normal),
-        "distance d of the point from the opening's plane");
+        "distance d from the point to the plane of the opening");
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, elevation.count);
     for (int i = 0; i < elevation.count; i++) {
         const struct pp_elevation_part *seen = elevation.parts + i;

@@ -98,23 +98,23 @@ static struct sum_text add_sky_terms(struct pp_part_steps *terms,
 {
     const struct pp_moments *moments = &figures->moments;
     pp_part_steps_read(terms, PP_UNIT_NUMBER, moments->omega, "omega",
-                       figures->hidden ? "solid angle of the sky that is hidden, sr"
-                                       : "solid angle of the sky that is seen, sr");
+                       figures->hidden ? "solid angle of the hidden sky, sr"
+                                       : "solid angle of the visible sky, sr");
     if (!figures->closed_form)
         return (struct sum_text){""};
     pp_part_steps_read(terms, PP_UNIT_NUMBER, moments->cosine, "E_0",
-                       "its integral of the cosine at the receiver");
+                       "integral of the cosine at the receiver over this solid angle");
     if (sky->gradation != 0.0)
         pp_part_steps_read(terms, PP_UNIT_NUMBER, moments->cosine_sine, "E_1",
-                           "the same, times the sine of the altitude");
+                           "integral of the cosine times the sine of the altitude");
     double bare = pp_solid_angle_sky_component(moments, sky);
     struct sum_text sum = closed_form(sky);
     if (!figures->glazed || !(bare > 0.0))
         return sum;
     pp_part_steps_figure(terms, PP_UNIT_DAYLIGHT_FACTOR, bare, "s", sum.text,
-                         "that sky without glass, in closed form");
+                         "sky component without glass, closed form");
     pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->above / bare, "t",
-                       "mean transmittance over it, by quadrature");
+                       "mean transmittance over this solid angle, by quadrature");
     return (struct sum_text){"s# t#"};
 }
 
@@ -124,13 +124,12 @@ static void add_sky_steps(struct pp_part_steps *terms,
 {
     struct sum_text formula = add_sky_terms(terms, figures, sky);
     pp_part_steps_component(terms, false, figures->above, formula.text,
-                            formula.text[0]
-                                ? "sky component"
-                                : "sky component, an integral, by quadrature");
+                            formula.text[0] ? "sky component"
+                                            : "sky component, by quadrature");
     if (figures->below == 0.0)
         return;
     pp_part_steps_read(terms, PP_UNIT_DAYLIGHT_FACTOR, figures->below, "c",
-                       "ground that is seen, for a reflectance of 1");
+                       "visible ground, for a reflectance of 1");
     pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->factor, "rho_g",
                        "reflectance of the ground");
     pp_part_steps_component(terms, true, figures->factor * figures->below, "rho_g# c#",
@@ -146,16 +145,16 @@ static void add_hidden_steps(struct pp_part_steps *terms,
     pp_part_steps_figure(
         terms, PP_UNIT_DAYLIGHT_FACTOR, figures->above, "e", formula.text,
         formula.text[0] ? "equivalent sky component of the obstruction"
-                        : "its equivalent sky component, by quadrature");
+                        : "equivalent sky component of the obstruction, by quadrature");
     bool below = figures->below != 0.0, own = figures->own != 0.0;
     if (below)
         pp_part_steps_read(terms, PP_UNIT_DAYLIGHT_FACTOR, figures->below, "b",
-                           "hidden below the horizon, as bright as that");
+                           "hidden part below the horizon, at the same luminance");
     pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->factor, "f",
                        "luminance factor of the obstruction");
     if (own)
         pp_part_steps_read(terms, PP_UNIT_DAYLIGHT_FACTOR, figures->own, "g",
-                           "what it gives off by itself");
+                           "light that the obstruction emits");
     pp_part_steps_component(
         terms, true, figures->factor * (figures->above + figures->below) + figures->own,
         below && own ? "f# (e# + b#) + g#"

@@ -96,17 +96,18 @@ static void add_even_pane_steps(struct pp_steps *steps,
                                 const struct pp_exterior_light *outside, double c,
                                 double tau)
 {
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, c, "c",
-                       "configuration factor of what is seen of the diffusing pane");
-    pp_steps_add_named(steps, PP_UNIT_NUMBER, tau, "tau", "its transmittance");
+    pp_steps_add_named(
+        steps, PP_UNIT_NUMBER, c, "c",
+        "configuration factor of the visible part of the diffusing pane");
+    pp_steps_add_named(steps, PP_UNIT_NUMBER, tau, "tau", "transmittance of the pane");
     pp_steps_add_named(steps, PP_UNIT_DAYLIGHT_FACTOR, outside->sky, "E_s",
-                       "illuminance of its outside, from the sky");
+                       "illuminance on the outside of the pane from the sky");
     pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR, tau * outside->sky * c, "sc",
                         "tau E_s c", "sky component");
     if (outside->external == 0.0)
         return;
     pp_steps_add_named(steps, PP_UNIT_DAYLIGHT_FACTOR, outside->external, "E_e",
-                       "the same, from the ground and what hides the sky");
+                       "illuminance on the outside from ground and obstructions");
     pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR, tau * outside->external * c,
                         "erc", "tau E_e c", "externally reflected component");
 }

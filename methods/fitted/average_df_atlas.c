@@ -25,18 +25,17 @@
 #include "methods/refusals.h"
 
 static const struct pp_formula_quantity quantities[] = {
-    {"T", PP_UNIT_NUMBER,
-     "diffuse transmittance of the glass, 1 for an unglazed opening"},
-    {"W", PP_UNIT_SQUARE_METRE, "net area of glass: opening area times frame factor"},
-    {"M", PP_UNIT_NUMBER, "maintenance: what dirt leaves"},
+    {"T", PP_UNIT_NUMBER, "diffuse transmittance of the glass (1 if unglazed)"},
+    {"W", PP_UNIT_SQUARE_METRE, "net glass area: opening area times frame factor"},
+    {"M", PP_UNIT_NUMBER, "maintenance factor (dirt)"},
     PP_INTERIOR_QUANTITIES,
-    {"A_f", PP_UNIT_SQUARE_METRE, "area of the floor"},
-    {"rho_f", PP_UNIT_NUMBER, "its reflectance"},
+    {"A_f", PP_UNIT_SQUARE_METRE, "floor area"},
+    {"rho_f", PP_UNIT_NUMBER, "reflectance of the floor"},
     PP_FITTED_LIGHT_QUANTITIES,
     PP_FITTED_OPENING_REVEAL,
     PP_FITTED_OPENING_LOW,
-    {"E", PP_UNIT_DAYLIGHT_FACTOR, "on the opening's outside in all"},
-    {"k_r", PP_UNIT_NUMBER, "correction for the reveal, the floor and the ground"},
+    {"E", PP_UNIT_DAYLIGHT_FACTOR, "total illuminance on the outside of the opening"},
+    {"k_r", PP_UNIT_NUMBER, "correction for reveal, floor and ground"},
     {0},
 };
 
@@ -44,7 +43,7 @@ static const struct pp_formula outside = {
     .symbol = "E",
     .sum = "V + E_b + E_g",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "on the opening's outside in all",
+    .what = "total illuminance on the outside of the opening",
     .quantities = quantities,
 };
 
@@ -55,7 +54,7 @@ static const struct pp_formula correction = {
         " exp(-" PP_FITTED_DF_UPWARD " C_g / max(V + C_b + C_g, 0.001))",
     .unit = PP_UNIT_NUMBER,
     .source = "ATLAS",
-    .what = "correction for the reveal, the floor and the ground",
+    .what = "correction for reveal, floor and ground",
     .quantities = quantities,
 };
 
@@ -86,30 +85,27 @@ static enum pp_status evaluate_average_df_atlas(const struct pp_world *world,
     struct pp_worksheet *sheet = &part->sheet;
     struct pp_interior all = pp_interior_all(world);
     struct pp_interior floor = pp_interior_role(world, PP_FLOOR);
-    int line = opening->line;
     pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
-                     "opening on line %d: diffuse transmittance", line);
+                     "diffuse transmittance of the glass");
     pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);
     pp_fitted_opening_put_low(sheet, world, opening);
-    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, floor.area_m2, "A_f",
-                     "area of the floor");
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, floor.area_m2, "A_f", "floor area");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, floor.reflectance, "rho_f",
-                     "its reflectance");
-    pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M",
-                     "opening on line %d: maintenance", line);
+                     "reflectance of the floor");
+    pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M", "maintenance factor");
     pp_interior_put(sheet, &all);
     pp_fitted_light_put(sheet, tools, world, opening);
-    pp_worksheet_work(sheet, &outside, "on it in all");
+    pp_worksheet_work(sheet, &outside,
+                      "total illuminance on the outside of the opening");
     pp_fitted_opening_put_reveal(sheet, opening);
-    pp_worksheet_work(sheet, &correction, "for the reveal, the floor and the ground");
-    part->value = pp_worksheet_work(
-        sheet, &average, "opening on line %d: average daylight factor", line);
+    pp_worksheet_work(sheet, &correction, "correction for reveal, floor and ground");
+    part->value = pp_worksheet_work(sheet, &average, "average daylight factor");
     return PP_OK;
 }
 
 const struct pp_method pp_method_average_df_atlas = {
     .name = "average-df-atlas",
-    .summary = "average daylight factor in one formula, corrected by traced rooms",
+    .summary = "average daylight factor in one formula, corrected from simulated rooms",
     .source = "ATLAS",
     .formulae = formulae,
     .gives = PP_GIVES_WHOLE,

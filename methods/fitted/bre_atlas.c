@@ -31,12 +31,13 @@ static const struct pp_formula_quantity quantities[] = {
     PP_INTERIOR_QUANTITIES,
     PP_FITTED_PARTS_QUANTITIES,
     PP_FITTED_LIGHT_QUANTITIES,
-    {"d_r", PP_UNIT_METRE, "depth of the room, square to the opening's wall"},
+    {"d_r", PP_UNIT_METRE,
+     "depth of the room, perpendicular to the wall of the opening"},
     {"h_r", PP_UNIT_METRE, "height of the room"},
     PP_FITTED_POSITION_QUANTITIES,
     {"IRC_av", PP_UNIT_DAYLIGHT_FACTOR,
-     "average internally reflected component, as printed"},
-    {"L", PP_UNIT_NUMBER, "light that enters, over that of the printed formula"},
+     "average internally reflected component by the published formula"},
+    {"L", PP_UNIT_NUMBER, "entering light relative to the published formula"},
     {"irc_m", PP_UNIT_DAYLIGHT_FACTOR, "mean over the working plane"},
     {0},
 };
@@ -47,7 +48,7 @@ static const struct pp_formula light_ratio = {
            " / (C R_fw + " PP_BRE_TERMS_GROUND ")",
     .source = "ATLAS",
     .unit = PP_UNIT_NUMBER,
-    .what = "light that enters, over that of the printed formula",
+    .what = "entering light relative to the published formula",
     .quantities = quantities,
 };
 
@@ -89,7 +90,7 @@ static const char *bre_atlas_refuses(const struct pp_world *world,
     struct pp_interior_parts parts =
         pp_interior_split_without(world, opening->middle_z_m, opening->face);
     if (!(parts.lower.reflectance > 0.0 || parts.upper.reflectance > 0.0))
-        return "lights a room that reflects nothing";
+        return "is in a room whose surfaces reflect nothing";
     return pp_fitted_parts_refuses(world, light, opening, receiver);
 }
 
@@ -109,7 +110,7 @@ static enum pp_status evaluate_bre_atlas(const struct pp_world *world,
     pp_fitted_light_put(sheet, tools, world, opening);
     pp_fitted_parts_put(sheet, world, opening);
     pp_worksheet_work(sheet, &light_ratio,
-                      "light that enters, over that of the formula");
+                      "entering light relative to the published formula");
     pp_fitted_position_put_room(sheet, world, opening);
     if (receiver)
         pp_fitted_opening_put_breadth(sheet, opening);
@@ -120,7 +121,8 @@ static enum pp_status evaluate_bre_atlas(const struct pp_world *world,
 
 const struct pp_method pp_method_bre_atlas = {
     .name = "bre-atlas",
-    .summary = "BRE inter-reflection formula, corrected by traced rooms, by position",
+    .summary =
+        "BRE inter-reflection formula by position, corrected from simulated rooms",
     .source = "ATLAS",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -10,10 +10,11 @@
 #include "methods/refusals.h"
 
 static const struct pp_formula_quantity of_shade[] = {
-    {"V", PP_UNIT_DAYLIGHT_FACTOR, "on the opening's outside from the sky alone"},
-    {"C_b", PP_UNIT_DAYLIGHT_FACTOR,
-     "on it from what stands outside, without its shade"},
-    {"C_g", PP_UNIT_DAYLIGHT_FACTOR, "on it from the ground that is seen, the same"},
+    {"V", PP_UNIT_DAYLIGHT_FACTOR,
+     "illuminance on the outside of the opening from the sky"},
+    {"C_b", PP_UNIT_DAYLIGHT_FACTOR, "illuminance on it from unshaded obstructions"},
+    {"C_g", PP_UNIT_DAYLIGHT_FACTOR,
+     "illuminance on it from the visible, unshaded ground"},
     {0},
 };
 
@@ -22,7 +23,7 @@ const struct pp_formula pp_fitted_light_E_b = {
     .sum = "C_b max(V / 39.6, 0.003)^" PP_FITTED_SHADE,
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
-    .what = "on the opening's outside from what stands outside",
+    .what = "illuminance on the outside of the opening from obstructions",
     .quantities = of_shade,
 };
 
@@ -31,7 +32,7 @@ const struct pp_formula pp_fitted_light_E_g = {
     .sum = "C_g max(V / 39.6, 0.003)^(" PP_FITTED_SHADE " / 2)",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
-    .what = "on the opening's outside from the ground",
+    .what = "illuminance on the outside of the opening from the ground",
     .quantities = of_shade,
 };
 
@@ -84,15 +85,15 @@ void pp_fitted_light_put(struct pp_worksheet *sheet, const void *tools,
 {
     const struct pp_fitted_light *list = tools;
     struct pp_fitted_light on = list[opening - world->openings];
-    int line = opening->line;
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, on.V, "V",
-                     "opening on line %d: on its outside from the sky alone", line);
+                     "illuminance on the outside of the opening from the sky");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, on.C_b, "C_b",
-                     "on it from what stands outside, without its shade");
+                     "illuminance on it from unshaded obstructions");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, on.C_g, "C_g",
-                     "on it from the ground that is seen, the same");
-    pp_worksheet_work(sheet, &pp_fitted_light_E_b, "from what stands outside");
-    pp_worksheet_work(sheet, &pp_fitted_light_E_g, "from the ground");
+                     "illuminance on it from the visible, unshaded ground");
+    pp_worksheet_work(sheet, &pp_fitted_light_E_b,
+                      "illuminance on it from obstructions");
+    pp_worksheet_work(sheet, &pp_fitted_light_E_g, "illuminance on it from the ground");
 }
 
 const char *pp_fitted_light_refuses(const struct pp_world *world,
@@ -105,8 +106,8 @@ const char *pp_fitted_light_refuses(const struct pp_world *world,
     if (why)
         return why;
     if (opening->glass.diffusing)
-        return "spreads its light, and only clear panes are covered";
+        return "has diffusing glass; the method covers clear glass only";
     if (!(pp_interior_all(world).reflectance < 1.0))
-        return "lights a room that reflects all light, without end";
+        return "is in a room whose mean reflectance is 1";
     return NULL;
 }

@@ -35,14 +35,15 @@ extern const struct pp_formula pp_fitted_light_E_b, pp_fitted_light_E_g;
 
 /* Rows of a formula's list of quantities. */
 #define PP_FITTED_LIGHT_QUANTITIES                                                     \
-    {"V", PP_UNIT_DAYLIGHT_FACTOR, "on the opening's outside from the sky alone"},     \
+    {"V", PP_UNIT_DAYLIGHT_FACTOR,                                                     \
+     "illuminance on the outside of the opening from the sky"},                        \
         {"C_b", PP_UNIT_DAYLIGHT_FACTOR,                                               \
-         "on it from what stands outside, without its shade"},                         \
+         "illuminance on it from unshaded obstructions"},                              \
         {"C_g", PP_UNIT_DAYLIGHT_FACTOR,                                               \
-         "on it from the ground that is seen, the same"},                              \
-        {"E_b", PP_UNIT_DAYLIGHT_FACTOR, "on it from what stands outside"},            \
+         "illuminance on it from the visible, unshaded ground"},                       \
+        {"E_b", PP_UNIT_DAYLIGHT_FACTOR, "illuminance on it from obstructions"},       \
     {                                                                                  \
-        "E_g", PP_UNIT_DAYLIGHT_FACTOR, "on it from the ground that is seen"           \
+        "E_g", PP_UNIT_DAYLIGHT_FACTOR, "illuminance on it from the visible ground"    \
     }
 
 /* Prepares a method for each opening of the world, in their order; *tools is freed by

@@ -7,16 +7,16 @@ void pp_fitted_opening_put_reveal(struct pp_worksheet *sheet,
                                   const struct pp_opening *opening)
 {
     pp_worksheet_put(sheet, PP_UNIT_METRE, opening->reveal_m, "d",
-                     "opening on line %d: depth of its reveal", opening->line);
-    pp_worksheet_put(sheet, PP_UNIT_METRE, opening->width_m, "w", "its breadth");
-    pp_worksheet_put(sheet, PP_UNIT_METRE, opening->height_m, "h", "its height");
+                     "depth of the reveal");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, opening->width_m, "w", "width");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, opening->height_m, "h", "height");
 }
 
 void pp_fitted_opening_put_breadth(struct pp_worksheet *sheet,
                                    const struct pp_opening *opening)
 {
     pp_worksheet_put(sheet, PP_UNIT_METRE, opening->width_m, "w",
-                     "opening on line %d: its breadth", opening->line);
+                     "width of the opening");
 }
 
 void pp_fitted_opening_put_low(struct pp_worksheet *sheet, const struct pp_world *world,
@@ -24,6 +24,5 @@ void pp_fitted_opening_put_low(struct pp_worksheet *sheet, const struct pp_world
 {
     double low_m2 = pp_interior_area_below(&opening->inner, world->working_plane_m);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, low_m2 / opening->inner.area_m2, "n",
-                     "opening on line %d: share below the working plane",
-                     opening->line);
+                     "fraction of the opening below the working plane");
 }

@@ -8,14 +8,14 @@
 
 /* Rows of a formula's list of quantities. */
 #define PP_FITTED_OPENING_REVEAL                                                       \
-    {"d", PP_UNIT_METRE, "depth of the opening's reveal"},                             \
-        {"w", PP_UNIT_METRE, "breadth of the opening"},                                \
+    {"d", PP_UNIT_METRE, "depth of the reveal"},                                       \
+        {"w", PP_UNIT_METRE, "width of the opening"},                                  \
     {                                                                                  \
-        "h", PP_UNIT_METRE, "its height"                                               \
+        "h", PP_UNIT_METRE, "height"                                                   \
     }
 #define PP_FITTED_OPENING_LOW                                                          \
     {                                                                                  \
-        "n", PP_UNIT_NUMBER, "share of the opening below the working plane"            \
+        "n", PP_UNIT_NUMBER, "fraction of the opening below the working plane"         \
     }
 
 /* Put down d, w and h; w alone; n. */

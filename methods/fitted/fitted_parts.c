@@ -9,14 +9,14 @@ struct pp_interior_parts pp_fitted_parts_put(struct pp_worksheet *sheet,
 {
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, parts.upper.area_m2, "A_u",
-                     "area of all above %.2f m, the middle of the opening",
+                     "area of surfaces above %.2f m, the centre of the opening",
                      opening->middle_z_m);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.upper.reflectance, "rho_u",
-                     "its mean reflectance");
+                     "mean reflectance of these surfaces");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, parts.lower.area_m2, "A_l",
-                     "area of all below it");
+                     "area of surfaces below this height");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.lower.reflectance, "rho_l",
-                     "its mean reflectance");
+                     "mean reflectance of these surfaces");
     return parts;
 }
 
@@ -27,6 +27,6 @@ const char *pp_fitted_parts_refuses(const struct pp_world *world,
 {
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     if (!(parts.upper.area_m2 > 0.0 && parts.lower.area_m2 > 0.0))
-        return "has all of the room above or below it";
+        return "has no room surface above or none below its centre";
     return pp_fitted_light_refuses(world, light, opening, receiver);
 }

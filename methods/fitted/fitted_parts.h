@@ -9,12 +9,11 @@
 /* Rows of a formula's list of quantities. */
 #define PP_FITTED_PARTS_QUANTITIES                                                     \
     {"A_u", PP_UNIT_SQUARE_METRE,                                                      \
-     "area of the surfaces above the middle of the opening's height, without "         \
-     "openings"},                                                                      \
-        {"rho_u", PP_UNIT_NUMBER, "their mean reflectance"},                           \
-        {"A_l", PP_UNIT_SQUARE_METRE, "area of those below it"},                       \
+     "area of surfaces above the centre of the opening, without openings"},            \
+        {"rho_u", PP_UNIT_NUMBER, "mean reflectance of these surfaces"},               \
+        {"A_l", PP_UNIT_SQUARE_METRE, "area of surfaces below this height"},           \
     {                                                                                  \
-        "rho_l", PP_UNIT_NUMBER, "their mean reflectance"                              \
+        "rho_l", PP_UNIT_NUMBER, "mean reflectance of these surfaces"                  \
     }
 
 /* Puts them down, and returns them. */

@@ -6,22 +6,23 @@
 #include "model/geometry/min_max.h"
 
 #define SECTION                                                                        \
-    {"w_r", PP_UNIT_METRE, "breadth of the room along the opening's wall"},            \
+    {"w_r", PP_UNIT_METRE, "width of the room along the wall of the opening"},         \
     {                                                                                  \
         "h_r", PP_UNIT_METRE, "height of the room"                                     \
     }
 #define DEPTH                                                                          \
     {                                                                                  \
-        "d_r", PP_UNIT_METRE, "depth of the room, square to the opening's wall"        \
+        "d_r", PP_UNIT_METRE,                                                          \
+            "depth of the room, perpendicular to the wall of the opening"              \
     }
 #define RANGE                                                                          \
-    {"R", PP_UNIT_NUMBER, "mean reflectance of all inside surfaces"},                  \
+    {"R", PP_UNIT_NUMBER, "mean reflectance of all interior surfaces"},                \
     {                                                                                  \
-        "l", PP_UNIT_METRE, "range of the light if nothing were reflected"             \
+        "l", PP_UNIT_METRE, "decay length of the light for R = 0"                      \
     }
 #define BREADTH                                                                        \
     {                                                                                  \
-        "w", PP_UNIT_METRE, "breadth of the opening"                                   \
+        "w", PP_UNIT_METRE, "width of the opening"                                     \
     }
 
 static const struct pp_formula_quantity of_l[] = {SECTION, DEPTH, {0}};
@@ -33,24 +34,23 @@ static const struct pp_formula_quantity of_f_d[] = {
     DEPTH,
     RANGE,
     {"q_d", PP_UNIT_NUMBER,
-     "depth of the room behind the start of the light, in ranges"},
-    {"m_d", PP_UNIT_NUMBER, "the same without its sign, never 0"},
-    {"x", PP_UNIT_METRE, "distance of the point from the opening's wall"},
+     "depth of the room beyond the start of decay, in decay lengths"},
+    {"m_d", PP_UNIT_NUMBER, "absolute value of q_d, at least 0.000001"},
+    {"x", PP_UNIT_METRE, "distance of the point from the wall of the opening"},
     {0}};
 static const struct pp_formula_quantity of_f_s[] = {
     SECTION,
     DEPTH,
     RANGE,
-    {"q_s", PP_UNIT_NUMBER,
-     "half the breadth beside the opening in ranges of the light"},
-    {"y", PP_UNIT_METRE, "distance from the middle of the opening, along its wall"},
+    {"q_s", PP_UNIT_NUMBER, "half the width beside the opening, in decay lengths"},
+    {"y", PP_UNIT_METRE, "distance from the centre of the opening along its wall"},
     {0}};
 
 const struct pp_formula pp_fitted_position_l = {
     .symbol = "l",
     .sum = "2 w_r h_r / (w_r + h_r)",
     .unit = PP_UNIT_METRE,
-    .what = "range of the light: twice the section's area over half its perimeter",
+    .what = "decay length for R = 0: twice the section area over half its perimeter",
     .quantities = of_l,
 };
 
@@ -59,7 +59,7 @@ const struct pp_formula pp_fitted_position_q_d = {
     .sum = "sqrt(1 - R) (" PP_FITTED_DEPTH " d_r / l - " PP_FITTED_START ")",
     .unit = PP_UNIT_NUMBER,
     .source = "ATLAS",
-    .what = "depth of the room behind the start of the light, in ranges",
+    .what = "depth of the room beyond the start of decay, in decay lengths",
     .quantities = of_q_d,
 };
 
@@ -67,7 +67,7 @@ const struct pp_formula pp_fitted_position_m_d = {
     .symbol = "m_d",
     .sum = "max(abs(q_d), 0.000001)",
     .unit = PP_UNIT_NUMBER,
-    .what = "the same without its sign, never 0",
+    .what = "absolute value of q_d, at least 0.000001",
     .quantities = of_f_d,
 };
 
@@ -76,7 +76,7 @@ const struct pp_formula pp_fitted_position_f_d = {
     .symbol = "f_d",
     .sum = "m_d exp((q_d - m_d) / 2 - q_d x / d_r) / (1 - exp(-m_d))",
     .unit = PP_UNIT_NUMBER,
-    .what = "factor by the depth of the point",
+    .what = "factor for the depth of the point",
     .quantities = of_f_d,
 };
 
@@ -85,7 +85,7 @@ const struct pp_formula pp_fitted_position_q_s = {
     .sum = "max(" PP_FITTED_SIDE " (w_r - w) sqrt(1 - R) / l, 0.000001)",
     .unit = PP_UNIT_NUMBER,
     .source = "ATLAS",
-    .what = "half the breadth beside the opening in ranges of the light, never 0",
+    .what = "half the width beside the opening in decay lengths, never 0",
     .quantities = of_q_s,
 };
 
@@ -93,7 +93,7 @@ const struct pp_formula pp_fitted_position_f_s = {
     .symbol = "f_s",
     .sum = "q_s exp(-2 q_s y / w_r) / (1 - exp(-q_s))",
     .unit = PP_UNIT_NUMBER,
-    .what = "factor by the point's place sideways",
+    .what = "factor for the lateral position of the point",
     .quantities = of_f_s,
 };
 
@@ -136,10 +136,9 @@ void pp_fitted_position_put_room(struct pp_worksheet *sheet,
 {
     const struct pp_fitted_place room = pp_fitted_position_of(world, opening, NULL);
     pp_worksheet_put(sheet, PP_UNIT_METRE, room.d_r, "d_r",
-                     "depth of the room, square to the wall of the opening on line %d",
-                     opening->line);
-    pp_worksheet_put(sheet, PP_UNIT_METRE, room.w_r, "w_r", "its breadth");
-    pp_worksheet_put(sheet, PP_UNIT_METRE, room.h_r, "h_r", "its height");
+                     "depth of the room, perpendicular to the wall of the opening");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, room.w_r, "w_r", "width");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, room.h_r, "h_r", "height");
 }
 
 /* f_d and f_s. */
@@ -149,23 +148,26 @@ static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world
 {
     if (!receiver) {
         pp_worksheet_put(sheet, PP_UNIT_NUMBER, 1.0, "f_d", "mean over the depth");
-        pp_worksheet_put(sheet, PP_UNIT_NUMBER, 1.0, "f_s", "mean over the breadth");
+        pp_worksheet_put(sheet, PP_UNIT_NUMBER, 1.0, "f_s", "mean over the width");
         return;
     }
     const struct pp_fitted_place place =
         pp_fitted_position_of(world, opening, receiver);
-    pp_worksheet_work(sheet, &pp_fitted_position_l, "range of the light");
+    pp_worksheet_work(sheet, &pp_fitted_position_l,
+                      "decay length of the light for R = 0");
     pp_worksheet_put(sheet, PP_UNIT_METRE, place.x, "x",
-                     "distance of the point from that wall");
+                     "distance of the point from this wall");
     pp_worksheet_put(sheet, PP_UNIT_METRE, place.y, "y",
-                     "from the middle of the opening, along the wall");
+                     "distance from the centre of the opening along the wall");
     pp_worksheet_work(sheet, &pp_fitted_position_q_d,
-                      "depth of the room behind the start of the light, in ranges");
-    pp_worksheet_work(sheet, &pp_fitted_position_m_d, "the same without its sign");
-    pp_worksheet_work(sheet, &pp_fitted_position_f_d, "by the depth of the point");
+                      "depth of the room beyond the start of decay, in decay lengths");
+    pp_worksheet_work(sheet, &pp_fitted_position_m_d, "absolute value of q_d");
+    pp_worksheet_work(sheet, &pp_fitted_position_f_d,
+                      "factor for the depth of the point");
     pp_worksheet_work(sheet, &pp_fitted_position_q_s,
-                      "half the breadth beside the opening in ranges");
-    pp_worksheet_work(sheet, &pp_fitted_position_f_s, "by its place sideways");
+                      "half the width beside the opening, in decay lengths");
+    pp_worksheet_work(sheet, &pp_fitted_position_f_s,
+                      "factor for the lateral position of the point");
 }
 
 double pp_fitted_position_work(struct pp_worksheet *sheet,
@@ -175,9 +177,8 @@ double pp_fitted_position_work(struct pp_worksheet *sheet,
                                const struct pp_opening *opening,
                                const struct pp_receiver *receiver)
 {
-    pp_worksheet_work(sheet, mean,
-                      "opening on line %d: mean internally reflected component",
-                      opening->line);
+    pp_worksheet_work(sheet, mean, "mean internally reflected component");
     put_factors(sheet, world, opening, receiver);
-    return pp_worksheet_work(sheet, at_point, "the same at the point");
+    return pp_worksheet_work(sheet, at_point,
+                             "internally reflected component at the point");
 }

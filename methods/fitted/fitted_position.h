@@ -36,9 +36,10 @@
 
 /* Rows of a formula's list of quantities. */
 #define PP_FITTED_POSITION_QUANTITIES                                                  \
-    {"f_d", PP_UNIT_NUMBER, "by the depth of the point, over the mean"},               \
+    {"f_d", PP_UNIT_NUMBER,                                                            \
+     "factor for the depth of the point, relative to the mean"},                       \
     {                                                                                  \
-        "f_s", PP_UNIT_NUMBER, "by its place sideways, over the mean"                  \
+        "f_s", PP_UNIT_NUMBER, "factor for the lateral position, relative to the mean" \
     }
 
 /* Rows of a method's list of formulae. */

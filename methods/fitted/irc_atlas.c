@@ -36,15 +36,14 @@
 #include "methods/refusals.h"
 
 static const struct pp_formula_quantity quantities[] = {
-    {"tau", PP_UNIT_NUMBER,
-     "diffuse transmittance of the opening's own glass, 1 for no glass"},
-    {"Ag", PP_UNIT_SQUARE_METRE, "net area of glass: opening area times frame factor"},
+    {"tau", PP_UNIT_NUMBER, "diffuse transmittance of the glass (1 if unglazed)"},
+    {"Ag", PP_UNIT_SQUARE_METRE, "net glass area: opening area times frame factor"},
     PP_INTERIOR_QUANTITIES,
     PP_FITTED_PARTS_QUANTITIES,
     PP_FITTED_LIGHT_QUANTITIES,
     PP_FITTED_OPENING_REVEAL,
     PP_FITTED_POSITION_QUANTITIES,
-    {"L", PP_UNIT_DAYLIGHT_FACTOR, "light on the opening as it counts"},
+    {"L", PP_UNIT_DAYLIGHT_FACTOR, "effective illuminance on the opening"},
     {"irc_m", PP_UNIT_DAYLIGHT_FACTOR, "mean over the working plane"},
     {0},
 };
@@ -56,7 +55,7 @@ const struct pp_formula pp_irc_atlas_light = {
            " d (1 / w + 1 / h)))^(1 - R)",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "ATLAS",
-    .what = "light on the opening as it counts",
+    .what = "effective illuminance on the opening",
     .quantities = quantities,
 };
 
@@ -98,12 +97,13 @@ static enum pp_status evaluate_irc_atlas(const struct pp_world *world,
     struct pp_interior all = pp_interior_all(world);
     pp_allowance_net_glass(sheet, &pp_allowance_glass_Ag, opening);
     pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "tau",
-                     "opening on line %d: diffuse transmittance", opening->line);
+                     "diffuse transmittance of the glass");
     pp_fitted_light_put(sheet, tools, world, opening);
     pp_interior_put(sheet, &all);
     pp_fitted_parts_put(sheet, world, opening);
     pp_fitted_opening_put_reveal(sheet, opening);
-    pp_worksheet_work(sheet, &pp_irc_atlas_light, "light on it as it counts");
+    pp_worksheet_work(sheet, &pp_irc_atlas_light,
+                      "effective illuminance on the opening");
     if (receiver)
         pp_fitted_position_put_room(sheet, world, opening);
     part->value =
@@ -113,7 +113,7 @@ static enum pp_status evaluate_irc_atlas(const struct pp_world *world,
 
 const struct pp_method pp_method_irc_atlas = {
     .name = "irc-atlas",
-    .summary = "internally reflected component by position, fitted to traced rooms",
+    .summary = "internally reflected component by position, fitted to simulated rooms",
     .source = "ATLAS",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

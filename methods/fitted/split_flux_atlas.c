@@ -25,9 +25,8 @@
 #include "methods/refusals.h"
 
 static const struct pp_formula_quantity quantities[] = {
-    {"tau", PP_UNIT_NUMBER,
-     "diffuse transmittance of the opening's own glass, 1 for no glass"},
-    {"Ag", PP_UNIT_SQUARE_METRE, "net area of glass: opening area times frame factor"},
+    {"tau", PP_UNIT_NUMBER, "diffuse transmittance of the glass (1 if unglazed)"},
+    {"Ag", PP_UNIT_SQUARE_METRE, "net glass area: opening area times frame factor"},
     PP_INTERIOR_QUANTITIES,
     PP_FITTED_PARTS_QUANTITIES,
     PP_FITTED_LIGHT_QUANTITIES,
@@ -75,7 +74,7 @@ static enum pp_status evaluate_split_flux_atlas(const struct pp_world *world,
     struct pp_interior all = pp_interior_all(world);
     pp_allowance_net_glass(sheet, &pp_allowance_glass_Ag, opening);
     pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "tau",
-                     "opening on line %d: diffuse transmittance", opening->line);
+                     "diffuse transmittance of the glass");
     pp_fitted_light_put(sheet, tools, world, opening);
     pp_interior_put(sheet, &all);
     pp_fitted_parts_put(sheet, world, opening);
@@ -91,7 +90,7 @@ static enum pp_status evaluate_split_flux_atlas(const struct pp_world *world,
 
 const struct pp_method pp_method_split_flux_atlas = {
     .name = "split-flux-atlas",
-    .summary = "split-flux formula, corrected by traced rooms, by position",
+    .summary = "split-flux formula by position, corrected from simulated rooms",
     .source = "ATLAS",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -33,52 +33,57 @@ static const double free_below_rad = 1e-3;
 
 #define OF_GLASS                                                                       \
     {"A", PP_UNIT_SQUARE_METRE, "area of the opening"},                                \
-        {"B", PP_UNIT_NUMBER, "glass over opening area"},                              \
-        {"T", PP_UNIT_NUMBER, "diffuse transmittance of its glass"},                   \
+        {"B", PP_UNIT_NUMBER, "frame factor: glass area over opening area"},           \
+        {"T", PP_UNIT_NUMBER, "diffuse transmittance of the glass"},                   \
     {                                                                                  \
-        "M", PP_UNIT_NUMBER, "light loss by dirt"                                      \
+        "M", PP_UNIT_NUMBER, "maintenance factor (dirt)"                               \
     }
 #define OF_WINDOW                                                                      \
     {"H", PP_UNIT_METRE, "window height"},                                             \
-        {"W", PP_UNIT_METRE, "room along the window's wall"},                          \
+        {"W", PP_UNIT_METRE, "width of the room, along the wall of the window"},       \
     {                                                                                  \
-        "D", PP_UNIT_METRE, "room away from it"                                        \
+        "D", PP_UNIT_METRE, "depth of the room, from this wall"                        \
     }
 #define OF_ENTERING                                                                    \
-    {"tau", PP_UNIT_NUMBER, "transmittance in all"},                                   \
-        {"E_s", PP_UNIT_DAYLIGHT_FACTOR, "on the window from the sky"},                \
+    {"tau", PP_UNIT_NUMBER, "total transmittance"},                                    \
+        {"E_s", PP_UNIT_DAYLIGHT_FACTOR, "illuminance on the window from the sky"},    \
         {"rho_g", PP_UNIT_NUMBER, "ground reflectance"},                               \
-        {"E_g", PP_UNIT_DAYLIGHT_FACTOR, "on the window from the ground"},             \
-        {"CU_s", PP_UNIT_NUMBER, "coefficient for the sky, by its table"},             \
+        {"E_g", PP_UNIT_DAYLIGHT_FACTOR, "illuminance on the window from the ground"}, \
+        {"CU_s", PP_UNIT_NUMBER,                                                       \
+         "coefficient of utilization for the sky, from the table"},                    \
     {                                                                                  \
-        "CU_g", PP_UNIT_NUMBER, "coefficient for the ground, by its table"             \
+        "CU_g", PP_UNIT_NUMBER,                                                        \
+            "coefficient of utilization for the ground, from the table"                \
     }
 #define OF_ROOFLIGHT                                                                   \
     {"N", PP_UNIT_NUMBER, "efficiency of the well"},                                   \
-        {"L", PP_UNIT_METRE, "one side of the plan"},                                  \
-        {"W", PP_UNIT_METRE, "the other"},                                             \
+        {"L", PP_UNIT_METRE, "first side of the plan"},                                \
+        {"W", PP_UNIT_METRE, "second side of the plan"},                               \
     {                                                                                  \
-        "h", PP_UNIT_METRE, "ceiling above the working plane"                          \
+        "h", PP_UNIT_METRE, "height of the ceiling above the working plane"            \
     }
 
 static const struct pp_formula_quantity of_window[] = {OF_GLASS, OF_WINDOW, {0}};
 static const struct pp_formula_quantity of_transmittance[] = {
-    OF_GLASS, OF_WINDOW, {"R_a", PP_UNIT_NUMBER, "net glass over the band"}, {0}};
+    OF_GLASS,
+    OF_WINDOW,
+    {"R_a", PP_UNIT_NUMBER, "net glass area over the area of the band"},
+    {0}};
 static const struct pp_formula_quantity of_ground[] = {
     {"rho_g", PP_UNIT_NUMBER, "ground reflectance"}, {0}};
 static const struct pp_formula_quantity of_two[] = {OF_ENTERING, {0}};
 static const struct pp_formula_quantity of_one[] = {
-    OF_ENTERING, {"CU", PP_UNIT_NUMBER, "one coefficient"}, {0}};
+    OF_ENTERING, {"CU", PP_UNIT_NUMBER, "single coefficient of utilization"}, {0}};
 static const struct pp_formula_quantity of_well[] = {
-    OF_GLASS, {"N", PP_UNIT_NUMBER, "what its well lets through"}, {0}};
+    OF_GLASS, {"N", PP_UNIT_NUMBER, "efficiency of the well"}, {0}};
 static const struct pp_formula_quantity of_cavity[] = {OF_ROOFLIGHT, {0}};
 static const struct pp_formula_quantity of_rooflight[] = {
     OF_GLASS,
     OF_ROOFLIGHT,
-    {"tau", PP_UNIT_NUMBER, "transmittance in all"},
+    {"tau", PP_UNIT_NUMBER, "total transmittance"},
     {"RCR", PP_UNIT_NUMBER, "room cavity ratio"},
-    {"E_h", PP_UNIT_DAYLIGHT_FACTOR, "on the rooflight from the sky"},
-    {"CU", PP_UNIT_NUMBER, "coefficient, by its table"},
+    {"E_h", PP_UNIT_DAYLIGHT_FACTOR, "illuminance on the rooflight from the sky"},
+    {"CU", PP_UNIT_NUMBER, "coefficient of utilization, from the table"},
     {0}};
 
 #define IES(left, right, what_of, of, quantities_of)                                   \
@@ -89,14 +94,13 @@ static const struct pp_formula_quantity of_rooflight[] = {
 
 static const struct pp_formula share_of_band =
     IES("R_a", "A B / (W H)",
-        "net glass over the band as high as the window along the "
-        "whole wall",
-        PP_UNIT_NUMBER, of_window);
+        "net glass area over the window-high band along the whole wall", PP_UNIT_NUMBER,
+        of_window);
 static const struct pp_formula side_transmittance =
-    IES("tau", "T R_a M", "transmittance in all, of a window", PP_UNIT_NUMBER,
+    IES("tau", "T R_a M", "total transmittance of a window", PP_UNIT_NUMBER,
         of_transmittance);
 static const struct pp_formula ground_light =
-    IES("E_g", "100 rho_g / 2", "on the window from the ground",
+    IES("E_g", "100 rho_g / 2", "illuminance on the window from the ground",
         PP_UNIT_DAYLIGHT_FACTOR, of_ground);
 static const struct pp_formula depth_in_heights =
     IES("", "D / H", "room depth over window height", PP_UNIT_NUMBER, of_window);
@@ -108,12 +112,13 @@ static const struct pp_formula side =
 /* A ground of reflectance 0.2 gives the window 10 per cent. */
 static const struct pp_formula one_coefficient =
     IES("CU", "(E_s CU_s + 10 CU_g) / (E_s + 10)",
-        "one coefficient, of a ground of 0.2", PP_UNIT_NUMBER, of_two);
+        "single coefficient of utilization, for a ground reflectance of 0.2",
+        PP_UNIT_NUMBER, of_two);
 static const struct pp_formula side_by_one =
     IES("df", "tau (E_s + E_g) CU", "daylight factor from a window",
         PP_UNIT_DAYLIGHT_FACTOR, of_one);
 static const struct pp_formula top_transmittance = IES(
-    "tau", "T N B M", "transmittance in all, of a rooflight", PP_UNIT_NUMBER, of_well);
+    "tau", "T N B M", "total transmittance of a rooflight", PP_UNIT_NUMBER, of_well);
 static const struct pp_formula cavity_ratio = {.symbol = "RCR",
                                                .sum = "5 h (L + W) / (L W)",
                                                .unit = PP_UNIT_NUMBER,
@@ -168,7 +173,7 @@ static enum pp_status read_window(struct reading *r, const struct pp_world *worl
     if (status != PP_OK)
         return status;
     if (alpha_rad > free_below_rad) {
-        r->why = "has something outside before it; the tables are for open skies";
+        r->why = "has an external obstruction; the tables are for an open sky";
         return PP_OK;
     }
     r->height_m = opening->height_m;
@@ -270,18 +275,19 @@ static const char *lumen_refuses_room(const struct pp_world *world,
     (void)light;
     const char *why = pp_refusals_unless_up(receiver);
     if (!why && receiver && fabs(receiver->position.z - world->working_plane_m) > 0.01)
-        why = "its tables are for points on the working plane";
+        why = "the tables apply to points on the working plane only";
     return why ? why : pp_lumen_scope_refuses_room(world);
 }
 
 static void put_glass(struct pp_worksheet *sheet, const struct pp_opening *opening)
 {
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2, "A",
-                     "opening on line %d: area", opening->line);
-    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B", "glass over opening area");
+                     "area of the opening");
+    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B",
+                     "frame factor: glass area over opening area");
     pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
-                     "diffuse transmittance of its glass");
-    pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M", "light loss by dirt");
+                     "diffuse transmittance of the glass");
+    pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M", "maintenance factor (dirt)");
 }
 
 /* The coefficient at a share of the depth; the average for NAN. */
@@ -297,14 +303,17 @@ static void put_window(struct pp_worksheet *sheet, const struct reading *r,
     put_glass(sheet, opening);
     pp_worksheet_put(sheet, PP_UNIT_METRE, r->height_m, "H", "window height");
     pp_worksheet_put(sheet, PP_UNIT_METRE, r->width_m, "W",
-                     "room along the window's wall");
-    pp_worksheet_put(sheet, PP_UNIT_METRE, r->depth_m, "D", "room away from it");
-    pp_worksheet_work(sheet, &share_of_band, "net glass over the band along the wall");
-    pp_worksheet_work(sheet, &side_transmittance, "transmittance in all");
+                     "width of the room, along the wall of the window");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, r->depth_m, "D",
+                     "depth of the room, from this wall");
+    pp_worksheet_work(sheet, &share_of_band,
+                      "net glass area over the band along the wall");
+    pp_worksheet_work(sheet, &side_transmittance, "total transmittance");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, r->E_s, "E_s",
-                     "on the window from the sky");
+                     "illuminance on the window from the sky");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, r->rho_g, "rho_g", "ground reflectance");
-    pp_worksheet_work(sheet, &ground_light, "on the window from the ground");
+    pp_worksheet_work(sheet, &ground_light,
+                      "illuminance on the window from the ground");
 }
 
 static double window_value(const struct reading *r, const struct pp_opening *opening,
@@ -318,14 +327,15 @@ static double window_value(const struct reading *r, const struct pp_opening *ope
                       "mean reflectance of the other walls");
     if (!isnan(share))
         pp_worksheet_note(sheet, PP_UNIT_NUMBER, share,
-                          "the point's distance from the wall over D");
+                          "distance of the point from the wall over D");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, coefficient(r->cu_sky, share), "CU_s",
-                     "coefficient for the sky, by its table");
+                     "coefficient of utilization for the sky, from the table");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, coefficient(r->cu_ground, share), "CU_g",
-                     "coefficient for the ground, by its table");
+                     "coefficient of utilization for the ground, from the table");
     if (one)
-        pp_worksheet_work(sheet, &one_coefficient,
-                          "one coefficient, of a ground of 0.2");
+        pp_worksheet_work(
+            sheet, &one_coefficient,
+            "single coefficient of utilization, for a ground reflectance of 0.2");
     return pp_worksheet_work(sheet, one ? &side_by_one : &side,
                              "daylight factor from this window");
 }
@@ -334,19 +344,19 @@ static double rooflight_value(const struct reading *r, const struct pp_opening *
                               struct pp_worksheet *sheet)
 {
     put_glass(sheet, opening);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, r->well, "N", "what its well lets through");
-    pp_worksheet_work(sheet, &top_transmittance, "transmittance in all");
-    pp_worksheet_put(sheet, PP_UNIT_METRE, r->width_m, "L", "one side of the plan");
-    pp_worksheet_put(sheet, PP_UNIT_METRE, r->depth_m, "W", "the other");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, r->well, "N", "efficiency of the well");
+    pp_worksheet_work(sheet, &top_transmittance, "total transmittance");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, r->width_m, "L", "first side of the plan");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, r->depth_m, "W", "second side of the plan");
     pp_worksheet_put(sheet, PP_UNIT_METRE, r->height_m, "h",
-                     "ceiling above the working plane");
+                     "height of the ceiling above the working plane");
     pp_worksheet_work(sheet, &cavity_ratio, "room cavity ratio");
     pp_worksheet_note(sheet, PP_UNIT_NUMBER, r->ceiling, "ceiling reflectance");
     pp_worksheet_note(sheet, PP_UNIT_NUMBER, r->walls, "mean reflectance of the walls");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, r->cu_top, "CU",
-                     "coefficient, by its table");
+                     "coefficient of utilization, from the table");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, r->E_h, "E_h",
-                     "on the rooflight from the sky");
+                     "illuminance on the rooflight from the sky");
     return pp_worksheet_work(sheet, &top,
                              "average daylight factor from this rooflight");
 }
@@ -374,17 +384,16 @@ static enum pp_status evaluate_by(const struct pp_world *world,
         return PP_OK;
     if (pp_lumen_scope_is_rooflight(opening)) {
         if (receiver)
-            part->why = "lights the room from above, of which the method gives the "
-                        "average only";
+            part->why = "lights the room from above; for rooflights the method gives "
+                        "averages only";
         else
             part->value = rooflight_value(r, opening, &part->sheet);
         return PP_OK;
     }
     double share = depth_share(r, opening, receiver);
     if (share < 0.1 - 1e-9 || share > 0.9 + 1e-9)
-        part->why =
-            "has this point nearer than a tenth of the room's depth, or farther "
-            "than nine tenths, where the tables end";
+        part->why = "is too near to this point or too far; the tables cover 0.1 to 0.9 "
+                    "of the room depth";
     else
         part->value = window_value(r, opening, share, one, &part->sheet);
     return PP_OK;
@@ -414,7 +423,7 @@ static enum pp_status evaluate_one(const struct pp_world *world,
 
 const struct pp_method pp_method_lumen = {
     .name = "lumen",
-    .summary = "the lumen method, sky and ground apart",
+    .summary = "lumen method with separate coefficients for sky and ground",
     .source = "IES84",
     .formulae = formulae,
     .gives = PP_GIVES_WHOLE,
@@ -429,7 +438,7 @@ const struct pp_method pp_method_lumen = {
 
 const struct pp_method pp_method_lumen_one = {
     .name = "lumen-one",
-    .summary = "the lumen method with one coefficient",
+    .summary = "lumen method with a single coefficient",
     .source = "IES84",
     .formulae = formulae_of_one,
     .gives = PP_GIVES_WHOLE,

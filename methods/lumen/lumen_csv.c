@@ -87,8 +87,8 @@ static bool cut_csv_line(struct reader *reader, struct csv_fields *fields,
             pp_mistakes_add(
                 reader->mistakes, reader->number,
                 fields->count == FIELDS_MOST
-                    ? "there are more than %d fields in this line"
-                    : "field %d of this line is too long for a number or a name",
+                    ? "more than %d fields in this line"
+                    : "field %d of this line is too long; expected a number or a name",
                 fields->count == FIELDS_MOST ? FIELDS_MOST : fields->count + 1);
             return false;
         }
@@ -125,25 +125,24 @@ static void unknown_column(struct reader *reader, const char *text)
     pp_text_did_you_mean(question, sizeof question, "\"",
                          pp_text_nearest(text, column_names, WIDTH), "\"");
     if (question[0])
-        pp_mistakes_add(reader->mistakes, reader->number, "\"%s\" is no column (%s)",
+        pp_mistakes_add(reader->mistakes, reader->number, "unknown column \"%s\" (%s)",
                         written, question);
     else
-        pp_mistakes_add(
-            reader->mistakes, reader->number,
-            "\"%s\" is no column; expected one of the tables' names, or a width "
-            "over window height",
-            written);
+        pp_mistakes_add(reader->mistakes, reader->number,
+                        "unknown column \"%s\"; expected a column name of the tables, "
+                        "or a ratio of width to window height",
+                        written);
 }
 
 static void add_width(struct reader *reader, double width, const char *text)
 {
     struct pp_lumen_axis *widths = &reader->widths;
     if (widths->count == PP_LUMEN_AXIS_MOST)
-        pp_mistakes_add(reader->mistakes, reader->number,
-                        "there are more than %d widths", PP_LUMEN_AXIS_MOST);
+        pp_mistakes_add(reader->mistakes, reader->number, "more than %d widths",
+                        PP_LUMEN_AXIS_MOST);
     else if (widths->count > 0 && !(width > widths->at[widths->count - 1]))
         pp_mistakes_add(reader->mistakes, reader->number,
-                        "the widths have to ascend, and %s does not", text);
+                        "width %s is out of order; expected ascending widths", text);
     else
         widths->at[widths->count++] = width;
 }
@@ -157,27 +156,29 @@ static void check_columns(struct reader *reader)
     const enum column *needs = reader->top ? top_needs : side_needs;
     for (int i = 0; i < (reader->top ? 4 : 3); i++)
         if (!has_column(reader, needs[i]))
-            pp_mistakes_add(reader->mistakes, reader->number,
-                            "a table for light from %s needs a column \"%s\"",
-                            reader->top ? "above" : "the side", column_names[needs[i]]);
+            pp_mistakes_add(
+                reader->mistakes, reader->number,
+                "column \"%s\" is missing; it is required for light from %s",
+                reader->top ? "above" : "the side", column_names[needs[i]]);
     if (reader->top) {
         static const enum column side_only[] = {COMPONENT, RATIO, DEPTH, POSITION};
         for (int i = 0; i < 4; i++)
             if (has_column(reader, side_only[i]))
-                pp_mistakes_add(reader->mistakes, reader->number,
-                                "a table for light from above has no column \"%s\"",
-                                column_names[side_only[i]]);
+                pp_mistakes_add(
+                    reader->mistakes, reader->number,
+                    "unexpected column \"%s\" in a table for light from above",
+                    column_names[side_only[i]]);
     } else if (has_column(reader, CEILING) != has_column(reader, WALLS)) {
         pp_mistakes_add(reader->mistakes, reader->number,
-                        "one of ceiling_reflectance and wall_reflectance is missing; "
-                        "expected both or none");
+                        "ceiling_reflectance or wall_reflectance is missing; expected "
+                        "both or neither");
     }
     if (reader->top ? reader->widths.count > 0 : reader->widths.count == 0)
-        pp_mistakes_add(reader->mistakes, reader->number,
-                        reader->top
-                            ? "a table for light from above has no columns of widths"
-                            : "there is no column for a width over window height; "
-                              "expected a number as its name");
+        pp_mistakes_add(
+            reader->mistakes, reader->number,
+            reader->top ? "unexpected columns of widths in a table for light from above"
+                        : "no column for a ratio of width to window height; expected a "
+                          "number as its name");
 }
 
 static void read_header(struct reader *reader, const struct csv_fields *fields)
@@ -196,7 +197,7 @@ static void read_header(struct reader *reader, const struct csv_fields *fields)
         for (int k = 0; k < i && kind != WIDTH; k++)
             if (reader->kinds[k] == (enum column)kind)
                 pp_mistakes_add(reader->mistakes, reader->number,
-                                "there are two columns \"%s\"", text);
+                                "duplicate column \"%s\"", text);
         reader->kinds[i] = (enum column)kind;
     }
     check_columns(reader);
@@ -351,10 +352,9 @@ static bool read_csv_line(struct reader *reader, const char *text, size_t length
         return true;
     }
     if (fields.count != reader->columns) {
-        pp_mistakes_add(
-            reader->mistakes, reader->number,
-            "there are %d fields in this line; expected %d, as many as columns",
-            fields.count, reader->columns);
+        pp_mistakes_add(reader->mistakes, reader->number,
+                        "%d fields in this line; expected %d, one for each column",
+                        fields.count, reader->columns);
         return true;
     }
     if (!reserve_line(reader))
@@ -379,7 +379,7 @@ static enum pp_status replace_lumen_table(struct reader *reader,
                                                 reader->side_lines, reader->count,
                                                 reader->mistakes, err);
     if (status == PP_OK && reader->mistakes->count > 0)
-        status = pp_fail(err, PP_BAD_INPUT, "the table has mistakes");
+        status = pp_fail(err, PP_BAD_INPUT, "the table has errors");
     if (status != PP_OK) {
         free(fresh.side.made);
         free(fresh.top.cu);
@@ -407,7 +407,8 @@ enum pp_status pp_lumen_csv_parse(struct pp_lumen_table *table, const char *text
         length -= 3;
     }
     if (memchr(text, '\0', length)) {
-        pp_mistakes_add(mistakes, 0, "this is no text; expected a table in CSV");
+        pp_mistakes_add(mistakes, 0,
+                        "this is not a text file; expected a table in CSV");
         length = 0;
     }
     for (size_t start = 0; start < length && memory;) {
@@ -420,14 +421,13 @@ enum pp_status pp_lumen_csv_parse(struct pp_lumen_table *table, const char *text
     if (reader.count == 0 && mistakes->count == 0)
         pp_mistakes_add(mistakes, 0,
                         reader.columns == 0
-                            ? "there is nothing in it; expected a table in CSV"
-                            : "there are no lines under the names of the "
-                              "columns");
+                            ? "the file is empty; expected a table in CSV"
+                            : "no lines below the column names; expected at least one");
     enum pp_status status = PP_OK;
     if (!memory)
         status = pp_fail_memory(err);
     else if (mistakes->count > 0)
-        status = pp_fail(err, PP_BAD_INPUT, "the table has mistakes");
+        status = pp_fail(err, PP_BAD_INPUT, "the table has errors");
     else
         status = replace_lumen_table(&reader, table, err);
     free(reader.side_lines);
@@ -451,8 +451,9 @@ static enum pp_status read_file(char **text, size_t *length, FILE *file,
         if (got == 0)
             break;
         if (*length > FILE_LARGEST)
-            return pp_fail(err, PP_BAD_INPUT,
-                           "%s: too large for a table; expected 16 MB at most", path);
+            return pp_fail(
+                err, PP_BAD_INPUT,
+                "%s: the file is too large; expected a table of 16 MB at most", path);
     }
     if (ferror(file))
         return pp_fail(err, errno == EISDIR ? PP_BAD_INPUT : PP_SYSTEM, "%s: %s", path,

@@ -50,12 +50,12 @@ static bool is_box(const struct pp_world *world)
 const char *pp_lumen_scope_refuses_room(const struct pp_world *world)
 {
     if (!is_box(world))
-        return "its tables are for rooms with a rectangular plan and a level ceiling";
+        return "the tables apply only to a rectangular plan with a horizontal ceiling";
     if (!world->is_empty)
-        return "its tables are for empty rooms, and something stands in this one";
+        return "the tables apply to empty rooms; this room has objects in it";
     double floor = floor_of(world)->front;
     if (floor < 0.10 - small || floor > 0.50 + small)
-        return "its tables are for a floor reflectance of 0.3, and good for 0.1 to 0.5";
+        return "the tables apply to floor reflectances of 0.1 to 0.5 (made for 0.3)";
     return pp_refusals_if_luminous(world);
 }
 
@@ -91,13 +91,14 @@ static const char *refuses_neighbours(const struct pp_world *world,
         if (neighbour->face != opening->face) {
             if (pp_vec_dot(neighbour->inner.normal, opening->inner.normal)
                 > small - 1.0)
-                return "and another are in walls that do not face each other";
+                return "is not in the same wall as all other windows, nor in the "
+                       "opposite one";
             continue;
         }
         polygon_range(other, &neighbour->inner, opening->up);
         if (fabs(own[0] - other[0]) > level_within_m
             || fabs(own[1] - other[1]) > level_within_m)
-            return "is not level with the others in its wall, sill and head";
+            return "has a sill or head at another height than the windows beside it";
     }
     return NULL;
 }
@@ -162,11 +163,11 @@ static const char *refuses_window(const struct pp_world *world,
 {
     double z[2];
     if (!opening->rectangle || fabs(opening->up.z - 1.0) > small)
-        return "is no upright rectangle, and its tables are for those";
+        return "is not a vertical rectangle, the shape the tables are for";
     if (opening->glass.diffusing)
-        return "has diffusing glass; its tables are for clear windows";
+        return "has diffusing glass; the tables are for clear glass";
     if (opening->reveal_m > reveal_most * opening->height_m + small)
-        return "stands back in a reveal deeper than a fifth of its height";
+        return "has a reveal deeper than a fifth of its height";
     polygon_range(z, &opening->inner, opening->up);
     if (fabs(z[0] - world->working_plane_m) > sill_within_m + small)
         return "has its sill more than 0.30 m above or below the working plane";
@@ -174,7 +175,8 @@ static const char *refuses_window(const struct pp_world *world,
     if (why)
         return why;
     if (leaves_wall_bare(world, opening, 1.0) || leaves_wall_bare(world, opening, -1.0))
-        return "leaves too much of its wall bare for windows spread along it";
+        return "leaves too much bare wall beside it; the tables are for evenly spread "
+               "windows";
     return NULL;
 }
 
@@ -184,9 +186,9 @@ const char *pp_lumen_scope_refuses_opening(const struct pp_world *world,
     if (pp_lumen_scope_is_rooflight(opening))
         return is_spread(world)
                    ? NULL
-                   : "and the other rooflights are not spread over the whole ceiling";
+                   : "is not part of rooflights spread evenly over the ceiling";
     if (pp_refusals_unless_vertical(opening))
-        return "slopes; its tables are for upright windows and level rooflights";
+        return "slopes; the tables are for vertical windows and horizontal rooflights";
     return refuses_window(world, opening);
 }
 

@@ -72,7 +72,7 @@ static enum pp_status build_own(struct pp_lumen_table *table,
         top[i] = (struct pp_lumen_top_line){own_top[i][0], own_top[i][1], own_top[i][2],
                                             own_top[i][3], 0};
     struct pp_mistakes mistakes;
-    pp_mistakes_init(&mistakes, "the program's own");
+    pp_mistakes_init(&mistakes, "the built-in table");
     enum pp_status status =
         pp_lumen_table_build_top(&table->top, top, OWN_TOP, &mistakes, err);
     pp_mistakes_clear(&mistakes);
@@ -162,10 +162,10 @@ static double interpolate(const struct pp_lumen_side_table *table, int light,
 }
 
 static const char *const axis_names[PP_LUMEN_SIDE_AXES] = {
-    [PP_LUMEN_CEILING] = "looks on a ceiling reflectance of",
-    [PP_LUMEN_WALLS] = "looks on a mean wall reflectance of",
-    [PP_LUMEN_DEPTH] = "lights a room whose depth over window height is",
-    [PP_LUMEN_WIDTH] = "lights a room whose width over window height is",
+    [PP_LUMEN_CEILING] = "is in a room with a ceiling reflectance of",
+    [PP_LUMEN_WALLS] = "is in a room with a mean wall reflectance of",
+    [PP_LUMEN_DEPTH] = "is in a room with a depth over window height of",
+    [PP_LUMEN_WIDTH] = "is in a room with a width over window height of",
 };
 
 /* Writes why a value is outside its axis; returns false. */
@@ -173,9 +173,9 @@ static bool outside(char *why, size_t room, const char *what, double value,
                     const struct pp_lumen_axis *axis, int first)
 {
     if (first >= axis->count)
-        snprintf(why, room, "%s %.3g; the table has none such", what, value);
+        snprintf(why, room, "%s %.3g; the table has no such value", what, value);
     else
-        snprintf(why, room, "%s %.3g; the table has %.3g to %.3g", what, value,
+        snprintf(why, room, "%s %.3g; the table covers %.3g to %.3g", what, value,
                  axis->at[first], axis->at[axis->count - 1]);
     return false;
 }
@@ -194,8 +194,7 @@ static bool find_light(struct between *light, const struct pp_lumen_side_table *
     if (query->overcast) {
         if (clear == 0) {
             snprintf(why, room,
-                     "looks at the overcast sky; the table has only Ev/Eh "
-                     "from %.3g on",
+                     "faces an overcast sky; the table covers Ev/Eh from %.3g only",
                      table->sky.count > 0 ? table->sky.at[0] : NAN);
             return false;
         }
@@ -203,7 +202,7 @@ static bool find_light(struct between *light, const struct pp_lumen_side_table *
         return true;
     }
     if (!find_between(light, &table->sky, clear, query->ev_over_eh, false))
-        return outside(why, room, "looks at a sky whose Ev/Eh is", query->ev_over_eh,
+        return outside(why, room, "faces a sky with Ev/Eh", query->ev_over_eh,
                        &table->sky, clear);
     return true;
 }
@@ -234,7 +233,7 @@ bool pp_lumen_table_side(double cu[PP_LUMEN_POSITIONS],
         cu[PP_LUMEN_AVERAGE] = five;
     if (!isnan(five))
         return true;
-    snprintf(why, room, "needs coefficients for %s that the table leaves out",
+    snprintf(why, room, "needs coefficients for %s that are missing in the table",
              isnan(query->ev_over_eh) ? "light from the ground" : "light from the sky");
     return false;
 }
@@ -250,8 +249,8 @@ double pp_lumen_table_top(const struct pp_lumen_table *table, double rcr,
                           double ceiling, double walls, char *why, size_t room)
 {
     static const char *const names[PP_LUMEN_TOP_AXES] = {
-        "lights a room whose cavity ratio is", "is in a ceiling whose reflectance is",
-        "looks on a mean wall reflectance of"};
+        "is in a room with a cavity ratio of", "is in a ceiling with a reflectance of",
+        "is in a room with a mean wall reflectance of"};
     const struct pp_lumen_top_table *top = &table->top;
     const double at[PP_LUMEN_TOP_AXES] = {rcr, ceiling, walls};
     struct between between[PP_LUMEN_TOP_AXES];
@@ -274,6 +273,6 @@ double pp_lumen_table_top(const struct pp_lumen_table *table, double rcr,
             sum += weight * top->cu[cell];
     }
     if (isnan(sum))
-        snprintf(why, room, "needs coefficients that the table leaves out");
+        snprintf(why, room, "needs coefficients that are missing in the table");
     return sum;
 }

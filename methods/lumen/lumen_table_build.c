@@ -48,8 +48,8 @@ size_t pp_lumen_table_build_cell(const struct pp_lumen_side_table *table, int li
 
 static void too_many(struct pp_mistakes *mistakes, int line, const char *what)
 {
-    pp_mistakes_add(mistakes, line, "there are more than %d different %s",
-                    PP_LUMEN_AXIS_MOST, what);
+    pp_mistakes_add(mistakes, line, "more than %d different %s", PP_LUMEN_AXIS_MOST,
+                    what);
 }
 
 static double *cells_create(size_t count)
@@ -92,7 +92,7 @@ enum pp_status pp_lumen_table_build_side(struct pp_lumen_side_table *table,
     *table = (struct pp_lumen_side_table){0};
     table->axes[PP_LUMEN_WIDTH] = *widths;
     if (!collect_axes(table, lines, count, mistakes))
-        return pp_fail(err, PP_BAD_INPUT, "a table has too many lines");
+        return pp_fail(err, PP_BAD_INPUT, "the table has too many lines");
     size_t size = (size_t)(table->sky.count + 1) * PP_LUMEN_POSITIONS;
     for (int axis = 0; axis < PP_LUMEN_SIDE_AXES; axis++)
         size *= (size_t)cells_of(&table->axes[axis]);
@@ -111,7 +111,7 @@ enum pp_status pp_lumen_table_build_side(struct pp_lumen_side_table *table,
                        + pp_lumen_table_build_cell(table, light, at, lines[i].position);
         if (!isnan(cell[0]))
             pp_mistakes_add(mistakes, lines[i].line,
-                            "this line's coefficients have been given before");
+                            "duplicate line; its coefficients are given above");
         for (int k = 0; k < widths->count; k++)
             cell[k] = lines[i].cu[k];
     }
@@ -132,7 +132,7 @@ enum pp_status pp_lumen_table_build_top(struct pp_lumen_top_table *table,
         for (int axis = 0; axis < PP_LUMEN_TOP_AXES; axis++)
             if (insert_on(&table->axes[axis], at[axis]) < 0) {
                 too_many(mistakes, lines[i].line, names[axis]);
-                return pp_fail(err, PP_BAD_INPUT, "a table has too many lines");
+                return pp_fail(err, PP_BAD_INPUT, "the table has too many lines");
             }
     }
     for (int axis = 0; axis < PP_LUMEN_TOP_AXES; axis++)
@@ -148,7 +148,7 @@ enum pp_status pp_lumen_table_build_top(struct pp_lumen_top_table *table,
             table->cu + (r * table->axes[1].count + c) * table->axes[2].count + w;
         if (!isnan(*cell))
             pp_mistakes_add(mistakes, lines[i].line,
-                            "this line's coefficient has been given before");
+                            "duplicate line; its coefficient is given above");
         *cell = lines[i].cu;
     }
     return PP_OK;

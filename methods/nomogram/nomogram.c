@@ -51,7 +51,7 @@ static const char *nomogram_refuses_room(const struct pp_world *world,
 
 /* Records the quantities that were put in, set on scales and read. */
 static void add_steps(struct pp_worksheet *sheet, const struct pp_nomogram *nomogram,
-                      const struct pp_nomogram_reading *reading, int line)
+                      const struct pp_nomogram_reading *reading)
 {
     struct pp_steps *steps = sheet->steps;
     const double *value = reading->value;
@@ -60,30 +60,31 @@ static void add_steps(struct pp_worksheet *sheet, const struct pp_nomogram *nomo
         snprintf(shift, sizeof shift, " %s %.0f", reading->tens > 0 ? "times" : "over",
                  pow(10.0, abs(reading->tens)));
     pp_steps_add_named(steps, PP_UNIT_NUMBER, nomogram->k, "k",
-                       "rule of the chart: R_cw over R_fw");
+                       "assumption of the chart: R_cw over R_fw");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, reading->glass_m2, "W",
-                     "opening on line %d: net area of glass", line);
+                     "net glass area");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, reading->inside_m2, "S",
-                     "area of all inside surfaces");
-    pp_worksheet_work(sheet, &pp_nomogram_reading_ratio, "their ratio");
+                     "area of all interior surfaces");
+    pp_worksheet_work(sheet, &pp_nomogram_reading_ratio,
+                      "ratio of glass area to interior surfaces");
     pp_steps_add_named(steps, PP_UNIT_NUMBER, value[PP_STEM_A], "A",
-                       "scale A, set to the ratio%s", shift);
+                       "scale A, set to this ratio%s", shift);
     pp_steps_add_named(steps, PP_UNIT_NUMBER, value[PP_STEM_B], "B",
-                       "scale B, set to the mean reflectance of all inside surfaces");
+                       "scale B, set to the mean reflectance of all interior surfaces");
     pp_steps_add_named(steps, PP_UNIT_DAYLIGHT_FACTOR, value[PP_STEM_C], "C",
-                       "scale C, read on the line from A to B: without obstruction");
+                       "scale C, read on the line from A to B, without obstruction");
     if (reading->used[1]) {
         pp_steps_add_named(steps, PP_UNIT_ANGLE, value[PP_STEM_D], "D",
                            "scale D, set to the altitude of the obstruction");
-        pp_steps_add_named(
-            steps, PP_UNIT_DAYLIGHT_FACTOR, value[PP_STEM_E], "E",
-            "scale E, read on the line from C to D: with the obstruction");
+        pp_steps_add_named(steps, PP_UNIT_DAYLIGHT_FACTOR, value[PP_STEM_E], "E",
+                           "scale E, read on the line from C to D, with obstruction");
     }
     snprintf(formula, sizeof formula, "%c %s %.0f", reading->used[1] ? 'E' : 'C',
              reading->tens > 0 ? "/" : "*", pow(10.0, abs(reading->tens)));
     if (reading->tens)
-        pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR, reading->component, "IRC",
-                            formula, "and back");
+        pp_steps_add_worked(
+            steps, PP_UNIT_DAYLIGHT_FACTOR, reading->component, "IRC", formula,
+            "average internally reflected component, shift of scale A reversed");
 }
 
 static const struct pp_formula *const formulae[] = {&pp_nomogram_reading_ratio, NULL};
@@ -104,13 +105,13 @@ static enum pp_status evaluate_nomogram(const struct pp_world *world,
         return status;
     part->value = reading.component;
     if (part->sheet.steps)
-        add_steps(&part->sheet, nomogram, &reading, opening->line);
+        add_steps(&part->sheet, nomogram, &reading);
     return PP_OK;
 }
 
 const struct pp_method pp_method_nomogram = {
     .name = "nomogram",
-    .summary = "average internally reflected component, read off a nomogram",
+    .summary = "average internally reflected component, read from a nomogram",
     .source = "GEEBELEN",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -67,16 +67,16 @@ static const char *find_off_scale(const struct pp_nomogram *nomogram, double lig
                                   const double q[2], const double share[2])
 {
     static const char off_factors[] =
-        "gives the point a factor that is not on scale F, 0.03 to 4";
+        "gives a factor outside scale F (0.03 to 4) at this point";
     double product = 1.0;
     if (!pp_nomogram_scale_contains(nomogram, PP_STEM_D, light))
-        return "gets light that is not on scale D, 0.1 to 50 %";
+        return "receives an illuminance outside scale D (0.1 to 50 %)";
     for (int i = 0; i < 2; i++) {
         if (!(q[i] >= PP_NOMOGRAM_LEAST_Q && q[i] <= PP_NOMOGRAM_MOST_Q))
-            return "lights a room whose depth or breadth in ranges of the light is not "
-                   "on the curve, -1 to 6";
+            return "is in a room whose depth or width in decay lengths is outside the "
+                   "curve (-1 to 6)";
         if (!pp_nomogram_scale_contains(nomogram, PP_STEM_H, share[i]))
-            return "is farther from the point along its wall than that is broad";
+            return "is farther from the point along the wall than the wall is wide";
         double factor = factor_of(q[i], share[i]);
         product *= factor;
         if (!pp_nomogram_scale_contains(nomogram, PP_STEM_F, factor))
@@ -121,7 +121,7 @@ enum pp_status pp_nomogram_position_read(
     const double factors = factor_of(q[0], share[0]) * factor_of(q[1], share[1]);
     if (!pp_nomogram_scale_contains(nomogram, PP_STEM_E, mean)
         || !pp_nomogram_scale_contains(nomogram, PP_STEM_G, mean * factors)) {
-        *why = "gives a component that is not on scales E and G, 0.005 to 50 %";
+        *why = "gives a component outside scales E and G (0.005 to 50 %)";
         return PP_OK;
     }
     pp_nomogram_reading_lay(reading, nomogram, 0);

@@ -14,7 +14,7 @@ extern const struct pp_formula *const pp_nomogram_position_formulae[];
  * curve, for the factors by the depth of the receiver and sideways, and with their
  * product on E and F. Each value is rounded as a user sets or reads it. tools: of
  * pp_method_irc_atlas for that world and light. *why: the value that is off its scale,
- * as the end of a sentence that begins with "the opening on line 12"; NULL: none. */
+ * as the end of a sentence that begins with "window W1"; NULL: none. */
 enum pp_status pp_nomogram_position_read(
     struct pp_nomogram_reading *reading, const char **why,
     const struct pp_nomogram *nomogram, const struct pp_world *world,

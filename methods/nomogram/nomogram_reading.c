@@ -11,8 +11,8 @@
 #include "methods/reflected/obstruction.h"
 
 static const struct pp_formula_quantity of_ratio[] = {
-    {"W", PP_UNIT_SQUARE_METRE, "net area of glass"},
-    {"S", PP_UNIT_SQUARE_METRE, "area of all inside surfaces"},
+    {"W", PP_UNIT_SQUARE_METRE, "net glass area"},
+    {"S", PP_UNIT_SQUARE_METRE, "area of all interior surfaces"},
     {0},
 };
 
@@ -21,7 +21,7 @@ const struct pp_formula pp_nomogram_reading_ratio = {
     .sum = "W / S",
     .unit = PP_UNIT_NUMBER,
     .source = "GEEBELEN",
-    .what = "net glass area over the area of all inside surfaces, which scale A has",
+    .what = "net glass area over the area of all interior surfaces, on scale A",
     .quantities = of_ratio,
     .fixed = true,
 };
@@ -67,7 +67,7 @@ const char *pp_nomogram_reading_refuses_room(const struct pp_world *world)
     double R = pp_interior_all(world).reflectance;
     if (R >= PP_NOMOGRAM_LEAST_R && R <= PP_NOMOGRAM_MOST_R)
         return NULL;
-    return "its scale of mean reflectances runs from 0.1 to 0.9";
+    return "the reflectance scale covers 0.1 to 0.9";
 }
 
 enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *reading,

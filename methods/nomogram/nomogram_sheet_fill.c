@@ -168,9 +168,8 @@ static enum pp_status read_window(struct pp_nomogram_reading *reading,
         status =
             pp_nomogram_position_read(reading, &why, nomogram, room->world, room->light,
                                       opening, room->receiver, room->tools, err);
-    return why ? pp_fail(err, PP_BAD_INPUT,
-                         "the nomogram does not serve here: the opening on line %d %s",
-                         opening->line, why)
+    return why ? pp_fail(err, PP_BAD_INPUT, "the nomogram does not apply: %s %s %s",
+                         pp_world_kind(room->world, opening->line), opening->label, why)
                : status;
 }
 
@@ -221,12 +220,12 @@ static enum pp_status add_nomogram_windows(struct room_on_sheet *room,
     if (room->tools)
         room->method->destroy_tools(room->tools);
     if (status == PP_OK && sheet->window_count == 0)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            top ? "no opening is a rooflight; --which average and minimum are "
-                  "for windows"
-            : room->tools ? "no opening is vertical"
-                          : "no opening is vertical; --which rooflight is for others");
+        return pp_fail(err, PP_BAD_INPUT,
+                       top ? "the room has no rooflight; use --which average or "
+                             "minimum for windows"
+                       : room->tools ? "the room has no vertical window"
+                                     : "the room has no vertical window; use --which "
+                                       "rooflight for rooflights");
     return status;
 }
 
@@ -257,7 +256,7 @@ enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
     if (!why && position)
         why = pp_nomogram_reading_refuses_room(world);
     if (why)
-        return pp_fail(err, PP_BAD_INPUT, "no nomogram serves here: %s", why);
+        return pp_fail(err, PP_BAD_INPUT, "no nomogram applies: %s", why);
     sheet->windows = calloc((size_t)world->opening_count + 1, sizeof *sheet->windows);
     return sheet->windows ? add_nomogram_windows(&room, err) : pp_fail_memory(err);
 }

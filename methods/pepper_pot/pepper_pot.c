@@ -67,10 +67,10 @@ static const char *pepper_pot_refuses_room(const struct pp_world *world,
                                            const struct pp_receiver *receiver)
 {
     if (!pp_sky_is_graded(&light->sky))
-        return "the diagram holds the overcast and the uniform sky only";
+        return "valid only for the overcast and the uniform sky";
     if (receiver && !pane_is_upright(receiver->normal)
         && pp_refusals_unless_up(receiver))
-        return "the diagram holds points that face up or are upright";
+        return "valid only for points that face up or are vertical";
     const char *why = pp_refusals_if_fine_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
 }
@@ -82,7 +82,7 @@ static const char *pepper_pot_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
-        return "has diffusing glass; the diagram holds clear glass only";
+        return "has diffusing glass; the diagram covers clear glass only";
     return pp_refusals_unless_vertical(opening);
 }
 
@@ -91,7 +91,7 @@ static void count_dots(struct pp_part *part, const struct pp_pepper_pot *pot,
                        const struct pp_window_drawing *drawing)
 {
     pp_worksheet_put(&part->sheet, PP_UNIT_DAYLIGHT_FACTOR, pot->worth, "w",
-                     "a dot of the diagram is worth");
+                     "value of one dot");
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, drawing->count);
     for (int i = 0; i < drawing->count; i++) {
         const struct pp_drawn_part *drawn = &drawing->parts[i];

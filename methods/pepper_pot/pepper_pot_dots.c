@@ -100,13 +100,13 @@ enum pp_status pp_pepper_pot_dots_create(struct pp_pepper_pot **pot,
 {
     *pot = NULL;
     if (!pp_sky_is_graded(sky))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "a pepper-pot diagram is for the overcast or the uniform sky, "
-                       "not for %s",
-                       pp_sky_name(sky));
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "no pepper-pot diagram for %s; expected the overcast or the uniform sky",
+            pp_sky_name(sky));
     if (!(worth >= 1e-5 && worth <= 0.1))
         return pp_fail(err, PP_BAD_INPUT,
-                       "a dot worth %g %% is not between 0.001 %% and 10 %%",
+                       "the value of a dot is %g %%; expected 0.001 %% to 10 %%",
                        100.0 * worth);
 
     struct pp_pepper_pot *made = malloc(sizeof *made);

@@ -86,7 +86,7 @@ static const char *pepper_pot_sky_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     return opening->glass.diffusing
-               ? "has diffusing glass; the diagram holds clear glass only"
+               ? "has diffusing glass; the diagram covers clear glass only"
                : NULL;
 }
 
@@ -94,7 +94,7 @@ static void count_dots(struct pp_part *part, const struct pp_pepper_pot_cloud *c
                        const struct pp_window_drawing *drawing)
 {
     pp_worksheet_put(&part->sheet, PP_UNIT_DAYLIGHT_FACTOR, PP_PEPPER_POT_WORTH, "w",
-                     "a dot of the diagram is worth");
+                     "value of one dot");
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, drawing->count);
     for (int i = 0; i < drawing->count; i++) {
         const struct pp_drawn_part *drawn = &drawing->parts[i];
@@ -154,7 +154,8 @@ static enum pp_status average_pepper_pot_sky(struct pp_beams *beams,
 
 const struct pp_method pp_method_pepper_pot_sky = {
     .name = "pepper-pot-sky",
-    .summary = "dots made for any sky, any slope of the glass and any receiver",
+    .summary = "direct component by dots generated for the given sky, glass slope and "
+               "receiver",
     .source = "PLE54",
     .formulae = pp_window_drawing_formulae,
     .gives = PP_GIVES_DIRECT,

@@ -87,7 +87,7 @@ static const char *protractor_refuses_room(const struct pp_world *world,
                                            const struct pp_receiver *receiver)
 {
     if (!pp_sky_is_graded(&light->sky))
-        return "there are protractors for the overcast and the uniform sky only";
+        return "valid only for the overcast and the uniform sky";
     const char *why = pp_refusals_unless_up(receiver);
     why = why ? why : pp_refusals_if_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
@@ -100,11 +100,11 @@ static const char *protractor_refuses(const struct pp_world *world,
 {
     (void)world, (void)receiver;
     if (opening->glass.diffusing)
-        return "has diffusing glass; there are protractors for clear glass only";
+        return "has diffusing glass; protractors cover clear glass only";
     struct pp_protractor protractor;
     if (pp_protractor_read_choose(&protractor, &light->sky, opening, NULL) != PP_OK)
-        return "has glass at a slope without a protractor; there are some for 0, 30, "
-               "60 and 90 degrees";
+        return "has a slope without a protractor; they exist for 0, 30, 60 and 90 "
+               "degrees";
     return NULL;
 }
 
@@ -124,22 +124,26 @@ static void work_reading(struct pp_part_steps *terms, struct pp_part *sum,
     struct pp_worksheet *sheet = terms->sheet;
     bool hidden = reading->hidden;
     pp_part_steps_next(terms);
-    put_pair(
-        sheet, reading->edge_rad[1], PP_UNIT_DAYLIGHT_FACTOR, reading->share[1], "p_u",
-        hidden ? "obstruction, upper edge: altitude" : "opening, upper edge: altitude",
-        "primary scale there");
-    put_pair(
-        sheet, reading->edge_rad[0], PP_UNIT_DAYLIGHT_FACTOR, reading->share[0], "p_l",
-        hidden ? "obstruction, lower edge: altitude" : "opening, lower edge: altitude",
-        "primary scale there");
+    put_pair(sheet, reading->edge_rad[1], PP_UNIT_DAYLIGHT_FACTOR, reading->share[1],
+             "p_u",
+             hidden ? "altitude of the upper edge of the obstruction"
+                    : "altitude of the upper edge of the opening",
+             "primary scale at this altitude");
+    put_pair(sheet, reading->edge_rad[0], PP_UNIT_DAYLIGHT_FACTOR, reading->share[0],
+             "p_l",
+             hidden ? "altitude of the lower edge of the obstruction"
+                    : "altitude of the lower edge of the opening",
+             "primary scale at this altitude");
     pp_worksheet_work(sheet, &pp_protractor_read_initial,
-                      "initial component, of an endless opening");
+                      "initial component, for an infinitely long opening");
     pp_worksheet_note(sheet, PP_UNIT_ANGLE, reading->average_rad,
-                      "average altitude of both edges");
+                      "mean altitude of both edges");
     put_pair(sheet, reading->jamb_rad[0], PP_UNIT_NUMBER, reading->correction[0], "k_l",
-             "left jamb from the normal, right is positive", "auxiliary scale there");
+             "angle of the left jamb from the normal (right positive)",
+             "auxiliary scale at this angle");
     put_pair(sheet, reading->jamb_rad[1], PP_UNIT_NUMBER, reading->correction[1], "k_r",
-             "right jamb from the normal", "auxiliary scale there");
+             "angle of the right jamb from the normal",
+             "auxiliary scale at this angle");
     pp_worksheet_work(sheet,
                       reading->correction[1] < reading->correction[0]
                           ? &pp_protractor_read_no_width
@@ -158,7 +162,7 @@ static void work_reading(struct pp_part_steps *terms, struct pp_part *sum,
                                         "externally reflected component");
     if (off_sky)
         sum->sky += pp_part_steps_work(terms, false, &pp_protractor_read_less,
-                                       "taken off the sky component");
+                                       "subtracted from the sky component");
 }
 
 static const struct pp_formula *const formulae[] = {

@@ -63,8 +63,7 @@ enum pp_status pp_protractor_read_choose(struct pp_protractor *protractor,
     if (bare)
         return PP_OK;
     return pp_fail(err, PP_BAD_INPUT,
-                   "there is no protractor for glass at %.0f degrees, only for 0, 30, "
-                   "60 and 90",
+                   "no protractor for glass at %.0f degrees; expected 0, 30, 60 or 90",
                    slope / PP_RAD);
 }
 
@@ -74,17 +73,17 @@ static bool slope_is_upright(double slope)
 }
 
 static const struct pp_formula_quantity of_primary[] = {
-    {"p_u", PP_UNIT_DAYLIGHT_FACTOR, "primary scale at the upper edge's altitude"},
-    {"p_l", PP_UNIT_DAYLIGHT_FACTOR, "the same at the lower edge's"},
+    {"p_u", PP_UNIT_DAYLIGHT_FACTOR, "primary scale at the altitude of the upper edge"},
+    {"p_l", PP_UNIT_DAYLIGHT_FACTOR, "primary scale at the altitude of the lower edge"},
     {0},
 };
 static const struct pp_formula_quantity of_auxiliary[] = {
-    {"k_r", PP_UNIT_NUMBER, "auxiliary scale at the right jamb, right is positive"},
-    {"k_l", PP_UNIT_NUMBER, "the same at the left jamb"},
+    {"k_r", PP_UNIT_NUMBER, "auxiliary scale at the right jamb (right positive)"},
+    {"k_l", PP_UNIT_NUMBER, "auxiliary scale at the left jamb"},
     {0},
 };
 static const struct pp_formula_quantity of_component[] = {
-    {"i", PP_UNIT_DAYLIGHT_FACTOR, "initial component, of an endless opening"},
+    {"i", PP_UNIT_DAYLIGHT_FACTOR, "initial component, for an infinitely long opening"},
     {"K", PP_UNIT_NUMBER, "correction factor for the width"},
     {0},
 };
@@ -102,12 +101,12 @@ static const struct pp_formula_quantity of_reflected[] = {
 
 const struct pp_formula pp_protractor_read_initial =
     BRS("i", "p_u - p_l", PP_UNIT_DAYLIGHT_FACTOR,
-        "initial component, of an endless opening", of_primary);
+        "initial component, for an infinitely long opening", of_primary);
 const struct pp_formula pp_protractor_read_width = BRS(
     "K", "k_r - k_l", PP_UNIT_NUMBER, "correction factor for the width", of_auxiliary);
 const struct pp_formula pp_protractor_read_no_width =
-    BRS("K", "max(k_r - k_l, 0)", PP_UNIT_NUMBER, "the same where the scale has none",
-        of_auxiliary);
+    BRS("K", "max(k_r - k_l, 0)", PP_UNIT_NUMBER,
+        "correction factor for the width, at least 0", of_auxiliary);
 const struct pp_formula pp_protractor_read_sc =
     BRS("sc", "i K", PP_UNIT_DAYLIGHT_FACTOR, "sky component", of_component);
 const struct pp_formula pp_protractor_read_e =
@@ -121,7 +120,7 @@ const struct pp_formula pp_protractor_read_less = {
     .sum = "-e",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "BRE309",
-    .what = "what an obstruction before a sloping opening takes off the sky component",
+    .what = "reduction of the sky component by an obstruction, sloping opening",
     .quantities = of_reflected,
     .fixed = true};
 

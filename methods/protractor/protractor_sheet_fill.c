@@ -149,11 +149,11 @@ enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
     *sheet = (struct pp_protractor_sheet){.allowance = 1.0};
     if (protractor->glass.diffusing)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a protractor is for clear glass; diffusing glass has no "
-                       "sight lines");
+                       "no protractor for diffusing glass; expected clear glass");
     if (pp_sky_has_azimuth(&protractor->sky))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "a protractor is for a sky that is the same in all azimuths");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "no protractor for this sky; expected one without azimuth dependence");
     struct pp_protractor_dial *dial = malloc(sizeof *dial);
     if (!dial)
         return pp_fail_memory(err);
@@ -177,8 +177,8 @@ static enum pp_status keep_if_largest(struct pp_protractor_sheet *sheet,
     struct pp_receiver receiver = {.position = sheet->point, .normal = {0, 0, 1}};
     const char *why = pp_method_protractor.refuses(world, light, opening, &receiver);
     if (why)
-        return pp_fail(err, PP_BAD_INPUT, "the opening on line %d %s", opening->line,
-                       why);
+        return pp_fail(err, PP_BAD_INPUT, "%s %s %s",
+                       pp_world_kind(world, opening->line), opening->label, why);
     struct pp_protractor protractor;
     enum pp_status status =
         pp_protractor_read_choose(&protractor, &light->sky, opening, err);
@@ -214,7 +214,7 @@ enum pp_status pp_protractor_sheet_fill_room(struct pp_protractor_sheet *sheet,
     *sheet = (struct pp_protractor_sheet){.world = world, .point = receiver->position};
     const char *why = pp_method_protractor.refuses_room(world, light, receiver);
     if (why)
-        return pp_fail(err, PP_BAD_INPUT, "no protractor serves here: %s", why);
+        return pp_fail(err, PP_BAD_INPUT, "no protractor applies: %s", why);
     struct pp_protractor_dial *dial = malloc(sizeof *dial);
     if (!dial)
         return pp_fail_memory(err);
@@ -222,8 +222,9 @@ enum pp_status pp_protractor_sheet_fill_room(struct pp_protractor_sheet *sheet,
     for (int i = 0; i < world->opening_count && status == PP_OK; i++)
         status = keep_if_largest(sheet, light, dial, &world->openings[i], err);
     if (status == PP_OK && !sheet->opening)
-        status = pp_fail(err, PP_BAD_INPUT,
-                         "the point sees nothing of any opening above its horizon");
+        status =
+            pp_fail(err, PP_BAD_INPUT,
+                    "no part of an opening is visible above the horizon of the point");
     struct pp_protractor protractor;
     if (status == PP_OK)
         status =

@@ -37,29 +37,30 @@ struct upright_set {
 /* ---- the formulae ---- */
 
 static const struct pp_formula_quantity of_primary[] = {
-    {"p_u", PP_UNIT_DAYLIGHT_FACTOR, "primary scale straight ahead at the upper edge"},
-    {"p_l", PP_UNIT_DAYLIGHT_FACTOR, "the same at the lower edge"},
-    {"q_u", PP_UNIT_DAYLIGHT_FACTOR, "primary scale aside at the upper edge"},
-    {"q_l", PP_UNIT_DAYLIGHT_FACTOR, "the same at the lower edge"},
+    {"p_u", PP_UNIT_DAYLIGHT_FACTOR, "primary scale, ahead, at the upper edge"},
+    {"p_l", PP_UNIT_DAYLIGHT_FACTOR, "primary scale, ahead, at the lower edge"},
+    {"q_u", PP_UNIT_DAYLIGHT_FACTOR, "primary scale, aside, at the upper edge"},
+    {"q_l", PP_UNIT_DAYLIGHT_FACTOR, "primary scale, aside, at the lower edge"},
     {0},
 };
 static const struct pp_formula_quantity of_auxiliary[] = {
-    {"k_r", PP_UNIT_NUMBER, "auxiliary scale straight ahead at the right jamb"},
-    {"k_l", PP_UNIT_NUMBER, "the same at the left jamb, to the left negative"},
-    {"m_r", PP_UNIT_NUMBER, "auxiliary scale aside at the right jamb"},
-    {"m_l", PP_UNIT_NUMBER, "the same at the left jamb"},
+    {"k_r", PP_UNIT_NUMBER, "auxiliary scale, ahead, at the right jamb"},
+    {"k_l", PP_UNIT_NUMBER, "auxiliary scale, ahead, at the left jamb (left negative)"},
+    {"m_r", PP_UNIT_NUMBER, "auxiliary scale, aside, at the right jamb"},
+    {"m_l", PP_UNIT_NUMBER, "auxiliary scale, aside, at the left jamb"},
     {0},
 };
 static const struct pp_formula_quantity of_component[] = {
-    {"i", PP_UNIT_DAYLIGHT_FACTOR, "initial component straight ahead"},
-    {"K", PP_UNIT_NUMBER, "its correction for the width"},
-    {"j", PP_UNIT_DAYLIGHT_FACTOR, "initial component aside"},
-    {"J", PP_UNIT_NUMBER, "its correction for the width"},
-    {"psi", PP_UNIT_ANGLE, "the receiver from straight ahead, right is positive"},
+    {"i", PP_UNIT_DAYLIGHT_FACTOR, "initial component, ahead"},
+    {"K", PP_UNIT_NUMBER, "correction factor for the width"},
+    {"j", PP_UNIT_DAYLIGHT_FACTOR, "initial component, aside"},
+    {"J", PP_UNIT_NUMBER, "correction factor for the width"},
+    {"psi", PP_UNIT_ANGLE,
+     "bearing of the receiver from straight ahead (right positive)"},
     {0},
 };
 static const struct pp_formula_quantity of_reflected[] = {
-    {"e", PP_UNIT_DAYLIGHT_FACTOR, "equivalent component of the obstruction"},
+    {"e", PP_UNIT_DAYLIGHT_FACTOR, "equivalent sky component of the obstruction"},
     {"f", PP_UNIT_NUMBER, "luminance factor of the obstruction"},
     {0},
 };
@@ -69,15 +70,14 @@ static const struct pp_formula_quantity of_reflected[] = {
         .symbol = left, .sum = right, .unit = of, .source = "BRE309", .what = words,   \
         .quantities = list, .fixed = true                                              \
     }
-static const struct pp_formula initial_ahead =
-    READ("i", "p_u - p_l", PP_UNIT_DAYLIGHT_FACTOR, "initial component straight ahead",
-         of_primary);
+static const struct pp_formula initial_ahead = READ(
+    "i", "p_u - p_l", PP_UNIT_DAYLIGHT_FACTOR, "initial component, ahead", of_primary);
 static const struct pp_formula initial_aside = READ(
-    "j", "q_u - q_l", PP_UNIT_DAYLIGHT_FACTOR, "initial component aside", of_primary);
+    "j", "q_u - q_l", PP_UNIT_DAYLIGHT_FACTOR, "initial component, aside", of_primary);
 static const struct pp_formula width_ahead = READ(
-    "K", "k_r - k_l", PP_UNIT_NUMBER, "its correction for the width", of_auxiliary);
+    "K", "k_r - k_l", PP_UNIT_NUMBER, "correction factor for the width", of_auxiliary);
 static const struct pp_formula width_aside =
-    READ("J", "m_r - m_l", PP_UNIT_NUMBER, "its correction for the width, aside",
+    READ("J", "m_r - m_l", PP_UNIT_NUMBER, "correction factor for the width, aside",
          of_auxiliary);
 static const struct pp_formula sky_component =
     READ("sc", "max(i K cos(psi) + j J sin(psi), 0)", PP_UNIT_DAYLIGHT_FACTOR,
@@ -144,9 +144,9 @@ static const char *upright_protractor_refuses_room(const struct pp_world *world,
                                                    const struct pp_receiver *receiver)
 {
     if (!pp_sky_is_graded(&light->sky))
-        return "there are protractors for the overcast and the uniform sky only";
+        return "valid only for the overcast and the uniform sky";
     if (receiver && fabs(receiver->normal.z) > 1e-9)
-        return "it is made for points that stand only";
+        return "valid only for vertical points";
     const char *why = pp_refusals_if_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
 }
@@ -158,7 +158,7 @@ static const char *upright_protractor_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
-        return "has diffusing glass; there are protractors for clear glass only";
+        return "has diffusing glass; protractors cover clear glass only";
     return pp_refusals_unless_vertical(opening);
 }
 
@@ -187,35 +187,37 @@ static void put_scales(struct pp_worksheet *sheet,
                      "primary scale, %s, at the upper edge", symbols->what);
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
                      pp_protractor_dial_share(dial, low), symbols->lower,
-                     "at the lower edge");
+                     "same scale at the lower edge");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, sides[0], symbols->left,
                      "auxiliary scale, %s, at the left jamb", symbols->what);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, sides[1], symbols->right,
-                     "at the right jamb");
+                     "same scale at the right jamb");
 }
 
 static void work_part(struct pp_part_steps *terms, struct pp_part *sum,
                       const struct upright_dials *dials, const struct pp_sky *sky,
                       const struct pp_elevation_part *part)
 {
-    static const struct scale_symbols ahead = {"p_u", "p_l", "k_l", "k_r",
-                                               "straight ahead"};
+    static const struct scale_symbols ahead = {"p_u", "p_l", "k_l", "k_r", "ahead"};
     static const struct scale_symbols aside = {"q_u", "q_l", "m_l", "m_r", "aside"};
     struct pp_worksheet *sheet = terms->sheet;
     bool hidden = !isnan(part->reflectance);
     pp_part_steps_next(terms);
     pp_worksheet_note(sheet, PP_UNIT_ANGLE, atan(part->high),
-                      "%s, upper edge: altitude", hidden ? "obstruction" : "opening");
-    pp_worksheet_note(sheet, PP_UNIT_ANGLE, atan(fmax(part->low, 0.0)), "lower edge");
+                      "altitude of the upper edge of the %s",
+                      hidden ? "obstruction" : "opening");
+    pp_worksheet_note(sheet, PP_UNIT_ANGLE, atan(fmax(part->low, 0.0)),
+                      "altitude of the lower edge");
     pp_worksheet_note(sheet, PP_UNIT_ANGLE, atan(part->left),
-                      "left jamb from the normal, right is positive");
-    pp_worksheet_note(sheet, PP_UNIT_ANGLE, atan(part->right), "right jamb");
+                      "angle of the left jamb from the normal (right positive)");
+    pp_worksheet_note(sheet, PP_UNIT_ANGLE, atan(part->right),
+                      "angle of the right jamb from the normal");
     put_scales(sheet, &dials->ahead, &ahead, part);
     put_scales(sheet, &dials->aside, &aside, part);
-    pp_worksheet_work(sheet, &initial_ahead, "initial component straight ahead");
-    pp_worksheet_work(sheet, &width_ahead, "its correction for the width");
-    pp_worksheet_work(sheet, &initial_aside, "initial component aside");
-    pp_worksheet_work(sheet, &width_aside, "its correction for the width");
+    pp_worksheet_work(sheet, &initial_ahead, "initial component, ahead");
+    pp_worksheet_work(sheet, &width_ahead, "correction factor for the width");
+    pp_worksheet_work(sheet, &initial_aside, "initial component, aside");
+    pp_worksheet_work(sheet, &width_aside, "correction factor for the width");
     if (!hidden) {
         sum->sky += pp_part_steps_work(terms, false, &sky_component, "sky component");
         return;
@@ -262,7 +264,7 @@ static enum pp_status evaluate_upright_protractor(
         return status;
     cut_by_receiver(&elevation, psi_rad);
     pp_worksheet_put(&part->sheet, PP_UNIT_ANGLE, psi_rad, "psi",
-                     "the receiver from straight ahead, right is positive");
+                     "bearing of the receiver from straight ahead (right positive)");
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, elevation.count);
     for (int i = 0; i < elevation.count; i++)
         work_part(&terms, part, opening->glass.panes > 0 ? set->glazed : set->bare,
@@ -274,7 +276,7 @@ static enum pp_status evaluate_upright_protractor(
 
 const struct pp_method pp_method_protractor_upright = {
     .name = "protractor-upright",
-    .summary = "direct component at points that stand, by protractors made for them",
+    .summary = "direct component at vertical points, by protractors made for them",
     .source = "BRE309",
     .formulae = formulae,
     .gives = PP_GIVES_DIRECT,

@@ -47,9 +47,8 @@ static enum pp_status evaluate_arndt(const struct pp_world *world,
         return status;
     struct pp_interior all = pp_interior_all(world);
     pp_interior_put(&part->sheet, &all);
-    double irc = pp_worksheet_work(
-        &part->sheet, &average,
-        "opening on line %d: average internally reflected component", opening->line);
+    double irc = pp_worksheet_work(&part->sheet, &average,
+                                   "average internally reflected component");
     part->value = pp_entering_light_of_well(&part->sheet, &pp_entering_light_E_w, world,
                                             opening, irc);
     return PP_OK;
@@ -57,7 +56,8 @@ static enum pp_status evaluate_arndt(const struct pp_world *world,
 
 const struct pp_method pp_method_arndt = {
     .name = "arndt",
-    .summary = "average internally reflected component, one mean reflectance for all",
+    .summary =
+        "average internally reflected component with one mean reflectance for the room",
     .source = "ARN38",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

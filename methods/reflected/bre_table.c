@@ -24,8 +24,8 @@
 #include "methods/refusals.h"
 
 static const struct pp_formula_quantity of_glass[] = {
-    {"W_all", PP_UNIT_SQUARE_METRE, "net area of glass of all openings"},
-    {"F", PP_UNIT_SQUARE_METRE, "area of the floor"},
+    {"W_all", PP_UNIT_SQUARE_METRE, "net glass area of all openings"},
+    {"F", PP_UNIT_SQUARE_METRE, "floor area"},
     {0},
 };
 
@@ -34,7 +34,7 @@ static const struct pp_formula glass_over_floor = {
     .sum = "100 W_all / F",
     .unit = PP_UNIT_NUMBER,
     .source = "BRE310",
-    .what = "glass over floor, per cent",
+    .what = "glass area over floor area, per cent",
     .quantities = of_glass,
     .fixed = true,
 };
@@ -46,18 +46,18 @@ static const struct pp_formula factor_for_obstruction = {
     .symbol = "k_o",
     .sum = "(C R_fw + " PP_BRE_TERMS_GROUND ") / (31 R_fw + " PP_BRE_TERMS_GROUND ")",
     .unit = PP_UNIT_NUMBER,
-    .what = "factor for the obstruction; the table has 20 degrees",
+    .what = "factor for the obstruction (the table assumes 20 degrees)",
     .quantities = of_obstruction,
 };
 
 static const struct pp_formula_quantity of_minimum[] = {
     {"T", PP_UNIT_DAYLIGHT_FACTOR,
-     "minimum by glass over floor, floor and walls, from the table"},
-    {"k_F", PP_UNIT_NUMBER, "factor for the size of the floor, from the table"},
+     "minimum for glass over floor, floor and walls, from the table"},
+    {"k_F", PP_UNIT_NUMBER, "factor for the floor area, from the table"},
     {"k_c", PP_UNIT_NUMBER, "factor for the ceiling, from the table"},
     {"k_o", PP_UNIT_NUMBER, "factor for the obstruction"},
-    {"W_all", PP_UNIT_SQUARE_METRE, "net area of glass of all openings"},
-    {"F", PP_UNIT_SQUARE_METRE, "area of the floor"},
+    {"W_all", PP_UNIT_SQUARE_METRE, "net glass area of all openings"},
+    {"F", PP_UNIT_SQUARE_METRE, "floor area"},
     {"R_f", PP_UNIT_NUMBER, "reflectance of the floor"},
     {"R_w", PP_UNIT_NUMBER, "mean reflectance of the walls"},
     {"R_c", PP_UNIT_NUMBER, "reflectance of the ceiling"},
@@ -70,7 +70,8 @@ static const struct pp_formula minimum = {
     .sum = "T k_F k_c k_o W / W_all",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "BRE310",
-    .what = "minimum internally reflected component, the opening's share by its glass",
+    .what = "minimum internally reflected component, in proportion to the glass of the "
+            "opening",
     .quantities = of_minimum,
 };
 
@@ -106,10 +107,9 @@ static void put_reading(struct pp_worksheet *sheet,
 {
     struct pp_irc_minimum read = pp_irc_minimum_read(entry);
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, entry->glass_m2, "W_all",
-                     "net area of glass of all openings");
-    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, entry->floor_m2, "F",
-                     "area of the floor");
-    pp_worksheet_work(sheet, &glass_over_floor, "glass over floor, per cent");
+                     "net glass area of all openings");
+    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, entry->floor_m2, "F", "floor area");
+    pp_worksheet_work(sheet, &glass_over_floor, "glass area over floor area, per cent");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, entry->floor, "R_f",
                      "reflectance of the floor");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, entry->walls, "R_w",
@@ -117,9 +117,9 @@ static void put_reading(struct pp_worksheet *sheet,
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, entry->ceiling, "R_c",
                      "reflectance of the ceiling");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, read.printed, "T",
-                     "minimum by p, R_f and R_w, from the table");
+                     "minimum for p, R_f and R_w, from the table");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, read.floor_factor, "k_F",
-                     "factor for the size of the floor, from the table");
+                     "factor for the floor area, from the table");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, read.ceiling_factor, "k_c",
                      "factor for the ceiling, from the table");
 }
@@ -144,16 +144,15 @@ static enum pp_status evaluate_bre_table(const struct pp_world *world,
     pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);
     pp_bre_terms_put_reflected(sheet, &terms, opening);
     pp_worksheet_work(sheet, &factor_for_obstruction,
-                      "factor for the obstruction; the table has 20 degrees");
-    part->value = pp_worksheet_work(
-        sheet, &minimum, "opening on line %d: minimum internally reflected component",
-        opening->line);
+                      "factor for the obstruction (the table assumes 20 degrees)");
+    part->value =
+        pp_worksheet_work(sheet, &minimum, "minimum internally reflected component");
     return PP_OK;
 }
 
 const struct pp_method pp_method_bre_table = {
     .name = "bre-table",
-    .summary = "minimum internally reflected component, off the published table",
+    .summary = "minimum internally reflected component, from the published table",
     .source = "BRE310",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -38,15 +38,16 @@ void pp_bre_terms_put_reflected(struct pp_worksheet *sheet,
                                 const struct pp_bre_terms *terms,
                                 const struct pp_opening *opening)
 {
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, terms->R_fw, "R_fw",
-                     "reflectance of floor and walls below %.2f m, own wall left out",
-                     opening->middle_z_m);
+    pp_worksheet_put(
+        sheet, PP_UNIT_NUMBER, terms->R_fw, "R_fw",
+        "reflectance of floor and walls below %.2f m, without the window wall",
+        opening->middle_z_m);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, terms->R_cw, "R_cw",
-                     "reflectance of ceiling and walls above, own wall left out");
+                     "reflectance of ceiling and walls above, without the window wall");
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, terms->alpha_rad, "alpha",
-                     "opening on line %d: angle of the obstruction", opening->line);
+                     "angle of the obstruction");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, terms->C, "C",
-                     "factor of an obstruction of that angle, from the table");
+                     "factor C for this obstruction angle, from the table");
 }
 
 double pp_bre_terms_work(struct pp_worksheet *sheet, const struct pp_formula *formula,
@@ -56,9 +57,7 @@ double pp_bre_terms_work(struct pp_worksheet *sheet, const struct pp_formula *fo
     pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);
     pp_interior_put(sheet, &terms->all);
     pp_bre_terms_put_reflected(sheet, terms, opening);
-    return pp_worksheet_work(
-        sheet, formula, "opening on line %d: average internally reflected component",
-        opening->line);
+    return pp_worksheet_work(sheet, formula, "average internally reflected component");
 }
 
 double pp_bre_terms_average(const struct pp_bre_terms *terms)

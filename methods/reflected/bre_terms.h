@@ -24,16 +24,17 @@
 
 /* The opening's: rows of a formula's list of quantities. */
 #define PP_BRE_TERMS_OPENING                                                           \
-    {"W", PP_UNIT_SQUARE_METRE, "net area of glass: opening area times frame factor"}, \
+    {"W", PP_UNIT_SQUARE_METRE, "net glass area: opening area times frame factor"},    \
         {"R_fw", PP_UNIT_NUMBER,                                                       \
-         "mean reflectance of floor and walls below the middle of the opening's "      \
-         "height, its own wall left out"},                                             \
+         "mean reflectance of floor and walls below the centre of the opening, "       \
+         "without the window wall"},                                                   \
         {"R_cw", PP_UNIT_NUMBER,                                                       \
-         "the same of ceiling and walls above it, its own wall left out"},             \
-        {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},                  \
+         "mean reflectance of ceiling and walls above the centre, without the window " \
+         "wall"},                                                                      \
+        {"alpha", PP_UNIT_ANGLE, "angle of the obstruction"},                          \
     {                                                                                  \
         "C", PP_UNIT_DAYLIGHT_FACTOR,                                                  \
-            "factor of an obstruction of that angle, from the table"                   \
+            "factor C for this obstruction angle, from the table"                      \
     }
 
 extern const struct pp_formula pp_bre_terms_irc;    /* of `bre` */

@@ -28,39 +28,39 @@
 
 #define PART(A_, rho_, where)                                                          \
     {"S", PP_UNIT_SQUARE_METRE,                                                        \
-     "area of the level plane at the middle of the opening's height"},                 \
+     "area of the horizontal plane at the height of the opening's centre"},            \
         {A_, PP_UNIT_SQUARE_METRE,                                                     \
          "area of all surfaces " where ", openings included"},                         \
     {                                                                                  \
-        rho_, PP_UNIT_NUMBER, "their mean reflectance, openings with 0.1"              \
+        rho_, PP_UNIT_NUMBER, "mean reflectance of these surfaces (openings: 0.1)"     \
     }
 
-static const struct pp_formula_quantity of_k_u[] = {PART("A_u", "rho_u", "above it"),
-                                                    {0}};
-static const struct pp_formula_quantity of_k_l[] = {PART("A_l", "rho_l", "below it"),
-                                                    {0}};
+static const struct pp_formula_quantity of_k_u[] = {
+    PART("A_u", "rho_u", "above this plane"), {0}};
+static const struct pp_formula_quantity of_k_l[] = {
+    PART("A_l", "rho_l", "below this plane"), {0}};
 
 static const struct pp_formula k_u = {
     .symbol = "k_u",
     .sum = "rho_u S / (A_u (1 - rho_u) + rho_u S)",
     .unit = PP_UNIT_NUMBER,
-    .what = "what the upper part reflects of light that enters it through the plane",
+    .what = "effective reflectance of the upper part of the room at this plane",
     .quantities = of_k_u,
 };
 static const struct pp_formula k_l = {
     .symbol = "k_l",
     .sum = "rho_l S / (A_l (1 - rho_l) + rho_l S)",
     .unit = PP_UNIT_NUMBER,
-    .what = "what the lower part reflects of light that enters it through the plane",
+    .what = "effective reflectance of the lower part of the room at this plane",
     .quantities = of_k_l,
 };
 
 #define QUANTITIES                                                                     \
     PP_ENTERING_LIGHT_QUANTITIES,                                                      \
-        {"S", PP_UNIT_SQUARE_METRE, "area of the level plane"},                        \
-        {"k_u", PP_UNIT_NUMBER, "reflectance of the upper part through the plane"},    \
+        {"S", PP_UNIT_SQUARE_METRE, "area of the horizontal plane"},                   \
+        {"k_u", PP_UNIT_NUMBER, "effective reflectance of the upper part"},            \
     {                                                                                  \
-        "k_l", PP_UNIT_NUMBER, "that of the lower part"                                \
+        "k_l", PP_UNIT_NUMBER, "effective reflectance of the lower part"               \
     }
 
 static const struct pp_formula_quantity of_clear[] = {QUANTITIES, {0}};
@@ -78,7 +78,7 @@ static const struct pp_formula diffusing = {
     .symbol = "irc",
     .sum = "tau Ag k_u / (S (1 - k_u k_l)) (C_g + C) (u + (1 - u) k_l)",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "internally reflected component, a diffusing pane",
+    .what = "internally reflected component, diffusing pane",
     .quantities = of_diffusing,
 };
 
@@ -90,18 +90,21 @@ static void put_parts(struct pp_worksheet *sheet, const struct pp_world *world,
 {
     double z = opening->middle_z_m;
     struct pp_interior_parts parts = pp_interior_split_without(world, z, -1);
-    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, pp_interior_section_m2(world, z), "S",
-                     "area of the level plane at %.2f m, the middle of the opening", z);
+    pp_worksheet_put(
+        sheet, PP_UNIT_SQUARE_METRE, pp_interior_section_m2(world, z), "S",
+        "area of the horizontal plane at %.2f m, the centre of the opening", z);
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, parts.upper.area_m2, "A_u",
-                     "area of all above it, openings included");
+                     "area of surfaces above this plane, openings included");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.upper.reflectance, "rho_u",
-                     "its mean reflectance, openings with 0.1");
-    pp_worksheet_work(sheet, &k_u, "what the upper part reflects through the plane");
+                     "mean reflectance of these surfaces (openings: 0.1)");
+    pp_worksheet_work(sheet, &k_u,
+                      "effective reflectance of the upper part at this plane");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, parts.lower.area_m2, "A_l",
-                     "area of all below it, openings included");
+                     "area of surfaces below this plane, openings included");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.lower.reflectance, "rho_l",
-                     "its mean reflectance, openings with 0.1");
-    pp_worksheet_work(sheet, &k_l, "what the lower part reflects through the plane");
+                     "mean reflectance of these surfaces (openings: 0.1)");
+    pp_worksheet_work(sheet, &k_l,
+                      "effective reflectance of the lower part at this plane");
 }
 
 static enum pp_status evaluate_dresler(const struct pp_world *world,
@@ -117,15 +120,16 @@ static enum pp_status evaluate_dresler(const struct pp_world *world,
     if (status != PP_OK)
         return status;
     put_parts(sheet, world, opening);
-    part->value = pp_worksheet_work(
-        sheet, opening->glass.diffusing ? &diffusing : &clear,
-        "opening on line %d: internally reflected component", opening->line);
+    part->value =
+        pp_worksheet_work(sheet, opening->glass.diffusing ? &diffusing : &clear,
+                          "internally reflected component");
     return PP_OK;
 }
 
 const struct pp_method pp_method_dresler = {
     .name = "dresler",
-    .summary = "internally reflected component, two parts of the room as cavities",
+    .summary =
+        "internally reflected component, upper and lower part of the room as cavities",
     .source = "DRE54",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -54,8 +54,9 @@ static const struct pp_formula_quantity of_glass_of_well[] = {
     {0},
 };
 static const struct pp_formula_quantity of_E_o[] = {
-    {"C_hv", PP_UNIT_DAYLIGHT_FACTOR, "on glass of that slope from the open sky"},
-    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
+    {"C_hv", PP_UNIT_DAYLIGHT_FACTOR,
+     "illuminance on glass of this slope from the open sky"},
+    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction"},
     {0},
 };
 
@@ -65,82 +66,89 @@ static const struct pp_formula_quantity of_E_o[] = {
     }
 
 static const struct pp_formula glass =
-    OWN("Ag", "a B", PP_UNIT_SQUARE_METRE, "net area of glass", of_glass);
+    OWN("Ag", "a B", PP_UNIT_SQUARE_METRE, "net glass area", of_glass);
 static const struct pp_formula glass_of_well =
     OWN("Ag", "a B N", PP_UNIT_SQUARE_METRE,
-        "net area of glass, by what its well lets through", of_glass_of_well);
+        "net glass area times the efficiency of the well", of_glass_of_well);
 static const struct pp_formula on_window = {
     .symbol = "E_o",
     .sum = "31.88 - 18.22 sin(alpha) + 7.73 cos(2 alpha)",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "DIN5034",
-    .what = "on a vertical window from the sky and what stands before it",
+    .what = "illuminance on a vertical window from sky and obstructions",
     .quantities = of_E_o,
 };
 static const struct pp_formula on_sloping =
     OWN("E_o", "C_hv (1 - 0.85 alpha / 90)", PP_UNIT_DAYLIGHT_FACTOR,
-        "on other glass from the sky and what stands before it", of_E_o);
+        "illuminance on other glass from sky and obstructions", of_E_o);
 
 /* ---- the efficiencies ---- */
 
 static const struct pp_formula_quantity of_sky[] = {
     {"f", PP_UNIT_DAYLIGHT_FACTOR,
-     "of the sky's light on the glass, on the plane straight"},
-    {"C_hv", PP_UNIT_DAYLIGHT_FACTOR, "on glass of that slope from the open sky"},
+     "sky light on the glass that reaches the plane directly"},
+    {"C_hv", PP_UNIT_DAYLIGHT_FACTOR,
+     "illuminance on glass of this slope from the open sky"},
     {0},
 };
 static const struct pp_formula_quantity of_diffuse[] = {
     {"f_d", PP_UNIT_NUMBER, "form factor from the opening to the plane"}, {0}};
 static const struct pp_formula_quantity of_light_of_well[] = {
-    {"f_s", PP_UNIT_NUMBER, "of light straight through the well, on the plane"},
-    {"f_d", PP_UNIT_NUMBER, "form factor from the well's foot to the plane"},
+    {"f_s", PP_UNIT_NUMBER,
+     "fraction of the direct light through the well that reaches the plane"},
+    {"f_d", PP_UNIT_NUMBER, "form factor from the foot of the well to the plane"},
     PP_WELL_QUANTITIES,
     {0},
 };
 static const struct pp_formula_quantity of_ground[] = {
-    {"f_c", PP_UNIT_NUMBER, "form factor from the opening's middle to the ceiling"},
-    {"beta", PP_UNIT_ANGLE, "slope of the glass, 0 horizontal"},
+    {"f_c", PP_UNIT_NUMBER,
+     "form factor from the centre of the opening to the ceiling"},
+    {"beta", PP_UNIT_ANGLE, "slope of the glass (0: horizontal)"},
     {0},
 };
 static const struct pp_formula_quantity of_efficiency[] = {
-    {"d", PP_UNIT_NUMBER, "share of the sky's light that falls on the plane"},
-    {"g", PP_UNIT_NUMBER, "share of the ground's light that falls on the ceiling"},
-    {"u_w", PP_UNIT_NUMBER, "of light on the walls, on the plane"},
-    {"u_c", PP_UNIT_NUMBER, "of light on the ceiling, on the plane"},
-    {"u_p", PP_UNIT_NUMBER, "of light from the plane, back on it"},
-    {"rho_p", PP_UNIT_NUMBER, "reflectance of what lies below the plane"},
+    {"d", PP_UNIT_NUMBER, "fraction of the sky light that falls on the plane"},
+    {"g", PP_UNIT_NUMBER, "fraction of the ground light that falls on the ceiling"},
+    {"u_w", PP_UNIT_NUMBER,
+     "fraction of the light on the walls that reaches the plane"},
+    {"u_c", PP_UNIT_NUMBER,
+     "fraction of the light on the ceiling that reaches the plane"},
+    {"u_p", PP_UNIT_NUMBER, "fraction of the light from the plane that returns to it"},
+    {"rho_p", PP_UNIT_NUMBER, "effective reflectance below the plane"},
     {0},
 };
 static const struct pp_formula_quantity of_average[] = {
     {"T", PP_UNIT_NUMBER, "diffuse transmittance of the glass"},
-    {"Ag", PP_UNIT_SQUARE_METRE, "net area of glass"},
+    {"Ag", PP_UNIT_SQUARE_METRE, "net glass area"},
     {"S", PP_UNIT_SQUARE_METRE, "area of the working plane"},
     {"E_o", PP_UNIT_DAYLIGHT_FACTOR,
-     "on the glass from the sky and what stands before it"},
-    {"C_g", PP_UNIT_DAYLIGHT_FACTOR, "on the glass from the ground"},
+     "illuminance on the glass from sky and obstructions"},
+    {"C_g", PP_UNIT_DAYLIGHT_FACTOR, "illuminance on the glass from the ground"},
     {"eta", PP_UNIT_NUMBER, "efficiency for light from above"},
-    {"eta_g", PP_UNIT_NUMBER, "efficiency for light of the ground"},
-    {"M", PP_UNIT_NUMBER, "maintenance: what dirt leaves"},
+    {"eta_g", PP_UNIT_NUMBER, "efficiency for light from the ground"},
+    {"M", PP_UNIT_NUMBER, "maintenance factor (dirt)"},
     {0},
 };
 
 static const struct pp_formula on_plane =
     OWN("d", "min(f / C_hv, 1)", PP_UNIT_NUMBER,
-        "share of the sky's light that falls on the plane", of_sky);
-static const struct pp_formula on_plane_diffuse =
-    OWN("d", "f_d", PP_UNIT_NUMBER, "the same from a level diffusing pane", of_diffuse);
-static const struct pp_formula on_plane_from_well =
-    OWN("d", "(N_d f_s + (N - N_d) f_d) / N", PP_UNIT_NUMBER, "the same through a well",
-        of_light_of_well);
+        "fraction of the sky light that falls on the plane", of_sky);
+static const struct pp_formula on_plane_diffuse = OWN(
+    "d", "f_d", PP_UNIT_NUMBER,
+    "fraction of the light from a horizontal diffusing pane that falls on the plane",
+    of_diffuse);
+static const struct pp_formula on_plane_from_well = OWN(
+    "d", "(N_d f_s + (N - N_d) f_d) / N", PP_UNIT_NUMBER,
+    "fraction of the light through a well that falls on the plane", of_light_of_well);
 static const struct pp_formula on_ceiling =
     OWN("g", "min(2 f_c / (1 - cos(beta)), 1)", PP_UNIT_NUMBER,
-        "share of the ground's light that falls on the ceiling", of_ground);
+        "fraction of the ground light that falls on the ceiling", of_ground);
 static const struct pp_formula efficiency =
     OWN("eta", "(d + (1 - d) u_w) / (1 - rho_p u_p)", PP_UNIT_NUMBER,
         "efficiency for light from above", of_efficiency);
 static const struct pp_formula efficiency_of_ground =
     OWN("eta_g", "(g u_c + (1 - g) u_w) / (1 - rho_p u_p)", PP_UNIT_NUMBER,
-        "efficiency for light of the ground", of_efficiency);
+        "efficiency for light from the ground", of_efficiency);
 static const struct pp_formula average = {
     .symbol = "df",
     .sum = "T Ag (E_o eta + C_g eta_g) M / S",
@@ -154,7 +162,7 @@ static const struct pp_formula average_level = {
     .sum = "T Ag E_o eta M / S",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "FRU28",
-    .what = "the same of level glass, which sees no ground",
+    .what = "average daylight factor over the working plane, horizontal glass",
     .quantities = of_average,
 };
 
@@ -183,22 +191,19 @@ static void put_glass(struct pp_worksheet *sheet, const struct pp_world *world,
                       const struct pp_outside_light *light,
                       const struct pp_opening *opening)
 {
-    int line = opening->line;
     double low_m2 = pp_interior_area_below(&opening->inner, world->working_plane_m);
     pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
-                     "opening on line %d: diffuse transmittance", line);
-    pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2 - low_m2, "a",
-                     low_m2 > 0.0
-                         ? "opening on line %d: area above the working plane; that "
-                           "below is left out"
-                         : "opening on line %d: area",
-                     line);
-    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B",
-                     "opening on line %d: frame factor", line);
+                     "diffuse transmittance of the glass");
+    pp_worksheet_put(
+        sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2 - low_m2, "a",
+        low_m2 > 0.0
+            ? "area of the opening above the working plane (the rest is left out)"
+            : "area of the opening");
+    pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B", "frame factor");
     if (pp_well_is(opening))
         pp_well_put(sheet, world, light, opening);
     pp_worksheet_work(sheet, pp_well_is(opening) ? &glass_of_well : &glass,
-                      "opening on line %d: net area of glass", line);
+                      "net glass area");
 }
 
 static enum pp_status put_light(struct pp_worksheet *sheet,
@@ -207,29 +212,29 @@ static enum pp_status put_light(struct pp_worksheet *sheet,
                                 const struct pp_opening *opening, struct pp_error *err)
 {
     double alpha_rad;
-    int line = opening->line;
     bool vertical = pp_refusals_unless_vertical(opening) == NULL;
     enum pp_status status =
         pp_obstruction_angle(&alpha_rad, world, light, opening, err);
     if (status != PP_OK)
         return status;
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, alpha_rad, "alpha",
-                     "opening on line %d: angle of the obstruction", line);
+                     "angle of the obstruction");
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, opening->slope_rad, "beta",
-                     "opening on line %d: slope of the glass", line);
+                     "slope of the glass");
     double C_hv =
         pp_sky_on_plane(&light->sky, pp_vec_scale(opening->inner.normal, -1.0));
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, C_hv, "C_hv",
-                     "on glass of that slope from the open sky");
+                     "illuminance on glass of this slope from the open sky");
     pp_worksheet_work(sheet, vertical ? &on_window : &on_sloping,
-                      "on the glass from the sky and what stands before it");
+                      "illuminance on the glass from sky and obstructions");
     if (is_level(opening)) {
         pp_worksheet_know(sheet, PP_UNIT_DAYLIGHT_FACTOR, 0.0, "C_g");
         return PP_OK;
     }
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, light->ground_reflectance, "rho_g",
                      "reflectance of the ground");
-    pp_worksheet_work(sheet, &pp_entering_light_C_g, "on the glass from the ground");
+    pp_worksheet_work(sheet, &pp_entering_light_C_g,
+                      "illuminance on the glass from the ground");
     return PP_OK;
 }
 
@@ -258,11 +263,10 @@ static void put_direct_of_well(struct pp_worksheet *sheet, const struct pp_world
                                       &world->plane, z, &light->sky);
     pp_worksheet_put(
         sheet, PP_UNIT_NUMBER, f_s, "f_s",
-        "opening on line %d: of light straight through its well, on the plane",
-        opening->line);
+        "fraction of the direct light through the well that reaches the plane");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, f_d, "f_d",
-                     "form factor from the well's foot to the plane");
-    pp_worksheet_work(sheet, &on_plane_from_well, "share of the light on the plane");
+                     "form factor from the foot of the well to the plane");
+    pp_worksheet_work(sheet, &on_plane_from_well, "fraction of the light on the plane");
 }
 
 /* d of any other opening. */
@@ -275,17 +279,15 @@ static void put_direct(struct pp_worksheet *sheet, const struct pp_world *world,
     if (opening->glass.diffusing)
         pp_worksheet_put(sheet, PP_UNIT_NUMBER,
                          pp_point_factor(middle, normal, &world->plane, z), "f_d",
-                         "opening on line %d: form factor from its middle to the plane",
-                         opening->line);
+                         "form factor from the centre of the opening to the plane");
     else
         pp_worksheet_put(
             sheet, PP_UNIT_DAYLIGHT_FACTOR,
             pp_point_factor_sky(middle, normal, &world->plane, z, &light->sky), "f",
-            "opening on line %d: of the open sky's light on its middle, on the plane "
-            "straight",
-            opening->line);
+            "open-sky light on the centre of the opening that reaches the plane "
+            "directly");
     pp_worksheet_work(sheet, opening->glass.diffusing ? &on_plane_diffuse : &on_plane,
-                      "share of the sky's light on the plane");
+                      "fraction of the sky light on the plane");
 }
 
 static void put_efficiencies(struct pp_worksheet *sheet, const struct pp_world *world,
@@ -306,10 +308,11 @@ static void put_efficiencies(struct pp_worksheet *sheet, const struct pp_world *
     if (is_level(opening))
         return;
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, f_c, "f_c",
-                     "form factor from there to the ceiling");
-    pp_worksheet_work(sheet, &on_ceiling, "share of the ground's light on the ceiling");
+                     "form factor from the centre of the opening to the ceiling");
+    pp_worksheet_work(sheet, &on_ceiling,
+                      "fraction of the ground light on the ceiling");
     pp_worksheet_work(sheet, &efficiency_of_ground,
-                      "efficiency for light of the ground");
+                      "efficiency for light from the ground");
 }
 
 static enum pp_status evaluate_efficiency(const struct pp_world *world,
@@ -327,11 +330,10 @@ static enum pp_status evaluate_efficiency(const struct pp_world *world,
         return status;
     double height_m = pp_room_zones_put(sheet, world);
     put_efficiencies(sheet, world, light, opening, height_m);
-    pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M",
-                     "opening on line %d: maintenance", opening->line);
+    pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M", "maintenance factor");
     part->value =
         pp_worksheet_work(sheet, is_level(opening) ? &average_level : &average,
-                          "opening on line %d: average daylight factor", opening->line);
+                          "average daylight factor");
     return PP_OK;
 }
 
@@ -342,14 +344,14 @@ static const char *efficiency_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing && !is_level(opening))
-        return "has diffusing glass that is not level; the efficiencies hold clear "
-               "glass";
+        return "has sloping diffusing glass; the method covers clear glass and "
+               "horizontal diffusing panes";
     return NULL;
 }
 
 const struct pp_method pp_method_efficiency = {
     .name = "efficiency",
-    .summary = "average daylight factor by the efficiency of the windows",
+    .summary = "average daylight factor from the efficiency of the windows",
     .source = "FRU28",
     .formulae = formulae,
     .gives = PP_GIVES_WHOLE,

@@ -6,8 +6,9 @@
 #include "methods/refusals.h"
 
 static const struct pp_formula_quantity of_C[] = {
-    {"C_hv", PP_UNIT_DAYLIGHT_FACTOR, "on glass of that slope from the open sky"},
-    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
+    {"C_hv", PP_UNIT_DAYLIGHT_FACTOR,
+     "illuminance on glass of this slope from the open sky"},
+    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction"},
     {0},
 };
 
@@ -16,15 +17,15 @@ const struct pp_formula pp_entering_light_C = {
     .sum = "C_hv (1 - alpha / 90)",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "GEEBELEN",
-    .what =
-        "on the glass from above the horizon; vertical under the overcast sky: from "
-        "the table",
+    .what = "illuminance on the glass from above the horizon (vertical glass, overcast "
+            "sky: table)",
     .quantities = of_C,
 };
 
 static const struct pp_formula_quantity of_C_of_well[] = {
-    {"C_hv", PP_UNIT_DAYLIGHT_FACTOR, "on glass of that slope from the open sky"},
-    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
+    {"C_hv", PP_UNIT_DAYLIGHT_FACTOR,
+     "illuminance on glass of this slope from the open sky"},
+    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction"},
     PP_WELL_QUANTITIES,
     {0},
 };
@@ -33,14 +34,14 @@ const struct pp_formula pp_entering_light_C_of_well = {
     .symbol = "C",
     .sum = "C_hv (1 - alpha / 90) N",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "through the foot of a well from above the horizon",
+    .what = "light through the foot of a well from above the horizon",
     .quantities = of_C_of_well,
     .fixed = true,
 };
 
 static const struct pp_formula_quantity of_C_g[] = {
     {"rho_g", PP_UNIT_NUMBER, "reflectance of the ground"},
-    {"beta", PP_UNIT_ANGLE, "slope of the glass, 0 horizontal"},
+    {"beta", PP_UNIT_ANGLE, "slope of the glass (0: horizontal)"},
     {0},
 };
 
@@ -49,13 +50,13 @@ const struct pp_formula pp_entering_light_C_g = {
     .sum = "100 rho_g (1 - cos(beta)) / 2",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "GEEBELEN",
-    .what = "on the glass from the ground",
+    .what = "illuminance on the glass from the ground",
     .quantities = of_C_g,
 };
 
 static const struct pp_formula_quantity of_C_g_of_well[] = {
     {"rho_g", PP_UNIT_NUMBER, "reflectance of the ground"},
-    {"beta", PP_UNIT_ANGLE, "slope of the glass, 0 horizontal"},
+    {"beta", PP_UNIT_ANGLE, "slope of the glass (0: horizontal)"},
     PP_WELL_QUANTITIES,
     {0},
 };
@@ -64,7 +65,7 @@ const struct pp_formula pp_entering_light_C_g_of_well = {
     .symbol = "C_g",
     .sum = "100 rho_g (1 - cos(beta)) / 2 N",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "through the foot of a well from the ground",
+    .what = "light through the foot of a well from the ground",
     .quantities = of_C_g_of_well,
     .fixed = true,
 };
@@ -72,7 +73,8 @@ const struct pp_formula pp_entering_light_C_g_of_well = {
 static const struct pp_formula_quantity of_E_w[] = {
     PP_ENTERING_LIGHT_QUANTITIES,
     PP_WELL_QUANTITIES,
-    {"f", PP_UNIT_NUMBER, "share of light from the foot that falls on the plane"},
+    {"f", PP_UNIT_NUMBER,
+     "fraction of the light from the foot that falls on the plane"},
     {"S", PP_UNIT_SQUARE_METRE, "area of the working plane"},
     {0},
 };
@@ -81,13 +83,13 @@ const struct pp_formula pp_entering_light_E_w = {
     .symbol = "E_w",
     .sum = "tau Ag (C + C_g) (1 - N_d / N) f / S",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "on the working plane by light that the sides of a well reflected",
+    .what = "illuminance of the working plane by light reflected in the well",
     .quantities = of_E_w,
 };
 
 static const struct pp_formula_quantity of_with_well[] = {
-    {"irc", PP_UNIT_DAYLIGHT_FACTOR, "by the formula of the room"},
-    {"E_w", PP_UNIT_DAYLIGHT_FACTOR, "from the sides of the well"},
+    {"irc", PP_UNIT_DAYLIGHT_FACTOR, "component from the formula for the room"},
+    {"E_w", PP_UNIT_DAYLIGHT_FACTOR, "illuminance from the sides of the well"},
     {0},
 };
 
@@ -95,7 +97,7 @@ const struct pp_formula pp_entering_light_with_well = {
     .symbol = "irc",
     .sum = "irc + E_w",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "with what comes from the sides of a well",
+    .what = "internally reflected component, with light from the sides of a well",
     .quantities = of_with_well,
     .fixed = true,
 };
@@ -104,7 +106,7 @@ const struct pp_formula pp_entering_light_u = {
     .symbol = "u",
     .sum = "(1 - cos(beta)) / 2",
     .unit = PP_UNIT_NUMBER,
-    .what = "share of the diffusing pane's light that goes up",
+    .what = "fraction of the diffusing pane's light that goes upwards",
     .quantities = of_C_g,
 };
 
@@ -114,21 +116,21 @@ static void put_C(struct pp_worksheet *sheet, const struct pp_outside_light *lig
 {
     bool vertical = pp_refusals_unless_vertical(opening) == NULL;
     if (vertical && light->sky.kind == PP_SKY_OVERCAST) {
-        pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
-                         pp_obstruction_factor(alpha_rad), "C",
-                         "on the glass from above the horizon, from the table");
+        pp_worksheet_put(
+            sheet, PP_UNIT_DAYLIGHT_FACTOR, pp_obstruction_factor(alpha_rad), "C",
+            "illuminance on the glass from above the horizon, from the table");
         return;
     }
     struct pp_vec3 outward = pp_vec_scale(opening->inner.normal, -1.0);
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
                      pp_sky_on_plane(&light->sky, outward), "C_hv",
-                     "on glass of that slope from the open sky");
+                     "illuminance on glass of this slope from the open sky");
     if (pp_well_is(opening))
         pp_worksheet_work(sheet, &pp_entering_light_C_of_well,
-                          "through the foot of the well from above the horizon");
+                          "light through the foot of the well from above the horizon");
     else
         pp_worksheet_work(sheet, &pp_entering_light_C,
-                          "on the glass from above the horizon");
+                          "illuminance on the glass from above the horizon");
 }
 
 enum pp_status pp_entering_light(struct pp_worksheet *sheet,
@@ -136,7 +138,6 @@ enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                                  const struct pp_outside_light *light,
                                  const struct pp_opening *opening, struct pp_error *err)
 {
-    int line = opening->line;
     double alpha_rad;
     enum pp_status status =
         pp_obstruction_angle(&alpha_rad, world, light, opening, err);
@@ -144,26 +145,26 @@ enum pp_status pp_entering_light(struct pp_worksheet *sheet,
         return status;
     pp_allowance_net_glass(sheet, &pp_allowance_glass_Ag, opening);
     pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "tau",
-                     "opening on line %d: diffuse transmittance%s", line,
-                     opening->glass.panes == 0 ? ", no glass" : "");
+                     "diffuse transmittance of the glass%s",
+                     opening->glass.panes == 0 ? " (unglazed)" : "");
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, alpha_rad, "alpha",
-                     "opening on line %d: angle of the obstruction", line);
+                     "angle of the obstruction");
     if (pp_well_is(opening))
         pp_well_put(sheet, world, light, opening);
     put_C(sheet, light, opening, alpha_rad);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, light->ground_reflectance, "rho_g",
                      "reflectance of the ground");
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, opening->slope_rad, "beta",
-                     "opening on line %d: slope of the glass", line);
+                     "slope of the glass");
     if (pp_well_is(opening))
         pp_worksheet_work(sheet, &pp_entering_light_C_g_of_well,
-                          "through the foot of the well from the ground");
+                          "light through the foot of the well from the ground");
     else
         pp_worksheet_work(sheet, &pp_entering_light_C_g,
-                          "on the glass from the ground");
+                          "illuminance on the glass from the ground");
     if (opening->glass.diffusing)
         pp_worksheet_work(sheet, &pp_entering_light_u,
-                          "share of the diffusing pane's light that goes up");
+                          "fraction of the diffusing pane's light that goes upwards");
     return PP_OK;
 }
 
@@ -175,9 +176,9 @@ double pp_entering_light_of_well(struct pp_worksheet *sheet,
     if (!pp_well_is(opening))
         return irc;
     pp_well_put_foot(sheet, world, opening);
-    pp_worksheet_work(sheet, E_w, "on the working plane from the sides of the well");
+    pp_worksheet_work(sheet, E_w,
+                      "illuminance of the working plane from the sides of the well");
     return pp_worksheet_work(
         sheet, &pp_entering_light_with_well,
-        "opening on line %d: with what comes from the sides of its well",
-        opening->line);
+        "internally reflected component, with light from the sides of the well");
 }

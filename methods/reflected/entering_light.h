@@ -30,20 +30,21 @@
 
 /* Rows of a formula's list of quantities. */
 #define PP_ENTERING_LIGHT_QUANTITIES                                                   \
-    {"tau", PP_UNIT_NUMBER,                                                            \
-     "diffuse transmittance of the opening's own glass, 1 for no glass"},              \
+    {"tau", PP_UNIT_NUMBER, "diffuse transmittance of the glass (1 if unglazed)"},     \
         {"Ag", PP_UNIT_SQUARE_METRE,                                                   \
-         "net area of glass: opening area times frame factor"},                        \
-        {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},                  \
-        {"C", PP_UNIT_DAYLIGHT_FACTOR, "on the glass from above the horizon"},         \
+         "net glass area: opening area times frame factor"},                           \
+        {"alpha", PP_UNIT_ANGLE, "angle of the obstruction"},                          \
+        {"C", PP_UNIT_DAYLIGHT_FACTOR,                                                 \
+         "illuminance on the glass from above the horizon"},                           \
         {"rho_g", PP_UNIT_NUMBER, "reflectance of the ground"},                        \
-        {"beta", PP_UNIT_ANGLE, "slope of the glass, 0 horizontal"},                   \
+        {"beta", PP_UNIT_ANGLE, "slope of the glass (0: horizontal)"},                 \
     {                                                                                  \
-        "C_g", PP_UNIT_DAYLIGHT_FACTOR, "on the glass from the ground"                 \
+        "C_g", PP_UNIT_DAYLIGHT_FACTOR, "illuminance on the glass from the ground"     \
     }
 #define PP_ENTERING_LIGHT_SHARE_UP                                                     \
     {                                                                                  \
-        "u", PP_UNIT_NUMBER, "share of the diffusing pane's light that goes up"        \
+        "u", PP_UNIT_NUMBER,                                                           \
+            "fraction of the diffusing pane's light that goes upwards"                 \
     }
 
 /* Rows of a method's list of formulae. */

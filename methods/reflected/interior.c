@@ -159,9 +159,9 @@ struct pp_interior pp_interior_all(const struct pp_world *world)
 void pp_interior_put(struct pp_worksheet *sheet, const struct pp_interior *all)
 {
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, all->area_m2, "A",
-                     "area of all inside surfaces, openings included");
+                     "area of all interior surfaces, openings included");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, all->reflectance, "R",
-                     "their mean reflectance, openings with 0.1");
+                     "mean reflectance of these surfaces (openings: 0.1)");
 }
 
 struct pp_interior pp_interior_role(const struct pp_world *world, enum pp_role role)

@@ -36,9 +36,10 @@ struct pp_interior pp_interior_role_above(const struct pp_world *world,
 
 /* Rows of a formula's list of quantities for A and R. */
 #define PP_INTERIOR_QUANTITIES                                                         \
-    {"A", PP_UNIT_SQUARE_METRE, "area of all inside surfaces, openings included"},     \
+    {"A", PP_UNIT_SQUARE_METRE, "area of all interior surfaces, openings included"},   \
     {                                                                                  \
-        "R", PP_UNIT_NUMBER, "their area-weighted mean reflectance, openings with 0.1" \
+        "R", PP_UNIT_NUMBER,                                                           \
+            "area-weighted mean reflectance of these surfaces (openings: 0.1)"         \
     }
 
 struct pp_interior_parts {

@@ -50,15 +50,15 @@ static bool covers(double low, double high, double value)
 const char *pp_irc_minimum_lacks(const struct pp_irc_minimum_entry *entry)
 {
     if (!covers(small_floor_m2, large_floor_m2, entry->floor_m2))
-        return "its table holds floors of 10 to 90 m2 only";
+        return "the table covers floors of 10 to 90 m2 only";
     if (!covers(by_floor[0], by_floor[FLOORS - 1], 100.0 * entry->floor))
-        return "its table holds floors that reflect 0.1 to 0.4 only";
+        return "the table covers floor reflectances of 0.1 to 0.4 only";
     if (!covers(by_walls[0][0], by_walls[WALLS - 1][0], 100.0 * entry->walls))
-        return "its table holds walls that reflect 0.2 to 0.8 only";
+        return "the table covers wall reflectances of 0.2 to 0.8 only";
     if (!covers(by_ceiling[0][0], by_ceiling[CEILINGS - 1][0], 100.0 * entry->ceiling))
-        return "its table holds ceilings that reflect 0.4 to 0.8 only";
+        return "the table covers ceiling reflectances of 0.4 to 0.8 only";
     if (!covers(0.0, printed[ROWS - 1][0], 100.0 * entry->glass_m2 / entry->floor_m2))
-        return "its table holds up to half as much glass as floor only";
+        return "the table covers glass areas up to half the floor area only";
     return NULL;
 }
 

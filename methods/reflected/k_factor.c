@@ -23,7 +23,7 @@
 #include "methods/refusals.h"
 
 static const struct pp_formula_quantity of_K[] = {
-    {"C", PP_UNIT_DAYLIGHT_FACTOR, "on the glass from the sky"},
+    {"C", PP_UNIT_DAYLIGHT_FACTOR, "illuminance on the glass from the sky"},
     PP_WELL_QUANTITIES,
     {0},
 };
@@ -37,7 +37,7 @@ static const struct pp_formula factor = {
 };
 
 static const struct pp_formula_quantity of_rooflight[] = {
-    {"W", PP_UNIT_SQUARE_METRE, "net area of glass"},
+    {"W", PP_UNIT_SQUARE_METRE, "net glass area"},
     {"K", PP_UNIT_DAYLIGHT_FACTOR, "mean daylight factor at the foot of the well"},
     {"R_fw", PP_UNIT_NUMBER, "mean reflectance of floor and walls"},
     PP_INTERIOR_QUANTITIES,
@@ -49,15 +49,16 @@ static const struct pp_formula rooflight = {
     .sum = "W K R_fw / (A (1 - R))",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "TS93, algorithm 2.43",
-    .what = "average internally reflected component, level rooflights",
+    .what = "average internally reflected component, horizontal rooflights",
     .quantities = of_rooflight,
 };
 
 static const struct pp_formula_quantity of_E_w[] = {
-    {"W", PP_UNIT_SQUARE_METRE, "net area of glass"},
+    {"W", PP_UNIT_SQUARE_METRE, "net glass area"},
     {"K", PP_UNIT_DAYLIGHT_FACTOR, "mean daylight factor at the foot of the well"},
     PP_WELL_QUANTITIES,
-    {"f", PP_UNIT_NUMBER, "share of light from the foot that falls on the plane"},
+    {"f", PP_UNIT_NUMBER,
+     "fraction of the light from the foot that falls on the plane"},
     {"S", PP_UNIT_SQUARE_METRE, "area of the working plane"},
     {0},
 };
@@ -66,7 +67,7 @@ static const struct pp_formula well = {
     .symbol = "E_w",
     .sum = "W K (1 - N_d / N) f / S",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "on the working plane by light that the sides of a well reflected",
+    .what = "illuminance of the working plane by light reflected in the well",
     .quantities = of_E_w,
 };
 
@@ -92,7 +93,7 @@ static const char *k_factor_refuses(const struct pp_world *world,
     (void)world, (void)light, (void)receiver;
     if (is_level(opening) || !pp_refusals_unless_vertical(opening))
         return NULL;
-    return "slopes; windows and level rooflights only are covered";
+    return "slopes; the method covers vertical windows and horizontal rooflights only";
 }
 
 /* Puts down K and its quantities. */
@@ -101,10 +102,11 @@ static void put_K(struct pp_worksheet *sheet, const struct pp_world *world,
                   const struct pp_opening *opening, double alpha_rad)
 {
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, alpha_rad, "alpha",
-                     "opening on line %d: angle of the obstruction", opening->line);
+                     "angle of the obstruction");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, 1.0, "C_hv",
-                     "on level glass from the open sky");
-    pp_worksheet_work(sheet, &pp_entering_light_C, "on the glass from the sky");
+                     "illuminance on horizontal glass from the open sky");
+    pp_worksheet_work(sheet, &pp_entering_light_C,
+                      "illuminance on the glass from the sky");
     pp_well_put(sheet, world, light, opening);
     pp_worksheet_work(sheet, &factor, "mean daylight factor at the foot of the well");
 }
@@ -121,9 +123,8 @@ static double of_level_glass(struct pp_worksheet *sheet, const struct pp_world *
     pp_interior_put(sheet, &all);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, below.reflectance, "R_fw",
                      "mean reflectance of floor and walls");
-    double irc = pp_worksheet_work(
-        sheet, &rooflight, "opening on line %d: average internally reflected component",
-        opening->line);
+    double irc =
+        pp_worksheet_work(sheet, &rooflight, "average internally reflected component");
     return pp_entering_light_of_well(sheet, &well, world, opening, irc);
 }
 
@@ -151,7 +152,7 @@ static enum pp_status evaluate_k_factor(const struct pp_world *world,
 
 const struct pp_method pp_method_k_factor = {
     .name = "k-factor",
-    .summary = "average internally reflected component, rooflights and their wells by "
+    .summary = "average internally reflected component, with rooflights and wells by "
                "the K factor",
     .source = "BRE310",
     .formulae = formulae,

@@ -14,8 +14,9 @@
 
 #define ZONES                                                                          \
     {"F", PP_UNIT_NUMBER, "form factor between plane and ceiling"},                    \
-        {"m", PP_UNIT_NUMBER, "form factor from the walls to each of them"},           \
-        {"rho_p", PP_UNIT_NUMBER, "reflectance of what lies below the plane"},         \
+        {"m", PP_UNIT_NUMBER,                                                          \
+         "form factor from the walls to the plane, and to the ceiling"},               \
+        {"rho_p", PP_UNIT_NUMBER, "effective reflectance below the plane"},            \
         {"rho_c", PP_UNIT_NUMBER, "reflectance of the ceiling"},                       \
     {                                                                                  \
         "rho_v", PP_UNIT_NUMBER, "mean reflectance of the walls above the plane"       \
@@ -23,14 +24,14 @@
 
 static const struct pp_formula_quantity of_cavity_below[] = {
     {"S", PP_UNIT_SQUARE_METRE, "area of the working plane"},
-    {"A_l", PP_UNIT_SQUARE_METRE, "area of what lies below it"},
-    {"rho_l", PP_UNIT_NUMBER, "mean reflectance of that"},
+    {"A_l", PP_UNIT_SQUARE_METRE, "area of surfaces below the working plane"},
+    {"rho_l", PP_UNIT_NUMBER, "mean reflectance of these surfaces"},
     {0},
 };
 static const struct pp_formula_quantity of_cavity_above[] = {
     {"S", PP_UNIT_SQUARE_METRE, "area of the working plane"},
     {"A_c", PP_UNIT_SQUARE_METRE, "area of the ceiling, openings included"},
-    {"rho_a", PP_UNIT_NUMBER, "its mean reflectance, openings with 0.1"},
+    {"rho_a", PP_UNIT_NUMBER, "mean reflectance of the ceiling (openings: 0.1)"},
     {0},
 };
 static const struct pp_formula_quantity of_m[] = {
@@ -41,32 +42,38 @@ static const struct pp_formula_quantity of_m[] = {
 };
 static const struct pp_formula_quantity of_zones[] = {ZONES, {0}};
 static const struct pp_formula_quantity of_u_c[] = {
-    ZONES, {"u_w", PP_UNIT_NUMBER, "of light on the walls, on the plane"}, {0}};
+    ZONES,
+    {"u_w", PP_UNIT_NUMBER,
+     "fraction of the light on the walls that reaches the plane"},
+    {0}};
 static const struct pp_formula_quantity of_u_p[] = {
     ZONES,
-    {"u_w", PP_UNIT_NUMBER, "of light on the walls, on the plane"},
-    {"u_c", PP_UNIT_NUMBER, "of light on the ceiling, on the plane"},
+    {"u_w", PP_UNIT_NUMBER,
+     "fraction of the light on the walls that reaches the plane"},
+    {"u_c", PP_UNIT_NUMBER,
+     "fraction of the light on the ceiling that reaches the plane"},
     {0},
 };
 
 const struct pp_formula pp_room_zones_below =
     OWN("rho_p", "rho_l S / (A_l (1 - rho_l) + rho_l S)", PP_UNIT_NUMBER,
-        "reflectance of what lies below the plane", of_cavity_below);
+        "effective reflectance below the plane", of_cavity_below);
 const struct pp_formula pp_room_zones_above =
     OWN("rho_c", "rho_a S / (A_c (1 - rho_a) + rho_a S)", PP_UNIT_NUMBER,
-        "reflectance of the ceiling as a cavity", of_cavity_above);
+        "effective reflectance of the ceiling cavity", of_cavity_above);
 const struct pp_formula pp_room_zones_m =
     OWN("m", "S (1 - F) / A_w", PP_UNIT_NUMBER,
-        "form factor from the walls to plane and to ceiling", of_m);
-const struct pp_formula pp_room_zones_u_w = OWN(
-    "u_w", "rho_v m (1 + rho_c F) / (1 - rho_v (1 - 2 m) - rho_c rho_v (1 - F) m)",
-    PP_UNIT_NUMBER, "share of light on the walls that comes to the plane", of_zones);
+        "form factor from the walls to the plane, and to the ceiling", of_m);
+const struct pp_formula pp_room_zones_u_w =
+    OWN("u_w", "rho_v m (1 + rho_c F) / (1 - rho_v (1 - 2 m) - rho_c rho_v (1 - F) m)",
+        PP_UNIT_NUMBER, "fraction of the light on the walls that reaches the plane",
+        of_zones);
 const struct pp_formula pp_room_zones_u_c =
     OWN("u_c", "rho_c (F + (1 - F) u_w)", PP_UNIT_NUMBER,
-        "share of light on the ceiling that comes to the plane", of_u_c);
+        "fraction of the light on the ceiling that reaches the plane", of_u_c);
 const struct pp_formula pp_room_zones_u_p =
     OWN("u_p", "F u_c + (1 - F) u_w", PP_UNIT_NUMBER,
-        "share of light from the plane that comes back", of_u_p);
+        "fraction of the light from the plane that returns to it", of_u_p);
 
 /* Length of the working plane's outline (m). */
 static double outline_m(const struct pp_region *plane)
@@ -103,29 +110,31 @@ double pp_room_zones_put(struct pp_worksheet *sheet, const struct pp_world *worl
     double height_m = walls.area_m2 / outline_m(&world->plane);
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, S, "S", "area of the working plane");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, low.area_m2, "A_l",
-                     "area of what lies below it");
+                     "area of surfaces below the working plane");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, low.reflectance, "rho_l",
-                     "mean reflectance of that");
+                     "mean reflectance of these surfaces");
     pp_worksheet_work(sheet, &pp_room_zones_below,
-                      "reflectance of the cavity below the plane");
+                      "effective reflectance of the cavity below the plane");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, ceiling.area_m2, "A_c",
                      "area of the ceiling");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, ceiling.reflectance, "rho_a",
-                     "its mean reflectance, openings with 0.1");
+                     "mean reflectance of the ceiling (openings: 0.1)");
     pp_worksheet_work(sheet, &pp_room_zones_above,
-                      "reflectance of the ceiling as a cavity");
+                      "effective reflectance of the ceiling cavity");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, fmax(walls.area_m2, 1e-9), "A_w",
                      "area of the walls above the plane");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, walls.reflectance, "rho_v",
-                     "their mean reflectance, openings with 0.1");
+                     "mean reflectance of the walls (openings: 0.1)");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER,
                      form_factor(S, outline_m(&world->plane), height_m), "F",
                      "form factor between plane and ceiling, %.2f m apart", height_m);
     pp_worksheet_work(sheet, &pp_room_zones_m,
-                      "form factor from the walls to each of them");
-    pp_worksheet_work(sheet, &pp_room_zones_u_w, "of light on the walls, on the plane");
+                      "form factor from the walls to the plane, and to the ceiling");
+    pp_worksheet_work(sheet, &pp_room_zones_u_w,
+                      "fraction of the light on the walls that reaches the plane");
     pp_worksheet_work(sheet, &pp_room_zones_u_c,
-                      "of light on the ceiling, on the plane");
-    pp_worksheet_work(sheet, &pp_room_zones_u_p, "of light from the plane, back on it");
+                      "fraction of the light on the ceiling that reaches the plane");
+    pp_worksheet_work(sheet, &pp_room_zones_u_p,
+                      "fraction of the light from the plane that returns to it");
     return height_m;
 }

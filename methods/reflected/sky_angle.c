@@ -8,7 +8,7 @@
 
 static const struct pp_formula_quantity of_head[] = {
     {"h", PP_UNIT_METRE, "height of the opening"},
-    {"d", PP_UNIT_METRE, "depth of the reveal, to the facade's plane"},
+    {"d", PP_UNIT_METRE, "depth of the reveal, to the plane of the facade"},
     {0},
 };
 
@@ -16,13 +16,13 @@ const struct pp_formula pp_sky_angle_head = {
     .symbol = "theta_h",
     .sum = "atan(h / 2 / d)",
     .unit = PP_UNIT_ANGLE,
-    .what = "altitude of the reveal's head; 90 degrees without a reveal",
+    .what = "altitude of the head of the reveal (90 degrees without a reveal)",
     .quantities = of_head,
 };
 
 static const struct pp_formula_quantity of_limits[] = {
-    {"beta", PP_UNIT_ANGLE, "slope of the glass, 0 horizontal"},
-    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
+    {"beta", PP_UNIT_ANGLE, "slope of the glass (0: horizontal)"},
+    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction"},
     {0},
 };
 #define UPPER(text, words)                                                             \
@@ -31,13 +31,13 @@ static const struct pp_formula_quantity of_limits[] = {
         .quantities = of_limits                                                        \
     }
 const struct pp_formula pp_sky_angle_upper[2] = {
-    UPPER("180 - beta", "upper limit of the sky, glass that slopes"),
-    UPPER("180 - alpha", "upper limit of the sky, level glass"),
+    UPPER("180 - beta", "upper limit of visible sky, sloping glass"),
+    UPPER("180 - alpha", "upper limit of visible sky, horizontal glass"),
 };
 
 static const struct pp_formula_quantity of_theta[] = {
-    {"theta_h", PP_UNIT_ANGLE, "upper limit of the sky in section"},
-    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction outside"},
+    {"theta_h", PP_UNIT_ANGLE, "upper limit of visible sky in section"},
+    {"alpha", PP_UNIT_ANGLE, "angle of the obstruction"},
     {0},
 };
 
@@ -59,20 +59,19 @@ static double depth_of(const struct pp_opening *opening)
 
 static void put_reveal(struct pp_worksheet *sheet, const struct pp_opening *opening)
 {
-    int line = opening->line;
     pp_worksheet_put(sheet, PP_UNIT_METRE, opening->height_m, "h",
-                     "opening on line %d: height", line);
+                     "height of the opening");
     pp_worksheet_put(sheet, PP_UNIT_METRE, depth_of(opening), "d",
-                     "opening on line %d: depth of the reveal", line);
+                     "depth of the reveal");
 }
 
 static void put_sloping(struct pp_worksheet *sheet, const struct pp_opening *opening)
 {
     bool level = sin(opening->slope_rad) < 1e-6;
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, opening->slope_rad, "beta",
-                     "opening on line %d: slope of the glass", opening->line);
+                     "slope of the glass");
     pp_worksheet_work(sheet, &pp_sky_angle_upper[level],
-                      "upper limit of the sky in section");
+                      "upper limit of visible sky in section");
     pp_worksheet_work(sheet, &pp_sky_angle_theta, "angle of visible sky");
 }
 
@@ -81,7 +80,6 @@ enum pp_status pp_sky_angle(struct pp_worksheet *sheet, const struct pp_world *w
                             const struct pp_opening *opening, struct pp_error *err)
 {
     double alpha_rad;
-    int line = opening->line;
     bool vertical = pp_refusals_unless_vertical(opening) == NULL;
     enum pp_status status =
         pp_obstruction_angle(&alpha_rad, world, light, opening, err);
@@ -89,13 +87,14 @@ enum pp_status pp_sky_angle(struct pp_worksheet *sheet, const struct pp_world *w
         return status;
     if (vertical && depth_of(opening) > 0.0) {
         put_reveal(sheet, opening);
-        pp_worksheet_work(sheet, &pp_sky_angle_head, "altitude of the reveal's head");
+        pp_worksheet_work(sheet, &pp_sky_angle_head,
+                          "altitude of the head of the reveal");
     } else if (vertical) {
         pp_worksheet_put(sheet, PP_UNIT_ANGLE, PP_PI / 2.0, "theta_h",
-                         "opening on line %d: up to the zenith", line);
+                         "upper limit of visible sky: the zenith");
     }
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, alpha_rad, "alpha",
-                     "opening on line %d: angle of the obstruction", line);
+                     "angle of the obstruction");
     if (vertical)
         pp_worksheet_work(sheet, &pp_sky_angle_theta, "angle of visible sky");
     else

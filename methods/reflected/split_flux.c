@@ -25,19 +25,19 @@ static const char *split_flux_refuses(const struct pp_world *world,
     (void)light, (void)receiver;
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     if (!(parts.upper.reflectance * parts.lower.reflectance < 1.0))
-        return "lights parts of the room that reflect all light, without end";
+        return "is in a room with parts whose mean reflectance is 1";
     return NULL;
 }
 
 #define QUANTITIES                                                                     \
     PP_ENTERING_LIGHT_QUANTITIES,                                                      \
         {"A_u", PP_UNIT_SQUARE_METRE,                                                  \
-         "area of the surfaces above the middle of the opening's height, window "      \
-         "walls included without their openings"},                                     \
-        {"rho_u", PP_UNIT_NUMBER, "their mean reflectance"},                           \
-        {"A_l", PP_UNIT_SQUARE_METRE, "area of those below it"},                       \
+         "area of surfaces above the centre of the opening, with window walls, "       \
+         "without openings"},                                                          \
+        {"rho_u", PP_UNIT_NUMBER, "mean reflectance of these surfaces"},               \
+        {"A_l", PP_UNIT_SQUARE_METRE, "area of surfaces below this height"},           \
     {                                                                                  \
-        "rho_l", PP_UNIT_NUMBER, "their mean reflectance"                              \
+        "rho_l", PP_UNIT_NUMBER, "mean reflectance of these surfaces"                  \
     }
 
 static const struct pp_formula_quantity of_clear[] = {QUANTITIES, {0}};
@@ -60,7 +60,7 @@ static const struct pp_formula diffusing = {
         "A_l)",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "GEEBELEN, eq. 12",
-    .what = "average internally reflected component, a diffusing pane",
+    .what = "average internally reflected component, diffusing pane",
     .quantities = of_diffusing,
 };
 
@@ -68,7 +68,8 @@ static const struct pp_formula one_part = {
     .symbol = "irc",
     .sum = "0",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "average internally reflected component, all of the room above or below",
+    .what = "average internally reflected component, all of the room on one side of "
+            "the centre",
     .quantities = of_clear,
     .fixed = true,
 };
@@ -91,21 +92,20 @@ static enum pp_status evaluate_split_flux(const struct pp_world *world,
         return status;
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, parts.upper.area_m2, "A_u",
-                     "area of all above %.2f m, the middle of the opening",
+                     "area of surfaces above %.2f m, the centre of the opening",
                      opening->middle_z_m);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.upper.reflectance, "rho_u",
-                     "its mean reflectance");
+                     "mean reflectance of these surfaces");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, parts.lower.area_m2, "A_l",
-                     "area of all below it");
+                     "area of surfaces below this height");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.lower.reflectance, "rho_l",
-                     "its mean reflectance");
+                     "mean reflectance of these surfaces");
     bool both = parts.upper.area_m2 > 0.0 && parts.lower.area_m2 > 0.0;
-    double irc = pp_worksheet_work(
-        sheet,
-        !both                      ? &one_part
-        : opening->glass.diffusing ? &diffusing
-                                   : &clear,
-        "opening on line %d: average internally reflected component", opening->line);
+    double irc = pp_worksheet_work(sheet,
+                                   !both                      ? &one_part
+                                   : opening->glass.diffusing ? &diffusing
+                                                              : &clear,
+                                   "average internally reflected component");
     part->value = pp_entering_light_of_well(&part->sheet, &pp_entering_light_E_w, world,
                                             opening, irc);
     return PP_OK;
@@ -113,8 +113,8 @@ static enum pp_status evaluate_split_flux(const struct pp_world *world,
 
 const struct pp_method pp_method_split_flux = {
     .name = "split-flux",
-    .summary = "average internally reflected component, light split by upper and lower "
-               "half",
+    .summary = "average internally reflected component, light split into upward and "
+               "downward parts",
     .source = "GEEBELEN",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -176,15 +176,14 @@ void pp_well_put(struct pp_worksheet *sheet, const struct pp_world *world,
 {
     struct pp_well_shape shape = shape_of(world, opening);
     struct pp_well_efficiency N = pp_well_of(world, light, opening);
-    int line = opening->line;
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, pp_well_index(&shape), "w",
-                     "opening on line %d: index of its well", line);
+                     "index of the well");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, shape.sides, "rho_w",
-                     "reflectance of the well's sides");
+                     "reflectance of the sides of the well");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, N.whole, "N",
-                     "share of the light that leaves the well");
+                     "fraction of the light that leaves the well");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, N.direct, "N_d",
-                     "share that has not met its sides");
+                     "fraction that leaves without reflection in the well");
 }
 
 double pp_well_foot_to_plane(const struct pp_world *world,
@@ -197,8 +196,9 @@ double pp_well_foot_to_plane(const struct pp_world *world,
 void pp_well_put_foot(struct pp_worksheet *sheet, const struct pp_world *world,
                       const struct pp_opening *opening)
 {
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, pp_well_foot_to_plane(world, opening), "f",
-                     "share of light from the well's foot that falls on the plane");
+    pp_worksheet_put(
+        sheet, PP_UNIT_NUMBER, pp_well_foot_to_plane(world, opening), "f",
+        "fraction of the light from the foot of the well that falls on the plane");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, pp_region_area(&world->plane), "S",
                      "area of the working plane");
 }

@@ -66,10 +66,10 @@ void pp_well_put_foot(struct pp_worksheet *sheet, const struct pp_world *world,
 /* Rows of a formula's list of quantities. */
 #define PP_WELL_QUANTITIES                                                             \
     {"w", PP_UNIT_NUMBER, "index of the well"},                                        \
-        {"rho_w", PP_UNIT_NUMBER, "reflectance of its sides"},                         \
-        {"N", PP_UNIT_NUMBER, "share of the light that leaves the well"},              \
+        {"rho_w", PP_UNIT_NUMBER, "reflectance of the sides of the well"},             \
+        {"N", PP_UNIT_NUMBER, "fraction of the light that leaves the well"},           \
     {                                                                                  \
-        "N_d", PP_UNIT_NUMBER, "share that has not met its sides"                      \
+        "N_d", PP_UNIT_NUMBER, "fraction that leaves without reflection in the well"   \
     }
 
 #endif

@@ -134,12 +134,12 @@ void pp_window_drawing_clear(struct pp_window_drawing *drawing)
 
 static const struct pp_formula_quantity quantities[] = {
     {"n", PP_UNIT_COUNT, "squares or dots counted"},
-    {"w", PP_UNIT_DAYLIGHT_FACTOR, "what one of the diagram is worth"},
+    {"w", PP_UNIT_DAYLIGHT_FACTOR, "value of one square or dot"},
     {0},
 };
 static const struct pp_formula_quantity of_hidden[] = {
     {"n", PP_UNIT_COUNT, "squares or dots counted"},
-    {"w", PP_UNIT_DAYLIGHT_FACTOR, "what one of the diagram is worth"},
+    {"w", PP_UNIT_DAYLIGHT_FACTOR, "value of one square or dot"},
     {"f", PP_UNIT_NUMBER, "luminance factor of the obstruction"},
     {0},
 };

@@ -52,7 +52,7 @@ static const char *waldram_refuses_room(const struct pp_world *world,
                                         const struct pp_receiver *receiver)
 {
     if (pp_sky_has_azimuth(&light->sky))
-        return "the diagram holds skies that are the same in all azimuths";
+        return "valid only for skies without azimuth dependence";
     const char *why = pp_refusals_unless_up(receiver);
     why = why ? why : pp_refusals_if_fine_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
@@ -65,9 +65,10 @@ static const char *waldram_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
-        return "has diffusing glass; the diagram holds clear glass only";
+        return "has diffusing glass; the diagram covers clear glass only";
     if (opening->glass.panes > 0 && pp_refusals_unless_vertical(opening))
-        return "has sloping glass; the diagram with glass holds vertical openings only";
+        return "has sloping glass; the diagram with glass covers vertical openings "
+               "only";
     return NULL;
 }
 
@@ -87,7 +88,7 @@ static enum pp_status evaluate_waldram(const struct pp_world *world,
     if (status != PP_OK)
         return status;
     pp_worksheet_put(&part->sheet, PP_UNIT_DAYLIGHT_FACTOR, PP_WALDRAM_WORTH, "w",
-                     "a square of the diagram is worth");
+                     "value of one square");
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, drawing.count);
     for (int i = 0; i < drawing.count && status == PP_OK; i++) {
         const struct pp_drawn_part *drawn = &drawing.parts[i];

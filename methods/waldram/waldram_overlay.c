@@ -26,8 +26,8 @@
 
 static const struct pp_formula_quantity of_squares[] = {
     {"n", PP_UNIT_COUNT, "squares counted"},
-    {"tau", PP_UNIT_NUMBER, "mean transmittance of the glass over them"},
-    {"w", PP_UNIT_DAYLIGHT_FACTOR, "what one of the diagram is worth"},
+    {"tau", PP_UNIT_NUMBER, "mean transmittance of the glass over these squares"},
+    {"w", PP_UNIT_DAYLIGHT_FACTOR, "value of one square"},
     {"f", PP_UNIT_NUMBER, "luminance factor of the obstruction"},
     {0},
 };
@@ -96,7 +96,7 @@ static const char *waldram_overlay_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     return opening->glass.diffusing
-               ? "has diffusing glass; the overlay holds clear glass only"
+               ? "has diffusing glass; the overlay covers clear glass only"
                : NULL;
 }
 
@@ -143,7 +143,7 @@ static double squares_worked(struct pp_part_steps *terms,
     pp_worksheet_put(terms->sheet, PP_UNIT_COUNT, squares, "n", "squares on %s",
                      part->hidden ? "an obstruction" : "the sky");
     pp_worksheet_put(terms->sheet, PP_UNIT_NUMBER, tau, "tau",
-                     "mean transmittance of the glass over them");
+                     "mean transmittance of the glass over these squares");
     pp_worksheet_know(terms->sheet, PP_UNIT_NUMBER, part->factor, "f");
     if (!part->hidden)
         return pp_part_steps_work(terms, false, &sky_component, "sky component");
@@ -167,7 +167,7 @@ static enum pp_status evaluate_waldram_overlay(const struct pp_world *world,
     if (status != PP_OK)
         return status;
     pp_worksheet_put(&part->sheet, PP_UNIT_DAYLIGHT_FACTOR, PP_WALDRAM_WORTH, "w",
-                     "a square of the diagram without glass is worth");
+                     "value of one square without glass");
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, drawing.count);
     for (int i = 0; i < drawing.count; i++) {
         const struct pp_drawn_part *drawn = &drawing.parts[i];
@@ -213,8 +213,8 @@ static const char *waldram_overlay_refuses_room(const struct pp_world *world,
 
 const struct pp_method pp_method_waldram_overlay = {
     .name = "waldram-overlay",
-    .summary =
-        "squares of Waldram's diagram without glass, under an overlay of the glass",
+    .summary = "direct component by counting squares on a Waldram diagram, with an "
+               "overlay for the glass",
     .source = "WW23",
     .formulae = formulae,
     .gives = PP_GIVES_DIRECT,

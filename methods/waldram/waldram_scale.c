@@ -46,8 +46,7 @@ static enum pp_status tabulate(struct pp_waldram *waldram, const struct pp_sky *
     if (pp_sky_has_azimuth(sky))
         return pp_fail(
             err, PP_BAD_INPUT,
-            "a Waldram diagram needs a sky that is the same in all azimuths; "
-            "%s is not",
+            "no Waldram diagram for %s; expected a sky without azimuth dependence",
             pp_sky_name(sky));
     waldram->sky = *sky;
     pp_interpolate_tabulate_integral(waldram->x, PP_WALDRAM_PANELS + 1, 0.0,

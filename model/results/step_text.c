@@ -184,11 +184,3 @@ void pp_step_text_put_in(char *text, size_t room, const struct pp_steps *steps,
     if (values == 0 || pieces == 1)
         text[0] = '\0';
 }
-
-const char *pp_step_text_what(const struct pp_calculation_step *step)
-{
-    char said[40];
-    int length = snprintf(said, sizeof said, "opening on line %d: ", step->line);
-    return strncmp(step->what, said, (size_t)length) == 0 ? step->what + length
-                                                          : step->what;
-}

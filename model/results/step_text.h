@@ -32,7 +32,4 @@ void pp_step_text_formula(char *text, size_t room,
 void pp_step_text_put_in(char *text, size_t room, const struct pp_steps *steps,
                          int index);
 
-/* Name of the step, without the opening, which stands in a heading already. */
-const char *pp_step_text_what(const struct pp_calculation_step *step);
-
 #endif

@@ -32,7 +32,7 @@ enum pp_step_unit {
 double pp_steps_printed_unit(enum pp_step_unit unit);
 
 struct pp_calculation_step {
-    char what[96];     /* "window on line 12: altitude of the head" */
+    char what[96];     /* "altitude of the head of the reveal" */
     char symbol[16];   /* "R_fw"; empty: has no name */
     char formula[640]; /* by which it was worked out; empty: read or put in */
     double value;

@@ -71,6 +71,15 @@ const char *pp_world_label(const struct pp_world *world, int line)
     return "";
 }
 
+const char *pp_world_kind(const struct pp_world *world, int line)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].line == line
+            && world->surfaces[world->openings[i].face].role != PP_WALL)
+            return "rooflight";
+    return "window";
+}
+
 int pp_world_before_meshes(const struct pp_world *world)
 {
     return world->mesh_count > 0 ? world->meshes[0].first_side : world->surface_count;

@@ -240,6 +240,9 @@ struct pp_world {
 /* Label of the first opening on that line of the room file; "" if there is none. */
 const char *pp_world_label(const struct pp_world *world, int line);
 
+/* "window" if that opening is in a wall, else "rooflight"; for texts, before its label. */
+const char *pp_world_kind(const struct pp_world *world, int line);
+
 /* Number of surfaces before those of meshes, which come last. */
 int pp_world_before_meshes(const struct pp_world *world);
 
