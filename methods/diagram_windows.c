@@ -16,7 +16,8 @@ enum pp_status pp_diagram_windows_check(const struct pp_method *method,
     for (int i = 0; i < world->opening_count; i++) {
         why = method->refuses(world, light, &world->openings[i], receiver);
         if (why)
-            return pp_fail(err, PP_BAD_INPUT, "%s: window %s %s", method->name,
+            return pp_fail(err, PP_BAD_INPUT, "%s: %s %s %s", method->name,
+                           pp_world_kind(world, world->openings[i].line),
                            world->openings[i].label, why);
     }
     return PP_OK;

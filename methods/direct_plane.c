@@ -83,7 +83,8 @@ static enum pp_status check_method(const struct pp_method *method,
     for (int i = 0; i < world->opening_count && method->refuses; i++) {
         why = method->refuses(world, light, &world->openings[i], NULL);
         if (why)
-            return pp_fail(err, PP_BAD_INPUT, "%s: window %s %s", method->name,
+            return pp_fail(err, PP_BAD_INPUT, "%s: %s %s %s", method->name,
+                           pp_world_kind(world, world->openings[i].line),
                            world->openings[i].label, why);
     }
     return PP_OK;
@@ -168,8 +169,9 @@ enum pp_status pp_direct_plane_at(const struct pp_direct_plane *plane, double x,
             (method->evaluate_roughly ? method->evaluate_roughly : method->evaluate)(
                 world, &plane->light, opening, &receiver, plane->tools, &part, err);
         if (status == PP_OK && part.why)
-            status = pp_fail(err, PP_BAD_INPUT, "%s: window %s %s", method->name,
-                             opening->label, part.why);
+            status =
+                pp_fail(err, PP_BAD_INPUT, "%s: %s %s %s", method->name,
+                        pp_world_kind(world, opening->line), opening->label, part.why);
         if (status != PP_OK)
             return status;
         double allowance = pp_allowance_of(method, world, opening);

@@ -37,8 +37,8 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
     const char *kind = opening ? pp_world_kind(report->world, opening->line) : NULL;
     const char *why =
         answer->column
-            ? pp_report_say(report, "%s: the formula %s for %s %s, in column %d", name,
-                            answer->why, kind, opening->label, answer->column)
+            ? pp_report_say(report, "%s: the formula %s, in column %d, for %s %s", name,
+                            answer->why, answer->column, kind, opening->label)
         : opening ? pp_report_say(report, "%s: %s %s %s", name, kind, opening->label,
                                   answer->why)
                   : pp_report_say(report, "%s: %s", name, answer->why);
@@ -125,7 +125,7 @@ static enum pp_status answer_all(const struct pp_method_run *run,
     }
     if (run->method->speaks_for == PP_FOR_MINIMUM && !average->why)
         *average = (struct pp_method_answer){
-            .why = "the method gives the minimum in the room, not an average"};
+            .why = "the method gives the minimum in the room, no average"};
     return by_point ? answer_points(run, report, answers, err) : PP_OK;
 }
 

@@ -156,10 +156,9 @@ static void check_columns(struct reader *reader)
     const enum column *needs = reader->top ? top_needs : side_needs;
     for (int i = 0; i < (reader->top ? 4 : 3); i++)
         if (!has_column(reader, needs[i]))
-            pp_mistakes_add(
-                reader->mistakes, reader->number,
-                "column \"%s\" is missing; it is required for light from %s",
-                reader->top ? "above" : "the side", column_names[needs[i]]);
+            pp_mistakes_add(reader->mistakes, reader->number,
+                            "a table for light from %s lacks the column \"%s\"",
+                            reader->top ? "above" : "the side", column_names[needs[i]]);
     if (reader->top) {
         static const enum column side_only[] = {COMPONENT, RATIO, DEPTH, POSITION};
         for (int i = 0; i < 4; i++)

@@ -117,7 +117,7 @@ for kind in waldram pepper-pot; do
     check "$kind from 17 points" refuses 2 "--points" chart $kind -o "$file" "$deep"
     case $kind in
     waldram)
-        check "$kind of glass that slopes" refuses 1 "the opening on line" \
+        check "$kind of glass that slopes" refuses 1 "rooflight RL1" \
             chart $kind -p 3,3 -o "$file" "$examples/studio.xml"
         ;;
     pepper-pot)
@@ -224,11 +224,11 @@ check "a numbered protractor has its slope" \
 check "a glazing that is not in the table" \
     refuses 2 "table" chart protractor --glazing milk -o "$file"
 check "a protractor of a sky that changes with azimuth" \
-    refuses 2 "azimuths" chart protractor --sky iso-12,30,180 -o "$file"
+    refuses 2 "azimuth" chart protractor --sky iso-12,30,180 -o "$file"
 check "a room has its own protractor" \
     refuses 2 "blank" chart protractor --number 2 -p 1,1 -o "$file" "$deep"
 check "no protractor for glass at such a slope" \
-    refuses 1 "the opening on line" chart protractor -p 3,3 -o "$file" "$examples/studio.xml"
+    refuses 1 "rooflight RL1" chart protractor -p 3,3 -o "$file" "$examples/studio.xml"
 check "Waldram's diagram has no number" \
     refuses 2 "--number" chart waldram --number 2 -o "$file"
 for which in average minimum rooflight; do
@@ -247,7 +247,7 @@ done
 check "a nomogram of a top-lit room" \
     quietly chart nomogram --which rooflight -o "$file" "$examples/studio.xml"
 check "windows are not rooflights" \
-    refuses 1 "no opening is a rooflight" chart nomogram --which rooflight -o "$file" "$deep"
+    refuses 1 "the room has no rooflight" chart nomogram --which rooflight -o "$file" "$deep"
 check "a nomogram under another sky" \
     refuses 2 "overcast" chart nomogram --sky uniform -o "$file" "$deep"
 check "a blank nomogram under another sky" \
@@ -275,7 +275,7 @@ check "and solved" refuses 2 "--unsolved" \
 check "under the overcast sky" refuses 2 "overcast" \
     chart position-nomogram --sky uniform -o "$file"
 check "a point whose factor leaves the scale is refused with its window" \
-    refuses 1 "the opening on line 3 gives the point a factor" \
+    refuses 1 "window W1 gives a factor outside scale F" \
     chart position-nomogram -p 1.5,35 -o "$file" "$scratch/gallery.xml"
 check "a plan has none of them" refuses 2 "--which" chart waldram --which average -o "$file"
 run chart nomogram -o "$scratch/nomogram.pdf" "$deep"

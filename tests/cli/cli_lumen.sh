@@ -11,7 +11,7 @@ check "the program's own table as a file gives the same bytes" \
     gives df --methods lumen --no-bands --format json --lumen-table "$own" \
     --lumen-table "$srcdir/tables/lumen_toplight.csv" "$deep"
 check "to the last" same "$scratch/builtin" "$scratch/out"
-check "its sum is set out" shows "coefficient for the sky" \
+check "its sum is set out" shows "coefficient of utilization for the sky" \
     df --explain --points 1.5,3 --methods lumen "$deep"
 
 printf 'Ev_over_Eh,depth_over_window_height,position_percent,2\n0.4,6,10,x\n' >"$scratch/bad"
@@ -23,5 +23,5 @@ check "a third one is too many" refuses 2 "two such files" \
     df --lumen-table "$own" --lumen-table "$own" --lumen-table "$own" "$deep"
 printf 'Ev_over_Eh,depth_over_window_height,position_percent,2\n0.4,5,10,.1\n' >"$scratch/short"
 check "a table that does not reach the room gives no number" \
-    shows "the table has 5 to 5" df --methods lumen --lumen-table "$scratch/short" "$deep"
+    shows "covers 5 to 5" df --methods lumen --lumen-table "$scratch/short" "$deep"
 tap_done

@@ -112,7 +112,7 @@ room '<mesh file="street.obj" name="Street"/>' >"$scratch/street.xml"
 check "a street of 100,000 triangles is simulated" gives df --simulate --error 5% \
     --methods exact,brs-table "$scratch/street.xml"
 check "and told of" grep -q "1 mesh of 100000 triangles" "$scratch/out"
-check "the table refuses it in words" grep -q "upright rectangles" "$scratch/out"
+check "the table refuses it in words" grep -q "external meshes" "$scratch/out"
 room '<mesh file="street.obj"/><grid spacing="0.3" margin="0"/>' >"$scratch/fine.xml"
 check "of too many points the exact method does, too" \
     shows "too many triangles" df --methods exact "$scratch/fine.xml"
@@ -126,7 +126,7 @@ check "and is small" test "$(wc -c <"$scratch/site.svg")" -lt 400000
 check "sun paths have one outline of the street" sh -c "
     '$pepperpot' chart sun-path -o '$scratch/sun.svg' '$scratch/few.xml' && [ \$(wc -c <'$scratch/sun.svg') -lt 500000 ]"
 check "contours over the plane are refused in words" refuses 1 \
-    "too many to be cut to the view of all points" chart plan "$scratch/street.xml" -o "$scratch/plan.svg"
+    "too many for contours" chart plan "$scratch/street.xml" -o "$scratch/plan.svg"
 
 check "so are elevations" refuses 1 "expected 2000 at most" \
     chart elevation "$scratch/street.xml" -o "$scratch/elevation.svg"
@@ -143,7 +143,7 @@ awk 'BEGIN { srand(1)
         print "f", 3 * i + 1, 3 * i + 2, 3 * i + 3
     } }' >"$scratch/leaves.obj"
 room '<mesh file="leaves.obj"/>' >"$scratch/leaves.xml"
-check "before leaves there is no average of exact" shows "too many pieces for an average" \
+check "before leaves there is no average of exact" shows "too many parts for an average" \
     df --methods exact,average-df --explain -p 1.5,2 "$scratch/leaves.xml"
 
 room '<mesh file="none.obj"/>' >"$scratch/wrong.xml"

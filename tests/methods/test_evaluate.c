@@ -261,7 +261,7 @@ static void a_room_without_openings_is_dark(void **state)
     pp_world_destroy(world);
 }
 
-static void one_opening_that_is_not_covered_is_named_by_its_line(void **state)
+static void one_opening_that_is_not_covered_is_named_by_its_label(void **state)
 {
     (void)state;
     struct pp_outside_light light;
@@ -271,14 +271,14 @@ static void one_opening_that_is_not_covered_is_named_by_its_line(void **state)
         "height=\"1\"/>\n"
         "<rooflight x=\"1\" y=\"4\" width=\"1\" depth=\"0.8\"/>\n" ROOM_POINTS);
     struct pp_report report = evaluate(world, &light, NULL);
-    const char *why = "brs-table: the opening on line 6 is not vertical, and only "
-                      "vertical ones are covered";
+    const char *why = "brs-table: rooflight RL1 is not vertical; the method covers "
+                      "vertical windows only";
     assert_string_equal(column_of(&report, PP_SC, "brs-table")->points[2].why, why);
     assert_string_equal(column_of(&report, PP_ERC, "brs-table")->average.why, why);
     assert_string_equal(column_of(&report, PP_DF, "brs-table+bre")->points[0].why, why);
     assert_true(isnan(column_of(&report, PP_DF, "brs-table+bre")->points[0].value));
-    assert_non_null(
-        strstr(column_of(&report, PP_DF, "exact+bre")->points[0].why, "bre: the op"));
+    assert_non_null(strstr(column_of(&report, PP_DF, "exact+bre")->points[0].why,
+                           "bre: rooflight RL1"));
     assert_true(column_of(&report, PP_SC, "exact")->points[0].value > 0.0);
     assert_true(column_of(&report, PP_DF, "average-df")->average.value > 0.0);
     pp_report_clear(&report);
@@ -297,7 +297,7 @@ static void a_sky_that_is_not_covered_is_said_without_an_opening(void **state)
         "<point x=\"1.7\" y=\"2.1\"/></room>");
     struct pp_report report = evaluate(world, &light, "all");
     assert_string_equal(column_of(&report, PP_SC, "brs-table")->points[0].why,
-                        "brs-table: it is made for the CIE overcast sky only");
+                        "brs-table: valid only for the CIE overcast sky");
     assert_true(column_of(&report, PP_DF, "exact+split-flux")->points[0].value > 0.0);
     assert_true(column_of(&report, PP_DF, "exact+split-flux")->average.value > 0.0);
     pp_report_clear(&report);
@@ -319,7 +319,7 @@ static void a_receiver_that_is_not_covered_leaves_the_others(void **state)
     const struct pp_column *pair = column_of(&report, PP_DF, "brs-table+bre");
     assert_true(pair->points[0].value > 0.0 && pair->average.value > 0.0);
     assert_string_equal(pair->points[1].why,
-                        "brs-table: it is made for points that face up only");
+                        "brs-table: valid only for points that face up");
     assert_true(column_of(&report, PP_DF, "exact+split-flux")->points[1].value
                 > column_of(&report, PP_DF, "exact+split-flux")->points[0].value);
     pp_report_clear(&report);
@@ -553,7 +553,7 @@ TEST_FILE
         cmocka_unit_test(without_glass_the_tables_glass_is_taken_out),
         cmocka_unit_test(two_windows_give_what_each_gives_together),
         cmocka_unit_test(a_room_without_openings_is_dark),
-        cmocka_unit_test(one_opening_that_is_not_covered_is_named_by_its_line),
+        cmocka_unit_test(one_opening_that_is_not_covered_is_named_by_its_label),
         cmocka_unit_test(a_sky_that_is_not_covered_is_said_without_an_opening),
         cmocka_unit_test(a_receiver_that_is_not_covered_leaves_the_others),
         cmocka_unit_test(averages_agree_with_a_fine_sum_over_the_plane),

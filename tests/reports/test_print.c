@@ -94,7 +94,7 @@ static int set_up(void **state)
     add_column(report, PP_DF, "average-df", NULL, 0.05, NAN);
     add_column(report, PP_DF, "traced", traced, 0.039, 0.00021);
     report->columns[1].points[1] =
-        pp_reading_none("the opening on line 9 slopes; the \"table\" holds none");
+        pp_reading_none("window W2 slopes; the \"table\" holds none");
 
     f->result.file = "a room, really.xml";
     f->options = PP_STUDY_OPTIONS_NONE;
@@ -188,7 +188,7 @@ static void json_says_why_where_there_is_no_value(void **state)
     struct json_object *entry = at(room, "points/1/sc/brs-table");
     assert_null(at(entry, "value"));
     assert_string_equal(json_object_get_string(at(entry, "why")),
-                        "the opening on line 9 slopes; the \"table\" holds none");
+                        "window W2 slopes; the \"table\" holds none");
     assert_false(json_object_object_get_ex(entry, "se", NULL));
     json_object_put(room);
     free(text);
@@ -308,7 +308,7 @@ static void text_shows_the_traced_value_and_how_far_a_method_is_from_it(void **s
     assert_non_null(strstr(text, "30.00 \xc2\xb1"
                                  "0.03"));
     assert_non_null(strstr(text, "+3.3"));
-    assert_non_null(strstr(text, "brs-table: the opening on line 9 slopes"));
+    assert_non_null(strstr(text, "brs-table: window W2 slopes"));
     free(text);
 }
 

@@ -341,8 +341,8 @@ static void rooms_that_a_nomogram_is_not_made_for(void **state)
         enum pp_nomogram_kind kind;
     } cases[] = {
         {"<room version='1'><plan width='6' depth='5' height='3'/></room>",
-         "no opening is vertical", PP_NOMOGRAM_AVERAGE},
-        {corner_room, "no opening is a rooflight", PP_NOMOGRAM_ROOFLIGHT},
+         "no vertical window", PP_NOMOGRAM_AVERAGE},
+        {corner_room, "no rooflight", PP_NOMOGRAM_ROOFLIGHT},
         {"<room version='1'><sky type='iso-5'/><plan width='6' depth='5' height='3'/>"
          "</room>",
          "overcast", PP_NOMOGRAM_MINIMUM},

@@ -95,7 +95,7 @@ static void points_are_read_by_their_depth_alone(void **state)
     evaluate(&parts, "lumen");
     const struct pp_reading *points = column("lumen")->points;
     assert_near(points[0].value, points[1].value, 1e-15);
-    assert_non_null(strstr(points[2].why, "where the tables end"));
+    assert_non_null(strstr(points[2].why, "too near to this point or too far"));
     assert_true(points[3].value > points[0].value);
     assert_true(points[4].value < points[0].value);
     assert_non_null(points[5].why);
@@ -156,7 +156,7 @@ static void rooflights_have_an_average_only(void **state)
                  "<rooflight x='0.5' y='4' width='0.5' depth='1' maintenance='0.7'/>"
                  "<rooflight x='2' y='4' width='0.5' depth='1' maintenance='0.7'/>";
     evaluate(&top, "lumen");
-    assert_non_null(strstr(column("lumen")->points[0].why, "average only"));
+    assert_non_null(strstr(column("lumen")->points[0].why, "averages only"));
     double df = column("lumen")->average.value;
     double cu = df / (0.8269 * 0.7 * 2.0 / 18.0);
     assert_in_range((int)(100.0 * cu), 50, 75);
@@ -213,12 +213,12 @@ static void what_the_tables_do_not_hold_is_refused(void **state)
     (void)state;
     struct parts p = usual;
     p.before = "<sky type='uniform'/>";
-    refused(p, "Ev/Eh is 0.5; the table has 0.75 to 1.75");
+    refused(p, "Ev/Eh 0.5; the table covers 0.75 to 1.75");
     p.before = "<sky type='iso-12' sun-altitude='40' sun-bearing='0'/>"; /* behind */
-    refused(p, "Ev/Eh is");
+    refused(p, "a sky with Ev/Eh");
     p = usual;
     p.finishes = "<finishes floor='0.3' walls='0.2' ceiling='0.7'/>";
-    refused(p, "wall reflectance of 0.2; the table has 0.3 to 0.9");
+    refused(p, "wall reflectance of 0.2; the table covers 0.3 to 0.9");
     p.finishes = "<finishes floor='0.3' walls='0.5' ceiling='0.4'/>";
     refused(p, "ceiling reflectance of 0.4");
     p.finishes = "<finishes floor='0.05' walls='0.5' ceiling='0.7'/>";
@@ -227,9 +227,9 @@ static void what_the_tables_do_not_hold_is_refused(void **state)
     p.window = WINDOW("0.3", "1.2", "2.4", "1.0", "");
     refused(p, "0.30 m above or below");
     p.window = WINDOW("0.3", "0.85", "2.4", "0.5", "");
-    refused(p, "depth over window height is 12; the table has 1 to 10");
+    refused(p, "depth over window height of 12; the table covers 1 to 10");
     p.window = WINDOW("0.1", "0.85", "0.8", "1.5", "");
-    refused(p, "bare");
+    refused(p, "too much bare wall");
     p.window = WINDOW("0.3", "0.85", "2.4", "1.5", "reveal='0.4'");
     refused(p, "reveal");
     p.window =
@@ -237,17 +237,17 @@ static void what_the_tables_do_not_hold_is_refused(void **state)
     refused(p, "diffusing");
     p.window =
         WINDOW("0.2", "0.85", "1.2", "1.5", "") WINDOW("1.6", "0.85", "1.2", "1.3", "");
-    refused(p, "not level");
+    refused(p, "a sill or head at another height");
     p = usual;
     p.after = "<skyline wall='south' angle='10'/>";
-    refused(p, "open skies");
+    refused(p, "an open sky");
     p.after = "<block x='-5' y='-9' width='12' depth='4' height='9'/>";
-    refused(p, "open skies");
+    refused(p, "an open sky");
     p.after = "<surface reflectance='0.4'><vertex x='1' y='2' z='0.3'/>"
               "<vertex x='2' y='2' z='0.3'/><vertex x='2' y='3' z='0.3'/></surface>";
     refused(p, "empty rooms");
     p.after = "<window wall='east' left='1' sill='0.85' width='4' height='1.5'/>";
-    refused(p, "do not face each other");
+    refused(p, "nor in the opposite one");
 }
 
 /* A clear sky with the sun before the window: brighter outside than the overcast

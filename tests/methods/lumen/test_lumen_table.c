@@ -85,7 +85,7 @@ static void nothing_is_read_outside_it(void **state)
     assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     assert_string_equal(
         why,
-        "lights a room whose width over window height is 2.2; the table has 1 to 2");
+        "is in a room with a width over window height of 2.2; the table covers 1 to 2");
     query.at[PP_LUMEN_WIDTH] = 1.5;
     query.at[PP_LUMEN_DEPTH] = 4.1;
     assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
@@ -93,8 +93,7 @@ static void nothing_is_read_outside_it(void **state)
     query.overcast = false;
     query.ev_over_eh = 0.9;
     assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
-    assert_string_equal(why,
-                        "looks at a sky whose Ev/Eh is 0.9; the table has none such");
+    assert_string_equal(why, "faces a sky with Ev/Eh 0.9; the table has no such value");
     done();
 }
 
@@ -112,7 +111,7 @@ static void cells_left_out_are_no_numbers(void **state)
     assert_true(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     query.at[PP_LUMEN_DEPTH] = 1.5;
     assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
-    assert_non_null(strstr(why, "leaves out"));
+    assert_non_null(strstr(why, "missing in the table"));
     query.overcast = true;
     query.ev_over_eh = 0.396;
     assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
@@ -137,26 +136,26 @@ static void table_for_light_from_above_is_read(void **state)
 static void mistakes_are_named_by_line(void **state)
 {
     (void)state;
-    refused("", 0, "nothing in it");
-    refused("# only\n", 0, "nothing in it");
+    refused("", 0, "the file is empty");
+    refused("# only\n", 0, "the file is empty");
     refused(SIDE, 0, "no lines");
     refused("Ev_over_Ehh,depth_over_window_height,position_percent,1\n", 1,
             "did you mean \"Ev_over_Eh\"");
     refused("Ev_over_Eh,depth_over_window_height,1\n0.4,1,.2\n", 1,
-            "needs a column \"position_percent\"");
+            "lacks the column \"position_percent\"");
     refused("Ev_over_Eh,depth_over_window_height,position_percent\n", 1, "width");
     refused("Ev_over_Eh,depth_over_window_height,position_percent,2,1\n", 1, "ascend");
     refused("Ev_over_Eh,depth_over_window_height,position_percent,inf,9\n", 1,
             "ascend");
     refused("Ev_over_Eh,depth_over_window_height,position_percent,-1\n", 1,
-            "no column");
+            "unknown column");
     refused("Ev_over_Eh,Ev_over_Eh,depth_over_window_height,position_percent,1\n", 1,
-            "two columns");
+            "duplicate column");
     refused("Ev_over_Eh,wall_reflectance,depth_over_window_height,position_percent,1\n",
-            1, "both or none");
+            1, "both or neither");
     refused("rcr,cu,1\n", 1, "ceiling_reflectance");
     refused("rcr,ceiling_reflectance,wall_reflectance,cu,component\n", 1,
-            "no column \"component\"");
+            "unexpected column \"component\"");
     refused(SIDE "0.4,1,10,.2\n", 2, "4 fields in this line; expected 5");
     refused(SIDE "0.4,1,10,.2,.3,.4\n", 2, "6 fields");
     refused(SIDE "\n0.4,1,10,.2,\n", 3, "a coefficient is missing");
@@ -168,13 +167,13 @@ static void mistakes_are_named_by_line(void **state)
     refused(SIDE "0.4,0,10,.2,.1\n", 2, "depth_over_window_height");
     refused(SIDE "0.4,inf,10,.2,.1\n", 2, "depth_over_window_height");
     refused(SIDE "clear,1,10,.2,.1\n", 2, "Ev_over_Eh is \"clear\"");
-    refused(SIDE "0.4,1,10,.2,.1\n0.4,1,10,.2,.1\n", 3, "been given before");
+    refused(SIDE "0.4,1,10,.2,.1\n0.4,1,10,.2,.1\n", 3, "duplicate line");
     refused("component," SIDE "sky,uniform,1,10,.2,.1\n", 2, "component");
     refused("component," SIDE "moon,0.4,1,10,.2,.1\n", 2, "component is \"moon\"");
     refused("rcr,ceiling_reflectance,wall_reflectance,cu\n1,1.1,.5,.5\n", 2, "up to 1");
     refused("rcr,ceiling_reflectance,wall_reflectance,cu\n1,.1,.5,.5\n1,.1,.5,.4\n", 3,
-            "been given before");
-    refused("1,2,3\n4,5,6\n", 1, "needs a column");
+            "duplicate line");
+    refused("1,2,3\n4,5,6\n", 1, "lacks the column");
 }
 
 static void all_mistakes_are_named_at_once(void **state)

@@ -330,8 +330,8 @@ static void worked_use_step_by_step(void **state)
     struct pp_part part =
         read_first(&pp_method_protractor, world, &light, 50.0, 3.0, 0.85, &steps);
     double head = atan(0.8), sill = atan(0.2);
-    assert_near(step_of(&steps, "upper edge: altitude", 0), head, 1e-9);
-    assert_near(step_of(&steps, "lower edge: altitude", 0), sill, 1e-9);
+    assert_near(step_of(&steps, "altitude of the upper edge", 0), head, 1e-9);
+    assert_near(step_of(&steps, "altitude of the lower edge", 0), sill, 1e-9);
     struct pp_protractor two;
     pp_protractor_scale_published(&two, 2, NULL);
     double read[2] = {pp_protractor_scale_primary(&two, head),
@@ -340,7 +340,7 @@ static void worked_use_step_by_step(void **state)
     assert_near(step_of(&steps, "primary scale", 1), read[1], 1e-7);
     double initial = step_of(&steps, "initial component", 0);
     assert_near(initial, read[0] - read[1], 1e-7);
-    double average = step_of(&steps, "average altitude", 0);
+    double average = step_of(&steps, "mean altitude", 0);
     assert_near(average, (head + sill) / 2.0, 1e-9);
 
     /* Seen from inside, right is towards the plan's smaller x. */

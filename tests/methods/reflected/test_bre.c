@@ -175,7 +175,7 @@ static void other_skies_slopes_and_receivers_are_refused(void **state)
         pp_method_bre.refuses(&box.world, &box.light, rooflight, NULL), "vertical"));
     box.surfaces[BOX_NORTH].exitance = 0.1;
     assert_non_null(
-        strstr(pp_method_bre.refuses_room(&box.world, &box.light, NULL), "by itself"));
+        strstr(pp_method_bre.refuses_room(&box.world, &box.light, NULL), "emit light"));
 }
 
 TEST_FILE
