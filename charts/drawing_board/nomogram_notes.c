@@ -111,7 +111,7 @@ static void say_position_letters(char *text, size_t room)
     pp_page_say(
         text, room,
         "A: diffuse transmittance T of the glass (clear single 0.83) times its net "
-        "area W, divided by the area of all inside surfaces A. B: mean reflectance R "
+        "area W, divided by the area of all interior surfaces A. B: mean reflectance R "
         "of these surfaces, openings 0.1. D: effective light L on the glass. H: place "
         "of the point: x, from the window wall, over the depth d of the room; then y, "
         "from the middle of the window along the wall, over half the breadth w.");
@@ -145,7 +145,7 @@ static void say_letters(char *text, size_t room, const struct pp_nomogram *nomog
 {
     bool top = nomogram->kind == PP_NOMOGRAM_ROOFLIGHT;
     pp_page_say(text, room,
-                "A: net area of glass W over area of all inside surfaces A. B: mean "
+                "A: net glass area W over area of all interior surfaces A. B: mean "
                 "reflectance R of these surfaces, openings 0.1. C: average internally "
                 "reflected component (IRC), %s.",
                 top ? "horizontal glass" : "no obstruction");
