@@ -59,7 +59,8 @@ static double spans_union(struct bearing_span *spans, int count)
             spans[all++] = (struct bearing_span){0.0, spans[i].to - 2.0 * PP_PI};
             spans[i].to = 2.0 * PP_PI;
         }
-    qsort(spans, (size_t)all, sizeof *spans, by_span_start);
+    if (all > 0)
+        qsort(spans, (size_t)all, sizeof *spans, by_span_start);
     double sum = 0.0, end = 0.0;
     for (int i = 0; i < all; i++) {
         sum += fmax(0.0, spans[i].to - fmax(spans[i].from, end));
@@ -74,7 +75,8 @@ static double median_distance(struct view_line *lines, int count)
     double whole = 0.0, sum = 0.0;
     for (int i = 0; i < count; i++)
         whole += lines[i].solid_angle;
-    qsort(lines, (size_t)count, sizeof *lines, by_line_distance);
+    if (count > 0)
+        qsort(lines, (size_t)count, sizeof *lines, by_line_distance);
     for (int i = 0; i < count; i++) {
         sum += lines[i].solid_angle;
         if (sum >= 0.5 * whole)
