@@ -54,10 +54,13 @@ void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
     }
     double bearing = north_rad + atan2(sky->sun.x, sky->sun.y);
     bearing = fmod(bearing + 4.0 * PP_PI, 2.0 * PP_PI);
+    char type[48] = "sky by Perez";
+    if (sky->iso > 0)
+        snprintf(type, sizeof type, "ISO 15469 sky of type %d", sky->iso);
     snprintf(text, room,
-             "ISO 15469 sky of type %d, sun %.0f\u00b0 high at bearing "
+             "%s, sun %.0f\u00b0 high at bearing "
              "%.0f\u00b0",
-             sky->iso, asin(fmin(sky->sun.z, 1.0)) / PP_RAD, bearing / PP_RAD);
+             type, asin(fmin(sky->sun.z, 1.0)) / PP_RAD, bearing / PP_RAD);
 }
 
 /* "0.9", or "0.6 to 0.9". */

@@ -2,11 +2,13 @@
 #include "cli/command.h"
 #include "cli/render/make_picture.h"
 #include "cli/message.h"
+#include "cli/moment_choice.h"
 #include "cli/output.h"
 #include "cli/render/render_choice.h"
 #include "cli/render/render_options.h"
 #include "cli/rooms.h"
 #include "cli/render/show_picture.h"
+#include "model/base/read_file.h"
 
 static const struct pp_option external_option[] = {
     {"external", 0, "LUX",
@@ -100,8 +102,31 @@ static enum pp_exit show_file(const struct pp_render_choice *choice,
     return result;
 }
 
+/* Sky and sun of the moment, in place of the room file's sky; illuminances outside are
+ * the sky's. */
+static enum pp_exit take_moment(struct pp_study_room *room,
+                                struct pp_moment_choice *choice,
+                                struct pp_room_options *options)
+{
+    struct pp_moment moment;
+    struct pp_error own = {0}, err = {0};
+    enum pp_exit result = pp_moment_choice_load(choice);
+    if (result != PP_EXIT_DONE)
+        return result;
+    enum pp_status status = pp_moment_choice_find(&moment, choice, room->world, &own);
+    if (status == PP_OK)
+        status = pp_moment_light(&room->light, &moment, room->world->north_rad, &own);
+    if (status == PP_OK) {
+        options->study.external_lux = moment.sky.diffuse_lx;
+        return PP_EXIT_DONE;
+    }
+    pp_fail(&err, status, "%s: %s", pp_read_file_title(room->file), own.message);
+    return pp_message_error(&err);
+}
+
 static enum pp_exit render_or_show(const struct pp_render_choice *choice,
-                                   const struct pp_room_options *options, char **files)
+                                   struct pp_moment_choice *moment,
+                                   struct pp_room_options *options, char **files)
 {
     struct pp_error err = {0};
     enum pp_exit result;
@@ -122,6 +147,8 @@ static enum pp_exit render_or_show(const struct pp_render_choice *choice,
                 rooms.count);
         result = pp_message_usage("render", &err);
     }
+    if (result == PP_EXIT_DONE && pp_moment_choice_said(moment))
+        result = take_moment(&rooms.list[0], moment, options);
     if (result == PP_EXIT_DONE)
         result = render_room(&rooms.list[0], choice, options);
     pp_rooms_clear(&rooms);
@@ -131,6 +158,7 @@ static enum pp_exit render_or_show(const struct pp_render_choice *choice,
 struct render_options {
     struct pp_room_options room;
     struct pp_render_choice choice;
+    struct pp_moment_choice moment;
 };
 
 #define PLACE(member) offsetof(struct render_options, member)
@@ -140,6 +168,7 @@ static const struct pp_option_group groups[] = {
     {"Picture", pp_render_picture_options, PLACE(choice)},
     {"Picture", external_option, PLACE(room)},
     {"Picture", pp_room_sky_options, PLACE(room)},
+    {"Picture", pp_moment_options, PLACE(moment)},
     {"Picture", pp_room_seed_options, PLACE(room)},
     {"Picture", pp_room_plain_option, PLACE(room)},
     {"Irradiance cache", pp_cache_choice_options, PLACE(choice.cache)},
@@ -154,25 +183,54 @@ static void init_render_options(void *values)
         .room = pp_room_options_none, .choice = pp_render_choice_default()};
 }
 
+/* Sunlight needs next-event estimation, and has no daylight factor. */
+static enum pp_status check_moment(const struct render_options *options,
+                                   struct pp_error *err)
+{
+    const char *given = options->moment.perez ? "--sky perez" : "--when";
+    if (options->choice.from_picture)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is for rendering; it cannot be combined with --from-picture",
+                       given);
+    if (options->choice.quantity.is == PP_DAYLIGHT_FACTOR)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s: a daylight factor has no sun; expected --quantity "
+                       "luminance or illuminance",
+                       given);
+    if (options->room.study.method_options.plain)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s: --plain never meets the sun by chance; expected it without "
+                       "--plain",
+                       given);
+    return PP_OK;
+}
+
 static enum pp_status check_render_command(void *values, char **files, int file_count,
                                            struct pp_error *err)
 {
     struct render_options *options = values;
     (void)files;
-    return pp_render_choice_check(&options->choice, &options->room, file_count, err);
+    enum pp_status status =
+        pp_moment_choice_settle(&options->moment, &options->room, err);
+    if (status == PP_OK && pp_moment_choice_said(&options->moment))
+        status = check_moment(options, err);
+    return status == PP_OK ? pp_render_choice_check(&options->choice, &options->room,
+                                                    file_count, err)
+                           : status;
 }
 
 static enum pp_exit run_render(void *values, char **files, int file_count)
 {
     struct render_options *options = values;
     (void)file_count;
-    return render_or_show(&options->choice, &options->room, files);
+    return render_or_show(&options->choice, &options->moment, &options->room, files);
 }
 
 static void clear_render_options(void *values)
 {
     struct render_options *options = values;
     pp_render_choice_clear(&options->choice);
+    pp_moment_choice_clear(&options->moment);
     pp_room_options_clear(&options->room);
 }
 

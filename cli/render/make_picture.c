@@ -149,7 +149,8 @@ static enum pp_status create_render(struct pp_made_picture *made,
     render.light.stored = choice->windows == PP_WINDOWS_STORED;
     if (choice->paths)
         render.light.bounces = choice->cache.options.bounces;
-    enum pp_status status = pp_light_scene_of_world(&made->scene, world, err);
+    enum pp_status status =
+        pp_light_scene_of_world_sunlit(&made->scene, world, &light->sun, err);
     if (status == PP_OK)
         status = pp_light_scene_under(&made->environment, made->scene, light, err);
     struct pp_picture_size size;

@@ -183,6 +183,10 @@ static void write_picture_words(struct pp_picture_sheet *sheet,
                 shown->quantity == PP_DAYLIGHT_FACTOR ? "" : ",");
     if (shown->quantity != PP_DAYLIGHT_FACTOR)
         pp_page_say(sheet->subtitle, room, "%.0f lx outside", shown->external_lux);
+    double sun = pp_outside_light_sun_on_plane(shown->light, pp_vec(0.0, 0.0, 1.0));
+    if (sun > 0.0)
+        pp_page_say(sheet->subtitle, room, "by the sky, %.0f lx by the sun",
+                    sun * shown->external_lux);
     pp_page_say(sheet->foot, notes, "%s.", shown->words);
     if (shown->quantity != PP_LUMINANCE)
         pp_page_say(sheet->foot, notes, "Glass and sky have no %s and are left white.",

@@ -2,6 +2,7 @@
 #include "model/light/sky.h"
 
 #include <cubature.h>
+#include <math.h>
 #include <stddef.h>
 
 #include "model/light/graded_sky.h"
@@ -90,7 +91,7 @@ double pp_sky_luminance(const struct pp_sky *sky, struct pp_vec3 u)
 {
     if (!(u.z > 0.0))
         return 0.0;
-    return relative_luminance(sky, u) * sky->per_horizontal;
+    return fmax(relative_luminance(sky, u) * sky->per_horizontal, 0.0);
 }
 
 /* Data that the quadrature of pp_sky_on_plane needs at each node. */
@@ -222,5 +223,5 @@ const char *pp_sky_name(const struct pp_sky *sky)
     case PP_SKY_ISO:
         break;
     }
-    return iso_names[sky->iso - 1];
+    return sky->iso > 0 ? iso_names[sky->iso - 1] : "perez";
 }

@@ -28,7 +28,7 @@ struct pp_sky_picture;
 
 struct pp_sky {
     enum pp_sky_kind kind;
-    int iso;              /* 1 to 15 for PP_SKY_ISO, else 0 */
+    int iso; /* 1 to 15 for PP_SKY_ISO, 0 for one of its form by Perez; else 0 */
     double gradation;     /* b of graded_sky.h. A sky that is not graded has that of the
                            * overcast one, which replaces it where an obstruction becomes
                            * an angle and where light is only estimated */
@@ -93,7 +93,7 @@ double pp_sky_grain(const struct pp_sky *sky);
  * photograph. */
 double pp_sky_on_plane(const struct pp_sky *sky, struct pp_vec3 n);
 
-/* "overcast", "uniform", "iso-1" ... "iso-15", "picture". */
+/* "overcast", "uniform", "iso-1" ... "iso-15", "picture"; "perez" (perez_sky.h). */
 const char *pp_sky_name(const struct pp_sky *sky);
 
 #endif

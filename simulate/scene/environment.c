@@ -72,6 +72,9 @@ uint64_t pp_environment_hash(const struct pp_environment *environment)
                               sky->per_horizontal,
                               pp_outside_light_ground(&environment->light)};
     uint64_t hash = pp_hash_vec(0, sky->sun);
+    if (environment->light.sun.per_sky > 0.0)
+        hash = pp_hash_double(pp_hash_vec(hash, environment->light.sun.to),
+                              environment->light.sun.per_sky);
     if (sky->kind == PP_SKY_PICTURE)
         hash = pp_hash(pp_hash_double(hash, sky->north[1]), sky->picture->hash);
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
@@ -84,7 +87,7 @@ double pp_environment_light(const struct pp_environment *environment, struct pp_
 {
     *is_sky = false;
     if (!(u.z > 0.0))
-        return pp_outside_light_ground(&environment->light);
+        return pp_outside_light_sunlit_ground(&environment->light);
     int far = pp_scene_skylines_far(environment->skylines, u);
     if (far >= 0)
         return environment->far_exitance[far];

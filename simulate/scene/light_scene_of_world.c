@@ -3,12 +3,15 @@
 #include "simulate/scene/light_scene_of_world.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
+#include "model/base/array.h"
 #include "model/room/ground.h"
 #include "model/room/surface_materials.h"
 #include "simulate/sampling/lobe.h"
 #include "simulate/sampling/triangle.h"
+#include "simulate/scene/emitters.h"
 #include "simulate/scene/light_scene_parts.h"
 
 /* The middle of the room's box, or of everything's where there is no room. */
@@ -104,7 +107,33 @@ static enum pp_status add_world_triangles(struct pp_light_scene *scene,
     return status == PP_OK ? pp_light_scene_add_rays(scene, list, err) : status;
 }
 
+/* A disc of half a degree, with the sun's illuminance. */
+static enum pp_status add_sun_disc(struct pp_light_scene *scene,
+                                   const struct pp_outside_sun *sun,
+                                   struct pp_error *err)
+{
+    static const double HALF_RAD = 0.2665 * PP_RAD;
+    double half = sin(HALF_RAD / 2.0), solid = 4.0 * PP_PI * half * half;
+    enum pp_status status = pp_array_append(&scene->materials, scene->material_count,
+                                            sizeof *scene->materials, err);
+    if (status != PP_OK)
+        return status;
+    scene->distants = calloc(1, sizeof *scene->distants);
+    if (!scene->distants)
+        return pp_fail_memory(err);
+    struct pp_material *material = &scene->materials[scene->material_count];
+    *material = pp_material_light(pp_rgb_grey(sun->per_sky / solid));
+    snprintf(material->name, sizeof material->name, "sun");
+    const struct pp_shape disc = {.kind = PP_SHAPE_DISTANT,
+                                  .material = scene->material_count++,
+                                  .back_material = -1,
+                                  .tag = -1,
+                                  .is.distant = {sun->to, HALF_RAD}};
+    return pp_emitters_add_distant(scene, &disc, err);
+}
+
 static enum pp_status build_world_scene(struct pp_light_scene *scene, bool matt,
+                                        const struct pp_outside_sun *sun,
                                         struct pp_error *err)
 {
     const struct pp_world *world = scene->world;
@@ -124,6 +153,10 @@ static enum pp_status build_world_scene(struct pp_light_scene *scene, bool matt,
         scene->materials = materials.list;
         scene->material_count = materials.count;
         free(materials.sides);
+        if (sun && sun->per_sky > 0.0)
+            status = add_sun_disc(scene, sun, err);
+    }
+    if (status == PP_OK) {
         status = pp_light_scene_add_laws(scene, err);
     }
     if (status == PP_OK)
@@ -140,6 +173,7 @@ static enum pp_status build_world_scene(struct pp_light_scene *scene, bool matt,
 
 static enum pp_status make_light_scene(struct pp_light_scene **result,
                                        const struct pp_world *world, bool matt,
+                                       const struct pp_outside_sun *sun,
                                        struct pp_error *err)
 {
     *result = NULL;
@@ -147,7 +181,7 @@ static enum pp_status make_light_scene(struct pp_light_scene **result,
     if (!scene)
         return pp_fail_memory(err);
     scene->world = world;
-    enum pp_status status = build_world_scene(scene, matt, err);
+    enum pp_status status = build_world_scene(scene, matt, sun, err);
     if (status != PP_OK) {
         pp_light_scene_destroy(scene);
         return status;
@@ -160,14 +194,22 @@ enum pp_status pp_light_scene_of_world(struct pp_light_scene **scene,
                                        const struct pp_world *world,
                                        struct pp_error *err)
 {
-    return make_light_scene(scene, world, false, err);
+    return make_light_scene(scene, world, false, NULL, err);
+}
+
+enum pp_status pp_light_scene_of_world_sunlit(struct pp_light_scene **scene,
+                                              const struct pp_world *world,
+                                              const struct pp_outside_sun *sun,
+                                              struct pp_error *err)
+{
+    return make_light_scene(scene, world, false, sun, err);
 }
 
 enum pp_status pp_light_scene_of_world_matt(struct pp_light_scene **scene,
                                             const struct pp_world *world,
                                             struct pp_error *err)
 {
-    return make_light_scene(scene, world, true, err);
+    return make_light_scene(scene, world, true, NULL, err);
 }
 
 struct pp_vec3 pp_light_scene_of_world_plane_point(const struct pp_light_scene *scene,

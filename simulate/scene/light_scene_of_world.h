@@ -2,6 +2,7 @@
 #ifndef PP_SIMULATE_SCENE_LIGHT_SCENE_OF_WORLD_H
 #define PP_SIMULATE_SCENE_LIGHT_SCENE_OF_WORLD_H
 
+#include "model/light/outside_light.h"
 #include "model/room/world.h"
 #include "simulate/scene/light_scene.h"
 
@@ -10,6 +11,12 @@
 enum pp_status pp_light_scene_of_world(struct pp_light_scene **scene,
                                        const struct pp_world *world,
                                        struct pp_error *err);
+
+/* The same with the sun as a distant source (per_sky 0: none), for pictures. */
+enum pp_status pp_light_scene_of_world_sunlit(struct pp_light_scene **scene,
+                                              const struct pp_world *world,
+                                              const struct pp_outside_sun *sun,
+                                              struct pp_error *err);
 
 /* Makes the scene with every finish diffuse, as used by the tracer and the hand
  * methods. */

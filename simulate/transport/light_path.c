@@ -398,6 +398,16 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
     pp_path_scatter_note_met(path, hit->space);
     if (state->options.ground_counts && path->depth++ >= state->options.bounces)
         return false;
+    const struct pp_shading_point shading = {
+        .point = hit->point,
+        .normal = level.z,
+        .space = hit->space,
+        .diffuse = pp_rgb_grey(pp_outside_light_ground(&state->environment->light)),
+        .vertex = path->vertex,
+        .depth = path->depth,
+        .split = path->split};
+    struct pp_rgb sources = pp_light_sources_next_event(state, &shading);
+    *total = pp_rgb_add(*total, pp_rgb_times(path->throughput, sources));
     path->throughput = pp_rgb_scale(path->throughput, share);
     path->split = false;
     if (pp_rgb_is_black(path->throughput))

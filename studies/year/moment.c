@@ -109,6 +109,21 @@ enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
 
 /* ---- a room ---- */
 
+enum pp_status pp_moment_light(struct pp_outside_light *light,
+                               const struct pp_moment *moment, double north_rad,
+                               struct pp_error *err)
+{
+    struct pp_perez_sky sky = pp_weather_year_turned(&moment->sky, north_rad);
+    if (!(sky.diffuse_lx > 0.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "there is direct light without diffuse light; expected a sky "
+                       "that is not black");
+    light->sky = pp_perez_sky_relative(&sky);
+    light->sun = (struct pp_outside_sun){
+        sky.sun, sky.sun.z > 0.0 ? sky.direct_lx / sky.diffuse_lx : 0.0};
+    return PP_OK;
+}
+
 enum pp_status pp_moment_of_room(struct pp_annual_sheet *sheet,
                                  const struct pp_world *world,
                                  const struct pp_outside_light *light,

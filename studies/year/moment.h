@@ -41,6 +41,12 @@ enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
                                         const struct pp_moment_irradiances *of,
                                         struct pp_error *err);
 
+/* Sky and sun in the axes of a room whose y axis has that bearing, as pictures and other
+ * programs take them; the ground's reflectance stays. PP_BAD_INPUT for a black sky. */
+enum pp_status pp_moment_light(struct pp_outside_light *light,
+                               const struct pp_moment *moment, double north_rad,
+                               struct pp_error *err);
+
 /* Fills the sheet of a year that has this hour alone: illuminances are its year_lxh, and
  * sky_lxh, sun_lxh, sun_reflected_lxh its parts. The caller clears *sheet, after a failure
  * too. */

@@ -108,6 +108,17 @@ sed 's/longitude="[^"]*"//' "$room" >"$scratch/nowhere.xml"
 check "no place" refuses 1 "nowhere.xml: the room has no place" $perez \
     --when "2023-03-21 12:00" "$scratch/nowhere.xml"
 
+# Pictures have the sun, too.
+render="render --size 24x18 --samples 4 -q -o $scratch/sun.png"
+check "a picture with sun" quietly $render --sky perez,600,120,35,150 "$room"
+check "a picture of an hour" quietly $render -w "$scratch/year.epw" --when "2023-03-21 12:00" "$room"
+check "no factor with a sun" refuses 2 "has no sun" $render --sky perez,600,120,35,150 \
+    --quantity df "$room"
+check "no sun by chance" refuses 2 "by chance" $render --sky perez,600,120,35,150 --plain "$room"
+check "a black sky has no picture" refuses 1 "not black" $render --sky perez,100,0,10,180 "$room"
+check "a dark hour has no picture" refuses 1 "no light" $render -w "$scratch/year.epw" \
+    --when "2023-03-21 02:00" "$room"
+
 check "no weather file" refuses 2 "--weather" annual "$room"
 check "no room" refuses 2 "room file" $annual
 check "a weather file that is none" refuses 1 "EPW" annual -w "$deep" "$room"

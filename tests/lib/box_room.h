@@ -62,7 +62,8 @@ static inline void box_room_build(struct box_room *box, double width_m, double d
     const double plane[4][2] = {{0, 0}, {w, 0}, {w, d}, {0, d}};
     memcpy(box->ring_xy, plane, sizeof plane);
     box->ring = (struct pp_ring){4, box->ring_xy};
-    box->light = (struct pp_outside_light){pp_sky_overcast(), 0.2};
+    box->light =
+        (struct pp_outside_light){.sky = pp_sky_overcast(), .ground_reflectance = 0.2};
     box->world = (struct pp_world){
         .decorations = 1.0,
         .surfaces = box->surfaces,

@@ -315,7 +315,8 @@ static void outside_nothing_hides_the_open_sky(void **state)
     struct pp_world *world = pp_test_world(
         PLAN(WINDOW "<block x='-40' y='-44' width='3' depth='2' height='0.1'/>"));
     struct pp_exterior_light outside;
-    const struct pp_outside_light light = {pp_sky_overcast(), 0.2};
+    const struct pp_outside_light light = {.sky = pp_sky_overcast(),
+                                           .ground_reflectance = 0.2};
     assert_int_equal(pp_exterior_light_on_plane(&outside, world, &light,
                                                 pp_vec(2.0, -9.0, 9.0),
                                                 pp_vec(0.0, 0.0, 1.0), -1, NULL),

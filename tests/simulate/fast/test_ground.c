@@ -34,7 +34,8 @@ static struct pp_receiver facing_down(double x, double y, double z)
 static void an_open_field_reflects_its_share_of_the_whole_sky(void **state)
 {
     (void)state;
-    struct pp_outside_light light = {pp_sky_overcast(), rho};
+    struct pp_outside_light light = {.sky = pp_sky_overcast(),
+                                     .ground_reflectance = rho};
     struct pp_world world = open_field();
     assert_traced(external_of(&world, &light, facing_down(3.0, 4.0, 0.0)), rho, 1e-3);
     assert_traced(external_of(&world, &light, pp_test_receiver(0, 0, 0, 0, 1, 0)),
@@ -53,7 +54,8 @@ static void a_wall_takes_its_share_of_the_sky_from_the_ground(void **state)
     struct pp_surface wall = {.outline = {4, corners, {0, -1, 0}, 10000.0 * HEIGHT},
                               .role = PP_FREE_SURFACE,
                               .owner = -1};
-    struct pp_outside_light light = {pp_sky_uniform(), rho};
+    struct pp_outside_light light = {.sky = pp_sky_uniform(),
+                                     .ground_reflectance = rho};
     struct pp_world world = open_field();
     world.surfaces = &wall;
     world.surface_count = 1;
@@ -81,7 +83,8 @@ static void white_walls_and_white_ground_vanish_in_a_uniform_sky(void **state)
                               .front = 1.0,
                               .back = 1.0,
                               .owner = -1};
-    struct pp_outside_light light = {pp_sky_uniform(), rho};
+    struct pp_outside_light light = {.sky = pp_sky_uniform(),
+                                     .ground_reflectance = rho};
     struct pp_world world = open_field();
     light.ground_reflectance = 1.0;
     world.surfaces = &wall;

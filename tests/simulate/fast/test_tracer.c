@@ -75,7 +75,8 @@ static void the_open_sky_is_all_there_is_without_a_room(void **state)
 {
     (void)state;
     const struct pp_world world = {0};
-    struct pp_outside_light light = {pp_sky_overcast(), 0.3};
+    struct pp_outside_light light = {.sky = pp_sky_overcast(),
+                                     .ground_reflectance = 0.3};
     struct pp_reading readings[4];
     trace_one(&world, &light, pp_test_receiver(1.0, 2.0, 3.0, 0.0, 0.0, 1.0), 256,
               readings);

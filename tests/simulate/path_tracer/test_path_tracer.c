@@ -69,7 +69,8 @@ static void a_vertical_plane_outside_sees_half_of_sky_and_ground(void **state)
 {
     (void)state;
     const struct pp_world world = {0};
-    struct pp_outside_light light = {pp_sky_overcast(), 0.3};
+    struct pp_outside_light light = {.sky = pp_sky_overcast(),
+                                     .ground_reflectance = 0.3};
     struct pp_reading readings[4];
     plain_one(&world, &light, pp_test_receiver(1.0, 2.0, 3.0, 0.0, 0.0, 1.0), 1024,
               readings);

@@ -4,6 +4,9 @@
 
 #include <string.h>
 
+#include "simulate/scene/environment.h"
+#include "simulate/scene/light_scene_of_world.h"
+#include "simulate/transport/sensors.h"
 #include "studies/year/moment.h"
 
 static const struct pp_moment_irradiances golden = {.direct_w_m2 = 700.0,
@@ -118,6 +121,82 @@ static void sunlight_on_a_level_point_is_by_the_sine(void **state)
     pp_world_destroy(world);
 }
 
+/* Another engine, the path tracer of pictures with the sun as a distant source, and the
+ * ground and a block before the window lit by it. */
+static void pictures_have_the_same_light(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_annual_sheet sheet;
+    struct pp_moment moment;
+    struct pp_moment_irradiances of = golden;
+    of.sun_altitude_rad = 40.0 * PP_RAD;
+    of.sun_bearing_rad = 205.0 * PP_RAD;
+    struct pp_world *world = pp_test_lit_world(
+        &light,
+        "<room version='1' north='20'><site ground-reflectance='0.3'/>"
+        "<plan width='4' depth='6' height='3'/>"
+        "<window wall='south' left='0.5' sill='0.9' width='3' height='1.8' "
+        "glazing='clear-double'/><block x='-4' y='-12' width='6' depth='4' height='4' "
+        "reflectance='0.4'/><point x='2' y='1'/><point x='1' y='3'/>"
+        "<point x='3' y='5'/></room>");
+    assert_int_equal(pp_moment_of_irradiances(&moment, &of, NULL), PP_OK);
+    const struct pp_annual_options options = {.samples = 256, .seed = 1};
+    assert_int_equal(pp_moment_of_room(&sheet, world, &light, world->receivers,
+                                       world->receiver_count, &moment, &options, NULL),
+                     PP_OK);
+
+    struct pp_light_scene *scene = NULL;
+    struct pp_environment *environment = NULL;
+    struct pp_sensors *sensors = NULL;
+    struct pp_sensor list[3];
+    for (int i = 0; i < 3; i++)
+        list[i] = (struct pp_sensor){world->receivers[i].position,
+                                     world->receivers[i].normal, 0};
+    assert_int_equal(pp_moment_light(&light, &moment, world->north_rad, NULL), PP_OK);
+    assert_int_equal(pp_light_scene_of_world_sunlit(&scene, world, &light.sun, NULL),
+                     PP_OK);
+    assert_int_equal(pp_light_scene_under(&environment, scene, &light, NULL), PP_OK);
+    const struct pp_sensors_options by_paths = {.error = 0.005, .seed = 5};
+    assert_int_equal(
+        pp_sensors_create(&sensors, scene, environment, list, 3, &by_paths, NULL),
+        PP_OK);
+    while (!pp_sensors_done(sensors))
+        assert_int_equal(pp_sensors_advance(sensors, 1.0, NULL), PP_OK);
+    for (int i = 0; i < 3; i++) {
+        struct pp_sensor_reading reading = pp_sensors_read(sensors, i);
+        double lx = reading.grey * moment.sky.diffuse_lx;
+        const struct pp_annual_value *value = &sheet.points[i].year_lxh;
+        assert_near(lx, value->value,
+                    0.005 * lx
+                        + 3.0
+                              * hypot(value->std_error,
+                                      reading.grey_error * moment.sky.diffuse_lx));
+    }
+    pp_sensors_destroy(sensors);
+    pp_environment_destroy(environment);
+    pp_light_scene_destroy(scene);
+    pp_annual_sheet_clear(&sheet);
+    pp_world_destroy(world);
+}
+
+/* Open ground, and a level roof of it: rho times sky and sun. */
+static void sunlit_ground_gives_back_its_share(void **state)
+{
+    (void)state;
+    const struct pp_outside_light light = {.sky = pp_sky_uniform(),
+                                           .ground_reflectance = 0.2,
+                                           .sun = {{0.0, 0.6, 0.8}, 2.5}};
+    assert_near(pp_outside_light_sunlit_ground(&light), 0.2 * (1.0 + 2.0), 1e-12);
+    assert_near(pp_outside_light_sun_on_plane(&light, pp_vec(0.0, 1.0, 0.0)), 1.5,
+                1e-12);
+    assert_near(pp_outside_light_sun_on_plane(&light, pp_vec(0.0, -1.0, 0.0)), 0.0,
+                0.0);
+    /* A wall that faces the sun: half of the sky, the sun, half of the ground. */
+    assert_near(pp_outside_light_exitance(&light, 0.5, pp_vec(0.0, 1.0, 0.0)),
+                0.5 * (0.5 + 1.5 + 0.3), 1e-9);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -125,6 +204,8 @@ TEST_FILE
         cmocka_unit_test(clock_without_a_zone_is_that_of_the_longitude),
         cmocka_unit_test(sun_below_the_horizon_does_not_shine),
         cmocka_unit_test(time_without_a_place_has_no_sun),
+        cmocka_unit_test(pictures_have_the_same_light),
+        cmocka_unit_test(sunlit_ground_gives_back_its_share),
         cmocka_unit_test(sunlight_on_a_level_point_is_by_the_sine),
     };
     add_tests(tests, NULL, NULL);
