@@ -1,9 +1,11 @@
 /* cmd_export.c - the command export: a room in another program's format. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/command.h"
 #include "cli/message.h"
+#include "cli/moment_choice.h"
 #include "cli/radiance/radiance_export.h"
 #include "cli/rooms.h"
 #include "reports/parts/format.h"
@@ -26,6 +28,7 @@ struct export_options {
     const char *directory;
     bool force, gloss;
     double external_lux;
+    struct pp_moment_choice moment;
 };
 
 static enum pp_status read_program(const char *text, void *place, struct pp_error *err)
@@ -107,6 +110,30 @@ static char *folder_of(const struct pp_rooms *rooms, int which, char *const *bef
     return strdup(fit);
 }
 
+/* Sky and sun of the moment in a room, the illuminance by the sky, and Radiance's own
+ * command for much the same sky. */
+static enum pp_status take_moment(struct pp_study_room *room,
+                                  const struct pp_moment_choice *choice,
+                                  double *external_lux, char *note, size_t size,
+                                  struct pp_error *err)
+{
+    struct pp_moment moment;
+    double north_rad = room->world->north_rad;
+    enum pp_status status = pp_moment_choice_find(&moment, choice, room->world, err);
+    if (status == PP_OK)
+        status = pp_moment_light(&room->light, &moment, north_rad, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_vec3 sun = room->light.sky.sun;
+    double west_of_south = atan2(-sun.x, -sun.y) / PP_RAD;
+    *external_lux = moment.sky.diffuse_lx;
+    snprintf(note, size,
+             "much the same in lumens: !gendaylit -ang %.3f %.3f -L %.0f %.0f",
+             asin(sun.z) / PP_RAD, west_of_south, moment.sky.direct_lx,
+             moment.sky.diffuse_lx);
+    return PP_OK;
+}
+
 static enum pp_status add_rooms(struct pp_output_directory *directory,
                                 const struct pp_rooms *rooms,
                                 const struct export_options *options,
@@ -115,13 +142,19 @@ static enum pp_status add_rooms(struct pp_output_directory *directory,
     char **folders = calloc((size_t)rooms->count + 1, sizeof *folders);
     enum pp_status status = folders ? PP_OK : pp_fail_memory(err);
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
-        const struct pp_study_room *room = &rooms->list[i];
+        struct pp_study_room *room = &rooms->list[i];
+        double external_lux = options->external_lux;
+        char note[160];
+        bool of_moment = pp_moment_choice_said(&options->moment);
         if (rooms->several && !(folders[i] = folder_of(rooms, i, folders)))
             status = pp_fail_memory(err);
         struct pp_error said;
+        if (status == PP_OK && of_moment)
+            status = take_moment(room, &options->moment, &external_lux, note,
+                                 sizeof note, &said);
         if (status == PP_OK)
-            status = pp_radiance_export(directory, folders[i], room,
-                                        options->external_lux, options->gloss, &said);
+            status = pp_radiance_export(directory, folders[i], room, external_lux,
+                                        options->gloss, of_moment ? note : NULL, &said);
         if (status != PP_OK && folders[i] == NULL && rooms->several)
             break;
         if (status == PP_BAD_INPUT)
@@ -163,6 +196,11 @@ static enum pp_exit run_export(void *values, char **files, int file_count)
         pp_rooms_load(&rooms, "export", files, file_count, &options->room);
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
+    exit_status = pp_moment_choice_load(&options->moment);
+    if (exit_status != PP_EXIT_DONE) {
+        pp_rooms_clear(&rooms);
+        return exit_status;
+    }
     struct pp_error err = {0};
     struct pp_output_directory directory;
     enum pp_status status = pp_output_directory_open(
@@ -197,6 +235,11 @@ static enum pp_status check_export_options(void *values, char **files, int file_
         return pp_fail(
             err, PP_BAD_INPUT,
             "-o is \"-\"; expected a directory, because an export is several files");
+    options->room.study.external_lux = options->external_lux;
+    enum pp_status status =
+        pp_moment_choice_settle(&options->moment, &options->room, err);
+    if (status != PP_OK)
+        return status;
     if (!(options->external_lux > 0.0))
         options->external_lux = DEFAULT_LUX;
     return PP_OK;
@@ -211,6 +254,7 @@ static const struct pp_option quiet_option[] = {
 static const struct pp_option_group groups[] = {
     {"Export", to_options, 0},
     PP_ROOM_PLACE_GROUPS("Export", offsetof(struct export_options, room)),
+    {"Export", pp_moment_options, offsetof(struct export_options, moment)},
     {"Output", output_options, 0},
     {"Output", quiet_option, 0},
     {0},
@@ -225,6 +269,7 @@ static void init_export_options(void *values)
 static void clear_export_options(void *values)
 {
     struct export_options *options = values;
+    pp_moment_choice_clear(&options->moment);
     pp_room_options_clear(&options->room);
 }
 

@@ -15,7 +15,6 @@
 
 static const char materials_name[] = "materials.rad";
 static const char points_name[] = "points.pts";
-static const char script_name[] = "daylight_factors.sh";
 
 static const struct {
     const char *file, *shapes, *says;
@@ -30,9 +29,17 @@ static const struct {
     [PP_RAD_SKY] = {"sky.rad", "half", "the sky, and the ground as a glow"},
 };
 
-const char *const pp_radiance_files[] = {
-    "materials.rad", "room.rad",      "glazing.rad",         "outside.rad", "sky.rad",
-    "points.pts",    PP_RAD_CAL_NAME, "daylight_factors.sh", "scene.oct",   NULL};
+const char *const pp_radiance_files[] = {"materials.rad",
+                                         "room.rad",
+                                         "glazing.rad",
+                                         "outside.rad",
+                                         "sky.rad",
+                                         "points.pts",
+                                         PP_RAD_CAL_NAME,
+                                         "daylight_factors.sh",
+                                         "illuminances.sh",
+                                         "scene.oct",
+                                         NULL};
 
 /* Adds a file of the room, with its description as a comment on top. */
 static enum pp_status add_file(struct pp_output_directory *directory,
@@ -115,7 +122,7 @@ static const char script[] =
     "    }\n"
     "    {\n"
     "        grey = 0.265 * $7 + 0.670 * $8 + 0.065 * $9\n"
-    "        printf \"%%s %%s %%s %%.5g\\n\", $1, $2, $3, 100 * grey / horizontal\n"
+    "        printf \"%%s %%s %%s %%.5g\\n\", $1, $2, $3, %s * grey / horizontal\n"
     "    }'\n";
 
 /* The option of oconv that its smallest cells are no larger than a centimetre where the
@@ -139,19 +146,22 @@ static void resolution_of(const struct pp_rad_room *rad, char *option, size_t si
 
 static enum pp_status add_script(struct pp_output_directory *directory,
                                  const char *folder, const struct pp_rad_room *rad,
-                                 double external_lux, struct pp_error *err)
+                                 double external_lux, bool moment, struct pp_error *err)
 {
     FILE *out;
-    enum pp_status status = add_file(directory, folder, script_name, true, &out, err);
+    const char *name = moment ? "illuminances.sh" : "daylight_factors.sh";
+    enum pp_status status = add_file(directory, folder, name, true, &out, err);
     if (status != PP_OK)
         return status;
     char irradiance[32], lux[32];
     pp_rad_numbers_text(external_lux / PP_RADIANCE_EFFICACY, irradiance);
     pp_rad_numbers_text(external_lux, lux);
-    fputs("#!/bin/sh\n# Daylight factors (%) at the points of points.pts, by "
-          "Radiance's rtrace:\n# lines \"x y z factor\". Options of rtrace may replace "
-          "those below,\n# which follow each path to its end without a cache.\n",
-          out);
+    fprintf(out,
+            "#!/bin/sh\n# %s at the points of points.pts, by Radiance's rtrace:\n"
+            "# lines \"x y z %s\". Options of rtrace may replace those below,\n# which "
+            "follow each path to its end without a cache.\n",
+            moment ? "Illuminances (lx)" : "Daylight factors (%)",
+            moment ? "lux" : "factor");
     char files[200] = ""; /* those that aren't empty: oconv would complain */
     for (int i = 0; i < PP_RAD_GROUPS; i++)
         if (rad->first[i + 1] > rad->first[i])
@@ -159,7 +169,7 @@ static enum pp_status add_script(struct pp_output_directory *directory,
                      groups[i].file);
     char resolution[32];
     resolution_of(rad, resolution, sizeof resolution);
-    fprintf(out, script, irradiance, lux, resolution, files);
+    fprintf(out, script, irradiance, lux, resolution, files, moment ? lux : "100");
     return PP_OK;
 }
 
@@ -167,7 +177,7 @@ static enum pp_status add_scene(struct pp_output_directory *directory,
                                 const char *folder, const struct pp_study_room *room,
                                 const struct pp_rad_room *rad,
                                 const struct pp_rad_writer *writer,
-                                struct pp_error *err)
+                                const char *sky_note, struct pp_error *err)
 {
     FILE *out;
     enum pp_status status = add_scene_file(directory, folder, materials_name,
@@ -178,6 +188,8 @@ static enum pp_status add_scene(struct pp_output_directory *directory,
     for (int i = 0; i < PP_RAD_GROUPS && status == PP_OK; i++) {
         status = add_scene_file(directory, folder, groups[i].file, groups[i].says,
                                 room->world, &out, err);
+        if (status == PP_OK && i == PP_RAD_SKY && sky_note)
+            fprintf(out, "# %s\n", sky_note);
         if (status == PP_OK)
             pp_rad_write_shapes(writer, groups[i].shapes, rad->first[i],
                                 rad->first[i + 1], out);
@@ -185,9 +197,16 @@ static enum pp_status add_scene(struct pp_output_directory *directory,
     return status;
 }
 
+/* A sky by Perez, with or without its sun: results are in lux. */
+static bool is_of_moment(const struct pp_outside_light *light)
+{
+    return light->sky.kind == PP_SKY_ISO && light->sky.iso == 0;
+}
+
 enum pp_status pp_radiance_export(struct pp_output_directory *directory,
                                   const char *folder, const struct pp_study_room *room,
-                                  double external_lux, bool gloss, struct pp_error *err)
+                                  double external_lux, bool gloss, const char *sky_note,
+                                  struct pp_error *err)
 {
     struct pp_rad_room rad;
     enum pp_status status =
@@ -198,11 +217,12 @@ enum pp_status pp_radiance_export(struct pp_output_directory *directory,
     struct pp_rad_writer *writer;
     status = pp_rad_write_create(&writer, &rad.scene, err);
     if (status == PP_OK) {
-        status = add_scene(directory, folder, room, &rad, writer, err);
+        status = add_scene(directory, folder, room, &rad, writer, sky_note, err);
         pp_rad_write_destroy(writer);
     }
     if (status == PP_OK)
-        status = add_script(directory, folder, &rad, external_lux, err);
+        status = add_script(directory, folder, &rad, external_lux,
+                            is_of_moment(&room->light), err);
     pp_rad_room_clear(&rad);
     if (status == PP_OK)
         status = export_sensor_points(directory, folder, room, err);

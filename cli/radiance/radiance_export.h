@@ -12,10 +12,11 @@
 extern const char *const pp_radiance_files[];
 
 /* Adds the room's files, below `folder` (NULL: at the top), with an open level
- * illuminance of `external_lux`; `gloss`: with the finishes' colour and gloss. */
+ * illuminance by the sky of `external_lux`; `gloss`: with the finishes' colour and gloss;
+ * sky_note: a comment on the sky, NULL: none. */
 enum pp_status pp_radiance_export(struct pp_output_directory *directory,
                                   const char *folder, const struct pp_study_room *room,
-                                  double external_lux, bool gloss,
+                                  double external_lux, bool gloss, const char *sky_note,
                                   struct pp_error *err);
 
 #endif

@@ -99,7 +99,7 @@ static enum pp_status export_repeated(const char *path,
     enum pp_status status =
         pp_output_directory_open(&directory, path, false, pp_radiance_files, err);
     if (status == PP_OK)
-        status = pp_radiance_export(&directory, NULL, &many, 10000.0, false, err);
+        status = pp_radiance_export(&directory, NULL, &many, 10000.0, false, NULL, err);
     if (status == PP_OK)
         status = pp_output_directory_commit(&directory, err);
     else

@@ -21,7 +21,7 @@ static const char cal[] =
     "\n"
     "\tpp_sky, of a brightfunc:\n"
     "\tA1\thorizontal irradiance of the open sky\n"
-    "\tA2\t0 uniform, 1 to 15 ISO 15469, 16 CIE overcast\n"
+    "\tA2\t0 uniform, 1 to 15 ISO 15469, 16 CIE overcast, 17 Perez in their form\n"
     "\tA3\tradiance over irradiance where the relative radiance is 1\n"
     "\tA4-A8\ta, b, c, d, e of ISO 15469\n"
     "\tA9-A11\tdirection to the sun\n"
@@ -32,7 +32,8 @@ static const char cal[] =
     "pp_chi = acos(pp_cos_sun);\n"
     "pp_indicatrix = 1 + A6*(exp(A7*pp_chi) - exp(A7*PI/2)) + "
     "A8*pp_cos_sun*pp_cos_sun;\n"
-    "pp_relative = if(A2 - 15.5, (1 + " OVERCAST "*Dz)/(1 + " OVERCAST "),\n"
+    "pp_relative = if((16.5 - A2)*(A2 - 15.5), (1 + " OVERCAST "*Dz)/(1 + " OVERCAST
+    "),\n"
     "\t\tif(A2 - .5, pp_gradation*pp_indicatrix, 1));\n"
     "pp_beyond(k) = if(k + 2.5 - arg(0), A1*A3*pp_relative,\n"
     "\t\tif(arg(k+2)*(arg(k)*Dx + arg(k+1)*Dy) - Dz, arg(k+3), pp_beyond(k+4)));\n"
@@ -223,6 +224,16 @@ static enum pp_status sky_of(const struct pp_rad_primitive *primitive,
         *sky = pp_sky_uniform();
     else if (n[1] == PP_RAD_OVERCAST)
         *sky = pp_sky_overcast();
+    else if (n[1] == PP_RAD_PEREZ && pp_vec_length(sun) > 0.5)
+        *sky = (struct pp_sky){.kind = PP_SKY_ISO,
+                               .gradation = PP_GRADED_SKY_OVERCAST,
+                               .sun = pp_vec_unit(sun),
+                               .per_horizontal = n[2],
+                               .a = n[3],
+                               .b = n[4],
+                               .c = n[5],
+                               .d = n[6],
+                               .e = n[7]};
     else if (n[1] != floor(n[1]) || n[1] < 1.0 || n[1] > 15.0
              || !(pp_vec_length(sun) > 0.5))
         status = pp_fail(&said, PP_BAD_INPUT, "the sky type is %g", n[1]);

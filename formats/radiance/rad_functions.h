@@ -34,7 +34,12 @@ enum pp_status pp_rad_functions_read(struct pp_rad_reader *reader,
 /* The numbers behind pp_sky: horizontal irradiance, type (0 uniform, 1 to 15 of ISO
  * 15469, 16 overcast), its normalisation and parameters a to e, direction to the sun;
  * then four a skyline: x and y of its direction, slope, radiance. */
-enum { PP_RAD_SKY_NUMBERS = 11, PP_RAD_SKYLINE_NUMBERS = 4, PP_RAD_OVERCAST = 16 };
+enum {
+    PP_RAD_SKY_NUMBERS = 11,
+    PP_RAD_SKYLINE_NUMBERS = 4,
+    PP_RAD_OVERCAST = 16,
+    PP_RAD_PEREZ = 17
+};
 
 /* ... and behind a glazing's: diffuse reflectance of the front and the back, diffuse
  * transmittance (0), three channels each; panes, n, KL, scale, clear share, dirt. */

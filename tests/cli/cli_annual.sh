@@ -119,6 +119,22 @@ check "a black sky has no picture" refuses 1 "not black" $render --sky perez,100
 check "a dark hour has no picture" refuses 1 "no light" $render -w "$scratch/year.epw" \
     --when "2023-03-21 02:00" "$room"
 
+# Radiance's scenes have the sun, too; read back, its light is a source.
+export="export --to radiance --force -q -o $scratch/scene"
+check "a scene with sun" quietly $export --sky perez,600,120,35,150 "$room"
+check "its sun is half a degree" grep -q ' 0.533$' "$scratch/scene/sky.rad"
+check "its command of gendaylit" grep -q -- '-ang 35.000 -30.000 -L' "$scratch/scene/sky.rad"
+check "its script gives lux" grep -q 'lux' "$scratch/scene/illuminances.sh"
+check "no factors with a sun" test ! -e "$scratch/scene/daylight_factors.sh"
+head -1 "$scratch/scene/points.pts" >"$scratch/one.pts"
+check "it is read back" shows "0.85" import --samples 16 --points-file "$scratch/one.pts" \
+    "$scratch/scene/materials.rad" "$scratch/scene/room.rad" "$scratch/scene/glazing.rad" \
+    "$scratch/scene/outside.rad" "$scratch/scene/sky.rad"
+check "a dark hour has no scene" refuses 1 "no light" $export -w "$scratch/year.epw" \
+    --when "2023-03-21 02:00" "$room"
+check "a moment has its own light" refuses 2 "--external" $export --sky perez,600,120,35,150 \
+    --external 5000 "$room"
+
 check "no weather file" refuses 2 "--weather" annual "$room"
 check "no room" refuses 2 "room file" $annual
 check "a weather file that is none" refuses 1 "EPW" annual -w "$deep" "$room"

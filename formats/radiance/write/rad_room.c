@@ -143,7 +143,8 @@ static double radiance_of(const struct rad_room_builder *b,
 {
     return b->horizontal / PP_PI * skyline->reflectance
            * (pp_sky_on_plane(&b->light->sky, normal)
-              + b->light->ground_reflectance / 2.0);
+              + pp_outside_light_sun_on_plane(b->light, normal)
+              + pp_outside_light_sunlit_ground(b->light) / 2.0);
 }
 
 /* ---- sky and ground ---- */
@@ -183,12 +184,30 @@ static enum pp_status add_half(struct rad_room_builder *b, const char *name,
                : status;
 }
 
+/* The sun as Radiance's sky generators have it: a disc of 0.533 degrees. */
+static enum pp_status add_solar(struct rad_room_builder *b)
+{
+    static const double HALF_RAD = 0.2665 * PP_RAD;
+    double half = sin(HALF_RAD / 2.0), solid = 4.0 * PP_PI * half * half;
+    struct pp_material solar =
+        pp_material_light(pp_rgb_grey(b->light->sun.per_sky * b->horizontal / solid));
+    struct pp_shape disc = {.kind = PP_SHAPE_DISTANT,
+                            .back_material = -1,
+                            .is.distant = {b->light->sun.to, HALF_RAD}};
+    snprintf(solar.name, sizeof solar.name, "solar");
+    enum pp_status status =
+        pp_scene_description_add_material(b->scene, &solar, &disc.material, b->err);
+    return status == PP_OK
+               ? pp_scene_description_add_shape(b->scene, &disc, NULL, b->err)
+               : status;
+}
+
 static enum pp_status add_sky(struct rad_room_builder *b)
 {
     struct pp_pattern pattern;
     struct pp_material sky = pp_material_glow(pp_rgb_grey(1.0));
     struct pp_material ground = pp_material_glow(
-        pp_rgb_grey(b->light->ground_reflectance * b->horizontal / PP_PI));
+        pp_rgb_grey(pp_outside_light_sunlit_ground(b->light) * b->horizontal / PP_PI));
     enum pp_status status = pattern_of(b, &pattern);
     if (status == PP_OK)
         status =
@@ -196,7 +215,9 @@ static enum pp_status add_sky(struct rad_room_builder *b)
     if (status == PP_OK)
         status = add_half(b, "sky", sky, 1.0);
     const char *name = b->world->ground_is_open ? "ground" : "far ground";
-    return status == PP_OK ? add_half(b, name, ground, -1.0) : status;
+    if (status == PP_OK)
+        status = add_half(b, name, ground, -1.0);
+    return status == PP_OK && b->light->sun.per_sky > 0.0 ? add_solar(b) : status;
 }
 
 /* ---- the ground outside as a disc ----

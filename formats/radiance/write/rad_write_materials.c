@@ -244,7 +244,8 @@ static void write_sky(const struct pp_pattern *pattern, const char *name, FILE *
     const struct pp_sky *sky = &pattern->sky;
     double type = sky->kind == PP_SKY_UNIFORM    ? 0
                   : sky->kind == PP_SKY_OVERCAST ? PP_RAD_OVERCAST
-                                                 : sky->iso;
+                  : sky->iso > 0                 ? sky->iso
+                                                 : PP_RAD_PEREZ;
     double numbers[MOST_NUMBERS] = {
         pattern->factor, type,   sky->per_horizontal, sky->a,     sky->b,    sky->c,
         sky->d,          sky->e, sky->sun.x,          sky->sun.y, sky->sun.z};
