@@ -50,20 +50,31 @@ void pp_message(const char *format, ...)
     put_line("pepperpot: ", message);
 }
 
-enum pp_exit pp_message_mistakes(struct pp_mistakes *mistakes)
+/* Each after its file and line, with `word` before its text. */
+static void put_mistakes(struct pp_mistakes *mistakes, const char *word)
 {
     pp_mistakes_sort(mistakes);
     for (int i = 0; i < mistakes->count; i++) {
         pp_format_utf8_put(stderr, mistakes->file);
         if (mistakes->list[i].line > 0)
             fprintf(stderr, ":%d", mistakes->list[i].line);
-        put_line(": ", mistakes->list[i].text);
+        put_line(word, mistakes->list[i].text);
     }
+}
+
+enum pp_exit pp_message_mistakes(struct pp_mistakes *mistakes)
+{
+    put_mistakes(mistakes, ": ");
     if (mistakes->truncated) {
         pp_format_utf8_put(stderr, mistakes->file);
         fputs(": there are more errors than can be shown\n", stderr);
     }
     return PP_EXIT_INPUT;
+}
+
+void pp_message_warnings(struct pp_mistakes *warnings, bool strict)
+{
+    put_mistakes(warnings, strict ? ": " : ": warning: ");
 }
 
 enum pp_exit pp_message_unfinished(void)

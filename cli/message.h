@@ -22,4 +22,7 @@ enum pp_exit pp_message_unfinished(void);
 /* Prints each as "FILE:LINE: error, and the expected value". Returns PP_EXIT_INPUT. */
 enum pp_exit pp_message_mistakes(struct pp_mistakes *mistakes);
 
+/* Prints each as "FILE:LINE: warning: ..."; as an error, without the word, if strict. */
+void pp_message_warnings(struct pp_mistakes *warnings, bool strict);
+
 #endif

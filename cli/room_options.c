@@ -199,6 +199,9 @@ const struct pp_option pp_room_output_options[] = {
      "output.",
      pp_options_read_output, PLACE(output)},
     {"quiet", 'q', NULL, "No progress bar.", NULL, PLACE(quiet)},
+    {"strict", 0, NULL,
+     "Doubtful input, of which there is otherwise a warning, is an error.", NULL,
+     PLACE(strict)},
     {0},
 };
 

@@ -17,6 +17,7 @@ struct pp_room_options {
     enum pp_site_state state; /* as which the rooms stand; PP_STATE_BOTH: not given */
     const char *output;       /* NULL: standard output */
     bool quiet;
+    bool strict;                  /* warnings are errors */
     struct pp_sweep sweep;        /* of --set and --sweep, with the run chosen */
     bool by_hand;                 /* not simulated, by a command that does by default */
     const struct pp_ranks *ranks; /* not owned; NULL: this process is alone */

@@ -12,6 +12,7 @@
 #include "model/room/room.h"
 #include "model/room/room_light.h"
 #include "model/room/position.h"
+#include "studies/doubts.h"
 
 /* State kept from file to file while all are read. */
 struct loading {
@@ -141,6 +142,46 @@ static enum pp_exit load_file(struct loading *loading, const char *file)
     return result;
 }
 
+/* Looks for doubtful input in all rooms. */
+static enum pp_exit find_doubts(struct pp_rooms *rooms)
+{
+    struct pp_error err;
+    rooms->doubts = calloc((size_t)rooms->count + 1, sizeof *rooms->doubts);
+    for (int i = 0; i < rooms->count && rooms->doubts; i++) {
+        struct pp_mistakes *doubts = pp_mistakes_create(rooms->list[i].file);
+        if (!doubts)
+            return pp_fail_memory(&err), pp_message_error(&err);
+        rooms->doubts[rooms->doubt_count++] = doubts;
+        pp_doubts_find(doubts, rooms->list[i].world,
+                       pp_building_room_count(rooms->list[i].building) == 1);
+        rooms->list[i].doubts = doubts;
+    }
+    if (rooms->doubts)
+        return PP_EXIT_DONE;
+    return pp_fail_memory(&err), pp_message_error(&err);
+}
+
+/* Reports them, the same of several rooms of a file once. With --strict they are
+ * errors. */
+static enum pp_exit report_doubts(const struct pp_rooms *rooms, bool strict)
+{
+    int count = 0;
+    for (int i = 0; i < rooms->count;) {
+        struct pp_mistakes all;
+        const char *file = rooms->list[i].file;
+        pp_mistakes_init(&all, strcmp(file, "-") == 0 ? "standard input" : file);
+        for (; i < rooms->count && rooms->list[i].file == file; i++) {
+            const struct pp_mistakes *own = rooms->list[i].doubts;
+            for (int k = 0; k < own->count; k++)
+                pp_mistakes_add(&all, own->list[k].line, "%s", own->list[k].text);
+        }
+        count += all.count;
+        pp_message_warnings(&all, strict);
+        pp_mistakes_clear(&all);
+    }
+    return strict && count > 0 ? PP_EXIT_INPUT : PP_EXIT_DONE;
+}
+
 /* The points of --points in this room, facing up. */
 static enum pp_exit place_points(struct pp_study_room *room,
                                  const struct pp_point_list *points)
@@ -234,6 +275,10 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
     for (int i = 0; i < rooms->count && result == PP_EXIT_DONE; i++)
         if (options->study.points.count > 0)
             result = place_points(&rooms->list[i], &options->study.points);
+    if (result == PP_EXIT_DONE)
+        result = find_doubts(rooms);
+    if (result == PP_EXIT_DONE)
+        result = report_doubts(rooms, options->strict);
     if (result != PP_EXIT_DONE)
         pp_rooms_clear(rooms);
     return result;
@@ -330,6 +375,9 @@ void pp_rooms_clear(struct pp_rooms *rooms)
         pp_study_room_clear(&rooms->list[i]);
     for (int i = 0; i < rooms->building_count; i++)
         pp_building_destroy(rooms->buildings[i]);
+    for (int i = 0; i < rooms->doubt_count; i++)
+        pp_mistakes_destroy(rooms->doubts[i]);
+    free(rooms->doubts);
     free(rooms->buildings);
     free(rooms->list);
     *rooms = (struct pp_rooms){0};

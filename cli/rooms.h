@@ -15,6 +15,8 @@ struct pp_rooms {
     bool more_than_one_file;
     struct pp_building **buildings; /* buildings that the rooms belong to */
     int building_count;
+    struct pp_mistakes **doubts; /* warnings about each room */
+    int doubt_count;
 };
 
 /* Reads all files and resolves all their rooms, with the sky and points of the options.

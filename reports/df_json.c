@@ -265,6 +265,7 @@ static struct json_object *room(const void *all, int index)
     if (good)
         good = pp_json_text(object, "room", report->world->name)
                && pp_json_text(object, "sky", pp_sky_name(&report->light.sky));
+    good = good && pp_json_warnings(object, result->doubts);
     if (good && results->options->method_options.variants)
         good = add_variants(object, results->options->method_options.variants);
     if (good && report->stand_in)

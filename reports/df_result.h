@@ -12,7 +12,8 @@
 /* Report of one room. */
 struct pp_result {
     struct pp_report report;
-    const char *file; /* as typed; not owned */
+    const char *file;                 /* as typed; not owned */
+    const struct pp_mistakes *doubts; /* warnings; NULL: none; not owned */
     bool has_advice;
     struct pp_advice advice; /* recommended method, if requested */
     bool by_clock; /* the simulation was stopped by --time, so that another run gives

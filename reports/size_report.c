@@ -386,6 +386,7 @@ static struct json_object *room(const void *all, int index)
     if (good && results->more_than_one_file)
         good = pp_json_text(object, "file", result->room->file);
     good = good && pp_json_text(object, "room", result->room->world->name)
+           && pp_json_warnings(object, result->room->doubts)
            && pp_json_number(object, "target", 100.0 * request->target)
            && pp_json_text(object, "of",
                            request->criterion                 ? "criterion"

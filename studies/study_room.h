@@ -16,6 +16,8 @@ struct pp_study_room {
     struct pp_outside_light light;
     struct pp_receiver *receivers; /* the world's own, or others in their place */
     int receiver_count;
+    const struct pp_mistakes *doubts; /* warnings about its file; NULL: not looked for;
+                                       * not owned */
 };
 
 /* Takes over world, with its own receivers as the points. description: room `index` of

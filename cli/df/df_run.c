@@ -118,6 +118,7 @@ enum pp_status pp_df_run_compute(void *data, struct pp_error *err)
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
         struct pp_result *result = &results->list[results->count++];
         result->file = rooms->list[i].file;
+        result->doubts = rooms->list[i].doubts;
         status = pp_study_report_with_plane(&result->report, &rooms->list[i],
                                             results->options, err);
     }

@@ -120,6 +120,7 @@ static struct json_object *room_object(const void *everything, int index)
         good =
             pp_json_text(object, "room", world->name)
             && pp_json_text(object, "sky", pp_sky_name(&assessment->room->light.sky));
+    good = good && pp_json_warnings(object, assessment->room->doubts);
     if (good && assessment->before)
         good = pp_json_text(object, "before", assessment->before->file);
     if (good)

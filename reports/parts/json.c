@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/base/mistakes.h"
 #include "studies/study_options.h"
 #include "reports/parts/format.h"
 
@@ -108,6 +109,25 @@ bool pp_json_simulation(struct json_object *object,
         good = pp_json_number(simulation, "time", options->seconds);
     if (good && by_clock)
         good = pp_json_text(simulation, "stopped", "time");
+    return good;
+}
+
+bool pp_json_warnings(struct json_object *object, const struct pp_mistakes *doubts)
+{
+    if (!doubts || doubts->count == 0)
+        return true;
+    struct json_object *list = json_object_new_array();
+    bool good = pp_json_add(object, "warnings", list);
+    for (int i = 0; i < doubts->count && good; i++) {
+        struct json_object *warning = json_object_new_object();
+        const struct pp_input_mistake *doubt = &doubts->list[i];
+        good = warning
+               && (doubt->line > 0
+                       ? pp_json_add(warning, "line", json_object_new_int(doubt->line))
+                       : json_object_object_add(warning, "line", NULL) == 0)
+               && pp_json_text(warning, "text", doubt->text);
+        good = pp_json_append(list, pp_json_whole(warning, good));
+    }
     return good;
 }
 

@@ -41,6 +41,11 @@ struct pp_study_options;
 bool pp_json_simulation(struct json_object *object,
                         const struct pp_study_options *options, bool by_clock);
 
+struct pp_mistakes;
+
+/* Adds "warnings", a list of texts with their lines, if there are any; NULL is none. */
+bool pp_json_warnings(struct json_object *object, const struct pp_mistakes *doubts);
+
 /* Prints an object over many lines, and frees it; NULL: memory is out. */
 enum pp_status pp_json_print(FILE *out, struct json_object *object,
                              struct pp_error *err);

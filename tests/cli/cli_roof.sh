@@ -65,7 +65,7 @@ check "a window in the slope as an opening" sh -c '
         awk "{ d = \$1 - \$2; if (d > 1e-8 || d < -1e-8) bad = 1; n++ } END { exit bad || n < 4 }"' sh "$scratch" "$pepperpot"
 
 for roof in mono gable hip saw-tooth; do
-    sed "s/roof=\"gable\" ridge=\"width\" pitch=\"45\"/roof=\"$roof\" pitch=\"30\"/; /window/d" \
+    sed "s/roof=\"gable\" ridge=\"width\" pitch=\"45\"/roof=\"$roof\" pitch=\"30\"/; s/wall=\"roof-south\" left=\"1\" sill=\"1\" width=\"1.2\" height=\"1.5\"/wall=\"west\" left=\"1\" sill=\"0.5\" width=\"1\" height=\"1\"/" \
         "$scratch/short.xml" >"$scratch/$roof.xml"
     check "$roof: a section" quietly chart section "$scratch/$roof.xml" -o "$scratch/$roof.svg"
     check "$roof: exported" sh -c '"$1" export -q --to radiance -o "$2/$3" "$2/$3.xml"' sh "$pepperpot" "$scratch" $roof

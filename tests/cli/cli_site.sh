@@ -174,7 +174,7 @@ check "an envelope or a height" refuses 2 "and --envelope exclude each other" \
 check "it is by windows" refuses 2 "expected --of vsc" size --envelope Tower --of lit-area "$site"
 check "cells are an envelope's" refuses 2 "csv is for --envelope only" \
     size --obstruction Tower -f csv "$site"
-check "no window has cells" refuses 2 "csv is for --envelope only" size -t 2% -f csv "$site"
+check "a window has a line of CSV" shows "file,room,method,change" size -t 2% --by-hand -f csv "$site"
 check "a height in metres" refuses 2 "expected a height from 1 to 1000 m" \
     size --envelope Tower --highest 0 "$site"
 check "nothing higher without a block" refuses 2 "--highest is for --obstruction or --envelope" \

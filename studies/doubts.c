@@ -1,0 +1,187 @@
+/* doubts.c - see doubts.h. */
+#include "studies/doubts.h"
+
+#include <math.h>
+
+#include "model/geometry/bounds.h"
+#include "studies/criteria/capitals.h"
+
+/* From a country's capital (rad): no place on its mainland is so far, as swapped
+ * coordinates are; and all are as near. Reunion, swapped, is 16 degrees from Paris. */
+static const double far_rad = 40.0 * PP_RAD, near_rad = 12.0 * PP_RAD;
+
+/* Extent of the envelope in x, y and z. */
+static struct pp_vec3 extent_of(const struct pp_world *world)
+{
+    struct pp_bounds3 bounds = pp_bounds3_empty();
+    for (int i = 0; i < world->face_count; i++)
+        for (int k = 0; k < world->surfaces[i].outline.count; k++)
+            pp_bounds3_add(&bounds, world->surfaces[i].outline.vertices[k]);
+    return pp_vec_sub(bounds.high, bounds.low);
+}
+
+static void doubt_size(struct pp_mistakes *doubts, const struct pp_world *world)
+{
+    struct pp_vec3 extent = extent_of(world);
+    double widest = fmax(extent.x, extent.y),
+           narrowest = fmin(fmin(extent.x, extent.y), extent.z);
+    if (widest > PP_DOUBTS_ROOM_MOST_M)
+        pp_mistakes_add(doubts, world->surfaces[0].line,
+                        "the room is %.6g m wide; is units=\"mm\" missing?", widest);
+    else if (extent.z > PP_DOUBTS_ROOM_HEIGHT_MOST_M)
+        pp_mistakes_add(doubts, world->surfaces[0].line,
+                        "the room is %.6g m high; is units=\"mm\" missing?", extent.z);
+    else if (narrowest < PP_DOUBTS_ROOM_LEAST_M)
+        pp_mistakes_add(doubts, world->surfaces[0].line,
+                        "the room measures only %.3g m; are its lengths in metres?",
+                        narrowest);
+}
+
+static void doubt_openings(struct pp_mistakes *doubts, const struct pp_world *world,
+                           bool alone)
+{
+    if (alone && world->opening_count == 0)
+        pp_mistakes_add(doubts, 0, "%s%s%s has no window; no daylight enters",
+                        world->name ? "room \"" : "the room",
+                        world->name ? world->name : "", world->name ? "\"" : "");
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_opening *opening = &world->openings[i];
+        if (opening->frame_factor < PP_DOUBTS_FACTOR_LEAST)
+            pp_mistakes_add(doubts, opening->line,
+                            "%s: frame-factor is the share of glass in the opening; "
+                            "%.3g looks like the share of the frame (then %.3g)",
+                            opening->label, opening->frame_factor,
+                            1.0 - opening->frame_factor);
+        if (!opening->maintenance_is_auto
+            && opening->maintenance < PP_DOUBTS_FACTOR_LEAST)
+            pp_mistakes_add(doubts, opening->line,
+                            "%s: maintenance is the share of light that dirt leaves; "
+                            "%.3g looks like the loss (then %.3g)",
+                            opening->label, opening->maintenance,
+                            1.0 - opening->maintenance);
+    }
+}
+
+/* Angle at the earth's centre between two places. */
+static double apart_rad(double latitude, double longitude, double other_latitude,
+                        double other_longitude)
+{
+    double cosine =
+        sin(latitude) * sin(other_latitude)
+        + cos(latitude) * cos(other_latitude) * cos(longitude - other_longitude);
+    return acos(fmax(fmin(cosine, 1.0), -1.0));
+}
+
+static void doubt_site(struct pp_mistakes *doubts, const struct pp_world *world)
+{
+    const struct pp_capital *capital =
+        world->country[0] ? pp_capitals_of_country(world->country) : NULL;
+    if (!capital || isnan(world->latitude_rad) || isnan(world->longitude_rad))
+        return;
+    double latitude = PP_RAD * capital->latitude_deg,
+           longitude = PP_RAD * capital->longitude_deg;
+    if (apart_rad(world->latitude_rad, world->longitude_rad, latitude, longitude)
+            > far_rad
+        && apart_rad(world->longitude_rad, world->latitude_rad, latitude, longitude)
+               < near_rad)
+        pp_mistakes_add(doubts, 0,
+                        "latitude %.6g and longitude %.6g are far from %s; are they "
+                        "swapped?",
+                        world->latitude_rad / PP_RAD, world->longitude_rad / PP_RAD,
+                        world->country);
+}
+
+/* Is a part of the surfaces before the opening? */
+static bool is_before(const struct pp_world *world, const struct pp_opening *opening,
+                      int first, int count)
+{
+    const struct pp_vec3 inwards = opening->outer.normal;
+    for (int i = first; i < first + count; i++) {
+        const struct pp_polygon *side = &world->surfaces[i].outline;
+        for (int k = 0; k < side->count; k++)
+            if (pp_vec_dot(pp_vec_sub(side->vertices[k], opening->outer.vertices[0]),
+                           inwards)
+                < -1e-6)
+                return true;
+    }
+    return false;
+}
+
+static bool faces_an_opening(const struct pp_world *world, const struct pp_block *block)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (is_before(world, &world->openings[i], block->first_side, block->side_count))
+            return true;
+    return false;
+}
+
+/* Does the block touch the room? It may then be the room's own building. */
+static bool touches_room(const struct pp_world *world, const struct pp_block *block)
+{
+    for (int i = 0; i < world->face_count; i++) {
+        const struct pp_surface *face = &world->surfaces[i];
+        bool apart = true;
+        for (int s = block->first_side; s < block->first_side + block->side_count; s++)
+            for (int k = 0; k < world->surfaces[s].outline.count; k++)
+                apart &= pp_vec_dot(pp_vec_sub(world->surfaces[s].outline.vertices[k],
+                                               face->outline.vertices[0]),
+                                    face->outline.normal)
+                         < -PP_DOUBTS_ROOM_LEAST_M;
+        if (apart)
+            return false;
+    }
+    return true;
+}
+
+static void doubt_outside(struct pp_mistakes *doubts, const struct pp_world *world,
+                          bool alone)
+{
+    for (int i = 0; i < world->block_count; i++) {
+        const struct pp_block *block = &world->blocks[i];
+        const char *name = block->name ? block->name : "";
+        if (block->height_m > PP_DOUBTS_OUTSIDE_HEIGHT_MOST_M)
+            pp_mistakes_add(doubts, block->line,
+                            "the block \"%s\" is %.6g m high; is units=\"mm\" missing?",
+                            name, block->height_m);
+        if (alone && world->opening_count > 0 && world->garden_count == 0
+            && !faces_an_opening(world, block) && !touches_room(world, block))
+            pp_mistakes_add(doubts, block->line,
+                            "the block \"%s\" stands behind every window; it hides no "
+                            "sky",
+                            name);
+    }
+    for (int i = 0; i < world->mesh_count; i++) {
+        double height_m =
+            world->meshes[i].bounds.high.z - world->meshes[i].bounds.low.z;
+        if (height_m > PP_DOUBTS_OUTSIDE_HEIGHT_MOST_M)
+            pp_mistakes_add(doubts, world->meshes[i].line,
+                            "the mesh is %.6g m high; is scale missing?", height_m);
+    }
+}
+
+static void doubt_skylines(struct pp_mistakes *doubts, const struct pp_world *world)
+{
+    for (int i = 0; i < world->skyline_count; i++) {
+        const struct pp_skyline *skyline = &world->skylines[i];
+        bool has_opening = false;
+        for (int k = 0; k < world->opening_count; k++)
+            has_opening |= world->openings[k].face == skyline->face;
+        if (!has_opening && isinf(skyline->distance_m) && world->opening_count > 0)
+            pp_mistakes_add(doubts, skyline->line,
+                            "the skyline is before the wall \"%s\", which has no "
+                            "window",
+                            world->surfaces[skyline->face].name);
+    }
+}
+
+void pp_doubts_find(struct pp_mistakes *doubts, const struct pp_world *world,
+                    bool alone)
+{
+    doubt_size(doubts, world);
+    doubt_openings(doubts, world, alone);
+    doubt_site(doubts, world);
+    doubt_outside(doubts, world, alone);
+    if (alone)
+        doubt_skylines(doubts, world);
+    pp_mistakes_sort(doubts);
+}
