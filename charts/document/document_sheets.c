@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "charts/document/document_grid.h"
@@ -32,6 +33,8 @@ struct sheet_setter {
     struct pp_box body;
     double y;         /* where the next block goes */
     int sheet, count; /* sheet: from 1; count: 0 before they are known */
+    int *chapters;    /* sheet on which each begins, of all headings of level 2 */
+    int chapter;      /* the next of them */
     bool drawn;       /* else they are only counted */
     enum pp_status status;
     struct pp_error *err;
@@ -191,6 +194,8 @@ static double least(struct sheet_setter *setter, int index)
             break;
         case PP_BLOCK_TABLE:
             return height + table_least(setter, block);
+        case PP_BLOCK_CONTENTS:
+            return height;
         case PP_BLOCK_PICTURE:
             return height + picture_height(setter, block);
         }
@@ -207,6 +212,8 @@ static void put_heading(struct sheet_setter *setter, int index)
         begin_sheet(setter);
     need(setter, least(setter, index));
     setter->y += gap(setter, chapter ? 6.0 : 4.0);
+    if (chapter)
+        setter->chapters[setter->chapter++] = setter->sheet;
     if (setter->drawn && block->level < 3)
         pp_canvas_add_outline(setter->canvas, block->level, block->text, setter->y);
     setter->y += put_sheet_words(setter, heading_set(block->level), 0.0, setter->y,
@@ -282,13 +289,51 @@ static void put_picture(struct sheet_setter *setter, int index)
     setter->y += height;
 }
 
+/* A line of the table of contents, with its sheet at the right. */
+static void put_contents_line(struct sheet_setter *setter, const char *words, int sheet,
+                              double height)
+{
+    struct pp_lettering set = paragraph_set(PP_TONE_PLAIN);
+    char number[16];
+    set.width = setter->body.width - 12.0;
+    set.lines = 1;
+    need(setter, height);
+    if (setter->drawn) {
+        pp_lettering_draw(setter->cr, &setter->style, &set, setter->body.x, setter->y,
+                          words);
+        set.across = 1.0;
+        snprintf(number, sizeof number, "%d", sheet);
+        pp_lettering_draw(setter->cr, &setter->style, &set,
+                          setter->body.x + setter->body.width, setter->y, number);
+    }
+    setter->y += height;
+}
+
+/* The sheets of chapters are known when the sheets have been counted. */
+static void put_contents(struct sheet_setter *setter, int index)
+{
+    const struct pp_document *document = setter->document;
+    double height = 1.4
+                    * put_sheet_words(setter, paragraph_set(PP_TONE_PLAIN), 0.0, 0.0,
+                                      "Chapter", false);
+    need(setter, 3.0 * height);
+    setter->y += gap(setter, 4.0);
+    setter->y += put_sheet_words(setter, heading_set(3), 0.0, setter->y,
+                                 document->blocks[index].text, true)
+                 + 1.0 * setter->style.scale;
+    for (int i = 0, chapter = 0; i < document->block_count; i++)
+        if (document->blocks[i].kind == PP_BLOCK_HEADING
+            && document->blocks[i].level == 2)
+            put_contents_line(setter, document->blocks[i].text,
+                              setter->chapters[chapter++], height);
+}
+
 static void put_all(struct sheet_setter *setter)
 {
     static void (*const put_block[])(struct sheet_setter *, int) = {
-        [PP_BLOCK_HEADING] = put_heading,
-        [PP_BLOCK_PARAGRAPH] = put_paragraph,
-        [PP_BLOCK_TABLE] = put_table,
-        [PP_BLOCK_PICTURE] = put_picture,
+        [PP_BLOCK_HEADING] = put_heading,   [PP_BLOCK_PARAGRAPH] = put_paragraph,
+        [PP_BLOCK_TABLE] = put_table,       [PP_BLOCK_PICTURE] = put_picture,
+        [PP_BLOCK_CONTENTS] = put_contents,
     };
     begin_sheet(setter);
     for (int i = 0; i < setter->document->block_count && setter->status == PP_OK; i++)
@@ -308,13 +353,17 @@ enum pp_status pp_document_sheets_draw(struct pp_canvas *canvas,
         .document = document,
         .name = name,
         .pictures = pictures,
+        .chapters = calloc((size_t)document->block_count + 1, sizeof(int)),
         .body = {margin_mm, margin_mm, pp_canvas_width_mm(canvas) - 2.0 * margin_mm,
                  pp_canvas_height_mm(canvas) - margin_mm - foot_mm},
         .err = err};
+    if (!fresh.chapters)
+        return pp_fail_memory(err);
     struct sheet_setter counting = fresh, drawing = fresh;
     put_all(&counting);
     drawing.drawn = true;
     drawing.count = counting.sheet;
     put_all(&drawing);
+    free(fresh.chapters);
     return drawing.status;
 }

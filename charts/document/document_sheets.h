@@ -5,7 +5,7 @@
  * paragraph or picture is cut, and no heading is the last of a sheet. Pictures keep
  * their true scale and carry their own titles. The foot of each sheet has the
  * document's name and the number of the sheet and of all sheets. Chapters form the
- * PDF's outline.
+ * PDF's outline, and a table of contents has their sheets.
  */
 #ifndef PP_CHARTS_DOCUMENT_DOCUMENT_SHEETS_H
 #define PP_CHARTS_DOCUMENT_DOCUMENT_SHEETS_H

@@ -7,6 +7,7 @@
 
 #include "cli/room_options.h"
 #include "model/room/building.h"
+#include "model/room/project.h"
 #include "pepperpot.h"
 #include "studies/climate/sunshine.h"
 #include "studies/criteria/grid/plane_grid.h"
@@ -35,6 +36,8 @@ struct pp_assess_words {
     struct pp_sunshine sunshine; /* of that file */
     enum pp_format format;
     const char *report_format; /* of report, as typed; NULL: by the file's name */
+    struct pp_project project; /* of report: in place of the file's facts */
+    bool full;                 /* of report: all of each room */
 };
 
 /* Lists for struct pp_option_group, with a struct pp_assess_words as values. */

@@ -13,8 +13,12 @@
 #include "cli/command.h"
 #include "cli/output.h"
 #include "cli/report/report_pictures.h"
+#include "model/base/text.h"
 #include "reports/page/document_html.h"
 #include "reports/page/site_report.h"
+
+/* A report of no more rooms than these is complete without --full. */
+enum { SHORT_ROOMS = 2 };
 
 #define PLACE(member) offsetof(struct pp_assess_words, member)
 
@@ -41,6 +45,30 @@ static const struct pp_option format_option[] = {
     {"format", 'f', "FORMAT",
      "html or pdf (default: from the ending of -o FILE, else html).", read_format,
      PLACE(report_format)},
+    {0},
+};
+
+#define PROJECT(member) offsetof(struct pp_assess_words, project.member)
+
+static const struct pp_option project_options[] = {
+    {"project", 0, "NAME", "Name of the project, in place of the file's <project>.",
+     pp_options_read_text, PROJECT(name)},
+    {"client", 0, "NAME", "Client.", pp_options_read_text, PROJECT(client)},
+    {"number", 0, "TEXT", "Project number.", pp_options_read_text, PROJECT(number)},
+    {"author", 0, "NAME", "Author of the report.", pp_options_read_text,
+     PROJECT(author)},
+    {"checked", 0, "NAME", "Who checked it.", pp_options_read_text, PROJECT(checked)},
+    {"date", 0, "DATE", "Date of the report.", pp_options_read_text, PROJECT(date)},
+    {"revision", 0, "TEXT", "Revision of the report.", pp_options_read_text,
+     PROJECT(revision)},
+    {0},
+};
+
+static const struct pp_option full_option[] = {
+    {"full", 0, NULL,
+     "All of each room: data, averages, the effect of changes, plan and section. "
+     "Without it a report of more than two rooms has their criteria only.",
+     NULL, PLACE(full)},
     {0},
 };
 
@@ -111,6 +139,13 @@ static void put_choice(const struct pp_assess_words *words, FILE *out)
     put_option("--weather", words->weather, out);
     if (words->french_m > 0.0)
         fprintf(out, " --vsc-point-french %.10g", words->french_m);
+    for (int i = 0; project_options[i].name; i++) {
+        char option[24];
+        snprintf(option, sizeof option, "--%s", project_options[i].name);
+        put_option(option, pp_project_at(&words->project, i), out);
+    }
+    if (words->full)
+        fputs(" --full", out);
     put_option("--format", words->report_format, out);
     put_option("--room", words->room.room, out);
     put_option("--state", states[words->room.state], out);
@@ -153,6 +188,12 @@ static char *made_words(const struct pp_assess_run *run)
 }
 
 /* ---- the report ---- */
+
+/* Has the report all of each room? */
+static bool is_full(const struct pp_assess_run *run)
+{
+    return run->words->full || run->rooms->count <= SHORT_ROOMS;
+}
 
 static enum pp_status print_html(const struct pp_document *document, const char *title,
                                  const struct pp_report_pictures *pictures, FILE *out,
@@ -198,6 +239,20 @@ static const char *title_of(const struct pp_study_room *first)
     return building ? building : first->world->name ? first->world->name : first->file;
 }
 
+/* A name for the foot of sheets: title, project number, revision and date. */
+static void write_foot(char foot[256], const char *title,
+                       const struct pp_project *project)
+{
+    foot[0] = '\0';
+    pp_text_append(foot, 256, "%.100s", title);
+    if (project->number)
+        pp_text_append(foot, 256, " · %.40s", project->number);
+    if (project->revision)
+        pp_text_append(foot, 256, " · revision %.40s", project->revision);
+    if (project->date)
+        pp_text_append(foot, 256, " · %.40s", project->date);
+}
+
 static enum pp_status print_site_report(const void *data, FILE *out,
                                         struct pp_error *err)
 {
@@ -209,18 +264,28 @@ static enum pp_status print_site_report(const void *data, FILE *out,
     struct pp_document document = {0};
     if (!made_by)
         return pp_fail_memory(err);
-    enum pp_status status = pp_report_pictures_draw(&pictures, run, pdf, err);
+    enum pp_status status =
+        pp_report_pictures_draw(&pictures, run, is_full(run), pdf, err);
+    struct pp_project project = *pp_building_project(run->rooms->list[0].building);
+    for (int i = 0; i < PP_PROJECT_FACTS; i++)
+        if (pp_project_at(&run->words->project, i))
+            *pp_project_place(&project, i) = pp_project_at(&run->words->project, i);
     const struct pp_site_report report = {.all = &run->all,
+                                          .project = &project,
+                                          .full = is_full(run),
                                           .title = title,
                                           .made_by = made_by,
                                           .version = PACKAGE_VERSION,
                                           .pictures = pictures.list,
                                           .picture_count = pictures.count,
                                           .work_of = pp_cited_works_find};
+    char foot[256];
+    write_foot(foot, title, &project);
     if (status == PP_OK)
         status = pp_site_report(&document, &report, err);
     if (status == PP_OK)
-        status = (pdf ? print_pdf : print_html)(&document, title, &pictures, out, err);
+        status = (pdf ? print_pdf : print_html)(&document, pdf ? foot : title,
+                                                &pictures, out, err);
     pp_document_clear(&document);
     pp_report_pictures_clear(&pictures);
     free(made_by);
@@ -253,6 +318,8 @@ static const struct pp_option_group groups[] = {
     {"Criteria", pp_room_french_option, PLACE(french_m)},
     {"Criteria", pp_room_spacing_option, PLACE(grid)},
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
+    {"Title block", project_options, 0},
+    {"Output", full_option, 0},
     {"Output", format_option, 0},
     {"Output", pp_room_output_options, PLACE(room)},
     {0},

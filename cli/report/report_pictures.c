@@ -209,8 +209,8 @@ static enum pp_status draw_room(struct drawing_task *task, int room,
 }
 
 enum pp_status pp_report_pictures_draw(struct pp_report_pictures *pictures,
-                                       const struct pp_assess_run *run, bool to_place,
-                                       struct pp_error *err)
+                                       const struct pp_assess_run *run, bool full,
+                                       bool to_place, struct pp_error *err)
 {
     const struct pp_rooms *rooms = run->rooms;
     enum pp_status status = PP_OK;
@@ -227,7 +227,7 @@ enum pp_status pp_report_pictures_draw(struct pp_report_pictures *pictures,
         if (is_site(&task, i, count))
             status = draw_site(&task, i, count, err);
     }
-    for (int i = 0; i < rooms->count && status == PP_OK; i++)
+    for (int i = 0; i < rooms->count && full && status == PP_OK; i++)
         status = draw_room(&task, i, err);
     free(task.before);
     return status;

@@ -22,8 +22,8 @@ struct pp_report_pictures {
  * drawn, such as the plan of a room that no hand method covers, is left out. To be cleared
  * in any case. */
 enum pp_status pp_report_pictures_draw(struct pp_report_pictures *pictures,
-                                       const struct pp_assess_run *run, bool to_place,
-                                       struct pp_error *err);
+                                       const struct pp_assess_run *run, bool full,
+                                       bool to_place, struct pp_error *err);
 void pp_report_pictures_clear(struct pp_report_pictures *pictures);
 
 #endif

@@ -109,6 +109,15 @@ void pp_document_picture(struct pp_document *document, int picture, const char *
     document->lacks_memory |= !block->text;
 }
 
+void pp_document_contents(struct pp_document *document)
+{
+    struct pp_document_block *block = add_block(document, PP_BLOCK_CONTENTS);
+    if (!block)
+        return;
+    block->text = strdup("Contents");
+    document->lacks_memory |= !block->text;
+}
+
 /* ---- tables ---- */
 
 /* The last one; NULL where memory is out. */

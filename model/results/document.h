@@ -66,6 +66,7 @@ enum pp_document_block_kind {
     PP_BLOCK_PARAGRAPH,
     PP_BLOCK_TABLE,
     PP_BLOCK_PICTURE,
+    PP_BLOCK_CONTENTS, /* the chapters, where they begin */
 };
 
 struct pp_document_block {
@@ -92,6 +93,9 @@ void pp_document_paragraph(struct pp_document *document, enum pp_tone tone,
                            const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void pp_document_picture(struct pp_document *document, int picture, const char *title);
+
+/* A table of contents here, of the headings of level 2. */
+void pp_document_contents(struct pp_document *document);
 
 /* A new table at the end; its columns are added before its rows. Headings may be empty:
  * a table in which all are has no head. */

@@ -135,6 +135,8 @@ void pp_building_destroy(struct pp_building *building)
         pp_room_parts_clear(&building->read[i]);
     free(building->read);
     pp_room_parts_clear(&building->common);
+    for (int i = 0; i < PP_PROJECT_FACTS; i++)
+        free((char *)pp_project_at(&building->project, i));
     free(building->name);
     free(building->folder);
     free(building->text);
@@ -144,6 +146,11 @@ void pp_building_destroy(struct pp_building *building)
 const char *pp_building_name(const struct pp_building *building)
 {
     return building->name;
+}
+
+const struct pp_project *pp_building_project(const struct pp_building *building)
+{
+    return &building->project;
 }
 
 const char *pp_building_text(const struct pp_building *building, size_t *length)

@@ -8,6 +8,7 @@
 
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
+#include "model/room/project.h"
 #include "model/room/text/room_change.h"
 #include "model/room/world.h"
 
@@ -76,6 +77,9 @@ enum pp_status pp_building_set_state(struct pp_building *building,
 enum pp_status pp_building_mirror(struct pp_building *building,
                                   const struct pp_mirror_line *line,
                                   struct pp_error *err);
+
+/* For whom and by whom the file was made; not owned. */
+const struct pp_project *pp_building_project(const struct pp_building *building);
 
 /* The file's own text, as it was read; not owned. */
 const char *pp_building_text(const struct pp_building *building, size_t *length);

@@ -114,25 +114,45 @@ static void put_paragraph(const struct pp_document_block *block, FILE *out)
     fputs(block->tone == PP_TONE_CODE ? "</code></p>\n" : "</p>\n", out);
 }
 
-static void put_heading(const struct pp_document_block *block, bool *in_chapter,
-                        FILE *out)
+/* chapters: of those so far; the anchor of each is its number. */
+static void put_heading(const struct pp_document_block *block, int *chapters, FILE *out)
 {
     if (block->level == 2) {
-        fputs(*in_chapter ? "</section>\n<section>\n" : "<section>\n", out);
-        *in_chapter = true;
+        fputs(*chapters > 0 ? "</section>\n<section>\n" : "<section>\n", out);
+        fprintf(out, "<h2 id=\"chapter-%d\">", ++*chapters);
+    } else {
+        fprintf(out, "<h%d>", block->level);
     }
-    fprintf(out, "<h%d>", block->level);
     pp_html_text(block->text, out);
     fprintf(out, "</h%d>\n", block->level);
 }
 
-static void put_block(const struct pp_document_block *block,
-                      const struct pp_svg_picture *pictures, bool *in_chapter,
-                      FILE *out)
+/* Links to the chapters. */
+static void put_contents(const struct pp_document *document, FILE *out)
 {
+    int chapter = 0;
+    fputs("<nav><ul>\n", out);
+    for (int i = 0; i < document->block_count; i++) {
+        const struct pp_document_block *block = &document->blocks[i];
+        if (block->kind != PP_BLOCK_HEADING || block->level != 2)
+            continue;
+        fprintf(out, "<li><a href=\"#chapter-%d\">", ++chapter);
+        pp_html_text(block->text, out);
+        fputs("</a></li>\n", out);
+    }
+    fputs("</ul></nav>\n", out);
+}
+
+static void put_block(const struct pp_document *document, int index,
+                      const struct pp_svg_picture *pictures, int *chapters, FILE *out)
+{
+    const struct pp_document_block *block = &document->blocks[index];
     switch (block->kind) {
     case PP_BLOCK_HEADING:
-        put_heading(block, in_chapter, out);
+        put_heading(block, chapters, out);
+        break;
+    case PP_BLOCK_CONTENTS:
+        put_contents(document, out);
         break;
     case PP_BLOCK_PARAGRAPH:
         put_paragraph(block, out);
@@ -149,10 +169,10 @@ static void put_block(const struct pp_document_block *block,
 void pp_document_html(const struct pp_document *document, const char *title,
                       const struct pp_svg_picture *pictures, FILE *out)
 {
-    bool in_chapter = false;
+    int chapters = 0;
     pp_html_begin(title, more_style, out);
     for (int i = 0; i < document->block_count; i++)
-        put_block(&document->blocks[i], pictures, &in_chapter, out);
-    fputs(in_chapter ? "</section>\n" : "", out);
+        put_block(document, i, pictures, &chapters, out);
+    fputs(chapters > 0 ? "</section>\n" : "", out);
     pp_html_end(out);
 }

@@ -4,11 +4,15 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "model/base/text.h"
+#include "reports/page/limits_chapter.h"
 #include "reports/page/made_chapter.h"
 #include "reports/page/room_chapter.h"
+#include "reports/page/rooms_table.h"
 #include "reports/parts/figure_unit.h"
+#include "studies/criteria/br209_count.h"
 #include "studies/criteria/site_table.h"
 
 /* ---- verdicts ---- */
@@ -18,50 +22,99 @@ static const enum pp_verdict verdicts[] = {PP_MET, PP_NOT_MET, PP_UNDECIDED,
 
 enum { VERDICTS = sizeof verdicts / sizeof *verdicts };
 
-/* Number of a room's findings with that verdict. */
-static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verdict)
+/* Criteria that pp_br209_count_of has counted. */
+static bool is_counted(const struct pp_criterion *criterion)
+{
+    static const char *const names[] = {"vertical-sky", "former-sky", "obstruction",
+                                        "no-sky-line"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(criterion->name, names[i]) == 0)
+            return true;
+    return false;
+}
+
+/* Number of a room's findings with that verdict; `others`: without those of BR 209. */
+static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verdict,
+                          bool others)
 {
     int count = 0;
     for (int k = 0; k < room->answer_count; k++) {
         const struct pp_finding_list *list = &room->answers[k].findings;
+        if (others && is_counted(room->answers[k].criterion))
+            continue;
         for (int n = 0; n < list->count; n++)
             count += list->list[n].verdict == verdict && !list->list[n].is_optional;
     }
     return count;
 }
 
+/* The count by BR 209, if windows or rooms are compared; and that of all other
+ * verdicts. */
 static void say_sum(struct pp_document *document, const struct pp_assessments *all)
 {
-    char words[160] = "";
+    char words[160] = "", br209_words[PP_BR209_WORDS];
+    const struct pp_br209_count br209 = pp_br209_count_of(all->list, all->count);
+    pp_br209_count_words(br209_words, &br209);
+    bool others = br209_words[0] != '\0';
     for (int v = 0; v < VERDICTS; v++) {
         int count = 0;
         for (int i = 0; i < all->count; i++)
-            count += count_verdicts(&all->list[i], verdicts[v]);
+            count += count_verdicts(&all->list[i], verdicts[v], others);
         if (count > 0)
             pp_text_append(words, sizeof words, "%s%d %s", words[0] ? ", " : "", count,
                            pp_finding_verdict(verdicts[v]));
     }
-    pp_document_paragraph(document, PP_TONE_VERDICT, "%s of %d room%s",
-                          words[0] ? words : "no verdicts", all->count,
-                          all->count == 1 ? "" : "s");
+    if (others)
+        pp_document_paragraph(document, PP_TONE_VERDICT, "%s.%s%s%s", br209_words,
+                              words[0] ? " Other criteria: " : "", words,
+                              words[0] ? "." : "");
+    else
+        pp_document_paragraph(document, PP_TONE_VERDICT, "%s of %d room%s",
+                              words[0] ? words : "no verdicts", all->count,
+                              all->count == 1 ? "" : "s");
+}
+
+/* "1 of 2"; empty where there is none. */
+static void put_share(struct pp_document *document, int met, int count)
+{
+    if (count > 0)
+        pp_document_cell(document, PP_TONE_PLAIN, "%d of %d", met, count);
+    else
+        pp_document_cell(document, PP_TONE_PLAIN, "%s", "");
 }
 
 static void put_verdicts(struct pp_document *document, const struct pp_assessments *all)
 {
+    const struct pp_br209_count br209 = pp_br209_count_of(all->list, all->count);
+    bool windows = br209.windows > 0, rooms = br209.rooms > 0;
     if (all->count < 2)
         return;
     pp_document_table(document);
     pp_document_column(document, PP_COLUMN_WORDS, "room");
+    if (windows)
+        pp_document_column(document, PP_COLUMN_NUMBERS, "windows that meet BR 209");
+    if (rooms)
+        pp_document_column(document, PP_COLUMN_NUMBERS, "lit area meets BR 209");
     for (int v = 0; v < VERDICTS; v++)
-        pp_document_column(document, PP_COLUMN_NUMBERS, "%s",
+        pp_document_column(document, PP_COLUMN_NUMBERS, "%s%s",
+                           windows || rooms ? "others " : "",
                            pp_finding_verdict(verdicts[v]));
     for (int i = 0; i < all->count; i++) {
         const char *name = all->list[i].room->world->name;
+        const struct pp_br209_count own = pp_br209_count_of(&all->list[i], 1);
         pp_document_row(document, PP_ROW_CELLS);
         pp_document_cell(document, PP_TONE_PLAIN, "%s", name ? name : "");
+        if (windows)
+            put_share(document, own.windows_met, own.windows);
+        if (rooms)
+            pp_document_cell(document, PP_TONE_PLAIN, "%s",
+                             own.rooms == 0  ? ""
+                             : own.rooms_met ? "yes"
+                                             : "no");
         for (int v = 0; v < VERDICTS; v++)
-            pp_document_cell(document, PP_TONE_PLAIN, "%d",
-                             count_verdicts(&all->list[i], verdicts[v]));
+            pp_document_cell(
+                document, PP_TONE_PLAIN, "%d",
+                count_verdicts(&all->list[i], verdicts[v], windows || rooms));
     }
 }
 
@@ -202,6 +255,26 @@ static enum pp_status put_tables(struct pp_document *document,
 
 /* ---- the whole ---- */
 
+static void put_facts_of_project(struct pp_document *document,
+                                 const struct pp_project *project)
+{
+    bool any = false;
+    for (int i = 0; i < PP_PROJECT_FACTS; i++) {
+        const char *fact = pp_project_at(project, i);
+        if (!fact)
+            continue;
+        if (!any) {
+            pp_document_table(document);
+            pp_document_column(document, PP_COLUMN_LABELS, "%s", "");
+            pp_document_column(document, PP_COLUMN_WORDS, "%s", "");
+        }
+        any = true;
+        pp_document_row(document, PP_ROW_CELLS);
+        pp_document_cell(document, PP_TONE_PLAIN, "%s", pp_project_facts[i].label);
+        pp_document_cell(document, PP_TONE_PLAIN, "%s", fact);
+    }
+}
+
 static void put_title(struct pp_document *document, const struct pp_site_report *report)
 {
     const struct pp_assessments *all = report->all;
@@ -212,6 +285,7 @@ static void put_title(struct pp_document *document, const struct pp_site_report 
     pp_document_paragraph(document, PP_TONE_SOFT, "Daylight: %s%s",
                           all->count ? all->list[0].room->file : "",
                           finished ? "" : "; NOT FINISHED, interrupted");
+    put_facts_of_project(document, report->project);
 }
 
 enum pp_status pp_site_report(struct pp_document *document,
@@ -220,11 +294,18 @@ enum pp_status pp_site_report(struct pp_document *document,
     const struct pp_assessments *all = report->all;
     put_title(document, report);
     say_sum(document, all);
+    pp_document_contents(document);
+    pp_document_heading(document, 2, "Summary");
     put_verdicts(document, all);
     pp_room_chapter_pictures(document, report, PP_SITE_WHOLE);
     enum pp_status status = put_tables(document, all, err);
+    if (!report->full)
+        pp_document_heading(document, 2, "Rooms");
+    if (!report->full)
+        pp_rooms_table(document, all);
     for (int i = 0; i < all->count; i++)
         pp_room_chapter(document, report, i);
+    pp_limits_chapter(document, report);
     if (status == PP_OK)
         status = pp_made_chapter(document, report, err);
     return status == PP_OK ? pp_document_status(document, err) : status;

@@ -3,6 +3,7 @@
 #define PP_REPORTS_PAGE_SITE_REPORT_H
 
 #include "model/results/document.h"
+#include "model/room/project.h"
 #include "reports/assess/assess_text.h"
 
 /* Drawing, whose number is its index in the list. */
@@ -16,6 +17,8 @@ enum { PP_SITE_WHOLE = -1 };
 
 struct pp_site_report {
     const struct pp_assessments *all;       /* judged */
+    const struct pp_project *project;       /* facts of the title block */
+    bool full;                              /* all of each room */
     const char *title;                      /* of the building or the room */
     const char *made_by;                    /* the command line */
     const char *version;                    /* of the program */

@@ -7,7 +7,7 @@ export LC_ALL
 site=$(cd "$srcdir/examples/sites" && pwd)/corner-house.xml
 page=$scratch/report.html
 
-check "a site" quietly report --by-hand --for uk-planning "$site" -o "$page"
+check "a site" quietly report --by-hand --full --for uk-planning "$site" -o "$page"
 check "is one page" sh -c "head -n 1 '$page' | grep -q '^<!DOCTYPE html>' &&
     tail -n 1 '$page' | grep -q '^</html>'"
 # Names of namespaces and the program's own ids aside, nothing is referred to.
@@ -15,7 +15,7 @@ check "that needs no network" nothing \
     "$(grep -oE '(src|href)="[^"#][^"]*"|url\([^#][^)]*\)|<script|@import' "$page" |
         grep -v 'href="data:,"')"
 for room in "Living room" Study Workroom Bedroom Bathroom; do
-    check "with the $room" grep -q "<h2>$room</h2>" "$page"
+    check "with the $room" grep -q "<h2[^>]*>$room</h2>" "$page"
 done
 # Two of the site, of each room plan, section and the plan before and now, and the sun's
 # paths for the one room of whose windows sunlight is judged.
@@ -29,9 +29,35 @@ check "whose ids are all different" nothing \
 check "the sky before and after" grep -q "W3, south</td><td>27.08</td><td>17.21</td>" "$page"
 check "what the country asks" grep -q "kitchen: 200 lx over 50 %" "$page"
 check "how it was made" \
-    grep -q "pepperpot report --for uk-planning --by-hand .*${site##*/}" "$page"
+    grep -q "pepperpot report --for uk-planning --full --by-hand .*${site##*/}" "$page"
 check "what the methods' figures contain" grep -q "bre</td>.*\[BRE310\]</td>.*>clear single glass and the frame<" "$page"
 check "and the works that it names" grep -q "\[BR209\]</td><td class=\"w\">Littlefair" "$page"
+check "its contents lead to the chapters" test \
+    "$(grep -oc '<li><a href="#chapter-' "$page")" -eq "$(grep -c '<h2 id="chapter-' "$page")"
+check "and its limits are in words" grep -q "A window counts once" "$page"
+check "windows and rooms are counted once" \
+    grep -q 'class="verdict">1 of 5 windows and 4 of 4 rooms meet BR 209' "$page"
+"$pepperpot" assess --by-hand --for uk-planning --table "$site" >"$scratch/table"
+check "as assess --table counts them" \
+    grep -q "$(grep -o '[0-9]* of [0-9]* windows and [0-9]* of [0-9]* rooms' "$page")" "$scratch/table"
+
+# ---- the title block; short and full ----
+
+sed 's|<building[^>]*>|&<project name="Tower" client="A \&amp; B" revision="A" date="1 May"/>|' \
+    "$site" >"$scratch/project.xml"
+check "a short report" quietly report --by-hand --for uk-planning --revision C \
+    "$scratch/project.xml" -o "$page"
+check "has the file's facts" grep -q 'client</td><td class="w">A &amp; B<' "$page"
+check "and an option in place of one" grep -q 'revision</td><td class="w">C<' "$page"
+check "no drawings of rooms" test "$(grep -c '<figure><svg' "$page")" -eq 2
+check "and their data in one table" grep -q '>0.01</td><td class="w">living-kitchen</td>' "$page"
+sed 's|<building[^>]*>|&<project/><project/>|' "$site" >"$scratch/two.xml"
+check "a second project is refused" refuses 1 "project" df "$scratch/two.xml"
+sed 's|<room name="Study"[^>]*>|&<project name="Tower"/>|' "$site" >"$scratch/inner.xml"
+check "so is one of a room in a building" refuses 1 "project" df "$scratch/inner.xml"
+sed 's|<building[^>]*>|&<project cleint="A"/>|' "$site" >"$scratch/client.xml"
+check "and an unknown fact" refuses 1 'did you mean "client"?' df "$scratch/client.xml"
+
 check "simulated, with standard errors" \
     gives report --error 5% --room Bedroom -j 1 "$site"
 check "by one thread or two the same" sh -c "
@@ -58,7 +84,8 @@ check "a room by itself" shows "<h1>Deep office</h1>" report --by-hand "$deep"
 cat >"$scratch/cellar.xml" <<'EOF'
 <room version="1" name="Cellar"><plan width="3" depth="4" height="2.2"/></room>
 EOF
-check "a file without windows" shows "<h1>Cellar</h1>" report --by-hand "$scratch/cellar.xml"
+run report --by-hand "$scratch/cellar.xml"
+check "a file without windows" grep -q "<h1>Cellar</h1>" "$scratch/out"
 check "with its plan and section, and none of a site" \
     test "$(grep -o '<figcaption>[A-Za-z]*' "$scratch/out" | tr '\n' ' ')" = \
     "<figcaption>Plan <figcaption>Section "
@@ -99,10 +126,12 @@ cat >"$scratch/pair.xml" <<'EOF'
 EOF
 pdf=$scratch/pair.pdf
 check "a site as PDF" quietly report --by-hand --for uk-planning "$scratch/pair.xml" -o "$pdf"
-check_words "of which every sheet is numbered, with the name of the site" "$pdf" "page 1 of 9" \
-    "page 9 of 9" "Mews & yard"
+check_words "of which every sheet is numbered, with the name of the site" "$pdf" "page 1 of 10" \
+    "page 10 of 10" "Mews & yard"
+check "the contents have the sheet of each chapter" \
+    says "$pdf" "Scullery 6 Limits and assumptions 9 How"
 check_words "every room has its chapter" "$pdf" "^Parlour$" "^Scullery$"
-check_words "verdicts and what they are held against" "$pdf" "2 met, 6 not met of 2 rooms" \
+check_words "verdicts and what they are held against" "$pdf" "0 of 2 windows and 0 of 2 rooms meet BR 209. Other criteria: 2 met." \
     "^Criteria$" "not met" "Sunlight hours \[BR209\]" "≥ 27 %"
 check_words "inputs and what is assumed" "$pdf" "floor 0.2, walls 0.5, ceiling 0.7" \
     "frame factor 1, maintenance 1"

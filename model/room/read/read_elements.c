@@ -2,6 +2,7 @@
 #include "model/room/read/read_elements.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "model/base/text.h"
@@ -60,6 +61,22 @@ static void read_site(struct pp_reader *r, struct pp_room *room,
         .line = e->line};
     snprintf(room->site.country, sizeof room->site.country, "%s",
              form.country ? form.country : "");
+}
+
+/* The root's, for the whole file. */
+static void read_project(struct pp_reader *r, struct pp_building *building,
+                         const struct pp_xml_element *root)
+{
+    for (const struct pp_xml_element *e = root->child; e; e = e->next) {
+        struct pp_project_form form;
+        if (pp_element_form_matches(e, &pp_rule_project)
+            && pp_reader_fill_form(r, &form, &pp_rule_project, e))
+            for (int i = 0; i < PP_PROJECT_FACTS; i++) {
+                const char **place = pp_project_place(&building->project, i);
+                free((char *)*place);
+                *place = pp_reader_copy_text(r, form.facts[i]);
+            }
+    }
 }
 
 static void read_finishes(struct pp_reader *r, struct pp_room *room,
@@ -363,12 +380,14 @@ enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xm
         return PP_OK;
     if (pp_element_form_matches(root, &pp_rule_building)) {
         read_building(&r, building, root);
+        read_project(&r, building, root);
     } else if (pp_element_form_matches(root, &pp_rule_room)) {
         if (PP_READER_RESERVE(&r, building->read, building->read_count)) {
             building->read[0] =
                 (struct pp_room){.site = plain_site, .sky = pp_sky_words_default()};
             building->read_count = 1;
             read_room(&r, building->read, root, true);
+            read_project(&r, building, root);
             pp_read_outside_stand_on_ground(building->read);
         }
     } else if (xml->whole) {

@@ -6,6 +6,7 @@
 #include "model/base/error.h"
 #include "model/base/mistakes.h"
 #include "model/base/xml.h"
+#include "model/room/project.h"
 #include "model/room/room_parts.h"
 
 enum { PP_READ_ELEMENTS_BYTES_MOST = 8 << 20 }; /* of a room file */
@@ -34,7 +35,8 @@ struct pp_building {
     bool has_states; /* something stands there in one state only */
     char *folder; /* that its paths are relative to, "" or with a / behind it; NULL: it
                       * was in memory */
-    char *text;   /* of the file, with a 0 behind it */
+    struct pp_project project; /* owned texts */
+    char *text;                /* of the file, with a 0 behind it */
     size_t text_length;
 };
 

@@ -31,6 +31,17 @@ static const struct pp_value_kind file_name = {.reading = PP_VALUE_NAME,
     const struct pp_element_rule pp_rule_##id = {                                      \
         element, attributes, sizeof attributes / sizeof *attributes, NULL, 0}
 
+static const struct pp_attribute_rule project_rows[PP_PROJECT_FACTS] = {
+    {"name", &text, OR(NAN), IN(project, facts[0])},
+    {"client", &text, OR(NAN), IN(project, facts[1])},
+    {"number", &text, OR(NAN), IN(project, facts[2])},
+    {"author", &text, OR(NAN), IN(project, facts[3])},
+    {"checked", &text, OR(NAN), IN(project, facts[4])},
+    {"date", &text, OR(NAN), IN(project, facts[5])},
+    {"revision", &text, OR(NAN), IN(project, facts[6])},
+};
+LEAF(project, "project", project_rows);
+
 static const struct pp_attribute_rule site_rows[] = {
     {"latitude", &pp_room_values_latitude, OR(NAN), IN(site, latitude_rad)},
     {"longitude", &pp_room_values_longitude, OR(NAN), IN(site, longitude_rad)},
@@ -385,12 +396,12 @@ static const struct pp_child_rule room_children[] = {
     {&pp_rule_partition, 0, 0}, {&pp_rule_door, 0, 0},
     {&pp_rule_dado, 0, 0},      {&pp_rule_working_plane, 0, 1},
     {&pp_rule_point, 0, 0},     {&pp_rule_line, 0, 0},
-    {&pp_rule_grid, 0, 0},
+    {&pp_rule_grid, 0, 0},      {&pp_rule_project, 0, 1}, /* of a root only */
 };
 enum { ROOM_ROWS = sizeof room_rows / sizeof *room_rows };
 const struct pp_element_rule pp_rule_building_room = {
     "room", room_rows + 1, ROOM_ROWS - 1, room_children,
-    sizeof room_children / sizeof *room_children};
+    sizeof room_children / sizeof *room_children - 1};
 const struct pp_element_rule pp_rule_room = {
     "room", room_rows, ROOM_ROWS - BUILDING_ROWS, room_children,
     sizeof room_children / sizeof *room_children};
@@ -404,7 +415,7 @@ static const struct pp_attribute_rule building_rows[] = {
      IN(building, glass_reflectance)},
 };
 static const struct pp_child_rule building_children[] = {
-    {&pp_rule_site, 0, 1},   {&pp_rule_sky, 0, 1},          {&pp_rule_skyline, 0, 0},
-    {&pp_rule_block, 0, 0},  {&pp_rule_surface, 0, 0},      {&pp_rule_mesh, 0, 0},
-    {&pp_rule_garden, 0, 0}, {&pp_rule_building_room, 1, 0}};
+    {&pp_rule_site, 0, 1},   {&pp_rule_sky, 0, 1},           {&pp_rule_skyline, 0, 0},
+    {&pp_rule_block, 0, 0},  {&pp_rule_surface, 0, 0},       {&pp_rule_mesh, 0, 0},
+    {&pp_rule_garden, 0, 0}, {&pp_rule_building_room, 1, 0}, {&pp_rule_project, 0, 1}};
 RULE(building, "building", building_rows, building_children);

@@ -12,6 +12,7 @@
 #include <stddef.h>
 
 #include "model/room/corrections.h"
+#include "model/room/project.h"
 #include "model/base/mistakes.h"
 #include "model/base/xml.h"
 
@@ -97,6 +98,10 @@ struct pp_room_form {
     double x, y, z, rotate_rad; /* NAN: not given */
     int use;                    /* enum pp_room_use, 0: not given */
     int state;                  /* enum pp_site_state */
+};
+
+struct pp_project_form {
+    const char *facts[PP_PROJECT_FACTS]; /* NULL: not given */
 };
 
 struct pp_site_form {
@@ -241,12 +246,13 @@ struct pp_receiver_form {
 };
 
 extern const struct pp_element_rule pp_rule_building, pp_rule_building_room,
-    pp_rule_room, pp_rule_site, pp_rule_sky, pp_rule_plan, pp_rule_plan_vertex,
-    pp_rule_envelope, pp_rule_face, pp_rule_vertex, pp_rule_finishes, pp_rule_finish,
-    pp_rule_window, pp_rule_rooflight, pp_rule_opening, pp_rule_skyline,
-    pp_rule_furniture, pp_rule_column, pp_rule_partition, pp_rule_door, pp_rule_dado,
-    pp_rule_facade, pp_rule_garden, pp_rule_block, pp_rule_footprint, pp_rule_surface,
-    pp_rule_mesh, pp_rule_working_plane, pp_rule_wall, pp_rule_overhang, pp_rule_fin,
-    pp_rule_balcony, pp_rule_shelf, pp_rule_point, pp_rule_line, pp_rule_grid;
+    pp_rule_project, pp_rule_room, pp_rule_site, pp_rule_sky, pp_rule_plan,
+    pp_rule_plan_vertex, pp_rule_envelope, pp_rule_face, pp_rule_vertex,
+    pp_rule_finishes, pp_rule_finish, pp_rule_window, pp_rule_rooflight,
+    pp_rule_opening, pp_rule_skyline, pp_rule_furniture, pp_rule_column,
+    pp_rule_partition, pp_rule_door, pp_rule_dado, pp_rule_facade, pp_rule_garden,
+    pp_rule_block, pp_rule_footprint, pp_rule_surface, pp_rule_mesh,
+    pp_rule_working_plane, pp_rule_wall, pp_rule_overhang, pp_rule_fin, pp_rule_balcony,
+    pp_rule_shelf, pp_rule_point, pp_rule_line, pp_rule_grid;
 
 #endif
