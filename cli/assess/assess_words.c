@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
+#include <strings.h>
 
 #include "cli/availability/availability_options.h"
 #include "model/base/text.h"
@@ -45,6 +46,10 @@ const struct pp_option pp_assess_words_table[] = {
      "One table of all windows and rooms, existing and proposed, instead of a sheet "
      "for each room.",
      NULL, PLACE(table)},
+    {"schedule", 0, "FILE",
+     "Also write the schedule of windows, existing and proposed, to FILE.csv or "
+     "FILE.xlsx.",
+     pp_options_read_output, PLACE(schedule)},
     {0},
 };
 
@@ -129,6 +134,29 @@ static enum pp_status check_place(const struct pp_assess_words *options,
                            options->place);
 }
 
+bool pp_assess_words_is_xlsx(const char *path)
+{
+    size_t length = strlen(path);
+    return length > 5 && strcasecmp(path + length - 5, ".xlsx") == 0;
+}
+
+static enum pp_status check_schedule(const struct pp_assess_words *options,
+                                     struct pp_error *err)
+{
+    size_t length = strlen(options->schedule);
+    bool csv = length > 4 && strcasecmp(options->schedule + length - 4, ".csv") == 0;
+    if (!csv && !pp_assess_words_is_xlsx(options->schedule))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--schedule: expected a name that ends in .csv or .xlsx, not "
+                       "\"%.100s\"",
+                       options->schedule);
+    return options->room.sweep.axis_count == 0
+               ? PP_OK
+               : pp_fail(err, PP_BAD_INPUT,
+                         "--schedule is for one run, and --sweep makes many; expected "
+                         "one of them");
+}
+
 enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
                                      struct pp_error *err)
 {
@@ -163,6 +191,8 @@ enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
                          "--mirror-image compares a file's existing and proposed "
                          "states; it cannot be combined with %s",
                          options->before ? "--before" : "--state");
+    if (status == PP_OK && options->schedule)
+        status = check_schedule(options, err);
     if (status == PP_OK && options->table && options->room.sweep.axis_count > 0)
         status = pp_fail(err, PP_BAD_INPUT,
                          "--table is for one run, and --sweep makes many; expected "

@@ -24,8 +24,9 @@ struct pp_assess_words {
     const char *criteria;     /* as typed; NULL: all */
     const char *profile_name; /* as typed; NULL: none */
     const struct pp_profile *profile;
-    bool table;         /* one table of all rooms in place of a sheet a room */
-    const char *before; /* the file with the room as it was; NULL: none */
+    bool table;           /* one table of all rooms in place of a sheet a room */
+    const char *schedule; /* file for the schedule of windows; NULL: none */
+    const char *before;   /* the file with the room as it was; NULL: none */
     struct pp_boundary_words mirror_image;
     const char *place; /* a capital of the standard's table; NULL: the room's site */
     double median_lux; /* instead; 0: not given */
@@ -49,6 +50,9 @@ void pp_assess_words_init(void *words);
 void pp_assess_words_clear(void *words);
 enum pp_status pp_assess_words_check(void *words, char **files, int file_count,
                                      struct pp_error *err);
+
+/* True if the name of a schedule ends in .xlsx. */
+bool pp_assess_words_is_xlsx(const char *path);
 
 /* Prints the end of the help: criteria and profiles. */
 void pp_assess_words_help(FILE *out);

@@ -20,6 +20,7 @@ enum shown {
     OF,
     EXISTING,
     PROPOSED,
+    LOSS,
     RATIO,
     FIGURE,
     WANTED,
@@ -44,6 +45,7 @@ struct heading {
 static const char sky[] = "vertical sky component, %",
                   lit[] = "area with a view of the sky, m2",
                   mirror_image[] = "mirror image", found[] = "found",
+                  sun[] = "share of sunlight hours, %",
                   sunlit[] = "sunlit for two hours, %",
                   adequate[] = "adequately lit, m2", lost[] = "lost, m2";
 static const struct heading of_windows[] = {
@@ -68,6 +70,15 @@ static const struct heading of_rooms[] = {
     {mirror_image, "area, m2", MIRRORED, false},
     {mirror_image, "verdict", BY_MIRROR_IMAGE, false},
     {0}};
+static const struct heading of_suns[] = {{NULL, "room", ROOM, false},
+                                         {NULL, "ref", REF, false},
+                                         {NULL, "window", OF, false},
+                                         {sun, "existing", EXISTING, true},
+                                         {sun, "proposed", PROPOSED, false},
+                                         {sun, "loss, %", LOSS, true},
+                                         {sun, "ratio", RATIO, true},
+                                         {sun, "verdict", VERDICT, false},
+                                         {0}};
 static const struct heading of_gardens[] = {
     {NULL, "garden", OF, false},           {sunlit, "existing", EXISTING, true},
     {sunlit, "proposed", PROPOSED, false}, {sunlit, "ratio", RATIO, true},
@@ -142,6 +153,9 @@ static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
         break;
     case PROPOSED:
         put_number(cell, compared * row->proposed, 2);
+        break;
+    case LOSS:
+        put_number(cell, 100.0 * (1.0 - row->ratio), 1);
         break;
     case RATIO:
         put_number(cell, row->ratio, 3);
@@ -222,13 +236,16 @@ static enum pp_status print_table(const char *title, const struct heading *headi
  * of the first room that has any. */
 static void print_foot(const struct pp_site_table *table, int width, FILE *out)
 {
-    const struct pp_site_row *lists[] = {table->windows, table->rooms, table->gardens,
-                                         table->rights, table->others};
-    const int counts[] = {table->window_count, table->room_count, table->garden_count,
-                          table->rights_count, table->other_count};
+    enum { LISTS = 6 };
+    const struct pp_site_row *lists[LISTS] = {table->windows, table->rooms,
+                                              table->suns,    table->gardens,
+                                              table->rights,  table->others};
+    const int counts[LISTS] = {table->window_count, table->room_count,
+                               table->sun_count,    table->garden_count,
+                               table->rights_count, table->other_count};
     char text[1024] = "Criteria:";
     const struct pp_criterion *last = NULL;
-    for (int l = 0; l < 5; l++)
+    for (int l = 0; l < LISTS; l++)
         for (int i = 0; i < counts[l] && lists[l][i].room == lists[l][0].room; i++) {
             const struct pp_criterion *criterion = lists[l][i].criterion;
             if (criterion != last)
@@ -282,6 +299,9 @@ enum pp_status pp_assess_table(const struct pp_assessments *all, int width, FILE
     if (status == PP_OK)
         status = print_table("Rooms", of_rooms, table.rooms, table.room_count, NULL,
                              width, out, err);
+    if (status == PP_OK)
+        status = print_table(pp_site_table_sun_title(&table), of_suns, table.suns,
+                             table.sun_count, NULL, width, out, err);
     if (status == PP_OK)
         status = print_table("Gardens, on 21 March", of_gardens, table.gardens,
                              table.garden_count, NULL, width, out, err);

@@ -28,6 +28,7 @@ static struct json_object *row_object(const struct pp_site_row *row, bool compar
         good = pp_json_number(object, "existing", scale * row->existing)
                && pp_json_number(object, "proposed", scale * row->proposed)
                && pp_json_number(object, "ratio", row->ratio)
+               && pp_json_number(object, "loss", 100.0 * (1.0 - row->ratio))
                && pp_json_text(object, "unit", pp_figure_unit(finding->compared));
     if (good && row->by_mirror_image)
         good = pp_json_number(object, "mirror_image", scale * row->mirrored)
@@ -144,6 +145,8 @@ enum pp_status pp_assess_table_json(const struct pp_assessments *all, FILE *out,
             && pp_json_add(object, "br209", br209_object(all))
             && add_rows(object, "windows", table.windows, table.window_count, true)
             && add_rows(object, "rooms", table.rooms, table.room_count, true)
+            && (table.sun_count == 0
+                || add_rows(object, "sunlight", table.suns, table.sun_count, true))
             && (table.garden_count == 0
                 || add_rows(object, "gardens", table.gardens, table.garden_count, true))
             && (table.rights_count == 0

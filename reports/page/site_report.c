@@ -149,8 +149,10 @@ static void put_site_row(struct pp_document *document, const struct pp_site_row 
     if (compares)
         pp_room_chapter_number(document, scale * row->existing, 2);
     pp_room_chapter_number(document, scale * row->proposed, 2);
-    if (compares)
+    if (compares) {
+        pp_room_chapter_number(document, 100.0 * (1.0 - row->ratio), 1);
         pp_room_chapter_number(document, row->ratio, 3);
+    }
     pp_room_chapter_verdict(document, row->finding);
     if (mirrored)
         pp_room_chapter_number(document, scale * row->mirrored, 2);
@@ -176,8 +178,10 @@ static void put_rows(struct pp_document *document, const char *title, const char
         pp_document_column(document, PP_COLUMN_NUMBERS, "existing, %s", unit);
     pp_document_column(document, PP_COLUMN_NUMBERS,
                        compares ? "proposed, %s" : "now, %s", unit);
-    if (compares)
+    if (compares) {
+        pp_document_column(document, PP_COLUMN_NUMBERS, "loss, %%");
         pp_document_column(document, PP_COLUMN_NUMBERS, "ratio");
+    }
     pp_document_column(document, PP_COLUMN_WORDS, "verdict");
     if (mirrored) {
         pp_document_column(document, PP_COLUMN_NUMBERS, "mirror image, %s", unit);
@@ -235,6 +239,29 @@ static void put_rights(struct pp_document *document, const struct pp_site_table 
         put_areas(document, "sum", &table->rights_sum, compares);
 }
 
+/* Windows by the loss of their vertical sky component, if any has a former one. */
+static void put_losses(struct pp_document *document, const struct pp_assessments *all)
+{
+    const struct pp_br209_count count = pp_br209_count_of(all->list, all->count);
+    if (count.compared == 0)
+        return;
+    pp_document_heading(document, 3, "Windows by the loss of sky");
+    pp_document_table(document);
+    for (int i = 0; i < PP_LOSS_BANDS; i++)
+        if (i == 0)
+            pp_document_column(document, PP_COLUMN_NUMBERS, "below %.0f %%",
+                               100.0 * pp_loss_bands[1]);
+        else if (i + 1 < PP_LOSS_BANDS)
+            pp_document_column(document, PP_COLUMN_NUMBERS, "%.0f to %.0f %%",
+                               100.0 * pp_loss_bands[i], 100.0 * pp_loss_bands[i + 1]);
+        else
+            pp_document_column(document, PP_COLUMN_NUMBERS, "%.0f %% or more",
+                               100.0 * pp_loss_bands[i]);
+    pp_document_row(document, PP_ROW_CELLS);
+    for (int i = 0; i < PP_LOSS_BANDS; i++)
+        pp_document_cell(document, PP_TONE_PLAIN, "%d", count.losses[i]);
+}
+
 static enum pp_status put_tables(struct pp_document *document,
                                  const struct pp_assessments *all, struct pp_error *err)
 {
@@ -245,8 +272,13 @@ static enum pp_status put_tables(struct pp_document *document,
                  table.windows, table.window_count);
         put_rows(document, "Area of the working plane with a view of the sky [BR209]",
                  NULL, "m²", table.rooms, table.room_count);
+        char title[96];
+        snprintf(title, sizeof title, "%s, share of those on open ground [BR209]",
+                 pp_site_table_sun_title(&table));
+        put_rows(document, title, "window", "%", table.suns, table.sun_count);
         put_rows(document, "Share of gardens with two hours of sun on 21 March [BR209]",
                  "garden", "%", table.gardens, table.garden_count);
+        put_losses(document, all);
         put_rights(document, &table);
     }
     pp_site_table_clear(&table);

@@ -1,4 +1,4 @@
-/* site_table.c - sorts findings into windows, rooms, gardens, rights of light and others.
+/* site_table.c - sorts findings into windows, rooms, sunlight, gardens, rights of light and others.
  *
  * Where a room has been judged with the room as it was, its windows stand with the
  * criterion that compares (former-sky), else with the one that does not (vertical-sky).
@@ -110,6 +110,13 @@ static enum pp_status add_answer(struct pp_site_table *table,
         if (criterion == &pp_criterion_mirror_image
             && put_beside(table, room, &findings->list[i]))
             continue;
+        if (criterion == &pp_criterion_sunlight && isfinite(findings->list[i].now)) {
+            if (add_site_row(&table->suns, &table->sun_count, room, answer,
+                             &findings->list[i], err)
+                != PP_OK)
+                return PP_SYSTEM;
+            continue;
+        }
         if (criterion == &pp_criterion_gardens) {
             if (add_site_row(&table->gardens, &table->garden_count, room, answer,
                              &findings->list[i], err)
@@ -140,10 +147,17 @@ enum pp_status pp_site_table_of(struct pp_site_table *table,
     return status;
 }
 
+const char *pp_site_table_sun_title(const struct pp_site_table *table)
+{
+    bool judged = table->sun_count > 0 && !isnan(table->suns[0].finding->wanted);
+    return judged ? "Sunlight hours, probable" : "Sunlight hours, possible";
+}
+
 void pp_site_table_clear(struct pp_site_table *table)
 {
     free(table->windows);
     free(table->rooms);
+    free(table->suns);
     free(table->gardens);
     free(table->rights);
     free(table->others);

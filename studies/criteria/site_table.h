@@ -28,6 +28,8 @@ struct pp_site_table {
     int window_count;
     struct pp_site_row *rooms; /* area that sees sky, a line a room */
     int room_count;
+    struct pp_site_row *suns; /* share of sunlight hours, a line a window and season */
+    int sun_count;
     struct pp_site_row *gardens; /* sunlit share, a line a garden */
     int garden_count;
     struct pp_site_row *rights; /* of light: area adequately lit, a line a room */
@@ -41,6 +43,10 @@ struct pp_site_table {
 enum pp_status pp_site_table_of(struct pp_site_table *table,
                                 const struct pp_assessment *rooms, int count,
                                 struct pp_error *err);
+/* "Sunlight hours, possible" or "..., probable": the hours are probable where they are
+ * judged. Static. */
+const char *pp_site_table_sun_title(const struct pp_site_table *table);
+
 void pp_site_table_clear(struct pp_site_table *table);
 
 #endif

@@ -1,0 +1,14 @@
+/* schedule_xlsx.h - the schedule of windows as an Excel workbook, by libxlsxwriter. */
+#ifndef PP_REPORTS_ASSESS_SCHEDULE_XLSX_H
+#define PP_REPORTS_ASSESS_SCHEDULE_XLSX_H
+
+#include <stdio.h>
+
+#include "studies/criteria/window_schedule.h"
+
+/* The same columns as in CSV, with losses from 20, 30 and 40 % coloured. Its bytes depend
+ * on the schedule only. PP_BAD_INPUT where the program was built without the library. */
+enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule, FILE *out,
+                                struct pp_error *err);
+
+#endif

@@ -1,0 +1,52 @@
+/* window_schedule.h - the schedule of a planning report: a line a window with its sky, its
+ * sunlight and its room's lit area, existing and proposed. */
+#ifndef PP_STUDIES_CRITERIA_WINDOW_SCHEDULE_H
+#define PP_STUDIES_CRITERIA_WINDOW_SCHEDULE_H
+
+#include "studies/criteria/assessment.h"
+
+/* Fractions, or m2 for an area; NAN: not known. */
+struct pp_schedule_change {
+    double existing, proposed;
+};
+
+/* Share of the existing value that is lost (negative: gained), and the ratio. */
+double pp_schedule_loss(struct pp_schedule_change change);
+double pp_schedule_ratio(struct pp_schedule_change change);
+
+enum { PP_SCHEDULE_CHANGES = 4 };
+enum pp_schedule_quantity {
+    PP_SCHEDULE_SKY,    /* vertical sky component */
+    PP_SCHEDULE_YEAR,   /* share of sunlight hours in the year */
+    PP_SCHEDULE_WINTER, /* of these hours in winter */
+    PP_SCHEDULE_AREA    /* of the window's room with a view of the sky, m2 */
+};
+
+/* Titles with units: "vertical sky component, %". */
+extern const char *const pp_schedule_titles[PP_SCHEDULE_CHANGES];
+
+/* Factor from a stored value to one in that unit. */
+double pp_schedule_scale(enum pp_schedule_quantity quantity);
+
+struct pp_schedule_row {
+    const struct pp_assessment *room; /* not owned */
+    const char *window;               /* label; in the room's world */
+    double level_m;                   /* of the room's floor in its building */
+    struct pp_schedule_change changes[PP_SCHEDULE_CHANGES];
+    enum pp_verdict verdict; /* of the sky, by [BR209]; PP_NOT_JUDGED without one */
+};
+
+struct pp_window_schedule {
+    struct pp_schedule_row *rows;
+    int count;
+    bool probable; /* are sunlight hours probable and not possible ones? */
+};
+
+/* A line for each window whose sky or sunlight was assessed, in the order of rooms. The
+ * caller clears it in any case. */
+enum pp_status pp_window_schedule_of(struct pp_window_schedule *schedule,
+                                     const struct pp_assessment *rooms, int count,
+                                     struct pp_error *err);
+void pp_window_schedule_clear(struct pp_window_schedule *schedule);
+
+#endif

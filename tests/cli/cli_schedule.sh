@@ -1,0 +1,63 @@
+#!/bin/sh
+# assess --schedule: each window's sky, sunlight and lit area, existing and proposed.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+LC_ALL=C
+export LC_ALL
+site=$examples/sites/corner-house.xml
+csv=$scratch/windows.csv
+
+check "a schedule beside the table" gives assess --by-hand --for uk-planning --table \
+    --schedule "$csv" "$site"
+check "whose sunlight has its own table" grep -q "^  Sunlight hours, possible" "$scratch/out"
+check "is a line a window, below a head" test "$(wc -l <"$csv")" -eq 6
+check "all with as many fields" test "$(awk -F, '{ print NF }' "$csv" | sort -u | wc -l)" -eq 1
+# The field of a column in the line of window $2.
+field() {
+    awk -F, -v column="$1" -v window="$2" '
+        NR == 1 { for (i = 1; i <= NF; i++) { sub(/\r/, "", $i); if ($i == column) c = i; if ($i == "window") w = i } }
+        NR > 1 && $w == window { print $c }' "$csv"
+}
+"$pepperpot" assess --by-hand -c former-sky -f csv "$site" >"$scratch/findings.csv"
+check "the sky is that of the findings" test "$(field vsc_proposed W3)" = \
+    "$(awk -F, '/former-sky,"W3/ { print $10 }' "$scratch/findings.csv")"
+check "loss and ratio are one" awk -v loss="$(field vsc_loss_percent W3)" \
+    -v ratio="$(field vsc_ratio W3)" 'BEGIN { d = loss - 100 * (1 - ratio); exit !(loss > 20 && d * d < 1e-12) }'
+check "the year's sun is more than winter's" awk -v year="$(field sun_year_proposed W1)" \
+    -v winter="$(field sun_winter_proposed W1)" 'BEGIN { exit !(year > winter && winter > 0) }'
+check "only windows of living rooms have sunlight" test -z "$(field sun_year_proposed W4)"
+check "the lit area is that of its room" test -n "$(field lit_area_proposed W3)"
+check "hours without a weather file are possible" test "$(field sun_hours W3)" = possible
+check "upper floors have their level" test "$(field level_m W5)" = 3.5
+check "JSON has the sunlight of each window" shows '"sunlight": [' \
+    assess --by-hand --for uk-planning --table -f json "$site"
+check "with losses" grep -q '"loss": ' "$scratch/out"
+
+xlsx=$scratch/windows.xlsx
+run assess --by-hand --for uk-planning --table --schedule "$xlsx" "$site"
+if grep -q "built without libxlsxwriter" "$scratch/err"; then
+    skip "a workbook" "no libxlsxwriter"
+else
+    check "a workbook is a ZIP archive" test "$(head -c 2 "$xlsx")" = PK
+    cp "$xlsx" "$scratch/first.xlsx"
+    run assess --by-hand --for uk-planning --table --schedule "$xlsx" "$site"
+    check "and the same again" same "$scratch/first.xlsx" "$xlsx"
+    if command -v unzip >/dev/null; then
+        check "with the names of rooms" sh -c "
+            unzip -p '$xlsx' xl/sharedStrings.xml | grep -q '<t>Living room</t>'"
+        check "and the figures of the CSV" sh -c "
+            unzip -p '$xlsx' xl/worksheets/sheet1.xml | grep -qF '<v>$(field vsc_proposed W3 | cut -c 1-8)'"
+    else
+        skip "with the names of rooms" "no unzip"
+    fi
+fi
+check "other endings are refused" refuses 2 "ends in .csv or .xlsx" \
+    assess --by-hand --schedule "$scratch/windows.ods" "$site"
+check "a schedule needs sky or sunlight" refuses 1 "no window's sky or sunlight was assessed" \
+    assess --by-hand -c average --schedule "$scratch/none.csv" "$site"
+check "and then is not written" test ! -e "$scratch/none.csv"
+check "it is for one run" refuses 2 "--schedule is for one run" \
+    assess --by-hand --schedule "$csv" --sweep block.Tower.height=9,10 "$site"
+check "nothing is left over" nothing "$(leftovers; ls /tmp/pepperpot-xlsx-* 2>/dev/null)"
+
+tap_done
