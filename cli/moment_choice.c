@@ -52,9 +52,9 @@ static enum pp_status read_when(const char *text, void *place, struct pp_error *
 
 const struct pp_option pp_moment_options[] = {
     {"when", 0, "'YYYY-MM-DD HH:MM'",
-     "Illuminances in lux at that standard time, with direct sunlight, in place of "
-     "daylight factors: in the record of --weather, or with the sun of --sky "
-     "perez,DNI,DHI (+HH:MM behind it: hours ahead of universal time).",
+     "Show illuminances in lux at that standard time, with direct sunlight, instead of "
+     "daylight factors. The light is that of --weather or of --sky perez,DNI,DHI "
+     "(+HH:MM behind it: hours ahead of universal time).",
      read_when, 0},
     {"weather", 'w', "FILE.epw", "Weather file of --when.", pp_options_read_input,
      offsetof(struct pp_moment_choice, weather)},

@@ -88,10 +88,9 @@ const struct pp_option pp_room_points_option[] = {
 
 const struct pp_option pp_room_sky_options[] = {
     {"sky", 0, "TYPE",
-     "Another sky than the file's: overcast, uniform, or iso-1 to iso-15, "
-     "with \",ALTITUDE,BEARING\" of the sun in degrees behind it where "
-     "the type needs one; or a photograph: \"picture,FILE\", with "
-     "\",KEY=VALUE\" for each attribute of <sky> behind it.",
+     "Another sky than the file's: overcast, uniform, or iso-1 to iso-15. Types with a "
+     "sun need \",ALTITUDE,BEARING\" in degrees behind them. A photograph is "
+     "\"picture,FILE\", with \",KEY=VALUE\" for each attribute of <sky> behind it.",
      pp_options_read_text, PLACE(study.sky)},
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room)},
@@ -130,7 +129,7 @@ static enum pp_status read_spacing(const char *text, void *place, struct pp_erro
 
 const struct pp_option pp_room_spacing_option[] = {
     {"spacing", 0, "S[,MARGIN]",
-     "Judge the working plane on a grid of this spacing, so far from the walls "
+     "Judge the working plane on a grid of this spacing and distance from the walls "
      "(default 0.5 m). Without the option: the spacing of the file's grid, or 0.3 m, "
      "halved until the verdicts no longer depend on it. \"largest\" is the coarsest "
      "grid that EN 17037 permits.",
@@ -159,10 +158,9 @@ const struct pp_option pp_room_by_hand_options[] = {
 
 const struct pp_option pp_room_stop_options[] = {
     {"error", 0, "E%",
-     "Stop when the standard error of the daylight factor is down "
-     "to that share of it, or to 0.002 % daylight factor, at "
-     "every point (default 1%, at most 100%; above some 5 to 10% the least that is "
-     "traced is better).",
+     "Stop when the standard error at every point is below that share of the daylight "
+     "factor, or below 0.002 % daylight factor. Default 1%, at most 100%; above 5 to "
+     "10% the minimum number of paths is more accurate.",
      pp_options_read_per_cent, PLACE(study.error)},
     {"samples", 0, "N",
      "Stop after N paths per point in each randomisation, instead of --error.",

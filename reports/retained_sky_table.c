@@ -133,9 +133,10 @@ void pp_retained_sky_table_point(const struct pp_retained_sky_rule *rule, int wi
     char text[128];
     if (!(rule->french_m > 0.0))
         return;
-    snprintf(text, sizeof text,
-             "vertical sky component of windows down to the floor: at %g m above it",
-             rule->french_m);
+    snprintf(
+        text, sizeof text,
+        "vertical sky component of windows down to the floor: at %g m above the floor",
+        rule->french_m);
     fputs("  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
 }

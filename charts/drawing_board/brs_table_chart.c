@@ -265,7 +265,8 @@ static void say_sums(char *text, size_t room, const struct pp_brs_sheet *sheet)
     for (int i = 0; i < sheet->window_count && i < WINDOWS_MOST; i++) {
         const struct pp_brs_window *window = &sheet->windows[i];
         if (!(window->distance_m > 0.0)) {
-            pp_page_say(text, room, "%s: the point lies behind it or in its plane.",
+            pp_page_say(text, room,
+                        "%s: the point lies behind the window or in its plane.",
                         window->label);
             continue;
         }

@@ -111,10 +111,10 @@ static void say_position_letters(char *text, size_t room)
     pp_page_say(
         text, room,
         "A: diffuse transmittance T of the glass (clear single 0.83) times its net "
-        "area W, divided by the area of all interior surfaces A. B: mean reflectance R "
-        "of these surfaces, openings 0.1. D: effective light L on the glass. H: place "
-        "of the point: x, from the window wall, over the depth d of the room; then y, "
-        "from the middle of the window along the wall, over half the breadth w.");
+        "area W, over the area A of all interior surfaces. B: mean reflectance R of "
+        "these surfaces, openings 0.1. D: effective light L on the glass. H: position "
+        "of the point. First x, from the window wall, over the depth d of the room. "
+        "Then y, from the centre of the window along the wall, over half the width w.");
     pp_page_say(text, room,
                 "Values off scale A: set ten times or a tenth of the value and move "
                 "the decimal point of the result back. Multiply by a factor for dirt. "
@@ -136,8 +136,8 @@ static void say_formulae(char *text, size_t room, const struct pp_nomogram_sheet
         text, room,
         "V, C_b, C_g: light on the glass from the sky, from obstructions and from the "
         "ground, without shading. \u03c1_l, A_l, \u03c1_u, A_u: reflectance and area "
-        "of the surfaces below and above the middle of the window. d, w, h: depth, "
-        "breadth and height of the window with its reveal. d_r, w_r, h_r: those of the "
+        "of the surfaces below and above the centre of the window. d, w, h: depth, "
+        "width and height of the window with its reveal. d_r, w_r, h_r: those of the "
         "room. Formula irc-atlas, fitted to simulated rooms: pepperpot.");
 }
 
@@ -145,15 +145,15 @@ static void say_letters(char *text, size_t room, const struct pp_nomogram *nomog
 {
     bool top = nomogram->kind == PP_NOMOGRAM_ROOFLIGHT;
     pp_page_say(text, room,
-                "A: net glass area W over area of all interior surfaces A. B: mean "
+                "A: net glass area W over the area A of all interior surfaces. B: mean "
                 "reflectance R of these surfaces, openings 0.1. C: average internally "
                 "reflected component (IRC), %s.",
                 top ? "horizontal glass" : "no obstruction");
     pp_page_say(
         text, room,
         top ? "D: slope \u03b2 of the glass (horizontal: 0). E: IRC at that slope."
-            : "D: altitude \u03b1 of a long obstruction from the middle of the "
-              "window. E: IRC with it.");
+            : "D: altitude \u03b1 of a long obstruction from the centre of the window. "
+              "E: IRC with it.");
     if (nomogram->kind == PP_NOMOGRAM_MINIMUM)
         pp_page_say(
             text, room,

@@ -218,7 +218,7 @@ void pp_pepper_pot_plot_draw(const struct pp_pepper_pot_drawing *drawing,
     set = (struct pp_lettering){.size = PP_TEXT_SMALL, .across = 0.5, .down = 1.0};
     pp_lettering_draw(drawing->cr, style, &set, frame->x + 0.5 * frame->width,
                       frame->y + frame->height + border.bottom,
-                      "sideways \u00f7 distance of the plane of the window");
+                      "lateral distance \u00f7 distance to the plane of the window");
     set.turn_rad = -PP_PI / 2.0;
     set.down = 0.0;
     pp_lettering_draw(drawing->cr, style, &set, frame->x - border.left,

@@ -158,7 +158,7 @@ static void draw_ratios(const struct indicator_drawing *drawing)
     }
     pp_lettering_draw(drawing->cr, style, &set, map->x0,
                       map->y0 + 1.2 * tick + 1.4 * style->text[PP_TEXT_SMALL],
-                      "distance over height above the middle of the window");
+                      "distance over height above the centre of the window");
 }
 
 static void say_indicator_foot(char *foot, size_t room,
@@ -174,7 +174,7 @@ static void say_indicator_foot(char *foot, size_t room,
                                "straight side on the window. An edge hides the crosses "
                                "beyond it, between the sight lines to its ends."
                              : "Obstructions are drawn at their distance over their "
-                               "height above the middle of the window.");
+                               "height above the centre of the window.");
 }
 
 /* Writes the heights for which the drawing is correct on plans of several scales. */
@@ -189,7 +189,7 @@ static void plan_words(const struct indicator_drawing *drawing, char *words,
     for (int i = 0; i < 5; i++)
         pp_page_say(words, room, "%.4g\u00a0m%s on a plan 1:%d%s",
                     drawing->map.mm * plans[i] / 1000.0,
-                    i == 0 ? " above the middle of the window" : "", plans[i],
+                    i == 0 ? " above the centre of the window" : "", plans[i],
                     i < 4 ? "," : ".");
 }
 
@@ -204,9 +204,8 @@ static void indicator_titles(const struct pp_skylight_indicator_sheet *sheet,
                  "Vertical sky component of a window from the site plan, %s", sky);
     else
         snprintf(subtitle, room,
-                 "Skylight indicator for the window %s, middle of its outer face "
-                 "x\u00a0%.2f, "
-                 "y\u00a0%.2f, z\u00a0%.2f\u00a0m, %s",
+                 "Skylight indicator for the window %s, centre of its outer face "
+                 "x\u00a0%.2f, y\u00a0%.2f, z\u00a0%.2f\u00a0m, %s",
                  sheet->label, sheet->middle.x, sheet->middle.y, sheet->middle.z, sky);
 }
 

@@ -88,14 +88,14 @@ static void upright_titles(const struct pp_waldram_sheet *sheet, const char *sky
                            char *title, char *subtitle, size_t room)
 {
     snprintf(title, room, "%s",
-             sheet->name ? sheet->name : "Waldram diagram of an upright receiver");
+             sheet->name ? sheet->name : "Waldram diagram of a vertical receiver");
     if (sheet->blank)
         snprintf(subtitle, room, "Vertical sky component, %s", sky);
     else
         snprintf(subtitle, room,
                  "Vertical sky component of the window %s, %s of its outer "
                  "face x\u00a0%.2f, y\u00a0%.2f, z\u00a0%.2f\u00a0m, %s",
-                 sheet->panels->windows->label, sheet->off_middle ? "point" : "middle",
+                 sheet->panels->windows->label, sheet->off_middle ? "point" : "centre",
                  sheet->point.x, sheet->point.y, sheet->point.z, sky);
 }
 

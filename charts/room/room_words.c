@@ -65,7 +65,7 @@ void pp_room_words_outside(char *text, size_t room, const struct pp_world *world
                     wall ? wall : "", skyline->angle_rad / PP_RAD);
         if (isfinite(skyline->distance_m))
             pp_page_say(text, room,
-                        "above the middle of its windows, %.4g\u00a0m away,",
+                        "above the centre of its windows, %.4g\u00a0m away,",
                         skyline->distance_m);
         pp_page_say(text, room, "reflectance %.3g.", skyline->reflectance);
     }

@@ -255,10 +255,10 @@ static void say_elevation_foot(const struct elevation_drawing *drawing, char *fo
     const struct pp_site_sheet *site = &drawing->sheet->site;
     pp_page_say(
         foot, room,
-        "Figures in per cent, at the middle of the outer face of each window%s.",
+        "Figures in per cent, at the centre of the outer face of each window%s.",
         site->has_before ? "; above, in light type: existing" : "");
     if (site->french_m > 0.0)
-        pp_page_say(foot, room, "Windows down to the floor: at %g m above it.",
+        pp_page_say(foot, room, "Windows down to the floor: at %g m above the floor.",
                     site->french_m);
     if (site->has_before)
         pp_page_say(

@@ -386,7 +386,7 @@ static void draw_site_sheet(struct site_drawing *drawing, struct pp_canvas *canv
     if (sheet->french_m > 0.0)
         pp_page_say(foot, sizeof foot,
                     "Windows down to the floor: at %g m above the floor; all others at "
-                    "their middle.",
+                    "their centre.",
                     sheet->french_m);
     if (sheet->cell_count > 0)
         pp_page_say(

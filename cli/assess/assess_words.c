@@ -80,10 +80,9 @@ const struct pp_option pp_assess_words_choice[] = {
      "probability of sunshine.",
      pp_options_read_input, PLACE(weather)},
     {"least-altitude", 0, "DEG",
-     "The sun counts above this altitude for sun-exposure (default: that of EN 17037 "
-     "for "
-     "the country, known for DE, 11, and CZ, 13; elsewhere the verdict is given where "
-     "any from 5 to 20 degrees leads to it).",
+     "The sun counts above this altitude for sun-exposure. Default: the value of EN "
+     "17037 for the country (DE 11, CZ 13). Elsewhere the verdict is given if all "
+     "altitudes from 5 to 20 degrees lead to it.",
      read_altitude, PLACE(least_altitude_rad)},
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room.room)},

@@ -67,8 +67,8 @@ static enum pp_status take_up(struct pp_atlas_file *file, const char *head,
     int line = compare_head(file->stream, head, &empty);
     if (line > 0 && !empty)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s:%d: this is another atlas or no atlas; expected the same "
-                       "version, sky, error and seed, or a new file",
+                       "%s:%d: the file is not this atlas; expected the same version, "
+                       "sky, error and seed, or a new file",
                        file->path, line);
     long end = empty ? 0 : find_end(file);
     if (ftruncate(fileno(file->stream), end) != 0

@@ -261,8 +261,8 @@ static const struct pp_option sweep_options[] = {
 static const struct pp_option map_options[] = {
     {"map", 0, "BY",
      "Draw a map of the atlas FILE to -o FILE.pdf, FILE.svg or FILE.png: hand figure "
-     "over simulated figure by depth (of the point, and room proportion), erc (its "
-     "share of direct light), ground, reflectance or obstruction.",
+     "over simulated figure. BY is depth (of the point, and room proportion), erc "
+     "(share of direct light), ground, reflectance or obstruction.",
      read_map, 0},
     {"method", 0, "NAME",
      "Column of the atlas for the map: exact+bre, average-df, erc.exact (default "

@@ -255,7 +255,7 @@ static void say_far_zone(const struct pp_year_options *options)
     double off_h = fabs(remainder(sun_h - epw->time_zone_h, 24.0));
     if (off_h > 3.0)
         pp_message("%s:1: the longitude of %.4g degrees is %.1f h ahead of UT, but the "
-                   "time zone is %.4g h ahead of it; is the sign of one of them wrong?",
+                   "time zone is %.4g h ahead; check the signs of both",
                    pp_read_file_title(options->weather), epw->longitude_rad / PP_RAD,
                    sun_h, epw->time_zone_h);
 }

@@ -289,7 +289,7 @@ enum pp_exit pp_chart_run(const struct pp_chart_kind *kind,
         !room_options->output || strcmp(room_options->output, "-") == 0;
     if (to_standard_output && isatty(STDOUT_FILENO)) {
         pp_fail(&err, PP_BAD_INPUT,
-                "a chart cannot go to the terminal; expected -o FILE");
+                "a chart cannot be written to the terminal; expected -o FILE");
         return pp_message_usage("chart", &err);
     }
     enum pp_exit exit_status = PP_EXIT_DONE;

@@ -296,8 +296,8 @@ static enum pp_status check_light(const struct pp_year_options *light,
     if (!kind->outside)
         return said && (light->weather || !kind->of_sun)
                    ? pp_fail(err, PP_BAD_INPUT,
-                             "%s is drawn without a year's light; --weather and "
-                             "--latitude are of availability, --weather of year",
+                             "%s does not use the light of a year; --weather and "
+                             "--latitude apply to availability, --weather also to year",
                              kind->name)
                    : PP_OK;
     if (!said && file_count == 0)

@@ -54,7 +54,7 @@ static const struct pp_option bands_option[] = {
      "CSV.",
      NULL, PLACE(bands)},
     {"no-bands", 0, NULL,
-     "Leave out the bands that hold 95 of 100 true figures of similar rooms.", NULL,
+     "Leave out the bands that contain 95 of 100 true values of similar rooms.", NULL,
      PLACE(no_bands)},
     {0},
 };

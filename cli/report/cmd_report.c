@@ -24,14 +24,12 @@ enum { SHORT_ROOMS = 2 };
 
 static const char about[] =
     "Writes a report of all rooms of a file: to -o FILE.html one page of HTML that "
-    "needs "
-    "nothing else, to -o FILE.pdf sheets of A4. It holds what is known of each room, "
-    "daylight factors by hand with their bands and traced with their standard errors, "
-    "criteria, the effect of changes, the room's plan and section, and how it "
-    "was made. Of a site also its plan and elevations and, existing and proposed, "
-    "every "
-    "window's sky and every room's lit area before and after; with a --for that judges "
-    "sunlight, the sun's paths. FILE is a room file; - is standard input.";
+    "needs nothing else, to -o FILE.pdf sheets of A4. For each room it shows daylight "
+    "factors by hand with their bands, simulated ones with standard errors, and the "
+    "criteria. It adds the effect of changes, plan and section, and how the figures "
+    "were made. For a site it shows plan and elevations, the sky of every window and "
+    "the lit area of every room. Existing and proposed states are compared. Criteria "
+    "of sunlight add the sun's paths. FILE is a room file; - is standard input.";
 
 static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
 {

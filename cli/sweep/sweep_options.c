@@ -108,8 +108,8 @@ const struct pp_option pp_sweep_options[] = {
      "window.width changes every window. Repeat it for more.",
      add_change, 0},
     {"sweep", 0, "PART.ATTRIBUTE=FROM:TO:STEP",
-     "Run once for each of these values, or of a list A,B,...; the results are one "
-     "table. Repeat it to combine several sweeps.",
+     "Run once for each of these values, or for each of a list A,B,...; all results "
+     "form one table. Repeat it to combine several sweeps.",
      add_axis, 0},
     {0},
 };

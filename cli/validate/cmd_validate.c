@@ -258,7 +258,7 @@ static enum pp_status check_word(const char *word, struct pp_error *err)
     if (access(word, F_OK) == 0 || !pp_text_nearest(word, names, count))
         return PP_OK;
     return pp_text_unknown(err, word, names, count, NULL,
-                           "there is no suite and no file %s", word);
+                           "%s is neither a suite nor a file", word);
 }
 
 static enum pp_status fail_page(struct pp_error *err)

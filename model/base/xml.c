@@ -390,7 +390,7 @@ static void on_error(void *context, const xmlError *error)
             one);
     else if (error->code == XML_ERR_DOCUMENT_END && b->xml->root && b->depth == 0)
         pp_mistakes_add(b->mistakes, line,
-                        "there is more after </%s>; expected the end of the file",
+                        "there is content after </%s>; expected the end of the file",
                         pp_text_excerpt(one, sizeof one, b->xml->root->name));
     else if (!b->xml->root && error->code == XML_ERR_DOCUMENT_EMPTY)
         pp_mistakes_add(b->mistakes, line, "this is not XML; expected %s",

@@ -13,7 +13,7 @@ static const char open_tag[] = "this tag is not closed; expected > or /> at its 
 static const char bad_start[] = "the <?xml ...?> at the start is malformed";
 static const char bad_reference[] =
     "this reference &#...; is empty, or to a control character that XML does not allow";
-static const char bad_letter[] = "there is a control character that XML does not allow";
+static const char bad_letter[] = "control characters are not allowed in XML";
 
 static const struct {
     int code;
@@ -36,7 +36,7 @@ static const struct {
     {XML_ERR_SPACE_REQUIRED, PP_XML_HERE, bad_tag},
     {XML_ERR_GT_REQUIRED, PP_XML_HERE, bad_tag},
     {XML_ERR_HYPHEN_IN_COMMENT, PP_XML_HERE,
-     "there are two hyphens -- within a comment"},
+     "two hyphens -- are not allowed within a comment"},
     {XML_ERR_PI_NOT_STARTED, PP_XML_HERE,
      "a <?...?> is malformed; expected a name at its start"},
     {XML_ERR_RESERVED_XML_NAME, PP_XML_HERE,

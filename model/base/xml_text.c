@@ -94,8 +94,8 @@ static enum pp_status convert(struct pp_xml_text *text, const char *name,
         if (xmlBufferLength(in) > 0) {
             pp_mistakes_add(mistakes,
                             pp_xml_text_line(text, text->bytes + text->length),
-                            "there are bytes that are not %s, the encoding of the "
-                            "file: it is damaged or incomplete; save it as UTF-8",
+                            "some bytes are not %s, the encoding of the file; the file "
+                            "is damaged or incomplete, so save it as UTF-8",
                             shown);
             pp_xml_text_clear(text);
         }

@@ -182,10 +182,11 @@ static enum pp_status check_scatter(const struct pp_material *material,
                      "a reflectance or transmittance is below 0; expected 0 or more",
                      err);
     if (!within(sum, 1.0 + ROUNDING))
-        return wrong(material,
-                     "it returns more light than it receives; expected reflectances "
-                     "and transmittances with a sum of 1 at most in each channel",
-                     err);
+        return wrong(
+            material,
+            "the material returns more light than it receives; expected reflectances "
+            "and transmittances with a sum of at most 1 in each channel",
+            err);
     for (int i = 0; i < 2; i++)
         if (!(material->roughness[i] >= 0.0 && material->roughness[i] <= 1.0))
             return wrong(material, "expected a roughness from 0 to 1", err);

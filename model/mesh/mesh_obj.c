@@ -144,9 +144,9 @@ enum pp_status pp_mesh_obj_read(struct pp_mesh_triangles *mesh,
         status = read_statement(mesh, &corners, lines, line, statement, err);
     free(corners.list);
     if (status == PP_OK && lines->left > 0)
-        status = pp_mesh_lines_fail(
-            lines, lines->line, err,
-            "there is a NUL byte; expected an OBJ file, which is text");
+        status =
+            pp_mesh_lines_fail(lines, lines->line, err,
+                               "there is a NUL byte; expected an OBJ file of text");
     if (status == PP_OK && mesh->triangle_count == 0)
         status = pp_mesh_lines_fail(lines, lines->line, err,
                                     "the file has no face; expected v and f");

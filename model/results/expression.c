@@ -355,7 +355,7 @@ static struct term product(struct parser *parser)
             return factor;
         if (over && factor.constant && factor.value == 0.0)
             return fail(parser, factor.start,
-                        "this is 0; expected something to divide by");
+                        "this is 0; expected a number to divide by");
         emit(parser, over ? PP_DO_OVER : PP_DO_TIMES, sign);
         term.dimension =
             pp_dimension_times(term.dimension, factor.dimension, over ? -1.0 : 1.0);

@@ -16,7 +16,7 @@ static bool add_annual_figure(struct json_object *object, const char *key,
     pp_json_on_one_line(line);
     if (!isfinite(figure->value))
         return pp_json_number(line, "value", NAN)
-               && pp_json_text(line, "why", "without blinds there is no such figure");
+               && pp_json_text(line, "why", "not defined without blinds");
     return pp_json_number(line, "value", unit * figure->value)
            && pp_json_number(line, "se", unit * figure->std_error);
 }

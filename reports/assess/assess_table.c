@@ -254,12 +254,11 @@ static void print_foot(const struct pp_site_table *table, int width, FILE *out)
             last = criterion;
         }
     if (table->has_mirror_image)
-        pp_text_append(
-            text, sizeof text,
-            ". Mirror image: in place of the proposal stands the mirror image of the "
-            "building's own rooms at the boundary, with their height, on the same "
-            "ground. The criterion is met if the proposal keeps as much [%s]",
-            pp_criterion_mirror_image.source);
+        pp_text_append(text, sizeof text,
+                       ". Mirror image: the building's own rooms, mirrored at the "
+                       "boundary with their height and ground, replace the proposal. "
+                       "The criterion is met if the proposal keeps as much [%s]",
+                       pp_criterion_mirror_image.source);
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
 }

@@ -152,8 +152,7 @@ static void tell_reflectances(const struct pp_world *world,
     append_reflectance(world, PP_WALL, "walls", text);
     append_reflectance(world, PP_CEILING, "ceiling", text);
     if (world->decorations != 1.0)
-        pp_text_append(text, TEXT_BYTES,
-                       "; decorations leave %.3g of what they reflect",
+        pp_text_append(text, TEXT_BYTES, "; decorations keep %.3g of their reflectance",
                        world->decorations);
     tell(listener, "reflectances", "%s", text);
 }

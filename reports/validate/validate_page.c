@@ -275,7 +275,7 @@ void pp_validate_page(const struct pp_known_result *result, FILE *out)
     if (result->suite->of_rooms) {
         fputs("<h1>Daylight factors, two ways</h1>\n<p class=\"soft\">", out);
     } else {
-        fputs("<h1>" PACKAGE_NAME " against what is known</h1>\n<p class=\"soft\">",
+        fputs("<h1>" PACKAGE_NAME " against known values</h1>\n<p class=\"soft\">",
               out);
         pp_html_text(result->suite->name, out);
         fputs(": ", out);

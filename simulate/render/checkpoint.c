@@ -164,7 +164,7 @@ static enum pp_status check_whole(const unsigned char *bytes, size_t length,
                                   size_t *kept, struct pp_error *err)
 {
     if (length < sizeof magic || memcmp(bytes, magic, sizeof magic) != 0)
-        return pp_fail(err, PP_BAD_INPUT, "it is not a checkpoint of a picture");
+        return pp_fail(err, PP_BAD_INPUT, "the file is not a checkpoint of a picture");
     if (length < HEAD + TAIL)
         return pp_fail(err, PP_BAD_INPUT, "the checkpoint is cut off or damaged");
     const unsigned char *head = bytes + sizeof magic, *tail = bytes + length - TAIL;

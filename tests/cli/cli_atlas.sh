@@ -108,12 +108,12 @@ check "a map to nowhere is" refuses_atlas 2 "expected -o FILE.pdf" --map depth "
 check "a map of nothing is" refuses_atlas 2 "expected one file" --map depth -o x.svg
 
 check "another seed does not go on in the file" \
-    refuses_atlas 1 "another atlas" --seed 2 --rooms 4 -o "$whole"
-check "nor another sky" refuses_atlas 1 "another atlas" --sky iso --rooms 4 -o "$whole"
-check "nor another error" refuses 1 "another atlas" atlas --rooms 4 -o "$whole"
+    refuses_atlas 1 "not this atlas" --seed 2 --rooms 4 -o "$whole"
+check "nor another sky" refuses_atlas 1 "not this atlas" --sky iso --rooms 4 -o "$whole"
+check "nor another error" refuses 1 "not this atlas" atlas --rooms 4 -o "$whole"
 cp "$examples/office.xml" "$scratch/office.xml"
 check "a room file is not written over" \
-    refuses_atlas 1 "another atlas or no atlas" --rooms 4 -o "$scratch/office.xml"
+    refuses_atlas 1 "not this atlas" --rooms 4 -o "$scratch/office.xml"
 check "to the byte" same "$examples/office.xml" "$scratch/office.xml"
 check "and is no atlas" refuses_atlas 1 "this is not an atlas" --by-hand "$examples/office.xml"
 check "a file that is not there" refuses_atlas 1 "cannot be read" --by-hand "$scratch/none.csv"

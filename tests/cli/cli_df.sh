@@ -127,7 +127,7 @@ assumed() {
 }
 check "are all assumed" assumed "maintenance 0.7 (BRE309), curtains"
 check "curtains too" grep -q "curtains 0.9" "$scratch/out"
-check "and decorations" grep -q "decorations leave 0.6 of" "$scratch/out"
+check "and decorations" grep -q "decorations keep 0.6 of" "$scratch/out"
 check "which the average daylight factor does not count" \
     grep -q "average-df: decorations (0.6)" "$scratch/out"
 check "a minimum is no average" grep -q "bre-min: the method gives the minimum" "$scratch/out"

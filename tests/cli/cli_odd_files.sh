@@ -20,17 +20,17 @@ wb polygon p 0 0 9 0 0 0 1 0 0 0 1 0
 RAD
 check "a word in quotes holds blanks" shows "polygons          1" import --summary "$scratch/sides.rad"
 sed 's/0)"/0)/' "$scratch/sides.rad" >"$scratch/wrong.rad"
-check "one that does not end" refuses 1 "wrong.rad:3: a word in quotes" \
+check "one that does not end" refuses 1 "wrong.rad:3: a quoted word" \
     import --summary "$scratch/wrong.rad"
 printf 'void plastic "" 0 0 5 .5 .5 .5 0 0\n' >"$scratch/wrong.rad"
-check "one with nothing in it" refuses 1 "quotes with nothing in them" \
+check "one with nothing in it" refuses 1 "a quoted word is empty" \
     import --summary "$scratch/wrong.rad"
 printf 'void plastic pink 0 0 5 .5 .5 .5 0 0\nvoid mirror m 1 pink 0 3 .9 .9 .9\n' >"$scratch/wrong.rad"
-check "a mirror for lamps alone is named" refuses 1 'the material "pink" in its place' \
+check "a mirror for lamps alone is named" refuses 1 'the alternate material "pink"' \
     import --summary "$scratch/wrong.rad"
 printf 'secret:x:0\n' >"$scratch/private"
 printf '!xform %s\n' "$scratch/private" >"$scratch/wrong.rad"
-check "a file that is no scene" refuses 1 "is no scene of Radiance's" \
+check "a file that is no scene" refuses 1 "is not a Radiance scene" \
     import --summary "$scratch/wrong.rad"
 check "is not quoted" test -z "$(grep secret "$scratch/err")"
 check "a scene without a primitive" refuses 1 "the scene is empty" import --summary /dev/null

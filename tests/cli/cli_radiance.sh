@@ -227,7 +227,7 @@ printf 'void illum i 1 nosuch 0 3 1 1 1\n' >"$scratch/bad.rad"
 check "what it looks like has to be there" refuses 1 'bad.rad:1: there is no material "nosuch"' \
     import "$scratch/bad.rad"
 printf 'void glow g 0 0 4 1 1 1 0\nvoid illum i 1 g 0 3 1 1 1\n' >"$scratch/bad.rad"
-check "and gives off no light itself" refuses 1 "bad.rad:2: an illum looks like \"g\"" \
+check "and gives off no light itself" refuses 1 "bad.rad:2: the alternate material of an illum is \"g\"" \
     import "$scratch/bad.rad"
 
 check "without Radiance, validate says so" sh -c \

@@ -140,10 +140,10 @@ static enum pp_status take_other(const struct pp_rad_reader *reader,
     if (meaning.kind == PP_RAD_MATERIAL)
         seen = reader->scene->materials[meaning.index];
     if (meaning.kind != PP_RAD_MATERIAL || seen.emits != PP_EMITS_NOTHING)
-        return pp_rad_words_fail(
-            primitive->words, other.line, err,
-            "an illum looks like \"%.*s\"; expected a material that emits no light",
-            shown, other.text);
+        return pp_rad_words_fail(primitive->words, other.line, err,
+                                 "the alternate material of an illum is \"%.*s\"; "
+                                 "expected a material that emits no light",
+                                 shown, other.text);
     seen.emits = illum->emits;
     seen.unseen = true;
     seen.radiance = illum->radiance;
@@ -178,9 +178,8 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
     if (strcmp(name, "mirror") == 0 && primitive->string_count == 1)
         return pp_rad_words_fail(
             words, primitive->line, err,
-            "mirror with the material \"%.*s\" in its place: it mirrors the light of "
-            "lamps alone, which is not worked out; expected that material, or a mirror "
-            "without strings",
+            "a mirror with the alternate material \"%.*s\" is not supported; expected "
+            "that material, or a mirror without strings",
             pp_rad_words_shown(primitive->strings[0]), primitive->strings[0].text);
     if (!materials[which].grain && primitive->string_count > is_illum)
         return pp_rad_words_fail(

@@ -169,10 +169,10 @@ static enum pp_status take_rad_primitive(struct pp_rad_reader *reader,
         return status;
     return pp_rad_words_fail(
         primitive->words, primitive->line, err,
-        "the type \"%.*s\" is not supported; expected a shape (polygon, sphere, "
-        "bubble, cone, cup, cylinder, tube, ring, source), a material (plastic, metal, "
-        "trans, plastic2, metal2, trans2, glass, light, glow, illum, mirror), alias, "
-        "the brightfunc of gensky, a mixfunc of two sides",
+        "the type \"%.*s\" is not supported; expected a shape, a material, alias, the "
+        "brightfunc of gensky or a mixfunc of two sides. Shapes are polygon, sphere, "
+        "bubble, cone, cup, cylinder, tube, ring and source. Materials are plastic, "
+        "metal, trans, plastic2, metal2, trans2, glass, light, glow, illum and mirror",
         pp_rad_words_shown(primitive->type), primitive->type.text);
 }
 

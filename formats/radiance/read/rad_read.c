@@ -268,7 +268,7 @@ static enum pp_status read_text(struct pp_rad_reader *reader,
     if (status == PP_BAD_INPUT && context->depth > 0 && !reader->too_deep
         && shapes == reader->scene->shape_count
         && materials == reader->scene->material_count && words.line <= first_lines)
-        return pp_fail(err, status, "%.200s:%d: is no scene of Radiance's", words.file,
+        return pp_fail(err, status, "%.200s:%d: is not a Radiance scene", words.file,
                        words.line);
     return status;
 }

@@ -98,10 +98,9 @@ enum pp_status pp_rad_shapes_add_polygon(struct pp_rad_reader *reader,
     }
     if (!(pp_vec_length(area) > 1e-12 * size * size)) {
         if (turned > 1e-12 * size * size)
-            return pp_rad_words_fail(
-                words, line, err,
-                "a polygon winds as much one way as the other, so it has no front; "
-                "expected one that does not cross itself");
+            return pp_rad_words_fail(words, line, err,
+                                     "a polygon crosses itself and has no front; "
+                                     "expected one that does not cross itself");
         reader->summary->flat++;
         return PP_OK;
     }

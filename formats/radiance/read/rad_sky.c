@@ -51,7 +51,7 @@ static enum pp_status pattern_turn(const struct pp_rad_primitive *primitive,
         return PP_OK;
     return pp_rad_words_fail(
         primitive->words, primitive->line, err,
-        "the sky is moved; expected it as it is, or rotated about the vertical");
+        "the sky is moved; expected it unmoved, or rotated about the vertical");
 }
 
 static enum pp_status take_sky(struct pp_rad_reader *reader,
@@ -77,9 +77,9 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
         && !(sunny && primitive->number_count == 7 && n[0] == type))
         return pp_rad_words_fail(
             words, primitive->line, err,
-            "the sky has %d numbers; expected its type (1 clear, 2 overcast, 3 "
-            "uniform, 4 intermediate), the zenith's and the ground's brightness, and "
-            "for 1 and 4 a factor and the direction to the sun",
+            "the sky has %d numbers; expected type (1 clear, 2 overcast, 3 uniform, 4 "
+            "intermediate), zenith and ground brightness, and for 1 and 4 a factor and "
+            "the sun's direction",
             primitive->number_count);
     struct pp_pattern pattern = {.kind = PP_PATTERN_GENSKY,
                                  .type = (enum pp_gensky_kind)type,

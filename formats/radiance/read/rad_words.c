@@ -78,7 +78,7 @@ enum pp_status pp_rad_words_next(struct pp_rad_words *words, struct pp_rad_word 
         unsigned char c = (unsigned char)words->bytes[words->at];
         if (quote && c == '\n')
             return pp_rad_words_fail(words, word->line, err,
-                                     "a word in quotes that its line does not end");
+                                     "a quoted word does not end on its line");
         if ((c < 32 && !is_space((char)c)) || c == 127)
             return pp_rad_words_fail(words, word->line, err,
                                      "there is a character with code %d; expected text",
@@ -92,8 +92,7 @@ enum pp_status pp_rad_words_next(struct pp_rad_words *words, struct pp_rad_word 
     }
     words->at += quote && words->at < words->length;
     if (quote && word->length == 0)
-        return pp_rad_words_fail(words, word->line, err,
-                                 "a word of quotes with nothing in them");
+        return pp_rad_words_fail(words, word->line, err, "a quoted word is empty");
     return PP_OK;
 }
 

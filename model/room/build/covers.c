@@ -282,7 +282,7 @@ static bool put_dado(struct pp_resolver *r, int *dado, int i)
     if (!other || (other->wall == NULL) != (part->wall == NULL))
         return true;
     pp_mistakes_add(r->mistakes, part->line,
-                    "dado: %s already has one, in line %d; expected one",
+                    "dado: %s already has a dado, in line %d; expected one",
                     part->wall ? "the wall" : "every wall", other->line);
     return false;
 }

@@ -252,10 +252,10 @@ static enum pp_status check_finishes(struct pp_resolver *r, struct pp_error *err
         const struct pp_finish_part *finish = &room->finishes[i];
         int wall = pp_resolve_wall_index(r, finish->wall, "finish", finish->line);
         if (wall >= 0 && lines[wall] > 0)
-            pp_mistakes_add(
-                r->mistakes, finish->line,
-                "finish: the wall already has one, in line %d; expected one at most",
-                lines[wall]);
+            pp_mistakes_add(r->mistakes, finish->line,
+                            "finish: the wall already has a finish, in line %d; "
+                            "expected one at most",
+                            lines[wall]);
         else if (wall >= 0)
             lines[wall] = finish->line;
     }

@@ -54,9 +54,10 @@ static bool has_too_many(struct pp_resolver *r, const struct receiver_list *list
                         part->spacing_m, count,
                         list->count ? ", in addition to other points" : "", most);
     else
-        pp_mistakes_add(r->mistakes, line,
-                        "%s: with it the room has %.0f points; expected %.0f at most",
-                        kinds[part->kind], list->count + count, most);
+        pp_mistakes_add(
+            r->mistakes, line,
+            "%s: the room has %.0f points with these; expected at most %.0f",
+            kinds[part->kind], list->count + count, most);
     return true;
 }
 
@@ -207,11 +208,11 @@ static enum pp_status resolve_grid(struct pp_resolver *r, struct receiver_list *
                != PP_OK)
         return PP_SYSTEM;
     if (list->count == first && part->line > 0)
-        pp_mistakes_add(r->mistakes, part->line,
-                        "grid: no point of it is in the room, clear of fittings and %g "
-                        "m or more from the walls; expected a smaller margin or "
-                        "spacing in a plan of %g m by %g m",
-                        part->margin_m, high[0] - low[0], high[1] - low[1]);
+        pp_mistakes_add(
+            r->mistakes, part->line,
+            "grid: no point is clear of fittings and %g m or more from the walls; "
+            "expected a smaller margin or spacing in a plan of %g m by %g m",
+            part->margin_m, high[0] - low[0], high[1] - low[1]);
     return PP_OK;
 }
 
@@ -257,7 +258,7 @@ static enum pp_status resolve_default(struct pp_resolver *r, struct receiver_lis
         return PP_SYSTEM;
     if (list->count == 0)
         pp_mistakes_add(r->mistakes, r->room->line,
-                        "room: its fittings leave no room for points on the working "
+                        "room: the fittings leave no space for points on the working "
                         "plane; expected <point>s elsewhere, or another working-plane");
     return PP_OK;
 }

@@ -153,10 +153,10 @@ static bool check_wall(struct pp_resolver *r, const struct pp_facade_part *part,
     const struct pp_world *world = r->world;
     for (int i = 0; i < world->facade_count; i++)
         if (world->facades[i].face == face) {
-            pp_mistakes_add(
-                r->mistakes, part->line,
-                "facade: its wall already has one, in line %d; expected one at most",
-                world->facades[i].line);
+            pp_mistakes_add(r->mistakes, part->line,
+                            "facade: the wall already has a facade, in line %d; "
+                            "expected one at most",
+                            world->facades[i].line);
             return false;
         }
     if (fabs(world->surfaces[face].outline.normal.z) > PP_LEVEL_RAD) {

@@ -76,10 +76,10 @@ static bool is_good(struct pp_resolver *r, const struct pp_skyline_part *part, i
     const struct pp_world *world = r->world;
     for (int i = 0; i < world->skyline_count; i++)
         if (world->skylines[i].face == face) {
-            pp_mistakes_add(
-                r->mistakes, part->line,
-                "skyline: its wall already has one, in line %d; expected one at most",
-                world->skylines[i].line);
+            pp_mistakes_add(r->mistakes, part->line,
+                            "skyline: the wall already has a skyline, in line %d; "
+                            "expected one at most",
+                            world->skylines[i].line);
             return false;
         }
     if (!(part->angle_rad >= 0.0 && part->angle_rad < PP_PI / 2.0)) {

@@ -63,11 +63,11 @@ static bool read_photograph(struct pp_reader *r, struct pp_sky_part *part,
     struct pp_sky_picture_options options;
     if (!form->file)
         pp_mistakes_add(r->mistakes, part->line,
-                        "sky: picture has no file; expected that of a photograph");
+                        "sky: picture has no file; expected the file of a photograph");
     else if (!r->folder)
         pp_mistakes_add(r->mistakes, part->line,
-                        "sky: the room is in memory and has no folder to look for its "
-                        "picture in; expected a room that is read from a file");
+                        "sky: the room is in memory, so there is no folder for its "
+                        "picture; expected a room from a file");
     else if (read_options(r, &options, form, part->line))
         part->picture = read_files(r, form, &options, part->line);
     return part->picture != NULL;

@@ -525,7 +525,7 @@ static void what_is_not_understood_is_refused_by_its_line(void **state)
         {"void illum i 1 glass 0 3 1 1 1\n", "there is no material \"glass\""},
         {"void light l 0 0 3 1 1 1\nvoid illum i 1 l 0 3 1 1 1\n", "emits no light"},
         {WHITE "void mirror m 1 white 0 3 1 1 1\n",
-         "mirror with the material \"white\" in its place"},
+         "a mirror with the alternate material \"white\" is not supported"},
         {WHITE
          "void light l 0 0 3 1 1 1\nvoid mixfunc m 4 l white if(Rdot,1,0) . 0 0\n",
          "3: there is a mixfunc of \"l\""},
