@@ -115,7 +115,7 @@ for kind in site elevation vertical-sky; do
     check "has that figure" says "$scratch/$kind.pdf" "27.1"
 done
 check "and says where" says "$scratch/site.pdf" "1.6 m above the"
-check "of an elevation too" says "$scratch/elevation.pdf" "1.6 m above it"
+check "of an elevation too" says "$scratch/elevation.pdf" "1.6 m above the floor"
 check "and of the diagram" says "$scratch/vertical-sky.pdf" "x 1.15, y 0.00, z 1.60"
 check "sizing begins there" shows '"now": 27.06954462' \
     size --obstruction Tower -f json $french "$scratch/french.xml"

@@ -105,15 +105,13 @@ static void files_other_than_gbxml_are_refused_in_words(void **state)
         {"\n<room/>", "a.xml:2: the outermost element is <room>; expected <gbXML>"},
         {FILE_OF("klingon", "a"), "a.xml:1: the encoding \"klingon\" is unknown"},
         {FILE_OF("UTF-8", "B\xFCro"), "a.xml:2: byte 0xFC is not UTF-8"},
-        {FILE_OF("US-ASCII", "B\xFCro"),
-         "a.xml:2: some bytes are not US-ASCII"},
+        {FILE_OF("US-ASCII", "B\xFCro"), "a.xml:2: some bytes are not US-ASCII"},
     };
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
         is_refused(files[i].bytes, strlen(files[i].bytes), files[i].words);
     is_refused("<gbXML>\n\0</gbXML>", 17, "a.xml:2: there is a NUL byte");
     is_refused("\xFF\xFE<\0g\0/", 7, "a.xml:1: some bytes are not UTF-16LE");
-    is_refused("\xFE\xFF\0<\xD8\0\0a", 8,
-               "a.xml:1: some bytes are not UTF-16BE");
+    is_refused("\xFE\xFF\0<\xD8\0\0a", 8, "a.xml:1: some bytes are not UTF-16BE");
 }
 
 /* Each takes a moment; a long tag or thousands of errors would take minutes. */

@@ -440,7 +440,7 @@ static void what_is_not_understood_is_refused_by_its_line(void **state)
          "2: the number is 1e300; expected -1e30 to 1e30"},
         {WHITE "white polygon p 0 0 12 0 0 0 1 0 0 1 1 5 0 1 0\n", "not plane"},
         {WHITE "white polygon p 0 0 12 0 0 0 1 1 0 1 0 0 0 1 0\n",
-         "2: a polygon winds"},
+         "2: a polygon crosses itself"},
         {WHITE "white polygon p 0 0 300003\n", "300000 at most"},
         {WHITE "white polygon p 0 0 -9\n", "expected the number of numbers"},
         {WHITE "white polygon p 9999999999 0 0\n", "expected the number of strings"},
