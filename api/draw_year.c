@@ -4,6 +4,7 @@
 #include "api/chart_kind.h"
 #include "charts/year/year_chart.h"
 #include "model/base/read_file.h"
+#include "model/results/lattice.h"
 #include "studies/year/annual.h"
 
 static enum pp_status draw_year(struct pp_canvas *canvas, struct pp_study_room *room,
@@ -39,8 +40,14 @@ static enum pp_status draw_year(struct pp_canvas *canvas, struct pp_study_room *
                                pp_read_file_title(year_options->weather), err);
     if (status != PP_OK)
         return status;
-    status = pp_annual_of_room(&sheet, room->world, &room->light, room->receivers,
-                               room->receiver_count, false, &year, &options, err);
+    struct pp_lattice lattice;
+    status = pp_lattice_find(&lattice, room->receivers, room->receiver_count, err);
+    if (status == PP_OK) {
+        bool is_grid = lattice.columns > 0;
+        pp_lattice_clear(&lattice);
+        status = pp_annual_of_room(&sheet, room->world, &room->light, room->receivers,
+                                   room->receiver_count, is_grid, &year, &options, err);
+    }
     if (status == PP_OK && sheet.finished)
         status = pp_year_chart_draw(canvas, &sheet, err);
     *finished &= sheet.finished;

@@ -249,6 +249,12 @@ static void say_year(char *foot, size_t room, const struct pp_annual_sheet *shee
         "DA300/50 area without blinds %.1f %%, ASE1000,250 %.1f %% of %d points.",
         100.0 * sheet->plane.autonomous.value, 100.0 * sheet->plane.ase.value,
         sheet->receiver_count);
+    struct pp_annual_leed leed = pp_annual_sheet_leed(sheet);
+    if (!leed.why_not)
+        pp_page_say(
+            foot, room, "LEED v4.1, option 1, for this room alone: %d point%s%s.",
+            leed.points, leed.points == 1 ? "" : "s",
+            leed.ase_to_explain ? "; ASE is above 10 % and has to be explained" : "");
     pp_page_say(foot, room, "Weather: %s. Hours: %s. Blinds: %s.", sheet->weather,
                 sheet->period, sheet->blinds);
     for (int i = 0; i < sheet->warning_count; i++)
