@@ -1,13 +1,15 @@
 /* cmd_new.c - the command new: a commented room file to start from. */
+#include <ctype.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
 #include "cli/command.h"
 #include "cli/message.h"
 #include "cli/output.h"
 #include "model/base/text.h"
+#include "reports/parts/format.h"
 
 struct room_template {
     const char *name, *summary, *text;
@@ -76,6 +78,20 @@ static void init_new(void *values)
     *(struct new_options *)values = (struct new_options){0};
 }
 
+/* An ordinary file is replaced with --force only; a device or a pipe is written to. */
+static enum pp_status check_new_file(const struct new_options *options,
+                                     struct pp_error *err)
+{
+    struct stat there;
+    const char *path = options->output;
+    if (!path || strcmp(path, "-") == 0 || options->force || stat(path, &there) != 0
+        || S_ISCHR(there.st_mode) || S_ISFIFO(there.st_mode))
+        return PP_OK;
+    return pp_fail(err, PP_BAD_INPUT,
+                   "\"%.200s\" exists; expected another name, or --force to replace it",
+                   path);
+}
+
 static enum pp_status check_new(void *values, char **words, int count,
                                 struct pp_error *err)
 {
@@ -93,13 +109,7 @@ static enum pp_status check_new(void *values, char **words, int count,
         return pp_fail(err, PP_BAD_INPUT, "there is no room \"%s\"%s%s; expected %s",
                        words[0], question[0] ? "; " : "", question, known);
     }
-    if (options->output && strcmp(options->output, "-") != 0 && !options->force
-        && access(options->output, F_OK) == 0)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "\"%.200s\" exists; expected another name, or --force to replace it",
-            options->output);
-    return PP_OK;
+    return check_new_file(options, err);
 }
 
 /* Prints the text with the file's name in place of FILE.xml. */
@@ -114,14 +124,28 @@ static void print_text(const char *text, const char *file, FILE *out)
     fputs(text, out);
 }
 
-/* The name for the comments: of the output; FILE.xml where it could not stand there. */
+/* True if a comment of XML may contain the name: UTF-8 without control characters or "--". */
+static bool fits_comment(const char *name)
+{
+    char *repaired = pp_format_utf8_repair(name);
+    bool fits = repaired && strcmp(repaired, name) == 0 && !strstr(name, "--");
+    for (const char *at = name; *at && fits; at++)
+        fits = !iscntrl((unsigned char)*at) || (unsigned char)*at >= 0x80;
+    free(repaired);
+    return fits;
+}
+
+/* The name for the comments: that of the output, or FILE.xml. */
 static const char *file_name(const struct new_options *options)
 {
     const char *path = options->output;
-    if (!path || strcmp(path, "-") == 0 || strstr(path, "--"))
+    struct stat there;
+    if (!path || strcmp(path, "-") == 0
+        || (stat(path, &there) == 0 && !S_ISREG(there.st_mode)))
         return "FILE.xml";
     const char *slash = strrchr(path, '/');
-    return slash ? slash + 1 : path;
+    const char *name = slash ? slash + 1 : path;
+    return fits_comment(name) ? name : "FILE.xml";
 }
 
 static enum pp_exit run_new(void *values, char **words, int count)

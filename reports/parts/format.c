@@ -28,21 +28,21 @@ void pp_format_cell(double value, const char *format, int width, FILE *out)
 void pp_format_csv_field(const char *text, FILE *out)
 {
     double number;
-    if (!text)
+    char *whole = text ? pp_format_utf8_repair(text) : NULL;
+    if (!whole)
         return;
     const bool formula =
-        *text && strchr("=+-@\t\r", *text) && !pp_text_parse_number(text, &number);
-    if (!strpbrk(text, "\",\r\n")) {
-        fprintf(out, "%s%s", formula ? "'" : "", text);
-        return;
-    }
-    fprintf(out, "\"%s", formula ? "'" : "");
-    for (; *text; text++) {
-        if (*text == '"')
+        *whole && strchr("=+-@\t\r", *whole) && !pp_text_parse_number(whole, &number);
+    const bool quoted = strpbrk(whole, "\",\r\n") != NULL;
+    fprintf(out, "%s%s", quoted ? "\"" : "", formula ? "'" : "");
+    for (const char *at = whole; *at; at++) {
+        if (*at == '"')
             fputc('"', out);
-        fputc(*text, out);
+        fputc(*at, out);
     }
-    fputc('"', out);
+    if (quoted)
+        fputc('"', out);
+    free(whole);
 }
 
 void pp_format_csv_number(double number, FILE *out)

@@ -21,6 +21,34 @@ check "another kind is refused" refuses 2 \
 check "a kind is needed" refuses 2 "expected one kind of room" new
 check "a folder that is not there is the machine's" refuses 3 "none/a.xml" new attic -o none/a.xml
 
+check "a device that exists is written to" quietly new office -o /dev/null
+check "it is still a device" test -c /dev/null
+mkfifo pipe
+into_pipe() {
+    cat pipe >piped &
+    quietly new attic -o pipe && wait $!
+}
+check "so is a pipe" into_pipe
+check "which gets the whole file" grep -q '^</room>' piped
+check "with a name to fill in" grep -q "pepperpot df FILE.xml" piped
+check "a folder is refused" refuses 2 "exists; expected another name" new office -o .
+
+# Names that a comment of XML cannot contain.
+latin=$(printf 'caf\351.xml')
+lines=$(printf 'two\nlines.xml')
+for name in "$latin" "$lines" a--b.xml; do
+    check "a file with an odd name is written" quietly new office -o "$name"
+    check "in UTF-8" sh -c 'iconv -f UTF-8 -t UTF-8 "$1" >utf8' sh "$name"
+    check "with another name in its comments" grep -q "pepperpot df FILE.xml" "$name"
+    check "and can be read" gives df -m exact "$name"
+done
+for format in json csv; do
+    check "such a name in $format" gives df -m exact --format $format "$latin" "$lines"
+    check "is UTF-8" sh -c 'iconv -f UTF-8 -t UTF-8 out >utf8'
+done
+check "a name in UTF-8 stands in the comments" quietly new office -o café.xml
+check "as it is" grep -q "pepperpot df café.xml" café.xml
+
 check "a room file is enough" gives attic.xml
 cp out as_file
 check "and is df's" gives df attic.xml
