@@ -67,8 +67,7 @@ enum pp_status pp_choose_window(int *window, const struct pp_world *world,
     if (upright && !opening_is_upright(&world->openings[*window]))
         return pp_fail(
             err, PP_BAD_INPUT,
-            "the opening on line %d is not vertical; the vertical sky component "
-            "is for windows in walls",
-            world->openings[*window].line);
+            "%s is not vertical; the vertical sky component is for windows in walls",
+            world->openings[*window].label);
     return PP_OK;
 }

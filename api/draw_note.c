@@ -164,14 +164,14 @@ static enum pp_status check_note_choice(const char *methods, bool simulate,
 {
     (void)methods;
     return simulate ? pp_fail(err, PP_BAD_INPUT,
-                              "a note shows the sums of hand methods, and --simulate "
-                              "has none; expected hand methods")
+                              "a note shows calculations by hand, and --simulate has "
+                              "none; expected hand methods")
                     : PP_OK;
 }
 
 const struct pp_chart_kind pp_draw_note = {
     .name = "note",
-    .summary = "sums of df --explain as a typeset note with drawings",
+    .summary = "the calculation of df --explain as a typeset note with drawings",
     .check = check_note_choice,
     .draw = draw_note,
 };

@@ -20,7 +20,7 @@ static enum pp_status draw_overlay(struct pp_canvas *canvas, struct pp_study_roo
     if (room)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "an overlay is for a photograph and uses no room; expected no room file");
+            "an overlay is for a photograph and needs no room; expected no room file");
     if (sun && isnan(latitude_deg))
         return pp_fail(err, PP_BAD_INPUT,
                        "sun paths need a place; expected --latitude DEG");

@@ -186,7 +186,8 @@ enum pp_status pp_study_methods(struct pp_study *study, const char *methods,
                                 bool explain, struct pp_error *err)
 {
     if (explain && study->room.receiver_count != 1)
-        return pp_fail(err, PP_BAD_INPUT, "sums are for one point, and there are %d",
+        return pp_fail(err, PP_BAD_INPUT,
+                       "explanations are for one point, and there are %d",
                        study->room.receiver_count);
     study->report.explain = study->options.explain = explain;
     return pp_methods_evaluate(&study->report, methods, err);

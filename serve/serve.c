@@ -60,10 +60,9 @@ static enum pp_status start_daemon(struct pp_server *server, struct pp_error *er
     struct sockaddr_storage storage;
     char sentence[200];
     if (!socket_address(&storage, address, options->port)) {
-        snprintf(
-            sentence, sizeof sentence,
-            "the address \"%.80s\" is no IP address; expected one such as 127.0.0.1",
-            address);
+        snprintf(sentence, sizeof sentence,
+                 "\"%.80s\" is not an IP address; expected one such as 127.0.0.1",
+                 address);
         fail_serve(err, sentence);
         err->status = PP_BAD_INPUT;
         return PP_BAD_INPUT;
@@ -81,8 +80,8 @@ static enum pp_status start_daemon(struct pp_server *server, struct pp_error *er
         MHD_OPTION_END);
     if (!server->daemon) {
         snprintf(sentence, sizeof sentence,
-                 "cannot listen on %.80s, port %d; another program may have it",
-                 address, options->port);
+                 "cannot listen on %.80s, port %d; another program may use it", address,
+                 options->port);
         return fail_serve(err, sentence);
     }
     const union MHD_DaemonInfo *info =
@@ -139,8 +138,8 @@ enum pp_status pp_serve_run(const struct pp_serve_options *options,
     server->studies = pp_work_line_create(workers);
     server->programs = pp_work_line_create(workers);
     if (!server->deadlines || !server->weather || !server->studies || !server->programs)
-        status = fail_serve(err, "the server cannot be started: memory, threads, or no "
-                                 "folder for files in /tmp");
+        status = fail_serve(err, "the server cannot be started: no memory, no threads, "
+                                 "or no folder for files in /tmp");
     if (status == PP_OK)
         status = start_daemon(server, err);
     if (status == PP_OK) {

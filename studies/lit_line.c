@@ -108,9 +108,8 @@ const char *pp_lit_line_refuses(const struct pp_world *world,
                                 const struct pp_world *before)
 {
     return is_too_fine(world) || (before && is_too_fine(before))
-               ? "the meshes outside have more than 10,000 triangles, over the number "
-                 "of "
-                 "openings: too many for the line of what sees sky"
+               ? "the meshes outside have more than 10,000 triangles for each opening; "
+                 "that is too many for the no-sky line"
                : NULL;
 }
 

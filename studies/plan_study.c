@@ -23,13 +23,13 @@ static const char *has_no_contours(const struct pp_choice *choice)
 {
     const struct pp_method *method = choice->method;
     if (method->gives == PP_GIVES_INTERNAL)
-        return "gives one internally reflected component for the whole room, of which "
-               "there are no contours; expected a pair, such as exact+bre";
+        return "gives one internally reflected component for the whole room, which has "
+               "no contours; expected a pair, such as exact+bre";
     if (method->gives == PP_GIVES_WHOLE)
-        return "gives no figure at every place of the plane, and has no contours; "
-               "expected a pair, such as exact+bre";
+        return "does not give a value at every place of the plane; expected a pair, "
+               "such as exact+bre";
     if (method->counts)
-        return "counts, so that its figures go in steps and have no contours; df has "
+        return "counts dots, so its values go in steps and have no contours; df prints "
                "them at points";
     return NULL;
 }
@@ -45,13 +45,13 @@ enum pp_status pp_plan_study_check(const char *methods, bool simulate,
         return status;
     if (simulate && !selection.usual)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "a plan shows one figure, by %.100s or traced; expected "
+                         "a plan shows one result, by %.100s or simulated; expected "
                          "--methods or --simulate, not both",
                          methods);
     else if (!selection.usual && selection.count != 1)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "a plan shows one figure, and \"%.100s\" are %d; expected one "
-                         "method or pair, such as exact+bre",
+                         "a plan shows one result, and \"%.100s\" gives %d; expected "
+                         "one method or pair, such as exact+bre",
                          methods, selection.count);
     else if (!selection.usual && has_no_contours(&selection.choices[0]))
         status = pp_fail(err, PP_BAD_INPUT, "%s %s", selection.choices[0].method->name,

@@ -52,12 +52,14 @@ enum pp_status pp_plane_margin_take(struct pp_report *report,
             inside ? pp_report_find(inside, column->component, column->name) : NULL;
         column->has_margin_average = true;
         if (is_of_the_whole_plane(column)) {
-            column->margin_average = pp_reading_none("it speaks of the whole plane");
+            column->margin_average =
+                pp_reading_none("it is a value for the whole plane");
             continue;
         }
         if (!of) {
             column->margin_average = pp_reading_none(
-                inside ? "not computed" : "the working plane has nothing inside 0.5 m");
+                inside ? "not computed"
+                       : "no part of the working plane is 0.5 m from the walls");
             continue;
         }
         column->margin_average = of->average;

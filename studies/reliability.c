@@ -143,11 +143,9 @@ static double compare_grounds(struct pp_reliability *found,
         pp_text_append(names, sizeof names, "%s%s", names[0] ? ", " : "", method->name);
     }
     if (names[0])
-        snprintf(
-            found->grounds, sizeof found->grounds,
-            "%s: made with a ground that reflects about %g; the room's, of %g, does "
-            "not enter",
-            names, own, ground);
+        snprintf(found->grounds, sizeof found->grounds,
+                 "%s: assumes ground reflectance %g; the room's %g is not used", names,
+                 own, ground);
     return most;
 }
 
@@ -174,13 +172,11 @@ void pp_reliability_sentence(const struct pp_reliability *reliability, char *tex
                              size_t size)
 {
     static const char *const reasons[PP_RELIABILITY_KINDS] = {
-        [PP_RELIABILITY_OUTSIDE] = "%.0f %% of the average comes by reflection outside",
-        [PP_RELIABILITY_INSIDE] =
-            "%.0f %% of the darkest point's light is taken as the "
-            "room's average of what is reflected inside",
+        [PP_RELIABILITY_OUTSIDE] = "%.0f %% of the average is light reflected outside",
+        [PP_RELIABILITY_INSIDE] = "%.0f %% of the light at the darkest point is the "
+                                  "room's average internally reflected component",
         [PP_RELIABILITY_PROPORTIONS] =
-            "the room is %.3g times as deep as wide, beyond the "
-            "table of bre-min",
+            "the room is %.3g times as deep as wide, outside the table of bre-min",
         [PP_RELIABILITY_GROUND] = "the ground reflects %.3g",
     };
     bool all_points = reliability->is[PP_RELIABILITY_OUTSIDE]
@@ -195,18 +191,19 @@ void pp_reliability_sentence(const struct pp_reliability *reliability, char *tex
         bool in_per_cent =
             kind == PP_RELIABILITY_OUTSIDE || kind == PP_RELIABILITY_INSIDE;
         pp_text_append(text, size, "%s",
-                       text[0]      ? "; "
-                       : all_points ? "Hand figures here are not to be relied on: "
-                                    : "At the darkest point hand figures are not to be "
-                                      "relied on: ");
+                       text[0] ? "; "
+                       : all_points
+                           ? "Do not rely on hand figures here: "
+                           : "Do not rely on hand figures at the darkest point: ");
         if (kind == PP_RELIABILITY_INSIDE && share >= 1.0)
-            pp_text_append(text, size, "the darkest point sees no sky");
+            pp_text_append(text, size, "the darkest point has no view of the sky");
         else
             pp_text_append(text, size, reasons[kind],
                            in_per_cent ? 100.0 * share : share);
-        pp_text_append(text, size,
-                       ", in such rooms %s was %.2g to %.2g times the traced", band->of,
-                       band->low, band->high);
+        pp_text_append(
+            text, size,
+            " (in similar rooms %s was %.2g to %.2g times the simulated value)",
+            band->of, band->low, band->high);
     }
 }
 

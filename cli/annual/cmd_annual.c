@@ -210,7 +210,7 @@ static enum pp_exit run_annual(void *values, char **files, int file_count)
     if ((options->hourly || options->coefficients) && rooms.count != 1) {
         struct pp_error err = {0};
         pp_fail(&err, PP_BAD_INPUT,
-                "%s is of one room, and there are %d; expected --room NAME",
+                "%s is for one room, and there are %d; expected --room NAME",
                 options->hourly ? "--hourly" : "--coefficients", rooms.count);
         result = pp_message_error(&err);
     } else {

@@ -93,11 +93,10 @@ static enum pp_status begin_room(struct gbxml_work *work, int index,
     enum pp_status status = pp_gbxml_room_begin(work->rooms[index], &why, &work->model,
                                                 space, work->clipper, work->notes, err);
     if (status == PP_OK && why) {
-        pp_mistakes_add(
-            work->notes, space->line,
-            "space \"%.60s\" %s; no room comes of it or its %d openings, its outside "
-            "stands as surfaces",
-            space->id, why, count_openings(work, space));
+        pp_mistakes_add(work->notes, space->line,
+                        "space \"%.60s\" %s; it is not a room, and its %d openings are "
+                        "left out; its outside is kept as surfaces",
+                        space->id, why, count_openings(work, space));
         drop_room(work, index);
     }
     return status;
@@ -171,17 +170,15 @@ static enum pp_status make_rooms(struct gbxml_work *work, struct pp_error *err)
     if (status == PP_OK)
         take_away(work);
     if (blind > 0)
-        pp_mistakes_add(
-            work->notes, 0,
-            "%d of %d spaces have no window, skylight or glazed door to the "
-            "outside; their outside stands as surfaces",
-            blind, work->model.space_count);
+        pp_mistakes_add(work->notes, 0,
+                        "%d of %d spaces have no window, skylight or glazed door to "
+                        "the outside; their outside is kept as surfaces",
+                        blind, work->model.space_count);
     if (many > 0)
-        pp_mistakes_add(
-            work->notes, 0,
-            "%d spaces more than the %d rooms that a building may have; their "
-            "outside stands as surfaces",
-            many, ROOMS_MOST);
+        pp_mistakes_add(work->notes, 0,
+                        "%d spaces exceed the limit of %d rooms in a building; their "
+                        "outside is kept as surfaces",
+                        many, ROOMS_MOST);
     return status;
 }
 
@@ -195,15 +192,13 @@ static void note_defaults(const struct gbxml_work *work)
     if (bare > 0)
         pp_mistakes_add(
             work->notes, 0,
-            "%d of %d surfaces have no visible reflectance inside (IntVisible "
-            "of their construction); floors 0.2, walls 0.5, ceilings 0.7 are "
-            "taken",
+            "%d of %d surfaces have no visible reflectance inside (IntVisible of their "
+            "construction); assumed: floors 0.2, walls 0.5, ceilings 0.7",
             bare, work->model.surface_count);
     pp_mistakes_add(
         work->notes, 0,
-        "frames, dirt, reveals, the ground's reflectance and its level are no "
-        "part of gbXML's geometry; frame-factor 1, maintenance 1, reveal 0, "
-        "0.2 and 0 are taken");
+        "gbXML has no frames, dirt, reveals, ground reflectance or ground level; "
+        "assumed: frame-factor 1, maintenance 1, reveal 0, reflectance 0.2, level 0");
 }
 
 /* ---- reading it back ---- */
@@ -292,10 +287,10 @@ static enum pp_status write_until_good(struct gbxml_work *work, struct pp_error 
     for (int turn = 0; status == PP_OK; turn++) {
         struct pp_mistakes mistakes;
         if (!has_rooms(work) || turn == TURNS_MOST) {
-            status = pp_fail(err, PP_BAD_INPUT,
-                             "%s: no room with an opening to the outside comes of its "
-                             "spaces",
-                             work->file);
+            status =
+                pp_fail(err, PP_BAD_INPUT,
+                        "%s: no space became a room with an opening to the outside",
+                        work->file);
             break;
         }
         status = write_all(work, &writing, err);
@@ -304,8 +299,9 @@ static enum pp_status write_until_good(struct gbxml_work *work, struct pp_error 
             status = read_back(work, &mistakes, err);
         bool good = mistakes.count == 0;
         if (status == PP_OK && !good && !leave_out(work, &writing, &mistakes))
-            status = pp_fail(err, PP_BAD_INPUT, "%s: no room file comes of it: %s",
-                             work->file, mistakes.list[0].text);
+            status =
+                pp_fail(err, PP_BAD_INPUT, "%s: cannot be made into a room file: %s",
+                        work->file, mistakes.list[0].text);
         pp_mistakes_clear(&mistakes);
         if (good)
             break;

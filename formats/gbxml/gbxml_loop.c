@@ -59,11 +59,10 @@ void pp_gbxml_loop_find_origin(struct pp_gbxml_loop_reader *r,
         || !(fabs(low.z) < farthest_m))
         return;
     r->origin = pp_vec(floor(low.x), floor(low.y), floor(low.z));
-    pp_mistakes_add(
-        r->notes, 0,
-        "the model stands far from the origin; it is moved to its own, (%.0f, "
-        "%.0f, %.0f) m in the file's axes",
-        r->origin.x, r->origin.y, r->origin.z);
+    pp_mistakes_add(r->notes, 0,
+                    "the model is far from the origin; its own origin is now (%.0f, "
+                    "%.0f, %.0f) m in the file's axes",
+                    r->origin.x, r->origin.y, r->origin.z);
 }
 
 /* Replaces the corners by the outer rim of the largest piece of the figure. */
@@ -161,11 +160,10 @@ enum pp_status pp_gbxml_loop_read(struct pp_gbxml_polygon *polygon,
     }
     if (status == PP_OK && (!good || polygon->count < 3)) {
         good = false;
-        pp_mistakes_add(
-            r->notes, loop->line,
-            "no polygon of 3 to %d corners with three coordinates each, within 100 km "
-            "of the model's origin; it is left out",
-            CORNERS_MOST);
+        pp_mistakes_add(r->notes, loop->line,
+                        "not a polygon of 3 to %d corners with three coordinates each, "
+                        "within 100 km of the model's origin; left out",
+                        CORNERS_MOST);
     }
     if (status == PP_OK && good)
         status = make_simple(polygon, r);

@@ -217,15 +217,14 @@ static void note_lost(const struct opening_left *left, struct pp_mistakes *notes
     double lost = left->area_m2 - left->placed_m2;
     if (left->placed_m2 == 0.0)
         pp_mistakes_add(notes, left->opening->line,
-                        "opening \"%.60s\" lies in no face of its space, or in other "
-                        "openings; taken as wall",
+                        "opening \"%.60s\" is not in a face of its space, or overlaps "
+                        "other openings; treated as wall",
                         name);
     else if (lost > least_m2)
-        pp_mistakes_add(
-            notes, left->opening->line,
-            "opening \"%.60s\" goes beyond its wall or into another; %.3g of "
-            "its %.3g m2 are cut off",
-            name, lost, left->area_m2);
+        pp_mistakes_add(notes, left->opening->line,
+                        "opening \"%.60s\" extends beyond its wall or into another "
+                        "opening; %.3g of its %.3g m2 are cut off",
+                        name, lost, left->area_m2);
 }
 
 static int by_area(const void *a, const void *b)

@@ -175,11 +175,10 @@ static double take_transmittance(struct gbxml_reader *r,
     if (share > 0.0)
         return share;
     if (type)
-        pp_mistakes_add(
-            r->notes, type->line,
-            "%s \"%.60s\" has no visible transmittance above 0; clear-double "
-            "is taken for its openings",
-            type->name, pp_gbxml_document_attribute(type, "id"));
+        pp_mistakes_add(r->notes, type->line,
+                        "%s \"%.60s\" has no visible transmittance above 0; assumed "
+                        "for its openings: clear-double",
+                        type->name, pp_gbxml_document_attribute(type, "id"));
     r->without_type += !type;
     return NAN;
 }
@@ -223,11 +222,10 @@ static enum pp_status add_gbxml_opening(struct gbxml_reader *r,
         return PP_OK;
     }
     if (!lets_light_in(kind, type)) {
-        pp_mistakes_add(
-            r->notes, element->line,
-            "opening \"%.60s\" is of type \"%.40s\", no window, skylight, sliding or "
-            "glazed door; taken as wall",
-            id ? id : "", kind);
+        pp_mistakes_add(r->notes, element->line,
+                        "opening \"%.60s\" of type \"%.40s\" is not a window, "
+                        "skylight, sliding or glazed door; treated as wall",
+                        id ? id : "", kind);
         return PP_OK;
     }
     struct pp_gbxml_opening opening = {.line = element->line, .name = id};
@@ -253,9 +251,8 @@ static enum pp_status add_gbxml_surface(struct gbxml_reader *r,
     struct pp_gbxml_surface surface = {.line = element->line, .type = type ? type : ""};
     if (model->surface_count == SURFACES_MOST)
         return pp_fail(r->err, PP_BAD_INPUT,
-                       "%s:%d: more than %d surfaces, the most that "
-                       "are read",
-                       r->file, surface.line, SURFACES_MOST);
+                       "%s:%d: more than %d surfaces; expected fewer", r->file,
+                       surface.line, SURFACES_MOST);
     enum pp_status status = read_outline(r, element, &surface.outline);
     if (status != PP_OK || surface.outline.count == 0)
         return status;
@@ -333,8 +330,8 @@ static enum pp_status add_space(struct gbxml_reader *r,
     }
     if (model->space_count == SPACES_MOST)
         return pp_fail(r->err, PP_BAD_INPUT,
-                       "%s:%d: more than %d spaces, the most that are read", r->file,
-                       line, SPACES_MOST);
+                       "%s:%d: more than %d spaces; expected fewer", r->file, line,
+                       SPACES_MOST);
     enum pp_status status = pp_array_append(&model->spaces, model->space_count,
                                             sizeof *model->spaces, r->err);
     if (status != PP_OK)
@@ -377,9 +374,8 @@ static void read_location(struct gbxml_reader *r, const struct pp_xml_element *c
     model->north_deg = value;
     pp_mistakes_add(
         r->notes, azimuth->line,
-        "CADModelAzimuth %g is taken as the bearing of the plan's +y, "
-        "clockwise from north, as the schema has it; some programs turn the "
-        "other way",
+        "CADModelAzimuth %g is used as the bearing of the plan's +y, clockwise from "
+        "north, as in the schema; some programs turn the other way",
         value);
 }
 
@@ -423,7 +419,7 @@ enum pp_status pp_gbxml_read(struct pp_gbxml_model *model,
         status = read_units(&r);
     const struct pp_xml_element *campus = pp_gbxml_document_child(r.root, "Campus");
     if (status == PP_OK && !campus)
-        status = pp_fail(err, PP_BAD_INPUT, "%s: it has no Campus", file);
+        status = pp_fail(err, PP_BAD_INPUT, "%s: has no Campus", file);
     if (status == PP_OK) {
         read_location(&r, campus);
         pp_gbxml_loop_find_origin(&r.loops, campus);
@@ -435,16 +431,16 @@ enum pp_status pp_gbxml_read(struct pp_gbxml_model *model,
     free(r.named);
     pp_clipper_destroy(r.loops.clipper);
     if (r.air > 0)
-        pp_mistakes_add(notes, 0, "%d surfaces of air between spaces are taken as wall",
+        pp_mistakes_add(notes, 0, "%d air surfaces between spaces are treated as walls",
                         r.air);
     if (r.between > 0)
-        pp_mistakes_add(notes, 0, "%d openings between spaces are taken as wall",
+        pp_mistakes_add(notes, 0, "%d openings between spaces are treated as walls",
                         r.between);
     if (r.without_type > 0)
-        pp_mistakes_add(
-            notes, 0, "%d openings have no window type; clear-double is taken for them",
-            r.without_type);
+        pp_mistakes_add(notes, 0,
+                        "%d openings have no window type; assumed: clear-double",
+                        r.without_type);
     if (status == PP_OK && model->space_count == 0)
-        status = pp_fail(err, PP_BAD_INPUT, "%s: its Campus has no Space", file);
+        status = pp_fail(err, PP_BAD_INPUT, "%s: the Campus has no Space", file);
     return status;
 }

@@ -224,15 +224,14 @@ static void fit_plane(struct pp_gbxml_room *room, const struct pp_gbxml_model *m
     if (spacing > default_spacing_m) {
         room->spacing_m = spacing;
         pp_mistakes_add(notes, space->line,
-                        "space \"%.60s\": %g m by %g m have a grid of %g m", space->id,
+                        "space \"%.60s\": %g m by %g m, with a grid of %g m", space->id,
                         room->width_m, room->depth_m, spacing);
     }
     if (room->height_m < default_plane_m + clear_m) {
         room->plane_m = 0.5 * room->height_m;
         pp_mistakes_add(
             notes, space->line,
-            "space \"%.60s\" is %g m high; its working plane is put at half "
-            "its height",
+            "space \"%.60s\" is %g m high; its working plane is at half its height",
             space->id, room->height_m);
     }
 }
@@ -310,10 +309,10 @@ enum pp_status pp_gbxml_room_finish(struct pp_gbxml_room *room,
     if (status == PP_OK)
         status = pp_gbxml_planes_divide(&room->shell, &divided, err);
     if (status == PP_OK && divided > 0)
-        pp_mistakes_add(notes, space->line,
-                        "space \"%.60s\": %d faces that are not plane are divided "
-                        "into triangles",
-                        space->id, divided);
+        pp_mistakes_add(
+            notes, space->line,
+            "space \"%.60s\": %d faces are not plane and are divided into triangles",
+            space->id, divided);
     if (status == PP_OK)
         status = name_faces(room, surfaces, count, err);
     if (status == PP_OK)

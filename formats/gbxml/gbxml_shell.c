@@ -321,7 +321,7 @@ static enum pp_status close_holes(struct pp_gbxml_shell *shell, const char **why
         shell->faces[shell->face_count++] = loop;
         shell->lacking++;
         if (!is_plane(shell, shell->face_count - 1))
-            *why = "does not close, and what lacks is not plane";
+            *why = "does not close, and the gap is not plane";
     }
     free(loose.list);
     return status;
@@ -357,7 +357,7 @@ static enum pp_status turn_alike(struct pp_gbxml_shell *shell, const char **why,
             int way = a->forward != b->forward ? 1 : -1;
             if (turned[a->face] && turned[b->face]) {
                 if (turned[a->face] * turned[b->face] != way)
-                    *why = "has surfaces that are twisted";
+                    *why = "has twisted surfaces";
             } else if (turned[a->face] || turned[b->face]) {
                 if (turned[a->face])
                     turned[b->face] = (signed char)(turned[a->face] * way);
@@ -369,7 +369,7 @@ static enum pp_status turn_alike(struct pp_gbxml_shell *shell, const char **why,
     }
     for (int i = 0; i < shell->face_count && turned; i++) {
         if (!turned[i])
-            *why = "is of several pieces";
+            *why = "consists of several pieces";
         if (turned[i] < 0)
             turn_gbxml_face(&shell->faces[i]);
     }

@@ -127,8 +127,8 @@ void pp_gbxml_trim_rooms(struct pp_gbxml_room *const *rooms,
                                : 0.0;
             if (moved > noted_m)
                 pp_mistakes_add(notes, spaces[k]->line,
-                                "space \"%.60s\" reaches %.0f mm into the space "
-                                "\"%.60s\"; it is cut off there",
+                                "space \"%.60s\" extends %.0f mm into the space "
+                                "\"%.60s\" and is cut off there",
                                 spaces[k]->id, 1e3 * moved, spaces[i]->id);
         }
 }

@@ -115,8 +115,8 @@ static bool is_too_large(struct pp_task *task, const struct pp_asked_room *asked
         return false;
     pp_task_fail(
         task, MHD_HTTP_UNPROCESSABLE_CONTENT,
-        "the room has %d points, %d openings and %d objects; this server takes "
-        "%d, %d and %d, and fewer together: use pepperpot itself",
+        "the room has %d points, %d openings and %d objects; this server accepts %d, "
+        "%d and %d, and fewer together. Use the pepperpot command instead",
         points, openings, objects, POINTS_MOST, OPENINGS_MOST, OBJECTS_MOST);
     return true;
 }

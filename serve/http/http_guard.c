@@ -95,14 +95,14 @@ unsigned pp_http_guard_check(const struct pp_serve_options *options,
                              const char **why)
 {
     if (!pp_http_guard_host(options, headers->host)) {
-        *why = "this server does not go by that Host; start it with --host NAME";
+        *why = "the server does not accept this Host; start it with --host NAME";
         return MHD_HTTP_MISDIRECTED_REQUEST;
     }
     if ((headers->origin && !is_own_origin(headers->origin, headers->host))
         || (!is_page && headers->fetch_site
             && strcmp(headers->fetch_site, "same-origin") != 0
             && strcmp(headers->fetch_site, "none") != 0)) {
-        *why = "the request comes from a page of another origin";
+        *why = "the request comes from another origin";
         return MHD_HTTP_FORBIDDEN;
     }
     if (!is_page && !pp_http_guard_same(token, bearer(headers->authorization))) {

@@ -103,7 +103,7 @@ static enum MHD_Result send_answer(struct MHD_Connection *connection,
     pthread_mutex_unlock(&task->lock);
     if (!status)
         return refuse(connection, MHD_HTTP_SERVICE_UNAVAILABLE,
-                      "the server is ending, or the work was stopped", NULL);
+                      "the server is shutting down, or the work was stopped", NULL);
     return send_response(connection, status, type, response);
 }
 
@@ -149,12 +149,12 @@ static enum MHD_Result begin_request(struct pp_server *server,
         return refuse(connection, status, why, NULL);
     if (is_page && strcmp(method, "GET") != 0 && strcmp(method, "HEAD") != 0)
         return refuse(connection, MHD_HTTP_METHOD_NOT_ALLOWED,
-                      "the page is read only; expected GET", "GET, HEAD");
+                      "the page can only be read; expected GET", "GET, HEAD");
     if (is_page)
         return send_page_file(connection, url);
     if (!endpoint)
         return allowed ? refuse(connection, MHD_HTTP_METHOD_NOT_ALLOWED,
-                                "the path does not take that method", allowed)
+                                "the path does not support that method", allowed)
                        : refuse(connection, MHD_HTTP_NOT_FOUND, "there is no such path",
                                 NULL);
     size_t expected = 0;
@@ -243,7 +243,7 @@ static enum MHD_Result submit(struct pp_server *server,
     request->body = NULL;
     if (!body)
         return refuse(connection, MHD_HTTP_BAD_REQUEST,
-                      "the body is no JSON object, or is nested too deeply", NULL);
+                      "the body is not a JSON object, or is nested too deeply", NULL);
     const char *command = strrchr(endpoint->path, '/') + 1;
     struct pp_task *task =
         pp_task_create(server, endpoint->run, *command ? command : "chart", body);
@@ -266,8 +266,8 @@ static enum MHD_Result submit(struct pp_server *server,
                  verdict == PP_WORK_LINE_FULL ? MHD_HTTP_SERVICE_UNAVAILABLE
                                               : MHD_HTTP_TOO_MANY_REQUESTS,
                  verdict == PP_WORK_LINE_FULL
-                     ? "the server has more work than it can hold; try again later"
-                     : "too many requests of this page wait; try again later");
+                     ? "the server is busy; try again later"
+                     : "too many requests of this page are waiting; try again later");
     pp_task_finish(task);
     return MHD_YES;
 }

@@ -92,7 +92,7 @@ static bool has_jobs(struct pp_task *task)
 {
     if (task->server->options->jobs)
         return true;
-    pp_task_fail(task, MHD_HTTP_NOT_FOUND, "this server keeps no jobs; see --jobs");
+    pp_task_fail(task, MHD_HTTP_NOT_FOUND, "this server stores no jobs; see --jobs");
     return false;
 }
 
@@ -129,11 +129,11 @@ bool pp_job_store_put(struct pp_task *task)
     struct json_object *answer = json_object_new_object();
     json_object_object_add(answer, "job", json_object_new_string(name));
     if (!write_state(job, name, "waiting")) {
-        pp_task_fail(task, MHD_HTTP_INSUFFICIENT_STORAGE, "the job cannot be kept");
+        pp_task_fail(task, MHD_HTTP_INSUFFICIENT_STORAGE, "the job cannot be stored");
         json_object_put(answer);
     } else if (pp_work_line_submit(task->server->programs, job) != PP_WORK_LINE_TAKEN) {
         pp_task_fail(task, MHD_HTTP_SERVICE_UNAVAILABLE,
-                     "the server has more work than it can hold; try again later");
+                     "the server is busy; try again later");
         json_object_put(answer);
     } else {
         pp_task_answer_json(task, MHD_HTTP_ACCEPTED, answer);

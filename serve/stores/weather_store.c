@@ -117,7 +117,7 @@ bool pp_weather_store_put(struct pp_task *task)
     bool kept = keep_file(store, hash, text, length);
     pthread_mutex_unlock(&store->lock);
     if (!kept) {
-        pp_task_fail(task, MHD_HTTP_INSUFFICIENT_STORAGE, "the file cannot be kept");
+        pp_task_fail(task, MHD_HTTP_INSUFFICIENT_STORAGE, "the file cannot be stored");
         return true;
     }
     answer = json_object_new_object();

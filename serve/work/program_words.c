@@ -142,7 +142,7 @@ static bool add_option(struct pp_program_words *words, struct pp_task *task,
         if (strcmp(name, "weather") == 0
             && !(path = pp_weather_store_path(task->server->weather, text))) {
             pp_task_fail(task, MHD_HTTP_NOT_FOUND,
-                         "the server has no weather file of that hash; upload it to "
+                         "the server has no weather file with that hash; upload it to "
                          "/api/weather");
             return false;
         }

@@ -48,12 +48,11 @@ static const char *why_not(const struct pp_world *world,
 {
     return !pp_band_table_under(&light->sky)
                ? "the sky is neither overcast nor one of ISO 15469"
-           : world->opening_count == 0 ? "there is no opening"
-           : !world->is_empty          ? "surfaces stand in the room"
-           : has_contrasting_dado(world)
-               ? "the walls have a dado of another reflectance"
-           : !plane_is_convex(&world->plane) ? "the plan has a recess"
-           : world->ground_is_open           ? "the ground outside has no shadows"
+           : world->opening_count == 0       ? "there is no opening"
+           : !world->is_empty                ? "there are surfaces inside the room"
+           : has_contrasting_dado(world)     ? "the walls have a dado"
+           : !plane_is_convex(&world->plane) ? "the plan is not convex"
+           : world->ground_is_open           ? "the ground outside is taken as unshaded"
                                              : NULL;
 }
 
@@ -87,7 +86,8 @@ enum pp_status pp_report_bands_features(double features[PP_BAND_FEATURES],
         features[i] = NAN;
     if (kind) {
         *why = pp_report_say(
-            report, "no bands: the atlas has no rooms like this one: %s", kind);
+            report, "no likely ranges, because the atlas has no similar rooms: %s",
+            kind);
         return *why ? PP_OK : pp_fail_memory(err);
     }
     enum pp_status status =
@@ -99,8 +99,8 @@ enum pp_status pp_report_bands_features(double features[PP_BAND_FEATURES],
     if (unlike < 0)
         return PP_OK;
     *why = pp_report_say(report,
-                         "no bands: the atlas has no rooms like this one: %s is %.3g, "
-                         "there %.3g to %.3g",
+                         "no likely ranges, because the atlas has no similar rooms: %s "
+                         "is %.3g, in the atlas %.3g to %.3g",
                          pp_band_words_feature(unlike), features[unlike], from, to);
     return *why ? PP_OK : pp_fail_memory(err);
 }

@@ -37,7 +37,7 @@ static enum pp_status light_of_file(struct pp_year_light *outside,
         snprintf(gaps, sizeof gaps, ", %d records of them by luminous efficacy",
                  light->filled);
     if (light->missing)
-        pp_text_append(gaps, sizeof gaps, "; %d records have none and are left out",
+        pp_text_append(gaps, sizeof gaps, "; %d records without it are left out",
                        light->missing);
     outside->latitude_deg = epw->latitude_rad / PP_RAD;
     snprintf(outside->words, sizeof outside->words,
@@ -46,7 +46,7 @@ static enum pp_status light_of_file(struct pp_year_light *outside,
              light->origin == PP_LIGHT_ILLUMINANCE
                  ? "diffuse horizontal illuminance of the file"
                  : "diffuse horizontal irradiance of the file times Perez's luminous "
-                   "efficacy, for it has no illuminance",
+                   "efficacy, because it has no illuminance",
              gaps, epw->record_count, epw->record_h);
     return PP_OK;
 }
@@ -70,12 +70,10 @@ static enum pp_status light_of_sky(struct pp_year_light *outside,
     if (isnan(longitude) && isnan(options->latitude_deg) && world)
         longitude = world->longitude_rad / PP_RAD;
     if (isnan(latitude))
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "%s does not say at which latitude it stands; expected --weather "
-            "FILE.epw, --latitude DEG, or <site latitude=\"DEG\"/> in the room "
-            "file",
-            world && world->name ? world->name : "the room");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s has no latitude; expected --weather FILE.epw, --latitude "
+                       "DEG, or <site latitude=\"DEG\"/> in the room file",
+                       world && world->name ? world->name : "the room");
     char clock[120], north[24], east[24];
     if (isnan(longitude)) {
         zone = isnan(zone) ? 0.0 : zone;
@@ -90,7 +88,7 @@ static enum pp_status light_of_sky(struct pp_year_light *outside,
     outside->latitude_deg = latitude;
     snprintf(outside->words, sizeof outside->words,
              "overcast skies all year at %s (%s), E = 300 + 21000 sin(altitude of the "
-             "sun) lx: a curve of overcast skies, real ones give more",
+             "sun) lx; real skies give more",
              say_degrees(north, sizeof north, latitude, "NS"), clock);
     return pp_diffuse_light_overcast(&outside->light, latitude * PP_RAD,
                                      fmax(-180.0, fmin(180.0, longitude)) * PP_RAD,
@@ -159,11 +157,10 @@ enum pp_status pp_year_light_of_room(struct pp_year_light *outside,
         return light_of_sky(outside, options, world, err);
     if (options->days != PP_ALL_DAYS
         && options->epw->records[0].weekday == PP_WEEKDAY_UNKNOWN)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "%s: DATA PERIODS has no day of the week, so that --days can't be "
-            "told apart; expected --days all",
-            pp_read_file_title(options->weather));
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s: DATA PERIODS has no day of the week, so --days cannot be "
+                       "used; expected --days all",
+                       pp_read_file_title(options->weather));
     return light_of_file(outside, options, err);
 }
 

@@ -62,9 +62,8 @@ static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
                                                                average->std_error,
                                                                minima[i].least));
         if (average && is_low_by_formula(&finding, findings))
-            pp_finding_note(&finding,
-                            "average-df is low, by up to 43 %% in the rooms of "
-                            "the manual: this is not to be relied on");
+            pp_finding_note(&finding, "average-df is up to 43 %% too low in the rooms "
+                                      "of the manual: do not rely on this verdict");
         status = pp_finding_list_add(findings, &finding, err);
     }
     return status;

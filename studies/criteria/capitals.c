@@ -71,15 +71,15 @@ struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
     if (own) {
         median.lux = own->median_lux;
         snprintf(median.how, sizeof median.how, "%s, the capital of %s%s", own->name,
-                 own->country, own->recalled_only ? " (from memory alone)" : "");
+                 own->country, own->recalled_only ? " (from memory, not checked)" : "");
         return median;
     }
-    const char *warning = country[0] ? "the table has none for its country"
-                                     : "site has no country, which decides";
+    const char *warning = country[0] ? "the table has no capital for its country"
+                                     : "the site has no country, which would decide";
     if (isnan(latitude_rad)) {
         snprintf(median.how, sizeof median.how,
-                 "the room file gives no latitude; --place NAME or --median-diffuse "
-                 "LUX does as well");
+                 "the room file has no latitude; expected a site with one, --place "
+                 "NAME or --median-diffuse LUX");
         return median;
     }
     bool known = !isnan(longitude_rad);
@@ -97,7 +97,7 @@ struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
                  least);
         snprintf(median.how, sizeof median.how,
                  "the nearest capital of the standard's table, %s, is %s away; "
-                 "--median-diffuse LUX helps",
+                 "expected --median-diffuse LUX",
                  nearest->name, off);
         return median;
     }
@@ -108,6 +108,6 @@ struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
                  warning);
     else
         snprintf(median.how, sizeof median.how,
-                 "%s, the capital nearest in latitude; %s", nearest->name, warning);
+                 "%s, the capital of nearest latitude; %s", nearest->name, warning);
     return median;
 }

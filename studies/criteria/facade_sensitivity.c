@@ -50,12 +50,11 @@ static void doubt(struct pp_finding *finding, const struct pp_finding *other)
         return;
     bool plain = finding->kind == PP_FIGURE_RATIO;
     finding->confidence = NAN;
-    pp_finding_note(
-        finding,
-        "%sbehind a wall that goes on all round, as a larger house's, it is "
-        "%.3g%s: %s; <facade> says what there is",
-        finding->note[0] ? ". " : "", (plain ? 1.0 : 100.0) * other->figure,
-        plain ? "" : " %", pp_finding_verdict(other->verdict));
+    pp_finding_note(finding,
+                    "%swith a wall that extends on all sides, as of a larger house, it "
+                    "is %.3g%s: %s; <facade> settles it",
+                    finding->note[0] ? ". " : "", (plain ? 1.0 : 100.0) * other->figure,
+                    plain ? "" : " %", pp_finding_verdict(other->verdict));
 }
 
 static void compare_assessments(struct pp_assessment *assessment,

@@ -11,7 +11,7 @@
 
 static const char traced[] = "traced", formula[] = "average-df";
 static const char no_method[] =
-    "no hand method gives its daylight factors; --simulate does";
+    "no hand method gives its daylight factors; use --simulate";
 
 static bool gives_average(const struct pp_report *report, const char *name)
 {
@@ -33,7 +33,8 @@ const char *pp_factors_refuse(const struct pp_inquiry *inquiry)
     const struct pp_sky *sky = &inquiry->light->sky;
     bool overcast =
         sky->kind == PP_SKY_OVERCAST || (sky->kind == PP_SKY_ISO && sky->iso == 1);
-    return overcast ? NULL : "it is asked under an overcast sky, and the room's is not";
+    return overcast ? NULL
+                    : "the criterion is for an overcast sky, and the room has another";
 }
 
 /* Names the method that the findings rest on. */
@@ -60,7 +61,7 @@ const struct pp_column *pp_factors_of_grid(const struct pp_inquiry *inquiry,
     const struct pp_report *report = inquiry->factors;
     *why = pp_factors_refuse(inquiry);
     if (!*why && report->receiver_count == 0)
-        *why = "no point of the grid lies 0.5 m or more from the walls";
+        *why = "no point of the grid is 0.5 m or more from the walls";
     if (*why)
         return NULL;
     const struct pp_column *column = pp_report_find(report, PP_DF, traced);

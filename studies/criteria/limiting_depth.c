@@ -50,12 +50,12 @@ static const struct pp_surface *window_wall(const struct pp_world *world,
         }
     }
     *why = world->face_count != 6 || floors != 1 || ceilings != 1 || rectangles != 6
-               ? "the room is not a plain box"
+               ? "the room is not a box"
            : world->opening_count == 0 ? "the room has no openings"
                                        : NULL;
     for (int i = 0; i < world->opening_count && !*why; i++) {
         if (world->surfaces[world->openings[i].face].role != PP_WALL)
-            *why = "the room is lit from above too";
+            *why = "the room also has rooflights";
         else if (world->openings[i].face != world->openings[0].face)
             *why = "the room has windows in more than one wall";
     }

@@ -50,13 +50,13 @@ static enum pp_status add_former(const struct sky_view_area *now,
                                  const struct pp_world *before,
                                  struct pp_finding_list *findings, struct pp_error *err)
 {
-    static const char what[] = "area that sees sky, now over before";
+    static const char what[] = "area with a view of the sky, now over before";
     struct sky_view_area then;
     enum pp_status status = find_view(&then, before, err);
     if (status != PP_OK)
         return status;
     struct pp_finding share =
-        pp_finding_not_judged("no sky was seen from it before", what);
+        pp_finding_not_judged("no part of it had a view of the sky before", what);
     if (then.sky_m2 > 0.0) {
         share = pp_finding_of(PP_FIGURE_RATIO, now->sky_m2 / then.sky_m2,
                               FORMER_SHARE_WANTED, false, what);
@@ -107,13 +107,14 @@ static enum pp_status evaluate_rule(const struct pp_inquiry *inquiry,
 {
     struct sky_view_area view;
     if (pp_lit_line_refuses(inquiry->world, NULL))
-        return add_refused(inquiry, "working plane that sees sky", findings, err);
+        return add_refused(inquiry, "working plane with a view of the sky", findings,
+                           err);
     enum pp_status status = find_view(&view, inquiry->world, err);
     if (status != PP_OK)
         return status;
     struct pp_finding share =
         pp_finding_of(PP_FIGURE_SHARE, view.sky_m2 / view.plane_m2, SEEN_WANTED, false,
-                      "working plane that sees sky");
+                      "working plane with a view of the sky");
     pp_finding_within(&share, view.error_m2 / view.plane_m2);
     return add_if_plane(findings, &view, share, err);
 }
@@ -123,7 +124,8 @@ const struct pp_criterion pp_criterion_no_sky_line = {
     .alias = "nsl",
     .title = "No-sky line",
     .source = "BR209",
-    .summary = "the area beyond it; 0.8 of what saw sky before still does (--before)",
+    .summary = "the area beyond it; at least 0.8 of the area with a view of the sky "
+               "before keeps it (--before)",
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_line,
 };
@@ -132,7 +134,7 @@ const struct pp_criterion pp_criterion_sky_line = {
     .name = "sky-line",
     .title = "Sky-line rule",
     .source = "BS8206, BREEAM14",
-    .summary = "80 % of the working plane sees sky",
+    .summary = "80 % of the working plane has a view of the sky",
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_rule,
 };

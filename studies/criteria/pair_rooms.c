@@ -30,7 +30,7 @@ static enum pp_status check_faces(const struct pp_world *world,
 {
     if (world->face_count != before->face_count)
         return pp_fail(err, PP_BAD_INPUT,
-                       "its room has %d faces, and there are %d; expected the same "
+                       "its room has %d faces, and this room %d; expected the same "
                        "room with other surroundings",
                        before->face_count, world->face_count);
     for (int i = 0; i < world->face_count; i++) {
@@ -41,7 +41,7 @@ static enum pp_status check_faces(const struct pp_world *world,
         const char *name = world->surfaces[i].name;
         if (!found)
             return pp_fail(err, PP_BAD_INPUT,
-                           "its room has another shape: no face of it is the %.60s; "
+                           "its room has another shape: the %.60s has no counterpart; "
                            "expected the same room with other surroundings",
                            name                                    ? name
                            : world->surfaces[i].role == PP_FLOOR   ? "floor"
@@ -50,7 +50,7 @@ static enum pp_status check_faces(const struct pp_world *world,
     }
     if (fabs(world->working_plane_m - before->working_plane_m) > same_m)
         return pp_fail(err, PP_BAD_INPUT,
-                       "its working plane is at %g m, and not at %g m; expected the "
+                       "its working plane is at %g m instead of %g m; expected the "
                        "same room with other surroundings",
                        before->working_plane_m, world->working_plane_m);
     return PP_OK;

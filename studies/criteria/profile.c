@@ -7,7 +7,7 @@
 #include "model/base/text.h"
 
 static const struct pp_profile profiles[] = {
-    {"uk-planning", "a neighbour's light and the new rooms' own, as BR 209 has it",
+    {"uk-planning", "light of neighbours and of the new rooms, by BR 209",
      "vertical-sky,former-sky,obstruction,sunlight,gardens,no-sky-line,mirror-image,"
      "uk-annex",
      "GB"},
@@ -15,11 +15,11 @@ static const struct pp_profile profiles[] = {
      "en17037,view-out,sun-exposure", ""},
     {"uk-dwellings", "daylight in dwellings by the UK annex of EN 17037", "uk-annex",
      "GB"},
-    {"breeam", "average, uniformity and view of sky, as BREEAM takes them",
+    {"breeam", "average, uniformity and view of the sky, by BREEAM",
      "average,uniformity,sky-line", ""},
     {"rights-of-light", "the area adequately lit in the English law of easements",
      "rights-of-light", "GB"},
-    {"de-dwelling", "windows as German building codes ask for them, and EN 17037",
+    {"de-dwelling", "windows by German building codes, and EN 17037",
      "glazing-ratio,en17037", "DE"},
 };
 

@@ -59,7 +59,7 @@ static void destroy_plain_engine(void *run)
 const struct pp_engine pp_engine_plain = {
     .name = "plain",
     .column = "plain",
-    .summary = "light paths by the textbook: slow, to check the others",
+    .summary = "plain path tracing as in textbooks: slow, to check the others",
     .said = "by plain path tracing",
     .deviation = "one standard error",
     .from = "from plain, %",

@@ -250,8 +250,7 @@ static enum pp_status make_elevation_sheet(struct pp_elevation_sheet *sheet,
             status = add_elevation(sheet, sheet->site.windows[i].out, err);
     if (status == PP_OK && sheet->count == 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "there is no upright window, and an elevation is of walls that "
-                       "have some");
+                       "no elevation: the room has no vertical windows");
     if (status == PP_OK)
         qsort(sheet->elevations, sheet->count, sizeof *sheet->elevations, by_bearing);
     for (int i = 0; i < rooms->count && status == PP_OK; i++)
@@ -275,11 +274,10 @@ enum pp_status pp_elevation_study_make(struct pp_elevation_sheet *sheet,
         const struct pp_world *world = rooms->list[i].world;
         int triangles = world->surface_count - pp_world_before_meshes(world);
         if (triangles > MESH_TRIANGLES_MOST)
-            return pp_fail(
-                err, PP_BAD_INPUT,
-                "the meshes outside have %d triangles, too many to be cut to "
-                "the view of every place on the walls; expected %d at most",
-                triangles, MESH_TRIANGLES_MOST);
+            return pp_fail(err, PP_BAD_INPUT,
+                           "the meshes outside have %d triangles, too many for the "
+                           "view of every place on the walls; expected at most %d",
+                           triangles, MESH_TRIANGLES_MOST);
     }
     enum pp_status status = make_elevation_sheet(sheet, rooms, err);
     if (status != PP_OK)

@@ -136,7 +136,7 @@ enum pp_status pp_criterion_margin(struct pp_reading *reading, char *why,
         take_least(reading, why, why_bytes, &assessment.answers[0].findings,
                    beginning_of(words));
     else if (status == PP_OK && !traced)
-        snprintf(why, why_bytes, "it judges by what was there before, or by gardens");
+        snprintf(why, why_bytes, "it needs the state before, or gardens");
     pp_assessment_clear(&assessment);
     return status;
 }

@@ -209,7 +209,7 @@ static enum pp_status higher_heads(struct pp_room **changed, struct pp_gain *gai
     enum pp_status status = enlarge(changed, room, PP_CHANGE_HEAD, INT_MAX, err);
     if (*changed) {
         double by = largest_move(room, *changed, PP_CHANGE_HEAD);
-        DESCRIBE(gain, "window heads as high as they can be, up to %.2g m higher", by);
+        DESCRIBE(gain, "window heads as high as possible, up to %.2g m higher", by);
     }
     return status;
 }
@@ -316,8 +316,8 @@ static enum pp_status one_more_window(struct pp_room **changed, struct pp_gain *
         pp_room_destroy(*changed);
         *changed = NULL;
     }
-    DESCRIBE(gain, "one more window like that on line %d beside it, %.3g m by %.3g m",
-             world->openings[like].line, place.width_m, place.height_m);
+    DESCRIBE(gain, "one more window like %.31s beside it, %.3g m by %.3g m",
+             world->openings[like].label, place.width_m, place.height_m);
     return status;
 }
 
@@ -354,9 +354,10 @@ static enum pp_status opposite_window(struct pp_room **changed, struct pp_gain *
         return PP_OK;
     const char *wall = world->surfaces[face].name;
     struct pp_opening_place place = pp_room_opening_at(room, like).place;
-    DESCRIBE(gain,
-             "a window as large in the opposite wall, %.40s, if that is an outside one",
-             wall);
+    DESCRIBE(
+        gain,
+        "a window as large in the opposite wall, %.40s, if that is an outside wall",
+        wall);
     enum pp_status status = pp_room_copy(changed, room, err);
     if (status == PP_OK)
         status = pp_room_repeat_opening(*changed, like, place, err);
@@ -379,7 +380,7 @@ static enum pp_status nothing_outside(struct pp_room **changed, struct pp_gain *
             world->surfaces[i].role == PP_FREE_SURFACE && !world->surfaces[i].inside;
     if (outside == 0)
         return PP_OK;
-    DESCRIBE(gain, "nothing outside that takes sky away");
+    DESCRIBE(gain, "no obstructions outside");
     enum pp_status status = pp_room_copy(changed, room, err);
     if (status == PP_OK)
         pp_room_clear_surroundings(*changed, world);

@@ -132,9 +132,9 @@ enum pp_status pp_retained_sky_list(struct pp_retained_sky *retained,
     if (status != PP_OK || retained->count > 0)
         return status;
     return rule->window
-               ? pp_fail(err, PP_BAD_INPUT, "no upright window%s is named \"%.60s\"",
+               ? pp_fail(err, PP_BAD_INPUT, "no vertical window%s is named \"%.60s\"",
                          rule->room ? " of that room" : "", rule->window)
-               : pp_fail(err, PP_BAD_INPUT, "no room of it has an upright window");
+               : pp_fail(err, PP_BAD_INPUT, "no room has a vertical window");
 }
 
 /* Values of the building as it stands, in the order of the list. Both are in the order of

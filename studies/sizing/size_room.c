@@ -146,9 +146,10 @@ static enum pp_status choose_sized_openings(int *openings, int *count,
         return pp_fail(err, PP_BAD_INPUT, "there is no window in a wall \"%.200s\"",
                        request->wall);
     return pp_fail(err, PP_BAD_INPUT,
-                   "there is no window or rooflight to change%s; expected one to begin "
-                   "with, of any size",
-                   all > 0 ? ", and what is given by its corners keeps its shape" : "");
+                   "there is no window or rooflight to change%s; expected one of any "
+                   "size to start from",
+                   all > 0 ? ", and openings given by their corners keep their shape"
+                           : "");
 }
 
 static bool is_by_counts(const char *by)

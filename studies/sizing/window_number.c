@@ -21,18 +21,17 @@ static enum pp_status check_alike(const struct pp_room *room, const int *opening
     for (int i = 1; i < opening_count; i++) {
         struct pp_room_opening other = pp_room_opening_at(room, openings[i]);
         if (strcmp(first.wall, other.wall) != 0)
-            return pp_fail(err, PP_BAD_INPUT,
-                           "the windows on lines %d and %d are in different walls; "
-                           "their number is of one wall's, so expected --wall %s or "
-                           "--wall %s",
-                           first.line, other.line, first.wall, other.wall);
+            return pp_fail(
+                err, PP_BAD_INPUT,
+                "the windows on lines %d and %d are in different walls; windows are "
+                "added to one wall: expected --wall %s or --wall %s",
+                first.line, other.line, first.wall, other.wall);
         if (first.place.width_m != other.place.width_m
             || first.place.height_m != other.place.height_m
             || first.place.sill_m != other.place.sill_m)
             return pp_fail(err, PP_BAD_INPUT,
                            "the windows on lines %d and %d differ in size or sill; "
-                           "their number is of windows alike, so expected one of them "
-                           "by --window LINE",
+                           "added windows are copies of one: expected --window LINE",
                            first.line, other.line);
     }
     return PP_OK;

@@ -153,7 +153,7 @@ static enum pp_status keep_coefficients(struct pp_annual_work *work,
     double ground = pp_outside_light_ground(work->light) / PP_PI;
     if (columns > patches + 1)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a skyline without a distance has no place in coefficients; "
+                       "a skyline without a distance cannot be used with coefficients; "
                        "expected one with a distance, or a block");
     float *row = malloc((size_t)columns * sizeof *row);
     sheet->patch_count = patches;
@@ -263,8 +263,7 @@ enum pp_status pp_annual_of_room(
     if (world->face_count == 0)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "%s: there is no room, only its surroundings; expected a plan or an "
-            "envelope",
+            "%s: has no room, only its surroundings; expected a plan or an envelope",
             world->name ? world->name : "the room");
     struct pp_annual_work work = {.sheet = sheet,
                                   .world = world,

@@ -86,7 +86,7 @@ static void say_period(struct pp_annual_sheet *sheet,
     char from[32], to[32];
     const struct pp_summer_time *summer = &options->summer;
     snprintf(sheet->period, sizeof sheet->period,
-             "%g to %g h%s, %g hours, dark ones included; ", options->hours.from_h,
+             "%g to %g h%s, %g hours including dark ones; ", options->hours.from_h,
              options->hours.to_h,
              options->hours.days == PP_ALL_DAYS ? " on all days"
                                                 : " on the chosen days",
@@ -106,9 +106,9 @@ static void say_blinds(struct pp_annual_sheet *sheet,
                        const struct pp_annual_options *options)
 {
     if (!options->blinds)
-        snprintf(
-            sheet->blinds, sizeof sheet->blinds,
-            "none: the share of the plane with 300 lx in half of the hours is no sDA");
+        snprintf(sheet->blinds, sizeof sheet->blinds,
+                 "none: without blinds the share of the plane with 300 lx in half of "
+                 "the hours is not sDA");
     else
         snprintf(
             sheet->blinds, sizeof sheet->blinds,
@@ -151,11 +151,10 @@ static void compare_places(struct pp_annual_sheet *sheet, const struct pp_world 
     if (!epw || isnan(world->latitude_rad)
         || !(fabs(world->latitude_rad - epw->latitude_rad) > 1.0 * PP_RAD))
         return;
-    snprintf(
-        text, sizeof text,
-        "the room stands at latitude %.4g, the weather file at %.4g: sun and sky are "
-        "the file's",
-        world->latitude_rad / PP_RAD, epw->latitude_rad / PP_RAD);
+    snprintf(text, sizeof text,
+             "the room is at latitude %.4g, the weather file at %.4g; sun and sky are "
+             "those of the file",
+             world->latitude_rad / PP_RAD, epw->latitude_rad / PP_RAD);
     warn(sheet, text);
 }
 
@@ -186,8 +185,8 @@ enum pp_status pp_annual_words_fill(struct pp_annual_sheet *sheet,
         warn(sheet, text);
     compare_places(sheet, world, year->epw);
     if (clock->diffuse_median_lx <= 0.0 && year->count > 1)
-        warn(sheet, "a quarter of the year or less has daylight: EN 17037's levels are "
-                    "out of reach at this place");
+        warn(sheet, "a quarter of the year or less has daylight: no room can reach the "
+                    "levels of EN 17037 here");
     say_period(sheet, options, clock);
     say_blinds(sheet, options);
     name_groups(sheet, world, groups);

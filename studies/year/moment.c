@@ -30,15 +30,13 @@ static enum pp_status sun_of_time(const struct pp_moment_irradiances *of,
                                   struct pp_error *err)
 {
     if (of->date.month == 0)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "the sky has no sun; expected perez,DNI,DHI,ALTITUDE,BEARING, or "
-            "--when 'YYYY-MM-DD HH:MM'");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the sky has no position of the sun; expected "
+                       "perez,DNI,DHI,ALTITUDE,BEARING, or --when 'YYYY-MM-DD HH:MM'");
     if (isnan(of->latitude_rad) || isnan(of->longitude_rad))
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "the room has no place for the sun of --when; expected a site "
-            "with latitude and longitude, or perez,DNI,DHI,ALTITUDE,BEARING");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the room has no location for --when; expected a site with "
+                       "latitude and longitude, or perez,DNI,DHI,ALTITUDE,BEARING");
     *zone_h = of->zone_h;
     if (isnan(*zone_h)) /* 0.0: never -0 */
         *zone_h = 0.0 + round(of->longitude_rad / (15.0 * PP_RAD));
@@ -75,8 +73,8 @@ enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
         return status;
     if (of->direct_w_m2 > 0.0 && !(sun.altitude_rad > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the sun stands %.1f degrees below the horizon; expected a "
-                       "direct irradiance of 0, or another time",
+                       "the sun is %.1f degrees below the horizon; expected a direct "
+                       "irradiance of 0, or another time",
                        -sun.altitude_rad / PP_RAD);
     moment->sky = pp_perez_sky_of(&(struct pp_perez_conditions){
         .direct_w_m2 = of->direct_w_m2,

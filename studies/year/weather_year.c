@@ -126,7 +126,7 @@ enum pp_status pp_weather_year_of_epw(struct pp_weather_year *year,
     double hours = epw->record_count * epw->record_h;
     if (hours < 8760.0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: it has %g hours; expected the 8760 of a year", file, hours);
+                       "%s: has %g hours; expected the 8760 of a year", file, hours);
     year->hours = calloc((size_t)epw->record_count, sizeof *year->hours);
     year->skies = calloc((size_t)epw->record_count, sizeof *year->skies);
     if (!year->hours || !year->skies) {
@@ -139,7 +139,7 @@ enum pp_status pp_weather_year_of_epw(struct pp_weather_year *year,
         return PP_OK;
     pp_weather_year_clear(year);
     return pp_fail(err, PP_BAD_INPUT,
-                   "%s: it has no direct and no diffuse irradiance (fields 15 and 16)",
+                   "%s: has neither direct nor diffuse irradiance (fields 15 and 16)",
                    file);
 }
 
@@ -166,12 +166,12 @@ enum pp_status pp_weather_year_moment(struct pp_perez_sky *sky,
             continue;
         if (!hour->lit)
             return pp_fail(err, PP_BAD_INPUT,
-                           "%s, %02d:%02d: the weather file has no light then", words,
-                           (int)clock_h, (int)(60.0 * fmod(clock_h, 1.0)));
+                           "%s, %02d:%02d: the weather file has no light at that time",
+                           words, (int)clock_h, (int)(60.0 * fmod(clock_h, 1.0)));
         *sky = year->skies[hour->sky];
         return PP_OK;
     }
-    return pp_fail(err, PP_BAD_INPUT, "%s: the weather file has no such day in use",
+    return pp_fail(err, PP_BAD_INPUT, "%s: the weather file does not have that day",
                    words);
 }
 
@@ -199,16 +199,15 @@ const char *pp_weather_year_notes(char *text, size_t room,
 {
     text[0] = '\0';
     append_count(text, room, year->leap_records, "records of 29 February left out");
-    append_count(text, room, year->missing,
-                 "records without irradiance belong to no count of hours");
+    append_count(text, room, year->missing, "records without irradiance, not counted");
+    append_count(text, room, year->moved_suns,
+                 "records at sunrise or sunset, with the mean position of the sun "
+                 "above the horizon");
     append_count(
-        text, room, year->moved_suns,
-        "records at sunrise or sunset with the sun at its mean place above the "
-        "horizon");
-    append_count(text, room, year->sunless_beams,
-                 "records with direct light and no sun: direct light left out");
+        text, room, year->sunless_beams,
+        "records with direct light while the sun is down: direct light left out");
     append_count(text, room, year->no_diffuse,
-                 "records with direct light and no diffuse light: a black sky");
+                 "records with direct light but no diffuse light: black sky");
     append_count(text, room, year->no_dew_point,
                  "records without a dew point: 10.97 degrees C");
     append_count(text, room, year->positive_b,
@@ -228,33 +227,31 @@ const char *pp_weather_year_warning(char *text, size_t room,
     switch (c->finding) {
     case PP_CLOSURE_SHIFTED:
         snprintf(text, room,
-                 "the radiation of the weather file fits a sun %g minutes %s than the "
-                 "middle of its records (rms %.1f, else %.1f W/m2); sun shift in use: "
-                 "%g minutes",
+                 "the radiation in the weather file fits a sun %g minutes %s than the "
+                 "middle of its records (rms %.1f instead of %.1f W/m2); sun shift in "
+                 "use: %g minutes",
                  fabs(minutes), minutes > 0.0 ? "later" : "earlier", c->rms_best,
                  c->rms_0, 60.0 * year->sun_shift_h);
         return text;
     case PP_CLOSURE_SEASONAL:
-        snprintf(
-            text, room,
-            "the radiation of the weather file fits a sun shift of %g minutes from "
-            "April to September and of %g in the other months: its times may follow "
-            "summer time; sun shift in use: %g minutes",
-            60.0 * c->summer_h, 60.0 * c->winter_h, 60.0 * year->sun_shift_h);
+        snprintf(text, room,
+                 "the radiation in the weather file fits a sun shift of %g minutes "
+                 "from April to September and of %g in the other months: the file may "
+                 "use summer time; sun shift in use: %g minutes",
+                 60.0 * c->summer_h, 60.0 * c->winter_h, 60.0 * year->sun_shift_h);
         return text;
     case PP_CLOSURE_SWAPPED:
         snprintf(text, room,
-                 "the radiation of the weather file adds up only if direct normal and "
-                 "diffuse horizontal irradiance (fields 15 and 16) change places");
+                 "the radiation in the weather file adds up only if direct normal and "
+                 "diffuse horizontal irradiance (fields 15 and 16) are swapped");
         return text;
     case PP_CLOSURE_NONE:
-        snprintf(
-            text, room,
-            "the radiation of the weather file does not add up for any sun shift "
-            "within an hour (rms %.0f W/m2): measured or damaged data, a wrong time "
-            "zone or longitude, or direct horizontal in place of direct normal "
-            "irradiance; sun shift in use: %g minutes",
-            c->rms_best, 60.0 * year->sun_shift_h);
+        snprintf(text, room,
+                 "the radiation in the weather file does not add up for any sun shift "
+                 "within an hour (rms %.0f W/m2). Possible causes: measured or damaged "
+                 "data, a wrong time zone or longitude, or direct horizontal instead "
+                 "of direct normal irradiance. Sun shift in use: %g minutes",
+                 c->rms_best, 60.0 * year->sun_shift_h);
         return text;
     case PP_CLOSURE_AT_MIDDLE:
     case PP_CLOSURE_UNKNOWN:

@@ -76,8 +76,9 @@ enum pp_status pp_year_clock_init(struct pp_year_clock *clock,
         clock->length_h[hour->sky] = hour->length_h;
     }
     if (status == PP_OK && !(clock->all_occupied_h > 0.0))
-        status = pp_fail(err, PP_BAD_INPUT,
-                         "no hour of the weather file is within the hours and days");
+        status =
+            pp_fail(err, PP_BAD_INPUT,
+                    "the weather file has no hour within the chosen hours and days");
     if (status == PP_OK)
         status = mark_daylight(clock, year, err);
     if (status != PP_OK)

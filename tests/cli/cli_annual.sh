@@ -101,11 +101,11 @@ check "night" refuses 1 "below the horizon" $perez --when "2023-03-21 02:00" "$r
 check "no light" refuses 1 "no light" df --sky perez,0,0,10,180 "$room"
 check "two suns" refuses 2 "one of them" $perez,35,150 --when "2023-03-21 12:00" "$room"
 check "two skies" refuses 2 "one of them" $hour --sky perez,600,120 --when "2023-03-21 12:00" "$room"
-check "no such day" refuses 2 "1800 to 2200" $perez --when "2023-02-29 12:00" "$room"
+check "does not have that day" refuses 2 "1800 to 2200" $perez --when "2023-02-29 12:00" "$room"
 check "a zone beside a weather file" refuses 2 "standard time" $hour \
     --when "2023-03-21 12:00+01:00" "$room"
 sed 's/longitude="[^"]*"//' "$room" >"$scratch/nowhere.xml"
-check "no place" refuses 1 "nowhere.xml: the room has no place" $perez \
+check "no place" refuses 1 "nowhere.xml: the room has no location" $perez \
     --when "2023-03-21 12:00" "$scratch/nowhere.xml"
 
 # Pictures have the sun, too.

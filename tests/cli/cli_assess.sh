@@ -115,9 +115,9 @@ check "standard input is one file" refuses 2 "standard input" \
 sed 's/latitude="51.5" longitude="-0.1"//' "$deep" >"$scratch/nowhere-room.xml"
 sed 's/<plan /<sky type="uniform"\/><plan /' "$scratch/nowhere-room.xml" > "$scratch/uniform-room.xml"
 check "under another sky that is the reason, which no place can help" \
-    shows "asked under an overcast sky" assess -c en17037 "$scratch/uniform-room.xml"
+    shows "for an overcast sky, and the room has another" assess -c en17037 "$scratch/uniform-room.xml"
 check "without a latitude EN 17037 is not judged" \
-    shows "gives no latitude" assess --by-hand "$scratch/nowhere-room.xml"
+    shows "has no latitude" assess --by-hand "$scratch/nowhere-room.xml"
 check "but the rest is" grep -q "^  No-sky line" "$scratch/out"
 
 check "a room is needed" refuses 2 "expected a room file" assess
@@ -159,7 +159,7 @@ verdict() {
 }
 turns() {
     verdict alone.xml > "$scratch/alone"
-    grep -q ' met$' "$scratch/alone" && grep -q 'behind a wall that goes on' "$scratch/alone" &&
+    grep -q ' met$' "$scratch/alone" && grep -q 'with a wall that extends' "$scratch/alone" &&
         grep -q 'not met; <facade>' "$scratch/alone"
 }
 check "a verdict that the house beside the room would turn is not certain" turns
@@ -173,7 +173,7 @@ check "and where the file says that there is none" sh -c "
     ! grep -q 'goes on' '$scratch/hut'"
 check "in JSON it has no confidence, and a note" sh -c "
     '$pepperpot' assess -q --error 2% -c uk-annex --format json '$scratch/alone.xml' |
-    grep 'bedroom: 100 lx' | grep 'behind a wall' | grep -vq confidence"
+    grep 'bedroom: 100 lx' | grep 'with a wall that extends' | grep -vq confidence"
 # An overhang takes sky whatever stands opposite: without it the window has what the same wall
 # without one has.
 cat >"$scratch/plain.xml" <<'END'

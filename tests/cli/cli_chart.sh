@@ -196,7 +196,7 @@ check "Waldram's diagram is of a point" \
     refuses 2 "--window" chart waldram --window south -p 1,1.5 -o "$scratch/x.pdf" "$deep"
 run chart vertical-sky -o "$scratch/facing.pdf" "$examples/deep-office-obstructed.xml"
 "$pepperpot" assess -c vsc "$examples/deep-office-obstructed.xml" >"$scratch/vsc"
-said=$(sed -n 's/.*south, line [0-9]* *\([0-9]*\.[0-9]\)[0-9]* %.*/\1/p' "$scratch/vsc")
+said=$(sed -n 's/.*W1, south *\([0-9]*\.[0-9]\)[0-9]* %.*/\1/p' "$scratch/vsc")
 check "the criterion has a figure" test -n "$said"
 check_words "its squares are the criterion's component" "$scratch/facing.pdf" \
     "Vertical sky component $said"
@@ -305,7 +305,7 @@ well="$examples/situations/light-well.xml"
 for kind in section plan; do
     run chart $kind -o "$scratch/doubt.pdf" "$well"
     check_words "a $kind says where hand figures fail" "$scratch/doubt.pdf" \
-        "not to be relied on"
+        "Do not rely on"
 done
 run chart plan --simulate --samples 8 -o "$scratch/doubt.pdf" "$well"
 lacks() {

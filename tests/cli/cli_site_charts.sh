@@ -90,7 +90,7 @@ cat >"$scratch/top.xml" <<'EOF'
 <room version="1"><plan width="4" depth="5" height="3"/>
   <rooflight x="1" y="1" width="1" depth="1"/></room>
 EOF
-check "no upright window, no elevation" refuses 1 "there is no upright window" \
+check "no upright window, no elevation" refuses 1 "the room has no vertical windows" \
     chart elevation "$scratch/top.xml" -o "$scratch/no.svg"
 check "a site all the same" quietly chart site "$scratch/top.xml" -o "$scratch/top.svg"
 sed 's/ latitude="[0-9.]*" longitude="[-0-9.]*"//' "$site" >"$scratch/nowhere.xml"

@@ -73,7 +73,7 @@ check "by the limits of the bands" grep -qE \
     "$scratch/out"
 check "and says why there is none" grep -q 'without a verdict: no bands: ' "$scratch/out"
 check "its page says what passes" grep -q 'class="verdict">Passed' "$scratch/rooms.html"
-check "has the reason" grep -q '<li>.*the plan has a recess' "$scratch/rooms.html"
+check "has the reason" grep -q '<li>.*the plan is not convex' "$scratch/rooms.html"
 check "draws dots for both parts of the errors" test \
     "$(grep -c '^</figcaption><svg\|</figcaption><svg' "$scratch/rooms.html")" -eq 4
 check "and asks nothing of a network" nothing \

@@ -212,7 +212,7 @@ check "who has it is" test "$(curl -s -o "$scratch/answer" -w '%{http_code}' \
 stop_serving
 check "an open address needs a token" refuses 2 'expected --token-file' serve --listen 0.0.0.0
 check "a short token is refused" refuses 1 'expected 16 or more' serve --token short
-check "an address is a number" refuses 1 'is no IP address' serve --listen there --token 0123456789abcdef
+check "an address is a number" refuses 1 'is not an IP address' serve --listen there --token 0123456789abcdef
 check "a port is one" refuses 2 'a port from 1' serve --port 70000
 check "a file that is not there is refused" refuses 1 'nothing.xml' serve "$scratch/nothing.xml"
 check "there is one file at most" refuses 2 'expected one at most' serve "$deep" "$deep"

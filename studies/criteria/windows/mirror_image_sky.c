@@ -15,9 +15,9 @@
 #include "studies/criteria/windows/vertical_sky.h"
 #include "studies/lit_line.h"
 
-static const char no_place[] = "the room has no place in the building",
+static const char no_place[] = "the room has no position in a building",
                   no_plane[] = "the room has no working plane",
-                  area_words[] = "area that sees sky";
+                  area_words[] = "area with a view of the sky";
 
 static enum pp_status add_window(struct pp_finding_list *findings,
                                  const struct pp_inquiry *inquiry, int index,
@@ -74,10 +74,10 @@ static enum pp_status assess_mirror_image_sky(const struct pp_inquiry *inquiry,
 {
     const struct pp_world *world = inquiry->world;
     enum pp_status status = PP_OK;
-    pp_finding_list_add_basis(findings,
-                              "wanted is what there is with the mirror image of the "
-                              "building's own rooms at the boundary, of their height "
-                              "and on the same ground, in place of what is proposed");
+    pp_finding_list_add_basis(
+        findings,
+        "target: the value with a mirror image of the building's own rooms at the "
+        "boundary, as high and on the same ground, in place of the proposal");
     if (!world->placement.given) {
         struct pp_finding finding = pp_finding_not_judged(no_place, "windows");
         return pp_finding_list_add(findings, &finding, err);
@@ -92,7 +92,8 @@ const struct pp_criterion pp_criterion_mirror_image = {
     .name = "mirror-image",
     .title = "Sky with the building's mirror image",
     .source = "BR209",
-    .summary = "no less sky than with the mirror image opposite (--mirror-image)",
+    .summary =
+        "at least as much sky as with the mirror image opposite (--mirror-image)",
     .needs_mirror_image = true,
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = assess_mirror_image_sky,

@@ -163,7 +163,7 @@ static enum pp_status assess_sun_exposure(const struct pp_inquiry *inquiry,
     struct bounded_hours hours;
     if (isnan(inquiry->world->latitude_rad)) {
         struct pp_finding finding =
-            pp_finding_not_judged("the room file gives no latitude (site)", "21 March");
+            pp_finding_not_judged("the room file has no latitude (site)", "21 March");
         return pp_finding_list_add(findings, &finding, err);
     }
     enum pp_status status = find_bounded(&hours, inquiry, err);

@@ -25,17 +25,16 @@
 #define FORMER_SHARE 0.8
 #define SMALL_LOSS 0.04
 
-static const char possible[] = "of the hours with the sun above the horizon, each "
-                               "counted alike: possible, not probable ones, "
-                               "which BR 209 does not judge; --weather FILE.epw "
-                               "gives probable ones";
-static const char probable[] = "of probable hours: by month and hour, the weather "
-                               "file's share with direct sun of more than 120 W/m2";
-static const char no_place[] = "the room file gives no latitude (site)";
+static const char possible[] =
+    "share of possible hours, with the sun above the horizon; BR 209 assesses probable "
+    "hours, which need --weather FILE.epw";
+static const char probable[] = "share of probable hours: for each month and hour, the "
+                               "share of records with direct sun above 120 W/m2";
+static const char no_place[] = "the room file has no latitude (site)";
 static const char other_side[] =
-    "it faces more than 90 degrees from due south; none is asked for";
+    "it faces more than 90 degrees from due south: not required";
 static const char equator_side[] =
-    "it faces more than 90 degrees from due north; none is asked for";
+    "it faces more than 90 degrees from due north: not required";
 
 /* Does the opening face the side where the sun is at noon, within 90 degrees? Level glass
  * faces all sides. */
@@ -96,8 +95,8 @@ static enum pp_status add_finding(struct pp_finding_list *findings, double now,
                         100.0 * then);
     if (finding.verdict == PP_NOT_MET && kept) {
         finding.verdict = PP_MET;
-        pp_finding_note(&finding, "; 0.8 of the sun before is left, or no more than "
-                                  "4 %% of the year's hours are lost");
+        pp_finding_note(&finding, "; at least 0.8 of the former sunlight remains, or "
+                                  "at most 4 %% of the year's hours are lost");
     }
     return pp_finding_list_add(findings, &finding, err);
 }
@@ -160,7 +159,7 @@ const struct pp_criterion pp_criterion_sunlight = {
     .title = "Sunlight hours",
     .source = "BR209",
     .summary =
-        "25 % of the year's hours of sun, 5 % in winter, at windows to the south",
+        "25 % of the year's hours of sun, 5 % in winter, at south-facing windows",
     .bears_on_use = pp_bearing_is_lived_in,
     .evaluate = assess_sunlight,
 };

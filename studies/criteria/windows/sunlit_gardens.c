@@ -14,7 +14,7 @@
 #define SHARE_WANTED 0.5
 #define FORMER_SHARE 0.8
 
-static const char no_place[] = "the room file gives no latitude (site)";
+static const char no_place[] = "the room file has no latitude (site)";
 
 /* The same garden before: of the same corners; NULL: there was none. */
 static const struct pp_garden *find_before(const struct pp_world *before,
@@ -71,7 +71,7 @@ static enum pp_status judge_garden(const struct pp_inquiry *inquiry,
                         100.0 * then);
     if (finding.verdict == PP_NOT_MET && now >= FORMER_SHARE * then) {
         finding.verdict = PP_MET;
-        pp_finding_note(&finding, "; 0.8 of what was sunlit before is left");
+        pp_finding_note(&finding, "; at least 0.8 of the former sunlit area remains");
     }
     return pp_finding_list_add(findings, &finding, err);
 }

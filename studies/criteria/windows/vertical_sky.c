@@ -30,7 +30,7 @@
 #define ANGLE_WANTED (25.0 * PP_RAD)
 
 static const char none[] = "the room has no openings";
-static const char slopes[] = "it is not upright; the rule is for windows in walls";
+static const char slopes[] = "it is not vertical; the rule is for windows in walls";
 
 bool pp_vertical_sky_is_upright(const struct pp_opening *opening)
 {
@@ -190,7 +190,8 @@ static enum pp_status find_loss(struct pp_finding *finding,
     if (status != PP_OK)
         return status;
     if (!(then > NO_SKY)) {
-        *finding = pp_finding_not_judged("it faced no sky before", "%s", what);
+        *finding =
+            pp_finding_not_judged("it had no view of the sky before", "%s", what);
         pp_finding_compares(finding, PP_FIGURE_FACTOR, now, then);
         return PP_OK;
     }
@@ -200,7 +201,7 @@ static enum pp_status find_loss(struct pp_finding *finding,
     pp_finding_note(finding, "%.1f %% now, %.1f %% before", 100.0 * now, 100.0 * then);
     if (finding->verdict == PP_NOT_MET && now >= VSC_WANTED) {
         finding->verdict = PP_MET;
-        pp_finding_note(finding, "; what is left is 27 %% or more");
+        pp_finding_note(finding, "; the remaining value is at least 27 %%");
     }
     if (bare_now / bare_then > 0.0)
         pp_finding_note(finding, "; %.3f %s (%.1f %% and %.1f %%)",
@@ -226,8 +227,8 @@ static enum pp_status find_angle(struct pp_finding *finding,
     if (finding->verdict == PP_NOT_MET) {
         finding->verdict = PP_STATED;
         finding->decided_by = pp_criterion_vertical_sky.name;
-        pp_finding_note(finding, "a first check only: the vertical sky component "
-                                 "decides");
+        pp_finding_note(finding,
+                        "a first check only; the vertical sky component decides");
     }
     return PP_OK;
 }
@@ -244,7 +245,7 @@ const struct pp_criterion pp_criterion_vertical_sky = {
     .alias = "vsc",
     .title = "Vertical sky component",
     .source = "BR209",
-    .summary = "27 % at the middle of each window's outside",
+    .summary = "27 % at the centre of each window, outer face",
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_component,
 };
@@ -253,7 +254,7 @@ const struct pp_criterion pp_criterion_former_sky = {
     .name = "former-sky",
     .title = "0.8 of the former vertical sky component",
     .source = "BR209",
-    .summary = "27 % or 0.8 of what it was before, at each window (--before)",
+    .summary = "27 % or 0.8 of the former value, at each window (--before)",
     .needs_before = true,
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_loss,
@@ -263,7 +264,8 @@ const struct pp_criterion pp_criterion_obstruction = {
     .name = "obstruction",
     .title = "25 degree rule",
     .source = "BR209",
-    .summary = "nothing rises more than 25 degrees before a window, in section",
+    .summary =
+        "no obstruction above 25 degrees in section, from the centre of each window",
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_angle,
 };

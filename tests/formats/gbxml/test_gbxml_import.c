@@ -161,7 +161,7 @@ static void rooms_share_a_wall(void **state)
     made_gbxml_end_surface(&file);
     made_gbxml_end(&file, "");
     char notes[2000], *xml = made_gbxml_import(&file, notes, sizeof notes);
-    assert_non_null(strstr(notes, "1 openings between spaces are taken as wall"));
+    assert_non_null(strstr(notes, "1 openings between spaces are treated as walls"));
     assert_non_null(strstr(xml, "<wall name=\"east\" kind=\"inner\"/>"));
     assert_non_null(strstr(xml, "<wall name=\"west\" kind=\"inner\"/>"));
     assert_non_null(strstr(xml, "use=\"classroom\""));
@@ -246,7 +246,7 @@ static void what_lacks_is_closed_and_said(void **state)
     made_gbxml_box(&file, "a", 0.0, 4.0, 6.0, 3.0, NO_ROOF | NO_EAST);
     made_gbxml_end(&file, "");
     xml = made_gbxml_import(&file, notes, sizeof notes);
-    assert_non_null(strstr(notes, "the upright prism over its floor"));
+    assert_non_null(strstr(notes, "a vertical prism over its floor"));
     assert_near(sky_at(xml, 0, at), sky_at(by_hand, 0, at), 1e-9);
     free(xml);
 }
@@ -282,7 +282,7 @@ static void what_is_taken_and_left_out_is_said(void **state)
     made_gbxml_end(&file, "<WindowType id=\"bare\"/>");
     char *xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_non_null(strstr(notes, "WindowType \"bare\" has no visible transmittance"));
-    assert_non_null(strstr(notes, "is of type \"NonSlidingDoor\""));
+    assert_non_null(strstr(notes, "of type \"NonSlidingDoor\" is not a window"));
     assert_non_null(strstr(notes, "surface \"Shade\" is left out"));
     assert_non_null(strstr(notes, "frame-factor 1"));
     assert_non_null(strstr(xml, "glazing=\"clear-double\" name=\"q\""));
@@ -318,7 +318,7 @@ static void others_are_refused_with_a_reason(void **state)
          "<PolyLoop><CartesianPoint><Coordinate>nan</Coordinate><Coordinate>1e308"
          "</Coordinate><Coordinate>0</Coordinate></CartesianPoint></PolyLoop>"
          "</PlanarGeometry></Surface></Campus></gbXML>",
-         "no room with an opening"},
+         "no space became a room with an opening"},
     };
     for (int i = 0; i < (int)(sizeof cases / sizeof *cases); i++) {
         struct pp_mistakes notes;

@@ -164,7 +164,7 @@ static void cut_at_all_sides_and_at_each_other(void **state)
                  {under_foot, 2 * 1, "0.04 of its 2.04 m2 are cut off"},
                  {beyond_ends, 6 * 1, "0.01 of its 6.01 m2 are cut off"},
                  {overlapping, 3 * 1.5, "1.5 of its 3 m2 are cut off"},
-                 {nested, 3 * 1.5, "or in other openings; taken as wall"}};
+                 {nested, 3 * 1.5, "or overlaps other openings; treated as wall"}};
     for (int i = 0; i < (int)(sizeof cases / sizeof *cases); i++) {
         char notes[2000];
         struct sizes sizes = room_with(3.0, 0.0, 0.0, cases[i].inside, notes);
@@ -216,7 +216,7 @@ static void faces_that_are_not_plane_are_divided(void **state)
     struct sizes sizes = room_with(3.0, 0.005, 0.0, plain_window, notes);
     assert_near(sizes.volume_m3, 72.0 + 12.0 * 0.005 / 3.0, 0.03);
     assert_near(sizes.glass_m2, 3.0, 1e-6);
-    assert_non_null(strstr(notes, "1 faces that are not plane"));
+    assert_non_null(strstr(notes, "1 faces are not plane"));
 }
 
 /* A south wall 50 mm outside leaves the surfaces open; the room is the prism over both
@@ -246,7 +246,7 @@ static void all_slabs_are_floor(void **state)
     assert_near(sizes.volume_m3, 108.0, 1e-6);
     assert_near(sizes.glass_m2, 3.0, 1e-6);
     assert_non_null(strstr(xml, "left=\"6.5\""));
-    assert_non_null(strstr(notes, "the upright prism over its floor is taken"));
+    assert_non_null(strstr(notes, "used instead: a vertical prism over its floor"));
     assert_null(strstr(notes, "its Area"));
     free(xml);
 }
@@ -281,7 +281,7 @@ static void corners_are_welded_within_20_mm(void **state)
     struct sizes sizes = attic(0.01, notes);
     assert_near(sizes.volume_m3, 72.0, 0.2);
     assert_near(sizes.height_m, 4.0, 0.011);
-    assert_non_null(strstr(notes, "corners up to 10 mm apart are made one"));
+    assert_non_null(strstr(notes, "corners up to 10 mm apart are merged"));
     sizes = attic(0.001, notes);
     assert_near(sizes.volume_m3, 72.0, 0.02);
     assert_null(strstr(notes, "made one"));
@@ -289,7 +289,7 @@ static void corners_are_welded_within_20_mm(void **state)
     sizes = attic(0.5, notes);
     assert_near(sizes.volume_m3, 72.0, 1e-3);
     assert_near(sizes.height_m, 3.0, 1e-4);
-    assert_non_null(strstr(notes, "the upright prism"));
+    assert_non_null(strstr(notes, "a vertical prism"));
 }
 
 /* A file that says another area or volume is believed in its surfaces, and it is said. */
@@ -303,7 +303,7 @@ static void other_sizes_are_noted(void **state)
     end_space(&file);
     char *xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_near(sizes_of(xml, 0).floor_m2, 24.0, 1e-6);
-    assert_non_null(strstr(notes, "its floor is 24 m2, its Area 30 m2"));
+    assert_non_null(strstr(notes, "the floor is 24 m2, its Area says 30 m2"));
     assert_null(strstr(notes, "its Volume"));
     free(xml);
 }
@@ -321,7 +321,7 @@ static void ceiling_is_where_the_volume_has_it(void **state)
     struct sizes sizes = sizes_of(xml, 0);
     assert_near(sizes.height_m, 2.8, 1e-6);
     assert_near(sizes.glass_m2, 3.0, 1e-6);
-    assert_non_null(strstr(notes, "its surfaces do not fit its Area and Volume"));
+    assert_non_null(strstr(notes, "its surfaces do not match its Area and Volume"));
     free(xml);
 }
 
@@ -350,7 +350,7 @@ static void overlaps_up_to_20_mm_are_trimmed(void **state)
         const char *noted; /* NULL: nothing */
     } cases[] = {{0.0, 2, NULL},
                  {0.002, 2, NULL},
-                 {0.018, 2, "reaches 18 mm into the space \"a\""},
+                 {0.018, 2, "extends 18 mm into the space \"a\""},
                  {0.3, 1, "with its 1 openings: it overlaps the space \"a\""}};
     for (int i = 0; i < 4; i++) {
         char notes[3000], *xml = two_rooms(cases[i].by, notes);
@@ -358,7 +358,7 @@ static void overlaps_up_to_20_mm_are_trimmed(void **state)
         assert_int_equal(sizes.rooms, cases[i].rooms);
         assert_near(sizes.floor_m2, 24.0 - (i < 3 ? 6.0 * cases[i].by : 0.0), 1e-4);
         assert_true(cases[i].noted ? strstr(notes, cases[i].noted) != NULL
-                                   : strstr(notes, "reaches") == NULL);
+                                   : strstr(notes, "extends") == NULL);
         free(xml);
     }
 }
@@ -377,7 +377,7 @@ static void grid_and_working_plane_fit(void **state)
     made_gbxml_end(&file, "");
     char notes[2000], *xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_int_equal(sizes_of(xml, 0).points, 199 * 159);
-    assert_non_null(strstr(notes, "200 m by 160 m have a grid of 1 m"));
+    assert_non_null(strstr(notes, "200 m by 160 m, with a grid of 1 m"));
     free(xml);
     made_gbxml_begin(&file, "Meters", 1.0, "");
     made_gbxml_space(&file, "a", "");
@@ -386,7 +386,7 @@ static void grid_and_working_plane_fit(void **state)
     made_gbxml_end(&file, "");
     xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_near(sizes_of(xml, 0).plane_m, 0.35, 1e-9);
-    assert_non_null(strstr(notes, "its working plane is put at half its height"));
+    assert_non_null(strstr(notes, "its working plane is at half its height"));
     free(xml);
 }
 
@@ -406,7 +406,7 @@ static void far_models_are_moved(void **state)
     assert_non_null(strstr(xml, "x=\"0\" y=\"0\" z=\"0\""));
     assert_near(sizes_of(xml, 0).floor_m2, 24.0, 1e-4);
     assert_near(sizes_of(xml, 0).glass_m2, 3.0, 1e-4);
-    assert_non_null(strstr(notes, "moved to its own, (506000, 4021000, 0) m"));
+    assert_non_null(strstr(notes, "its own origin is now (506000, 4021000, 0) m"));
     free(xml);
 }
 

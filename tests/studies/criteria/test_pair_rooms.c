@@ -49,7 +49,7 @@ static void another_room_is_not_the_room_before(void **state)
         {"<plan width=\"4.1\" depth=\"6.4\" height=\"2.9\"/>", "another shape"},
         {"<plan height=\"2.9\"><vertex x=\"0\" y=\"0\"/><vertex x=\"4.1\" y=\"0\"/>"
          "<vertex x=\"4.1\" y=\"6.3\"/></plan>",
-         "has 5 faces, and there are 6"},
+         "has 5 faces, and this room 6"},
         {TWO("0.4", "2.2") "<working-plane height=\"0.7\"/>", "working plane"},
     };
     struct pp_world *world = world_of(TWO("0.4", "2.2"));

@@ -38,7 +38,7 @@ static const struct {
     {"opposite wall, north", "<skyline",
      "<window wall='north' left='1.7' sill='1.1' width='1.2' height='1.3' "
      "glazing='solar-control-light' frame-factor='0.7' maintenance='0.8'/><skyline"},
-    {"nothing outside", "<skyline wall='south' angle='23'/>", ""},
+    {"no obstructions outside", "<skyline wall='south' angle='23'/>", ""},
 };
 enum { CASES = sizeof cases / sizeof *cases };
 
@@ -120,7 +120,7 @@ static void each_gain_is_that_of_the_changed_file(void **state)
         assert_relative(gain->values.average, values.average, 1e-6);
         assert_relative(gain->values.darkest, values.darkest, 1e-6);
         assert_true(gain->of_design
-                    == (strcmp(cases[i].change, "nothing outside") != 0));
+                    == (strcmp(cases[i].change, "no obstructions outside") != 0));
     }
 }
 
