@@ -59,8 +59,8 @@ static void the_table_goes_by_nation(void **state)
     assert_near(pp_capitals_median(NAN, NAN, "SE").lux, 12100.0, 0.0);
     assert_non_null(
         strstr(pp_capitals_median(NAN, NAN, "RO").how, "from memory, not checked"));
-    assert_non_null(
-        strstr(pp_capitals_median(latitude, longitude, "SM").how, "no capital for its"));
+    assert_non_null(strstr(pp_capitals_median(latitude, longitude, "SM").how,
+                           "no capital for its"));
     for (int i = 0; i < pp_capitals_count(); i++)
         assert_ptr_equal(pp_capitals_of_country(pp_capitals_at(i)->country),
                          pp_capitals_at(i));
