@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "studies/criteria/window_schedule.h"
+#include "studies/criteria/windows/window_schedule.h"
 
 void pp_schedule_csv(const struct pp_window_schedule *schedule, FILE *out);
 

@@ -52,15 +52,15 @@ static void make_formats(struct formats *formats, lxw_workbook *workbook)
     }
 }
 
-static void put_number(lxw_worksheet *sheet, int row, int column, double value,
-                       lxw_format *format)
+static void put_figure_cell(lxw_worksheet *sheet, int row, int column, double value,
+                            lxw_format *format)
 {
     if (isfinite(value))
         worksheet_write_number(sheet, (lxw_row_t)row, (lxw_col_t)column, value, format);
 }
 
-static void put_text(lxw_worksheet *sheet, int row, int column, const char *text,
-                     lxw_format *format)
+static void put_text_cell(lxw_worksheet *sheet, int row, int column, const char *text,
+                          lxw_format *format)
 {
     if (text && *text)
         worksheet_write_string(sheet, (lxw_row_t)row, (lxw_col_t)column, text, format);
@@ -81,7 +81,7 @@ static void put_heads(lxw_worksheet *sheet, const struct formats *formats,
                              *const parts[PARTS] = {"existing", "proposed", "loss, %",
                                                     "ratio"};
     for (int i = 0; i < KEYS; i++)
-        put_text(sheet, 1, i, keys[i], formats->head);
+        put_text_cell(sheet, 1, i, keys[i], formats->head);
     for (int k = 0; k < PP_SCHEDULE_CHANGES; k++) {
         char title[96];
         bool sun = k == PP_SCHEDULE_YEAR || k == PP_SCHEDULE_WINTER;
@@ -94,10 +94,10 @@ static void put_heads(lxw_worksheet *sheet, const struct formats *formats,
                               (lxw_col_t)(KEYS + PARTS * k + PARTS - 1), title,
                               formats->head);
         for (int p = 0; p < PARTS; p++)
-            put_text(sheet, 1, KEYS + PARTS * k + p, parts[p], formats->head);
+            put_text_cell(sheet, 1, KEYS + PARTS * k + p, parts[p], formats->head);
     }
-    put_text(sheet, 1, KEYS + PARTS * PP_SCHEDULE_CHANGES, "BR 209, sky",
-             formats->head);
+    put_text_cell(sheet, 1, KEYS + PARTS * PP_SCHEDULE_CHANGES, "BR 209, sky",
+                  formats->head);
     worksheet_freeze_panes(sheet, HEAD_ROWS, KEYS);
     worksheet_set_column(sheet, 0, 0, 20.0, NULL);
 }
@@ -106,25 +106,27 @@ static void put_schedule_row(lxw_worksheet *sheet, const struct formats *formats
                              int at, const struct pp_schedule_row *row)
 {
     const struct pp_world *world = row->room->room->world;
-    put_text(sheet, at, 0, world->name, NULL);
-    put_text(sheet, at, 1, world->ref, NULL);
-    put_text(sheet, at, 2, world->use ? pp_room_use_words[world->use] : NULL, NULL);
-    put_number(sheet, at, 3, row->level_m, formats->figure);
-    put_text(sheet, at, 4, row->window, NULL);
+    put_text_cell(sheet, at, 0, world->name, NULL);
+    put_text_cell(sheet, at, 1, world->ref, NULL);
+    put_text_cell(sheet, at, 2, world->use ? pp_room_use_words[world->use] : NULL,
+                  NULL);
+    put_figure_cell(sheet, at, 3, row->level_m, formats->figure);
+    put_text_cell(sheet, at, 4, row->window, NULL);
     for (int k = 0; k < PP_SCHEDULE_CHANGES; k++) {
         double scale = pp_schedule_scale((enum pp_schedule_quantity)k);
         double loss = pp_schedule_loss(row->changes[k]);
         int column = KEYS + PARTS * k;
-        put_number(sheet, at, column, scale * row->changes[k].existing,
-                   formats->figure);
-        put_number(sheet, at, column + 1, scale * row->changes[k].proposed,
-                   formats->figure);
-        put_number(sheet, at, column + 2, 100.0 * loss, loss_format(formats, loss));
-        put_number(sheet, at, column + 3, pp_schedule_ratio(row->changes[k]),
-                   formats->ratio);
+        put_figure_cell(sheet, at, column, scale * row->changes[k].existing,
+                        formats->figure);
+        put_figure_cell(sheet, at, column + 1, scale * row->changes[k].proposed,
+                        formats->figure);
+        put_figure_cell(sheet, at, column + 2, 100.0 * loss,
+                        loss_format(formats, loss));
+        put_figure_cell(sheet, at, column + 3, pp_schedule_ratio(row->changes[k]),
+                        formats->ratio);
     }
-    put_text(sheet, at, KEYS + PARTS * PP_SCHEDULE_CHANGES,
-             pp_finding_verdict(row->verdict), NULL);
+    put_text_cell(sheet, at, KEYS + PARTS * PP_SCHEDULE_CHANGES,
+                  pp_finding_verdict(row->verdict), NULL);
 }
 
 /* Writes the workbook to a file of that name. */

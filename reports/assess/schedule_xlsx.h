@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "studies/criteria/window_schedule.h"
+#include "studies/criteria/windows/window_schedule.h"
 
 /* The same columns as in CSV, with losses from 20, 30 and 40 % coloured. Its bytes depend
  * on the schedule only. PP_BAD_INPUT where the program was built without the library. */

@@ -1,5 +1,5 @@
 /* window_schedule.c - see window_schedule.h. */
-#include "studies/criteria/window_schedule.h"
+#include "studies/criteria/windows/window_schedule.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* window_schedule.h - the schedule of a planning report: a line a window with its sky, its
  * sunlight and its room's lit area, existing and proposed. */
-#ifndef PP_STUDIES_CRITERIA_WINDOW_SCHEDULE_H
-#define PP_STUDIES_CRITERIA_WINDOW_SCHEDULE_H
+#ifndef PP_STUDIES_CRITERIA_WINDOWS_WINDOW_SCHEDULE_H
+#define PP_STUDIES_CRITERIA_WINDOWS_WINDOW_SCHEDULE_H
 
 #include "studies/criteria/assessment.h"
 

@@ -1,5 +1,5 @@
 /* The schedule of windows: what is lost, and how windows are named and ordered. */
-#include "studies/criteria/window_schedule.h"
+#include "studies/criteria/windows/window_schedule.h"
 
 #include <math.h>
 
