@@ -19,7 +19,8 @@ mkdir -p "$out/source/docs"
 for folder in commands cookbook elements gallery lesson methods tutorial; do
     cp -R "$sources/docs/$folder" "$out/source/docs"
 done
-cp "$sources"/docs/*.md "$sources/docs/conf.py" "$sources/docs/site.css" "$sources/docs/room.rng" "$out/source/docs"
+cp "$sources"/docs/*.md "$sources/docs/conf.py" "$sources/docs/site.css" "$sources/docs/room.rng" \
+    "$sources/docs/openapi.json" "$out/source/docs"
 cp -R "$sources/examples" "$sources/tables" "$out/source"
 chmod -R u+w "$out/source"
 for page in ARCHITECTURE.md CONTRIBUTING.md; do
