@@ -37,6 +37,9 @@ struct annual_options {
     double sun_shift_min; /* NAN: auto */
     bool without_blinds, leap_day;
     const char *hourly, *coefficients;
+    struct part_of_rooms {
+        int number, count; /* from 1; count 0: all rooms */
+    } part;
     enum pp_format format;
 };
 
@@ -101,6 +104,12 @@ static enum pp_status compute_room(struct annual_run *run,
                              &run->options->annual, err);
 }
 
+/* Rooms K, K + N, K + 2 N, ... of all. */
+static bool is_in_part(const struct part_of_rooms *part, int room)
+{
+    return part->count == 0 || room % part->count == part->number - 1;
+}
+
 static enum pp_status compute_annual(void *data, struct pp_error *err)
 {
     struct annual_run *run = data;
@@ -114,9 +123,11 @@ static enum pp_status compute_annual(void *data, struct pp_error *err)
     settle_annual(run);
     pp_interrupt_watch();
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
-        run->results.count = i + 1;
-        status = compute_room(run, &rooms->list[i], &run->results.list[i], err);
-        if (status == PP_OK && !run->results.list[i].sheet.finished)
+        if (!is_in_part(&run->options->part, i))
+            continue;
+        struct pp_annual_result *result = &run->results.list[run->results.count++];
+        status = compute_room(run, &rooms->list[i], result, err);
+        if (status == PP_OK && !result->sheet.finished)
             break;
     }
     return status;
@@ -207,8 +218,15 @@ static enum pp_exit run_annual(void *values, char **files, int file_count)
         result = pp_rooms_load(&rooms, "annual", files, file_count, &options->room);
     if (result != PP_EXIT_DONE)
         return result;
-    if ((options->hourly || options->coefficients) && rooms.count != 1) {
-        struct pp_error err = {0};
+    struct pp_error err = {0};
+    if (options->part.number > rooms.count) {
+        pp_fail(&err, PP_BAD_INPUT,
+                "--part %d/%d: the part is empty, because there %s %d room%s",
+                options->part.number, options->part.count,
+                rooms.count == 1 ? "is" : "are", rooms.count,
+                rooms.count == 1 ? "" : "s");
+        result = pp_message_error(&err);
+    } else if ((options->hourly || options->coefficients) && rooms.count != 1) {
         pp_fail(&err, PP_BAD_INPUT,
                 "%s is for one room, and there are %d; expected --room NAME",
                 options->hourly ? "--hourly" : "--coefficients", rooms.count);
@@ -254,6 +272,17 @@ static enum pp_status read_blinds(const char *text, void *place, struct pp_error
     return PP_OK;
 }
 
+static enum pp_status read_part(const char *text, void *place, struct pp_error *err)
+{
+    double v[2];
+    struct part_of_rooms *part = place;
+    if (pp_options_numbers(text, '/', v, 2) != 2 || v[0] != floor(v[0])
+        || v[1] != floor(v[1]) || !(v[0] >= 1.0 && v[0] <= v[1] && v[1] <= 100000.0))
+        return pp_fail(err, PP_BAD_INPUT, "K/N with K from 1 to N, such as 1/4");
+    *part = (struct part_of_rooms){(int)v[0], (int)v[1]};
+    return PP_OK;
+}
+
 static enum pp_status read_hourly(const char *text, void *place, struct pp_error *err)
 {
     if (pp_annual_hourly_of_name(text) == PP_ANNUAL_HOURLY_NONE)
@@ -289,6 +318,10 @@ static const struct pp_option result_options[] = {
      "matrix "
      "of Radiance's (dctimestep).",
      pp_options_read_output, PLACE(coefficients)},
+    {"part", 0, "K/N",
+     "Only rooms K, K + N, K + 2 N and so on: the parts 1/N to N/N are all rooms, for "
+     "several machines or runs.",
+     read_part, PLACE(part)},
     {0},
 };
 

@@ -135,6 +135,20 @@ check "a dark hour has no scene" refuses 1 "no light" $export -w "$scratch/year.
 check "a moment has its own light" refuses 2 "--external" $export --sky perez,600,120,35,150 \
     --external 5000 "$room"
 
+# Parts of a building's rooms are together the whole, to the byte.
+parts="$annual -f csv --points 1,1"
+run $parts "$examples/building.xml"
+cp "$scratch/out" "$scratch/whole.csv"
+for k in 1 2; do
+    run $parts --part $k/2 "$examples/building.xml"
+    cp "$scratch/out" "$scratch/part-$k.csv"
+done
+check "two parts are the whole" sh -c "cd '$scratch' && test \"\$(sort -u part-1.csv part-2.csv)\" = \
+    \"\$(sort -u whole.csv)\""
+check "each is less" sh -c "cd '$scratch' && ! cmp -s part-1.csv whole.csv"
+check "an empty part" refuses 1 "the part is empty" $annual --part 2/2 "$room"
+check "a part of none" refuses 2 "K/N" $annual --part 3/2 "$room"
+
 check "no weather file" refuses 2 "--weather" annual "$room"
 check "no room" refuses 2 "room file" $annual
 check "a weather file that is none" refuses 1 "EPW" annual -w "$deep" "$room"
